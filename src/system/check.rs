@@ -59,6 +59,34 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// A table of motion with times that do not increase from 0 to the end, or columns of another length.
+fn motion_table(
+    times: &Key<'_, Vec<f64>>,
+    columns: &[&Key<'_, Vec<f64>>],
+    until: Option<f64>,
+) -> Option<Finding> {
+    let given = columns.iter().find(|column| column.is_given());
+    let Some(rows) = times.value().filter(|rows| !rows.is_empty()) else {
+        let remedy = "add the times of its rows: `table_time_s = [0.0, ...]`";
+        return given.and(times.if_missing(remedy));
+    };
+    let increases = rows.windows(2).all(|pair| pair[0] < pair[1]);
+    let ends = until.is_none_or(|until| rows.last().is_some_and(|last| *last >= until));
+    if rows.len() < 2 || rows[0] != 0.0 || !increases || !ends {
+        let problem = "must increase from 0 to the end of the run";
+        return Some(times.finding(problem, "give two rows or more, the first at 0"));
+    }
+    let off = |column: &&&Key<'_, Vec<f64>>| {
+        column.is_given()
+            && column
+                .value()
+                .is_some_and(|values| values.len() != rows.len())
+    };
+    let column = columns.iter().find(off)?;
+    let remedy = "give one value for each time";
+    Some(column.finding("has another number of rows than `table_time_s`", remedy))
+}
+
 /// A break without a place or a cause, or of a line that stands for several.
 fn breaks(line: &LineKeys<'_>) -> Option<Finding> {
     let caused = line.break_s.is_given() || line.break_n.is_given();
@@ -89,7 +117,24 @@ fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
             found.extend(point.period_s.if_missing(remedy));
         }
     }
+    let until = keys
+        .solver
+        .as_ref()
+        .and_then(|solver| solver.duration_s.value());
+    for (_, point) in &keys.points {
+        let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
+        found.extend(motion_table(&point.table_time_s, &columns, until));
+    }
     for (_, body) in &keys.bodies {
+        let columns = [
+            &body.table_x_m,
+            &body.table_y_m,
+            &body.table_z_m,
+            &body.table_roll_deg,
+            &body.table_pitch_deg,
+            &body.table_yaw_deg,
+        ];
+        found.extend(motion_table(&body.table_time_s, &columns, until));
         let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
         if body.kind.is(&BodyKind::Moved) && moves {
             let remedy = "add the period of its motion: `period_s = [10.0]`, or six of them";

@@ -165,6 +165,14 @@ table! {
         period_s: Option<OneOrMany>, "motion period", kind NumberOrTriple, range positive(1e5), absent "it stays", matters MOVED;
         /// Phases of its motion, A sin(2 pi t / T + phase).
         phase_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion phase", range of(-360.0, 360.0), matters MOVED;
+        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run; splines through its rows.
+        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters MOVED;
+        /// x from its position at these times.
+        table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// y from its position at these times.
+        table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// z from its position at these times.
+        table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
@@ -232,6 +240,20 @@ table! {
         period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters MOVED;
         /// Phases of its six motions, A sin(2 pi t / T + phase): six numbers.
         phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters MOVED;
+        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run; splines through its rows.
+        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters MOVED;
+        /// x from its position at these times.
+        table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// y from its position at these times.
+        table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// z from its position at these times.
+        table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// Roll from that of its pose at these times.
+        table_roll_deg: Vec<f64>, "roll of the table", range of(-360.0, 360.0), absent "0", matters MOVED;
+        /// Pitch from that of its pose at these times.
+        table_pitch_deg: Vec<f64>, "pitch of the table", range of(-90.0, 90.0), absent "0", matters MOVED;
+        /// Yaw from that of its pose at these times.
+        table_yaw_deg: Vec<f64>, "yaw of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }

@@ -40,6 +40,10 @@ fn point(rod: &str, x: f64) -> PointInputs {
         amplitude_m: [0.0; 3],
         period_s: None,
         phase_deg: [0.0; 3],
+        table_time_s: Vec::new(),
+        table_x_m: Vec::new(),
+        table_y_m: Vec::new(),
+        table_z_m: Vec::new(),
         ramp_s: 0.0,
     }
 }
@@ -74,6 +78,13 @@ fn body(rod: &RodInputs) -> BodyInputs {
         amplitude_deg: [0.0; 3],
         period_s: Vec::new(),
         phase_deg: Vec::new(),
+        table_time_s: Vec::new(),
+        table_x_m: Vec::new(),
+        table_y_m: Vec::new(),
+        table_z_m: Vec::new(),
+        table_roll_deg: Vec::new(),
+        table_pitch_deg: Vec::new(),
+        table_yaw_deg: Vec::new(),
         ramp_s: 0.0,
         members: vec![MemberInputs {
             from_m: [-0.5 * long, 0.0, 0.0],

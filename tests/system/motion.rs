@@ -357,3 +357,59 @@ fn a_line_breaks_where_its_tension_comes_to_the_limit() {
     let by_time = line("break_at_m = 20.0\nbreak_s = 3.0");
     assert_eq!(by_time.happened, ["3.000000 s: line wire breaks"]);
 }
+
+/// A line whose top moves as this says.
+fn pulled(motion: &str) -> MotionRun {
+    moved(&format!(
+        "{WIRE}
+        [points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\n{motion}
+        [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
+        [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\nsegments = 20
+        {}",
+        solver(16.0, 0.05)
+    ))
+}
+
+#[test]
+fn a_table_of_a_swing_moves_as_the_swing() {
+    let swing = pulled("amplitude_m = [0.0, 0.0, 1.5]\nperiod_s = 8.0\nramp_s = 4.0");
+    let times: Vec<f64> = (0..=80).map(|k| 0.2 * k as f64).collect();
+    let heights: Vec<f64> = times
+        .iter()
+        .map(|t| 1.5 * (std::f64::consts::TAU * t / 8.0).sin())
+        .collect();
+    let table = pulled(&format!(
+        "table_time_s = {times:?}\ntable_z_m = {heights:?}\nramp_s = 4.0"
+    ));
+    let (swing, table) = (
+        channel(&swing, "tension_n[one|b]"),
+        channel(&table, "tension_n[one|b]"),
+    );
+    for (swing, table) in swing.iter().zip(table) {
+        assert!((swing - table).abs() < 2e-3 * swing, "{swing} {table}");
+    }
+}
+
+#[test]
+fn tables_of_motion_that_do_not_fit_are_refused() {
+    let refused = |table: &str| {
+        let text = format!(
+            "{HEAD}{WIRE}[points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\n{table}
+            [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
+            [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0
+            [solver]\nduration_s = 10.0\n"
+        );
+        let errors =
+            seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap_err();
+        errors.iter().map(ToString::to_string).collect::<String>()
+    };
+    let short = refused("table_time_s = [0.0, 5.0]\ntable_z_m = [0.0, 1.0]");
+    assert!(
+        short.contains("must increase from 0 to the end of the run"),
+        "{short}"
+    );
+    let uneven = refused("table_time_s = [0.0, 5.0, 10.0]\ntable_z_m = [0.0, 1.0]");
+    assert!(uneven.contains("another number of rows"), "{uneven}");
+    let lost = refused("table_z_m = [0.0, 1.0]");
+    assert!(lost.contains("table_time_s"), "{lost}");
+}

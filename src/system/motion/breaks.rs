@@ -128,6 +128,10 @@ fn between() -> PointInputs {
         amplitude_m: [0.0; 3],
         period_s: None,
         phase_deg: [0.0; 3],
+        table_time_s: Vec::new(),
+        table_x_m: Vec::new(),
+        table_y_m: Vec::new(),
+        table_z_m: Vec::new(),
         ramp_s: 0.0,
     }
 }

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::PoseMotion;
 use crate::case::OneOrMany;
 use crate::numerics::V3;
+use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::{Component, Harmonics};
@@ -20,6 +21,14 @@ pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
         }
         None => [f64::INFINITY; 3],
     };
+    let columns = [&given.table_x_m, &given.table_y_m, &given.table_z_m];
+    if let Some(course) = table(&given.table_time_s, columns, 1.0) {
+        return EndMotion {
+            position: place,
+            course,
+            ramp: given.ramp_s,
+        };
+    }
     harmonic(
         place,
         given.amplitude_m,
@@ -49,6 +58,25 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
             given.ramp_s,
         )
     };
+    let by_table = |columns, scale, position| {
+        let course = table(&given.table_time_s, columns, scale)?;
+        Some(EndMotion {
+            position,
+            course,
+            ramp: given.ramp_s,
+        })
+    };
+    let places = [&given.table_x_m, &given.table_y_m, &given.table_z_m];
+    let turns = [
+        &given.table_roll_deg,
+        &given.table_pitch_deg,
+        &given.table_yaw_deg,
+    ];
+    let moved = by_table(places, 1.0, V3::from(given.position_m));
+    let turned = by_table(turns, 1_f64.to_radians(), V3::from(angles));
+    if let Some((place, angles)) = moved.zip(turned) {
+        return PoseMotion { place, angles };
+    }
     PoseMotion {
         place: three(0, V3::from(given.position_m), given.amplitude_m),
         angles: three(
@@ -57,6 +85,16 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
             given.amplitude_deg.map(f64::to_radians),
         ),
     }
+}
+
+/// A spline through the rows of a table, absent columns zero; nothing without a table.
+fn table(times: &[f64], columns: [&Vec<f64>; 3], scale: f64) -> Option<MotionPath> {
+    let row = |(k, time): (usize, &f64)| {
+        let at = columns.map(|column| column.get(k).map_or(0.0, |value| value * scale));
+        (*time, V3::from(at))
+    };
+    let rows: Vec<(f64, V3)> = times.iter().enumerate().map(row).collect();
+    Spline::through(&rows).ok().map(MotionPath::Table)
 }
 
 /// `A sin(2 pi t / T + phase)` along each axis about a place, growing over a ramp.
