@@ -9,7 +9,7 @@ use super::{
 use crate::{
     files::Target,
     report::system::{self as views, json, motion},
-    run::store::StoreError,
+    run::store::{StoreError, write_history},
     system::{
         SolvedSystem, SystemFile,
         analysis::analyses::Analyses,
@@ -130,14 +130,14 @@ fn keep(
         source,
     })?;
     let files = [
-        ("case.toml", text),
-        ("history.csv", motion::history(run)),
-        ("report.txt", report.to_owned()),
-        ("results.json", format!("{object:#}\n")),
+        ("case.toml", text.into_bytes()),
+        ("history.csv", write_history(&run.history)?),
+        ("report.txt", report.as_bytes().to_vec()),
+        ("results.json", format!("{object:#}\n").into_bytes()),
     ];
     for (name, contents) in files {
         Target::new(&dir.join(name))
-            .write(contents.as_bytes())
+            .write(&contents)
             .map_err(StoreError::from)?;
     }
     Ok(())

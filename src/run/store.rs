@@ -43,6 +43,7 @@ use crate::files::WriteError;
 
 pub use create::RunLocation;
 pub(in crate::run) use history_csv::HistoryReader;
+pub use history_csv::write_history;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
 pub use notes::RunNotes;

@@ -11,8 +11,8 @@ use super::model::{
 };
 use super::motion::inputs::{body_motion, point_motion};
 use super::network::{
-    Body, FreePoint, HeadingLoads, Held, LetGo, Line, Member, Network, Point, WEIGHTLESS, reversed,
-    weight, weighted,
+    Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
+    WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, parts};
 use super::pose::Pose;
@@ -209,11 +209,11 @@ impl Builder<'_> {
                 .collect(),
             friction: friction.unwrap_or(0.0),
             releases: [
-                LetGo {
+                ReleaseCondition {
                     time: line.release_a_s,
                     tension: line.release_a_n,
                 },
-                LetGo {
+                ReleaseCondition {
                     time: line.release_b_s,
                     tension: line.release_b_n,
                 },

@@ -1,6 +1,10 @@
 //! A system of lines as the user words it: one struct a table of the file, one field a key.
 
+mod motion;
+
 use std::collections::BTreeMap;
+
+pub use motion::{MotionInputs, MotionOutput};
 
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
@@ -85,36 +89,6 @@ table! {
 }
 
 table! {
-    /// How a run in time is computed: implicit generalized-alpha, from the equilibrium.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct MotionInputs => MotionInputKeys {
-        /// Simulated time.
-        duration_s: f64, "duration", range positive(1e6);
-        /// Constant time step. If absent it is chosen, and varies with the error; the run reports it.
-        time_step_s: Option<f64>, "time step", range positive(1e3), absent "chosen by the solver";
-        /// Error allowed in a step of varying length: in positions by the length L of the longest line, in velocities by 2 sqrt(g L).
-        step_tolerance: f64 = 2e-5, "step tolerance", range positive(1.0);
-        /// Spectral radius of generalized-alpha at infinite frequency: 0 damps most, 1 not at all.
-        rho_inf: f64 = 0.4, "rho infinity", range of(0.0, 1.0);
-        /// Newton iterations a step may take before it is halved.
-        max_iterations: usize = 30, "greatest iterations", range of(1.0, 1e4);
-        /// Newton stops when no node moves by more than this.
-        position_tolerance_m: f64 = 1e-5, "position tolerance", range positive(1.0);
-        /// Whether companion runs estimate the time and mesh error of every result.
-        error_estimate: bool = true, "error estimate";
-    }
-}
-
-table! {
-    /// What is recorded of a run in time.
-    #[derive(Debug, Clone, PartialEq)]
-    pub struct MotionOutput => MotionOutputKeys {
-        /// Interval of the time history.
-        interval_s: f64 = 0.5, "history interval", range positive(1e5);
-    }
-}
-
-table! {
     /// A steady wind.
     #[derive(Debug, Clone, PartialEq)]
     pub struct SystemWind => SystemWindKeys {
@@ -175,6 +149,31 @@ table! {
         table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
+    }
+}
+
+impl PointInputs {
+    /// A point of a kind that states nothing else.
+    #[must_use]
+    pub fn of(kind: PointKind) -> Self {
+        Self {
+            kind,
+            position_m: None,
+            body: None,
+            mass_kg: 0.0,
+            volume_m3: 0.0,
+            added_mass_kg: 0.0,
+            drag_area_m2: 0.0,
+            load_n: [0.0; 3],
+            amplitude_m: [0.0; 3],
+            period_s: None,
+            phase_deg: [0.0; 3],
+            table_time_s: Vec::new(),
+            table_x_m: Vec::new(),
+            table_y_m: Vec::new(),
+            table_z_m: Vec::new(),
+            ramp_s: 0.0,
+        }
     }
 }
 

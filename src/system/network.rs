@@ -188,14 +188,14 @@ pub struct HeadingLoads {
 
 /// When an end of a line is let go in motion, whichever comes first.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct LetGo {
+pub struct ReleaseCondition {
     /// At this time \[s\].
     pub time: Option<f64>,
     /// Where the tension at the end comes to this \[N\].
     pub tension: Option<f64>,
 }
 
-impl LetGo {
+impl ReleaseCondition {
     /// Whether it is ever let go.
     #[must_use]
     pub fn is_given(&self) -> bool {
@@ -223,7 +223,7 @@ pub struct Line {
     /// Axial friction under the line \[-\].
     pub friction: f64,
     /// When its ends are let go in motion, A first.
-    pub releases: [LetGo; 2],
+    pub releases: [ReleaseCondition; 2],
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
 }

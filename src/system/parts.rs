@@ -1,6 +1,6 @@
 //! The parts of a line: its sections, each of one material, in order from its end A.
 
-use super::model::{LineInputs, SystemFile};
+use super::model::{LineInputs, LineSection, SystemFile};
 use crate::case::Material;
 
 /// A stretch of a line of one material.
@@ -18,22 +18,28 @@ pub struct Part {
     pub pieces: usize,
 }
 
-/// The parts of a line, which the checks passed: its sections, or the line of one material as one.
+/// The sections of a line, which the checks passed: a line of one material has one.
+#[must_use]
+pub fn sections(line: &LineInputs) -> Vec<LineSection> {
+    match (&line.material, line.length_m) {
+        (Some(material), Some(length_m)) => vec![LineSection {
+            material: material.clone(),
+            length_m,
+            clump_kg: 0.0,
+        }],
+        _ => line.sections.clone(),
+    }
+}
+
+/// The parts of a line, which the checks passed.
 #[must_use]
 pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
-    let part = |material: &String, length_m: f64, clump_kg: f64| Part {
-        name: material.clone(),
-        material: file.materials[material].clone(),
-        length_m,
-        clump_kg,
+    let part = |section: LineSection| Part {
+        material: file.materials[&section.material].clone(),
+        name: section.material,
+        length_m: section.length_m,
+        clump_kg: section.clump_kg,
         pieces: 1,
     };
-    match (&line.material, line.length_m) {
-        (Some(material), Some(length_m)) => vec![part(material, length_m, 0.0)],
-        _ => line
-            .sections
-            .iter()
-            .map(|section| part(&section.material, section.length_m, section.clump_kg))
-            .collect(),
-    }
+    sections(line).into_iter().map(part).collect()
 }

@@ -29,22 +29,9 @@ fn length(rod: &RodInputs) -> f64 {
 
 fn point(rod: &str, x: f64) -> PointInputs {
     PointInputs {
-        kind: PointKind::Body,
         position_m: Some([x, 0.0, 0.0]),
         body: Some(rod.to_owned()),
-        mass_kg: 0.0,
-        volume_m3: 0.0,
-        added_mass_kg: 0.0,
-        drag_area_m2: 0.0,
-        load_n: [0.0; 3],
-        amplitude_m: [0.0; 3],
-        period_s: None,
-        phase_deg: [0.0; 3],
-        table_time_s: Vec::new(),
-        table_x_m: Vec::new(),
-        table_y_m: Vec::new(),
-        table_z_m: Vec::new(),
-        ramp_s: 0.0,
+        ..PointInputs::of(PointKind::Body)
     }
 }
 

@@ -26,8 +26,7 @@ fn moved(text: &str) -> MotionRun {
 
 /// The values of a channel.
 fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
-    let index = run.channels.iter().position(|c| c.id.to_string() == name);
-    &run.rows[index.unwrap()]
+    &run.history.channel(name).unwrap().values
 }
 
 const WIRE: &str = "
@@ -296,7 +295,7 @@ fn a_moored_body_decays_with_its_natural_period() {
     let period = std::f64::consts::TAU * (mass * (mean(z) + 110.0) / mean(t)).sqrt();
     let crossings: Vec<f64> = (n / 10..n)
         .filter(|k| x[k - 1] < 0.0 && x[*k] >= 0.0)
-        .map(|k| run.time[k - 1] - x[k - 1] / (x[k] - x[k - 1]) * 0.25)
+        .map(|k| run.history.time[k - 1] - x[k - 1] / (x[k] - x[k - 1]) * 0.25)
         .collect();
     let cycles = (crossings.len() - 1) as f64;
     let found = (crossings.last().unwrap() - crossings[0]) / cycles;

@@ -1,6 +1,4 @@
-//! A system in motion in tables, as `history.csv`, and as JSON.
-
-use std::fmt::Write;
+//! A system in motion in tables, charts and as JSON.
 
 use serde_json::{Value, json};
 
@@ -84,10 +82,12 @@ pub fn summary(run: &MotionRun) -> String {
 /// The tensions at the ends of the lines against time.
 #[must_use]
 pub fn tensions(run: &MotionRun, end: &str) -> Chart {
-    let of_end = run.channels.iter().zip(&run.rows);
-    let of_end = of_end.filter(|(channel, _)| channel.id.place.ends_with(end));
-    let series = of_end.enumerate().map(|(number, (channel, row))| {
-        let points = run.time.iter().copied().zip(row.iter().copied());
+    let history = &run.history;
+    let of_end = history.channels.iter();
+    let of_end = of_end.filter(|channel| channel.id.place.ends_with(end));
+    let series = of_end.enumerate().map(|(number, channel)| {
+        let points = history.time.iter().zip(&channel.values);
+        let points = points.map(|(time, value)| (*time, *value));
         Series::new(&channel.id.place, number, points.collect())
     });
     let title = format!(
@@ -122,30 +122,6 @@ pub fn report(solved: &SolvedSystem, run: &MotionRun, glyphs: Glyphs) -> String 
         page.chart(&tensions(run, end), LINES, glyphs);
     }
     page.finish()
-}
-
-/// `history.csv`: the time, and a column a channel.
-#[must_use]
-pub fn history(run: &MotionRun) -> String {
-    let mut text = "time_s".to_owned();
-    for channel in &run.channels {
-        let name = channel.id.to_string();
-        // Names of lines hold no quotes.
-        let quoted = name.contains(',');
-        let _ = match quoted {
-            true => write!(text, ",\"{name}\""),
-            false => write!(text, ",{name}"),
-        };
-    }
-    text.push('\n');
-    for (i, time) in run.time.iter().enumerate() {
-        let _ = write!(text, "{time}");
-        for row in &run.rows {
-            let _ = write!(text, ",{}", row[i]);
-        }
-        text.push('\n');
-    }
-    text
 }
 
 /// The run as a JSON object.

@@ -34,7 +34,10 @@ pub(super) fn history_row(frame: &OutputFrame) -> String {
 }
 
 /// The whole file of a history that is held in memory.
-pub(super) fn write_history(history: &History) -> Result<Vec<u8>, StoreError> {
+///
+/// # Errors
+/// [`StoreError`] where a name cannot be written.
+pub fn write_history(history: &History) -> Result<Vec<u8>, StoreError> {
     let mut csv = history_header(history.channels.iter().map(|channel| &channel.id))?;
     for (i, time) in history.time.iter().enumerate() {
         let channels = history.channels.iter();

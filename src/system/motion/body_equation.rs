@@ -53,21 +53,21 @@ impl MovingBody {
     }
 
     /// The residual, inertia less loads: force \[N\] and moment about the origin \[N m\] in the earth's directions, and its
-    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `turning` turns changes of that
+    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `jacobian` turns changes of that
     /// vector into turns in the earth's directions.
     #[must_use]
     pub fn residual(
         &self,
         network: &Network,
         motion: &BodyMotion,
-        turning: &M3,
+        jacobian: &M3,
         c: Factors,
     ) -> (Vector6<f64>, Matrix6<f64>) {
         let body = &network.bodies[self.number];
         let one = M3::identity();
         let (k, damping, mass) = (c.stiffness, one * c.damping, one * c.mass);
         let rotation = motion.pose.matrix();
-        let turn = unknown(&V3::zeros(), 3, &(turning * k));
+        let turn = unknown(&V3::zeros(), 3, &(jacobian * k));
         let velocity = unknown(&motion.velocity, 0, &damping);
         let acceleration = unknown(&motion.acceleration, 0, &mass);
         let spin = unknown(&motion.spin, 3, &damping);
@@ -88,7 +88,7 @@ impl MovingBody {
         let (fixed, by_turn) = fixed_loads(body, &motion.pose);
         let mut by_unknowns = by_turn;
         let mut columns = by_unknowns.fixed_view_mut::<6, 3>(0, 3);
-        columns.copy_from(&(by_turn.fixed_view::<6, 3>(0, 3) * turning * k));
+        columns.copy_from(&(by_turn.fixed_view::<6, 3>(0, 3) * jacobian * k));
         (-(force + fixed), tangent + by_unknowns)
     }
 
@@ -195,7 +195,7 @@ fn bottom(network: &Network, body: &Body, moving: &MovingPose, sum: &mut LoadSum
 /// earth's directions: `R J(v)` with R the rotation after it and J the right Jacobian
 /// `I - (1 - cos a)/a² [v] + (a - sin a)/a³ [v]²`, a = |v|.
 #[must_use]
-pub fn turning(rotation: &nalgebra::UnitQuaternion<f64>, vector: &V3) -> M3 {
+pub fn rotation_jacobian(rotation: &nalgebra::UnitQuaternion<f64>, vector: &V3) -> M3 {
     let angle2 = vector.norm_squared();
     let (first, second) = if angle2 < 1e-8 {
         (0.5 - angle2 / 24.0, 1.0 / 6.0 - angle2 / 120.0)
@@ -294,7 +294,12 @@ mod tests {
             stiffness: 1.0,
         };
         let residual = |motion: &BodyMotion, vector: &V3| {
-            moving.residual(&network, motion, &turning(&motion.pose.rotation, vector), c)
+            moving.residual(
+                &network,
+                motion,
+                &rotation_jacobian(&motion.pose.rotation, vector),
+                c,
+            )
         };
         let (_, tangent) = residual(&motion, &vector);
         for k in 0..6 {

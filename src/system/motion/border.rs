@@ -3,7 +3,7 @@
 //! Each line that borders on unknowns is condensed onto its end nodes. What is left there goes to the joints as an element: an end on a free
 //! point moves with it; an end at the arm r of a free body moves by `du + dt x r`, and its force F has the moment `r x F`.
 
-use super::body_equation::{MovingBody, turning};
+use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::{Follows, Role};
 use super::moving_system::MovingSystem;
 use super::point_loads::point_load;
@@ -11,7 +11,7 @@ use super::pose_motion::BodyMotion;
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, V3};
 use crate::solve::{Factors, NewtonError, Residual, State};
-use crate::system::network::{FreePoint, Held};
+use crate::system::network::Held;
 use crate::system::pose::cross;
 
 /// Work arrays of the iteration; allocates in [`Border::new`] only.
@@ -43,7 +43,7 @@ struct Arm {
     lever: M3,
     /// The arm as the matrix of its cross product.
     arm: M3,
-    turning: M3,
+    jacobian: M3,
 }
 
 /// The rows that an end of a line acts on.
@@ -219,7 +219,7 @@ impl Border {
                     // The arm turns under the force.
                     let turned = cross(&own[i]) * arm.arm * stiffness;
                     *self.matrix.block(arm.rotation, arm.rotation) +=
-                        arm.turning.transpose() * turned * arm.turning;
+                        arm.jacobian.transpose() * turned * arm.jacobian;
                 }
             }
             for (j, by) in ends.iter().enumerate() {
@@ -261,7 +261,9 @@ impl Border {
             };
             match system.joints.roles[joint] {
                 Role::Free(number) => {
-                    let point = free_point(system, number);
+                    let Held::Free(point) = &system.network.points[number].held else {
+                        continue;
+                    };
                     let (x, v, a) = node(&state.joints, joint);
                     let load = point_load(&system.network, point, x, v);
                     let residual = a * point.moving_mass - load.force;
@@ -271,7 +273,7 @@ impl Border {
                         - load.by_velocity * c.damping
                         - load.by_position * c.stiffness;
                 }
-                Role::LetGo(line, end) if state.attached[line][end] != joint => {
+                Role::Released(line, end) if state.attached[line][end] != joint => {
                     *self.matrix.block(row, row) += M3::identity();
                 }
                 _ => {}
@@ -287,10 +289,13 @@ impl Border {
                 continue;
             };
             let motion = system.body(state, body.number);
-            let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
-            let (residual, tangent) = body.residual(&system.network, &motion, &turning, c);
+            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let (residual, tangent) = body.residual(&system.network, &motion, &jacobian, c);
             // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
-            let rows = [(first, 0, M3::identity()), (second, 3, turning.transpose())];
+            let rows = [
+                (first, 0, M3::identity()),
+                (second, 3, jacobian.transpose()),
+            ];
             for (row, from, along) in rows {
                 let own = along * residual.fixed_rows::<3>(from);
                 self.rows[row] += own;
@@ -333,23 +338,6 @@ fn node(state: &State, joint: usize) -> (&V3, &V3, &V3) {
     (&state.x[joint], &state.v[joint], &state.a[joint])
 }
 
-/// A free point of the network.
-#[must_use]
-pub fn free_point(system: &MovingSystem, number: usize) -> &FreePoint {
-    const NONE: &FreePoint = &FreePoint {
-        weight: 0.0,
-        buoyancy: 0.0,
-        moving_mass: 0.0,
-        drag_area: 0.0,
-        load: V3::new(0.0, 0.0, 0.0),
-        start: None,
-    };
-    match &system.network.points[number].held {
-        Held::Free(point) => point,
-        _ => NONE,
-    }
-}
-
 /// How the end of a line at a joint moves.
 fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
     match system.joints.follows(joint) {
@@ -362,16 +350,16 @@ fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
                 return End::Nothing;
             };
             let motion: BodyMotion = system.body(state, body);
-            let turning = turning(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
             let arm = cross(&motion.pose.arm(&at));
-            let by_turn = -arm * turning;
+            let by_turn = -arm * jacobian;
             End::Body(Arm {
                 origin: first,
                 rotation: second,
                 by_turn,
                 lever: by_turn.transpose(),
                 arm,
-                turning,
+                jacobian,
             })
         }
     }

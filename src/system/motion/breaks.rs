@@ -1,10 +1,13 @@
 //! Lines that may break: in motion they are two lines from the start, joined by a point without mass that the break parts.
 
 use super::moving_system::MovingSystem;
+use crate::numerics::V3;
 use crate::system::SolvedSystem;
+use crate::system::discretised::SEGMENTS;
 use crate::system::freedoms::Placement;
 use crate::system::model::{LineInputs, LineSection, PointInputs, PointKind, SystemFile};
 use crate::system::network::{Held, Network};
+use crate::system::parts::sections;
 
 /// What the name of the second part of a line ends in, and of the point between both. No name in a file has a blank.
 const SECOND: &str = " beyond the break";
@@ -20,7 +23,9 @@ pub fn written_out(file: &SystemFile) -> SystemFile {
             whole.lines.push(line.clone());
             continue;
         };
-        whole.points.insert(first.to.clone(), between());
+        whole
+            .points
+            .insert(first.to.clone(), PointInputs::of(PointKind::Free));
         whole.lines.extend([first, second]);
     }
     whole
@@ -35,9 +40,7 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         return None;
     }
     let (before, after) = cut(sections, at);
-    let segments = line
-        .segments
-        .unwrap_or(crate::system::discretised::SEGMENTS) as f64;
+    let segments = line.segments.unwrap_or(SEGMENTS) as f64;
     let share = |part: f64| {
         #[expect(
             clippy::cast_possible_truncation,
@@ -100,42 +103,6 @@ fn cut(sections: Vec<LineSection>, at: f64) -> (Vec<LineSection>, Vec<LineSectio
     (before, after)
 }
 
-fn sections(line: &LineInputs) -> Vec<LineSection> {
-    if !line.sections.is_empty() {
-        return line.sections.clone();
-    }
-    let one = line.material.clone().zip(line.length_m);
-    one.map(|(material, length_m)| LineSection {
-        material,
-        length_m,
-        clump_kg: 0.0,
-    })
-    .into_iter()
-    .collect()
-}
-
-/// The point between both parts.
-fn between() -> PointInputs {
-    PointInputs {
-        kind: PointKind::Free,
-        position_m: None,
-        body: None,
-        mass_kg: 0.0,
-        volume_m3: 0.0,
-        added_mass_kg: 0.0,
-        drag_area_m2: 0.0,
-        load_n: [0.0; 3],
-        amplitude_m: [0.0; 3],
-        period_s: None,
-        phase_deg: [0.0; 3],
-        table_time_s: Vec::new(),
-        table_x_m: Vec::new(),
-        table_y_m: Vec::new(),
-        table_z_m: Vec::new(),
-        ramp_s: 0.0,
-    }
-}
-
 /// Where everything is at rest in the system written out: what it has in common with the one solved, by name, and points at
 /// breaks on their lines.
 #[must_use]
@@ -147,7 +114,7 @@ pub fn placed(solved: &SolvedSystem, network: &Network) -> Placement {
         }
         at_break(solved, &point.name).unwrap_or_else(|| match point.held {
             Held::At(place) => place,
-            _ => crate::numerics::V3::zeros(),
+            _ => V3::zeros(),
         })
     });
     Placement {
@@ -157,7 +124,7 @@ pub fn placed(solved: &SolvedSystem, network: &Network) -> Placement {
 }
 
 /// The place on its line of a point at a break.
-fn at_break(solved: &SolvedSystem, point: &str) -> Option<crate::numerics::V3> {
+fn at_break(solved: &SolvedSystem, point: &str) -> Option<V3> {
     let name = point.strip_suffix(BETWEEN)?;
     let given = solved.file.lines.iter().find(|line| line.name == name)?;
     let index = solved.network.line(name)?;

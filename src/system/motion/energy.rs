@@ -5,14 +5,14 @@
 
 use nalgebra::Matrix6;
 
-use super::body_equation::{MovingBody, turning};
-use super::border::free_point;
+use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::point_loads::point_load;
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::Factors;
+use crate::system::network::Held;
 
 /// Energy and power at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -36,8 +36,9 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
         sum.lost += rates.dissipated;
     }
     for joint in system.joints.free.clone() {
-        if let Role::Free(number) = system.joints.roles[joint] {
-            let point = free_point(system, number);
+        if let Role::Free(number) = system.joints.roles[joint]
+            && let Held::Free(point) = &system.network.points[number].held
+        {
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
             let load = point_load(&system.network, point, x, v);
             sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
@@ -63,8 +64,8 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
         number: body.number,
         mass: Matrix6::zeros(),
     };
-    let turning = turning(&motion.pose.rotation, &V3::zeros());
-    let (residual, _) = massless.residual(&system.network, &motion, &turning, STILL);
+    let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
+    let (residual, _) = massless.residual(&system.network, &motion, &jacobian, STILL);
     let spin = motion.pose.rotation * motion.spin;
     let force = residual.fixed_rows::<3>(0).into_owned();
     let moment = residual.fixed_rows::<3>(3).into_owned();

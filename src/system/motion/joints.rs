@@ -20,7 +20,7 @@ pub enum Role {
     /// A free point: its number in the network.
     Free(usize),
     /// Where an end of a line goes that is let go: the line, and which end.
-    LetGo(usize, usize),
+    Released(usize, usize),
 }
 
 /// The joints in their order.
@@ -33,7 +33,7 @@ pub struct Joints {
     /// The origin of each body of the network.
     pub bodies: Vec<usize>,
     /// The joint of each end of each line that may be let go.
-    pub let_go: Vec<[Option<usize>; 2]>,
+    pub released: Vec<[Option<usize>; 2]>,
     /// The joints that follow the equation of motion.
     pub free: Range<usize>,
     /// The row of each joint among the unknowns; the joints before `free` have none.
@@ -68,12 +68,12 @@ impl Joints {
         for (number, _) in bodies().filter(|(_, body)| body.free) {
             list.body(number);
         }
-        let mut let_go = vec![[None; 2]; network.lines.len()];
-        for (line, ends) in let_go.iter_mut().enumerate() {
+        let mut released = vec![[None; 2]; network.lines.len()];
+        for (line, ends) in released.iter_mut().enumerate() {
             for (end, joint) in ends.iter_mut().enumerate() {
                 if network.lines[line].releases[end].is_given() {
                     *joint = Some(list.roles.len());
-                    list.roles.push(Role::LetGo(line, end));
+                    list.roles.push(Role::Released(line, end));
                 }
             }
         }
@@ -82,7 +82,7 @@ impl Joints {
             roles: list.roles,
             points: list.points.into_values().collect(),
             bodies: list.bodies.into_values().collect(),
-            let_go,
+            released,
             free: held..count,
             rows: Vec::new(),
             envelope: Vec::new(),
@@ -104,7 +104,7 @@ impl Joints {
         for (number, line) in network.lines.iter().enumerate() {
             let ends = [line.from, line.to].map(|point| self.points[point]);
             let mut all: Vec<usize> = ends.iter().flat_map(|j| self.unknowns_of(*j)).collect();
-            all.extend(self.let_go[number].iter().flatten());
+            all.extend(self.released[number].iter().flatten());
             for (k, one) in all.iter().enumerate() {
                 for other in &all[k + 1..] {
                     join(*one, *other);

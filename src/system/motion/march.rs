@@ -13,8 +13,8 @@ use super::run::{ChannelResult, MotionRun, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
-use crate::case::ChannelId;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
+use crate::run::Channel;
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
 
@@ -47,14 +47,14 @@ pub(super) fn compute(
         let until = events.peek().map_or(f64::INFINITY, |event| event.time);
         match marching.advance(until, cancel, progress) {
             Err(why) => failure = Some(why),
-            Ok(Some(event)) => marching.let_go(event),
+            Ok(Some(event)) => marching.release(event),
             Ok(None) => {}
         }
         let (march, place) = (marching.march, marching.place);
         while failure.is_none()
             && let Some(event) = events.next_if(|event| march.is_at(&place, event.time))
         {
-            marching.let_go(event);
+            marching.release(event);
         }
     }
     marching.recorder.end();
@@ -133,8 +133,8 @@ impl Marching {
     }
 
     /// Lets an end go, and starts the method anew.
-    fn let_go(&mut self, event: Release) {
-        self.system.let_go(event, &mut self.state);
+    fn release(&mut self, event: Release) {
+        self.system.release(event, &mut self.state);
         self.method
             .restart(&self.system, event.time, &mut self.state);
         self.recorder
@@ -148,7 +148,7 @@ impl Marching {
             joints: self.system.joints.envelope.len(),
             steps: self.place.steps,
             rejections: self.place.rejections,
-            reached: self.place.time,
+            reached: self.recorder.reached(),
             ..MotionWork::default()
         }
     }
@@ -160,10 +160,10 @@ impl Marching {
         failure: Option<String>,
     ) -> MotionRun {
         let recorder = self.recorder;
-        let summaries = recorder.summaries(work.reached);
-        let channels = recorder.channels.ids.iter().zip(summaries);
-        let channel = |(id, summary): (&ChannelId, ChannelSummary)| ChannelResult {
-            id: id.clone(),
+        let summaries = recorder.summaries();
+        let channels = recorder.history.channels.iter().zip(summaries);
+        let channel = |(channel, summary): (&Channel, ChannelSummary)| ChannelResult {
+            id: channel.id.clone(),
             summary,
             time_error: None,
             mesh_error: None,
@@ -171,8 +171,7 @@ impl Marching {
         MotionRun {
             settings: settings.clone(),
             channels: channels.map(channel).collect(),
-            time: recorder.time,
-            rows: recorder.rows,
+            history: recorder.history,
             work,
             balance: recorder.balance,
             happened: self.happened,

@@ -94,7 +94,7 @@ impl MovingSystem {
             Some(Role::Rotation(body)) => {
                 format!("rotation of body {}", self.network.bodies[*body].name)
             }
-            Some(Role::LetGo(line, end)) => {
+            Some(Role::Released(line, end)) => {
                 let end = ["A", "B"][*end];
                 format!("end {end} of line {}", self.network.lines[*line].name)
             }

@@ -5,6 +5,7 @@ use super::channels::Channels;
 use super::energy::{Energy, energy};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
+use crate::run::{Channel, History};
 
 /// A channel over the whole run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,12 +61,10 @@ struct Step {
 #[derive(Debug, Clone)]
 pub struct Recorder {
     /// What is recorded.
-    pub channels: Channels,
+    channels: Channels,
     interval: f64,
-    /// Output times \[s\].
-    pub time: Vec<f64>,
-    /// Values at the output times, channel by channel.
-    pub rows: Vec<Vec<f64>>,
+    /// The channels at the output times.
+    pub history: History,
     /// The last three steps, the oldest first: rows between the last two are written once the next is there.
     steps: Vec<Step>,
     sums: Vec<f64>,
@@ -91,10 +90,12 @@ impl Recorder {
             last: 0.0,
         };
         Self {
+            history: History {
+                time: Vec::new(),
+                channels: channels.ids.iter().cloned().map(Channel::new).collect(),
+            },
             channels,
             interval,
-            time: Vec::new(),
-            rows: vec![Vec::new(); n],
             steps: Vec::new(),
             sums: vec![0.0; n],
             summaries: vec![nothing; n],
@@ -127,9 +128,9 @@ impl Recorder {
         match self.steps.len() {
             1 => {
                 let first = &self.steps[0];
-                self.time.push(first.time);
-                for (row, value) in self.rows.iter_mut().zip(&first.values) {
-                    row.push(*value);
+                self.history.time.push(first.time);
+                for (channel, value) in self.history.channels.iter_mut().zip(&first.values) {
+                    channel.values.push(*value);
                 }
             }
             2 => {}
@@ -156,10 +157,13 @@ impl Recorder {
         self.steps = vec![step];
     }
 
-    /// Writes the rows between the last two steps.
+    /// Writes the rows between the last two steps, and takes the extremes over to the history.
     pub fn end(&mut self) {
         if self.steps.len() > 1 {
             self.write_rows(self.steps.len() - 1);
+        }
+        for (channel, summary) in self.history.channels.iter_mut().zip(&self.summaries) {
+            (channel.peak, channel.trough) = (summary.greatest, summary.least);
         }
     }
 
@@ -167,13 +171,13 @@ impl Recorder {
     fn write_rows(&mut self, to: usize) {
         let (from, until) = (self.steps[to - 1].time, self.steps[to].time);
         loop {
-            let t = self.time.len() as f64 * self.interval;
+            let t = self.history.time.len() as f64 * self.interval;
             if t > until * (1.0 + 1e-12) || t <= from * (1.0 - 1e-12) {
                 break;
             }
-            self.time.push(t);
-            for (channel, row) in self.rows.iter_mut().enumerate() {
-                row.push(between(&self.steps, to, channel, t));
+            self.history.time.push(t);
+            for (number, channel) in self.history.channels.iter_mut().enumerate() {
+                channel.values.push(between(&self.steps, to, number, t));
             }
         }
     }
@@ -214,9 +218,16 @@ impl Recorder {
         self.last_energy = *now;
     }
 
-    /// The channels over the whole run, which lasted this long \[s\].
+    /// Time of the last step \[s\].
     #[must_use]
-    pub fn summaries(&self, duration: f64) -> Vec<ChannelSummary> {
+    pub fn reached(&self) -> f64 {
+        self.steps.last().map_or(0.0, |step| step.time)
+    }
+
+    /// The channels over the whole run.
+    #[must_use]
+    pub fn summaries(&self) -> Vec<ChannelSummary> {
+        let duration = self.reached();
         let with_mean = |(summary, sum): (&ChannelSummary, &f64)| ChannelSummary {
             mean: if duration > 0.0 {
                 sum / duration

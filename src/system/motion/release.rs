@@ -3,7 +3,7 @@
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::scene::EndCondition;
-use crate::system::network::LetGo;
+use crate::system::network::ReleaseCondition;
 
 /// An end of a line that is let go at a time.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +32,7 @@ pub fn by_time(system: &MovingSystem) -> Vec<Release> {
 pub fn by_tension(system: &MovingSystem, state: &SystemState, time: f64) -> Option<Release> {
     let pulled = |(line, end, limit): (usize, usize, Option<f64>)| {
         let limit = limit?;
-        let held = system.joints.let_go[line][end] != Some(state.attached[line][end]);
+        let held = system.joints.released[line][end] != Some(state.attached[line][end]);
         let (scene, here) = (&system.scenes[line], &state.lines[line]);
         let tension = scene.tension_at(end * (here.x.len() - 1), here);
         (held && tension >= limit).then_some(Release { time, line, end })
@@ -43,7 +43,7 @@ pub fn by_tension(system: &MovingSystem, state: &SystemState, time: f64) -> Opti
 /// The ends of all lines with something of when they are let go.
 fn ends(
     system: &MovingSystem,
-    of: fn(&LetGo) -> Option<f64>,
+    of: fn(&ReleaseCondition) -> Option<f64>,
 ) -> impl Iterator<Item = (usize, usize, Option<f64>)> {
     let lines = system.network.lines.iter().enumerate();
     lines.flat_map(move |(line, given)| {
@@ -54,9 +54,9 @@ fn ends(
 
 impl MovingSystem {
     /// Lets an end of a line go: it moves on from where it is, by itself.
-    pub fn let_go(&mut self, release: Release, state: &mut SystemState) {
+    pub fn release(&mut self, release: Release, state: &mut SystemState) {
         let Release { line, end, .. } = release;
-        let Some(joint) = self.joints.let_go[line][end] else {
+        let Some(joint) = self.joints.released[line][end] else {
             return;
         };
         let from = state.attached[line][end];

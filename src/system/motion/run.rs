@@ -5,9 +5,10 @@ use std::sync::atomic::AtomicBool;
 use super::march::compute;
 use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
-use super::start::start;
+use super::start::{Start, start};
 use crate::case::ChannelId;
 use crate::numerics::richardson::Refinement;
+use crate::run::History;
 use crate::system::SolvedSystem;
 use crate::system::model::MotionInputs;
 use crate::system::rest::UnsolvedSystem;
@@ -17,12 +18,10 @@ use crate::system::rest::UnsolvedSystem;
 pub struct MotionRun {
     /// Settings that it used.
     pub settings: MotionSettings,
-    /// The channels, with their statistics and errors.
+    /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
-    /// Output times \[s\].
-    pub time: Vec<f64>,
-    /// Values at the output times, channel by channel.
-    pub rows: Vec<Vec<f64>>,
+    /// The channels at the output times.
+    pub history: History,
     /// Work done.
     pub work: MotionWork,
     /// The energy balance.
@@ -91,9 +90,10 @@ pub fn run(
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
+    let again = given.error_estimate.then(|| begun.clone());
     let mut run = compute(begun, &settings, cancel, progress);
-    if given.error_estimate && run.failure.is_none() {
-        estimate(solved, given, &mut run, cancel);
+    if let Some(again) = again.filter(|_| run.failure.is_none()) {
+        estimate(solved, again, &mut run, cancel);
     }
     if run.balance.relative_drift() > NOTABLE_DRIFT {
         run.warnings.push(format!(
@@ -107,22 +107,20 @@ pub fn run(
 /// Share of the energy that may be missing without a warning.
 const NOTABLE_DRIFT: f64 = 0.02;
 
-/// The errors of all results from companions.
-fn estimate(solved: &SolvedSystem, given: &MotionInputs, run: &mut MotionRun, cancel: &AtomicBool) {
+/// The errors of all results from companions: from the same start with longer steps, and on half the segments.
+fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &AtomicBool) {
     let second = Refinement {
         ratio: 2.0,
         order: 2.0,
     };
     let mut longer = run.settings.clone();
-    longer.step_tolerance = longer.step_tolerance.map(|allowed| allowed * COARSER_STEPS);
-    if given.time_step_s.is_some() {
-        longer.time_step_s *= 2.0;
+    match &mut longer.step_tolerance {
+        Some(allowed) => *allowed *= COARSER_STEPS,
+        None => longer.time_step_s *= 2.0,
     }
-    let same_mesh = start(solved, 1);
-    let coarse_mesh = start(solved, 2);
     let companions = [
-        ("time", same_mesh, longer),
-        ("mesh", coarse_mesh, run.settings.clone()),
+        ("time", Ok(same), longer),
+        ("mesh", start(solved, 2), run.settings.clone()),
     ];
     for (what, begun, settings) in companions {
         let other = begun

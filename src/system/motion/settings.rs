@@ -8,7 +8,7 @@ use crate::physics::EndMotion;
 use crate::scene::Scene;
 use crate::solve::StaticSearch;
 use crate::system::model::MotionInputs;
-use crate::system::network::{LetGo, Line};
+use crate::system::network::{Line, ReleaseCondition};
 
 /// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
 const STEPS_A_PERIOD: f64 = 20.0;
@@ -106,8 +106,8 @@ fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
     let lengths = network.lines.iter().map(Line::length);
     let length = lengths.fold(1.0, f64::max);
     let speed = (network.gravity * length).sqrt();
-    let let_go = |line: &Line| line.releases.iter().any(LetGo::is_given);
-    if network.lines.iter().any(let_go) {
+    let has_release = |line: &Line| line.releases.iter().any(ReleaseCondition::is_given);
+    if network.lines.iter().any(has_release) {
         return (length, speed);
     }
     let extent = |motion: &EndMotion, arm: f64| {

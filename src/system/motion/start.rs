@@ -57,7 +57,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let file = breaks::written_out(&file);
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
-    let (network, placement, lines) = laid(&file, parts, solved)?;
+    let (network, placement, lines) = divided_at_rest(&file, parts, solved)?;
     let (system, mut state) = at_rest(network, &placement, &lines);
     system.prescribe(0.0, &mut state);
     still(&mut state);
@@ -74,7 +74,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
 
 /// The divided lines, each at rest between its ends where the system rests, with what is moved where it is at time zero. Friction of the bed acts
 /// by springs from where a line was laid: for these ends.
-fn laid(
+fn divided_at_rest(
     file: &SystemFile,
     parts: &AgedParts,
     solved: &SolvedSystem,
@@ -154,7 +154,7 @@ fn at_rest(
     let joints = &system.joints;
     let place = |(joint, role): (usize, &Role)| match role {
         Role::Origin(body) => placement.bodies[*body].origin,
-        Role::Rotation(_) | Role::LetGo(..) => V3::zeros(),
+        Role::Rotation(_) | Role::Released(..) => V3::zeros(),
         _ => {
             let point = joints.points.iter().position(|known| *known == joint);
             point.map_or_else(V3::zeros, |point| placement.points[point])
