@@ -7,6 +7,7 @@ use super::{
     signals::StopFlag,
 };
 use crate::{
+    case::FieldRow,
     files::Target,
     report::system::{self as views, json, motion},
     run::store::{StoreError, write_history},
@@ -42,7 +43,7 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
     if let Some(motion) = &solved.file.solver {
-        return in_motion(args, &solved, motion);
+        return in_motion(args, &solved, motion, &fields);
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
@@ -71,6 +72,7 @@ fn in_motion(
     args: &RunArgs,
     solved: &SolvedSystem,
     given: &MotionInputs,
+    fields: &[FieldRow],
 ) -> Result<ExitCode, CommandError> {
     if let Some(dir) = &args.out {
         refuse_if_taken(dir)?;
@@ -85,16 +87,19 @@ fn in_motion(
     let computed =
         computed.map_err(|why| CommandError::Usage(format!("{}; {}.", why.problem, why.remedy)))?;
     let glyphs = output::glyphs(args.ascii);
-    let mut object = json::object(solved, &Analyses::of(solved));
-    object["motion"] = motion::object(&computed);
-    let report = motion::report(solved, &computed, glyphs);
-    if let Some(dir) = &args.out {
-        keep(args, dir, &computed, &report, &object)?;
-        object["motion"]["directory"] = dir.display().to_string().into();
+    let report = motion::report(solved, &computed, fields, glyphs);
+    if args.json || args.out.is_some() {
+        let mut object = json::object(solved, &Analyses::of(solved));
+        object["motion"] = motion::object(&computed);
+        if let Some(dir) = &args.out {
+            object["motion"]["directory"] = dir.display().to_string().into();
+            keep(args, dir, &computed, &report, &object)?;
+        }
+        if args.json {
+            output::object(&object)?;
+        }
     }
-    if args.json {
-        output::object(&object)?;
-    } else {
+    if !args.json {
         output::results(&report, args.ascii)?;
     }
     Ok(match &computed.failure {

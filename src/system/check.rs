@@ -5,6 +5,7 @@ use super::model::{
     BodyKeys, BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys,
     SystemKeys,
 };
+use super::motion::check as motion;
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
@@ -29,7 +30,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(ends(keys, line));
         found.extend(make_up(keys, line));
         found.extend(repeats(line));
-        found.extend(breaks(line));
+        found.extend(motion::breaks(keys, line));
     }
     let asked = keys
         .offset_curves
@@ -51,98 +52,11 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(elastic(material));
     }
     found.extend(wind_without_loads(keys));
-    found.extend(motion(keys));
+    found.extend(motion::motion(keys));
     found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
-    found
-}
-
-/// A table of motion with times that do not increase from 0 to the end, or columns of another length.
-fn motion_table(
-    times: &Key<'_, Vec<f64>>,
-    columns: &[&Key<'_, Vec<f64>>],
-    until: Option<f64>,
-) -> Option<Finding> {
-    let given = columns.iter().find(|column| column.is_given());
-    let Some(rows) = times.value().filter(|rows| !rows.is_empty()) else {
-        let remedy = "add the times of its rows: `table_time_s = [0.0, ...]`";
-        return given.and(times.if_missing(remedy));
-    };
-    let increases = rows.windows(2).all(|pair| pair[0] < pair[1]);
-    let ends = until.is_none_or(|until| rows.last().is_some_and(|last| *last >= until));
-    if rows.len() < 2 || rows[0] != 0.0 || !increases || !ends {
-        let problem = "must increase from 0 to the end of the run";
-        return Some(times.finding(problem, "give two rows or more, the first at 0"));
-    }
-    let off = |column: &&&Key<'_, Vec<f64>>| {
-        column.is_given()
-            && column
-                .value()
-                .is_some_and(|values| values.len() != rows.len())
-    };
-    let column = columns.iter().find(off)?;
-    let remedy = "give one value for each time";
-    Some(column.finding("has another number of rows than `table_time_s`", remedy))
-}
-
-/// A break without a place or a cause, or of a line that stands for several.
-fn breaks(line: &LineKeys<'_>) -> Option<Finding> {
-    let caused = line.break_s.is_given() || line.break_n.is_given();
-    if line.break_at_m.is_given() && line.repeat_at_deg.is_given() {
-        let problem = "is not covered for a line that is repeated";
-        return Some(
-            line.break_at_m
-                .finding(problem, "write the line that breaks apart from the others"),
-        );
-    }
-    if line.break_at_m.is_given() && !caused {
-        let remedy = "say when it breaks: add `break_s`, or `break_n`";
-        return Some(line.break_at_m.finding("has no effect by itself", remedy));
-    }
-    if caused {
-        let remedy = "add where it breaks, from its end A: `break_at_m`";
-        return line.break_at_m.if_missing(remedy);
-    }
-    None
-}
-
-/// Motions without a period or without a run in time.
-fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for (_, point) in &keys.points {
-        if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
-            let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";
-            found.extend(point.period_s.if_missing(remedy));
-        }
-    }
-    let until = keys
-        .solver
-        .as_ref()
-        .and_then(|solver| solver.duration_s.value());
-    for (_, point) in &keys.points {
-        let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
-        found.extend(motion_table(&point.table_time_s, &columns, until));
-    }
-    for (_, body) in &keys.bodies {
-        let columns = [
-            &body.table_x_m,
-            &body.table_y_m,
-            &body.table_z_m,
-            &body.table_roll_deg,
-            &body.table_pitch_deg,
-            &body.table_yaw_deg,
-        ];
-        found.extend(motion_table(&body.table_time_s, &columns, until));
-        let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
-        if body.kind.is(&BodyKind::Moved) && moves {
-            let remedy = "add the period of its motion: `period_s = [10.0]`, or six of them";
-            found.extend(body.period_s.if_missing(remedy));
-        }
-        found.extend(matrix(&body.period_s, &[1, 6], "one number, or six"));
-        found.extend(matrix(&body.phase_deg, &[6], "six numbers"));
-    }
     found
 }
 
@@ -384,7 +298,7 @@ fn outside_water(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding
     None
 }
 
-fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {
+pub(super) fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {
     let numbers = key.given()?;
     (!lengths.contains(&numbers.len())).then(|| {
         let problem = format!("has {} numbers", numbers.len());

@@ -53,12 +53,12 @@ impl DiscretisedLine {
             return Ok(None);
         }
         let mut case = case(file, line, parts);
-        if divided == Divided::All
-            && let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref())
-        {
+        if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
-            bed.friction = Some(line.friction.unwrap_or(given.friction));
+            // At rest a system's lines are sought between ends that move; in motion they have been laid.
+            let rough = divided == Divided::All;
+            bed.friction = rough.then(|| line.friction.unwrap_or(given.friction));
         }
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
         let shares = shares(&case);

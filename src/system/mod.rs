@@ -1,4 +1,4 @@
-//! Systems of lines at rest: points, bodies and the lines between them.
+//! Systems of lines, at rest and in [`motion`](mod@motion): points, bodies and the lines between them.
 //!
 //! A [`SystemFile`] says in the user's words what a [`Network`](network::Network) holds in SI. Lines are the closed forms of
 //! [`catenary`](crate::statics::catenary), so that only free points and bodies are unknown ([`freedoms`]); in a current, or with

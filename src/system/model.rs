@@ -81,7 +81,7 @@ table! {
         depth_m: f64, "depth", range of(0.0, 2e4);
         /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
-        /// Push of the bed per area of line and depth below it, in motion.
+        /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
         /// Push of the bed per area of line and speed into it, in motion.
         damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);

@@ -13,7 +13,7 @@ use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
 use crate::statics::catenary::SectionProperties;
 
-/// A system of lines at rest, in SI.
+/// A system of lines, in SI.
 #[derive(Debug, Clone, Default)]
 pub struct Network {
     /// Gravity \[m/s²\].

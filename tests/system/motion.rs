@@ -353,6 +353,12 @@ fn a_line_breaks_where_its_tension_comes_to_the_limit() {
         "{:?}",
         broken.balance
     );
+    assert!(
+        broken
+            .channels
+            .iter()
+            .all(|c| !c.id.place.contains("break"))
+    );
     let by_time = line("break_at_m = 20.0\nbreak_s = 3.0");
     assert_eq!(by_time.happened, ["3.000000 s: line wire breaks"]);
 }
@@ -390,25 +396,63 @@ fn a_table_of_a_swing_moves_as_the_swing() {
 }
 
 #[test]
-fn tables_of_motion_that_do_not_fit_are_refused() {
-    let refused = |table: &str| {
+fn motions_and_breaks_that_do_not_fit_are_refused() {
+    let refused = |table: &str, line: &str| {
         let text = format!(
             "{HEAD}{WIRE}[points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\n{table}
             [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
-            [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0
+            [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\n{line}
             [solver]\nduration_s = 10.0\n"
         );
         let errors =
             seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap_err();
         errors.iter().map(ToString::to_string).collect::<String>()
     };
-    let short = refused("table_time_s = [0.0, 5.0]\ntable_z_m = [0.0, 1.0]");
+    let short = refused("table_time_s = [0.0, 5.0]\ntable_z_m = [0.0, 1.0]", "");
     assert!(
         short.contains("must increase from 0 to the end of the run"),
         "{short}"
     );
-    let uneven = refused("table_time_s = [0.0, 5.0, 10.0]\ntable_z_m = [0.0, 1.0]");
+    let uneven = refused(
+        "table_time_s = [0.0, 5.0, 10.0]\ntable_z_m = [0.0, 1.0]",
+        "",
+    );
     assert!(uneven.contains("another number of rows"), "{uneven}");
-    let lost = refused("table_z_m = [0.0, 1.0]");
+    let lost = refused("table_z_m = [0.0, 1.0]", "");
     assert!(lost.contains("table_time_s"), "{lost}");
+    let beyond = refused("", "break_at_m = 130.0\nbreak_s = 1.0");
+    assert!(
+        beyond.contains("lies beyond the line, which is 130 m long"),
+        "{beyond}"
+    );
+    let aged = refused(
+        "",
+        "break_at_m = 13.0\nbreak_s = 1.0\n[ageing]\nyears = 5.0\n[[ageing.growth]]\nthickness_m = [0.01]",
+    );
+    assert!(aged.contains("is not covered where lines age"), "{aged}");
+    let rod = refused(
+        "",
+        "[rods.spool]\nkind = \"moved\"\nend_a_m = [0.0, 0.0, -9.0]\nend_b_m = [5.0, 0.0, -9.0]\nmass_kg = 1e3\ndiameter_m = 0.5",
+    );
+    assert!(rod.contains("is not covered for a rod"), "{rod}");
+}
+
+#[test]
+fn motion_without_a_run_in_time_is_said_to_have_no_effect() {
+    let system = solved(&format!(
+        "{HEAD}{WIRE}[points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]
+        [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
+        [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\nrelease_b_s = 3.0\n"
+    ));
+    let warnings = seacable::report::system::tables::warnings(&system);
+    assert!(
+        warnings.iter().any(|w| w.starts_with("top does not move")),
+        "{warnings:?}"
+    );
+    assert!(
+        warnings
+            .iter()
+            .any(|w| w.starts_with("Line one is not released")),
+        "{warnings:?}"
+    );
 }

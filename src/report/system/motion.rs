@@ -3,10 +3,11 @@
 use serde_json::{Value, json};
 
 use super::Glyphs;
+use crate::case::FieldRow;
 use crate::number::{duration, with_error};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::table::{NumberFormat, Table};
-use crate::report::text::Page;
+use crate::report::text::{Page, inputs};
 use crate::system::SolvedSystem;
 use crate::system::motion::run::{ChannelResult, MotionRun};
 
@@ -100,7 +101,12 @@ pub fn tensions(run: &MotionRun, end: &str) -> Chart {
 
 /// The report of a run.
 #[must_use]
-pub fn report(solved: &SolvedSystem, run: &MotionRun, glyphs: Glyphs) -> String {
+pub fn report(
+    solved: &SolvedSystem,
+    run: &MotionRun,
+    fields: &[FieldRow],
+    glyphs: Glyphs,
+) -> String {
     let about = &solved.file.about;
     let mut page = Page::default();
     page.title(&about.title);
@@ -121,6 +127,7 @@ pub fn report(solved: &SolvedSystem, run: &MotionRun, glyphs: Glyphs) -> String 
     for end in ["|a", "|b"] {
         page.chart(&tensions(run, end), LINES, glyphs);
     }
+    inputs(&mut page, fields, !about.source.trim().is_empty());
     page.finish()
 }
 

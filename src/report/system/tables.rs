@@ -117,9 +117,40 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
             ));
         }
     }
+    found.extend(unused_motion(solved));
     found.extend(afloat(solved));
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));
+    found
+}
+
+/// Keys of motion that have no effect: of a file that is not computed in time, or after its end.
+fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
+    let end = solved.file.solver.as_ref().map(|solver| solver.duration_s);
+    let mut found = Vec::new();
+    let network = &solved.network;
+    let moved = network.points.iter().filter(|point| point.motion.is_some());
+    let moved = moved.map(|point| &point.name);
+    let bodies = network.bodies.iter().filter(|body| body.motion.is_some());
+    if end.is_none() {
+        for name in moved.chain(bodies.map(|body| &body.name)) {
+            found.push(format!(
+                "{name} does not move: the file has no table [solver] with a `duration_s`."
+            ));
+        }
+    }
+    for line in &solved.file.lines {
+        let by_tension = [line.release_a_n, line.release_b_n, line.break_n];
+        let by_time = [line.release_a_s, line.release_b_s, line.break_s];
+        let late = |time: &f64| end.is_none_or(|end| *time > end);
+        let never = end.is_none() && by_tension.iter().any(Option::is_some);
+        if never || by_time.iter().flatten().any(late) {
+            found.push(format!(
+                "Line {} is not released or broken as it states: the run ends before, or there is none.",
+                line.name
+            ));
+        }
+    }
     found
 }
 

@@ -285,7 +285,7 @@ impl Stepper<MovingSystem, SystemState> for SystemAlpha {
         Ok(error)
     }
 
-    /// Where nothing has mass the accelerations stay as they are.
+    /// Where nothing has mass the accelerations are zero, and the next step finds them.
     fn restart(&mut self, system: &MovingSystem, t: f64, state: &mut SystemState) {
         system.update_wave_kinematics(t, state);
         let _ = self.accelerate(system, t, state);

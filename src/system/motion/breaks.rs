@@ -135,19 +135,18 @@ fn at_break(solved: &SolvedSystem, point: &str) -> Option<V3> {
     Some(solved.rest.balance.lines[index].at(share, ends).0)
 }
 
-/// Whether a line is the part of a broken one before the break.
+/// Whether a point stands between the parts of a line that may break.
 #[must_use]
-pub fn is_first(system: &MovingSystem, line: usize) -> bool {
-    let to = system.network.lines[line].to;
-    system.network.points[to].name.contains(BETWEEN)
+pub fn is_between(name: &str) -> bool {
+    name.ends_with(BETWEEN)
 }
 
 /// The name under which an end of a line is known: the end B of a line that may break is that of its second part. Nothing for the
 /// ends at the break.
 #[must_use]
 pub fn name_of_end(system: &MovingSystem, line: usize, end: usize) -> Option<String> {
-    let name = &system.network.lines[line].name;
-    let second = name.contains(SECOND);
-    let at_break = (second && end == 0) || (end == 1 && is_first(system, line));
-    (!at_break).then(|| name.replace(SECOND, ""))
+    let given = &system.network.lines[line];
+    let point = [given.from, given.to][end];
+    let at_break = is_between(&system.network.points[point].name);
+    (!at_break).then(|| given.name.replace(SECOND, ""))
 }

@@ -45,7 +45,7 @@ impl Channels {
             let moves = match system.joints.roles[joint] {
                 Role::Prescribed(_) => point.motion.is_some(),
                 Role::OnBody(body, _) => moves(system, body),
-                _ => true,
+                _ => !breaks::is_between(&point.name),
             };
             if moves {
                 channels.place(&point.name, joint);

@@ -183,12 +183,17 @@ impl Marching {
 
 /// What happened to an end, in words.
 fn in_time(system: &MovingSystem, event: Release) -> String {
-    let line = &system.network.lines[event.line].name;
-    let end = ["A", "B"][event.end];
-    if breaks::is_first(system, event.line) && event.end == 1 {
-        return format!("{:.6} s: line {line} breaks", event.time);
+    let Release { time, line, end } = event;
+    match breaks::name_of_end(system, line, end) {
+        Some(name) => format!(
+            "{time:.6} s: end {} of line {name} is let go",
+            ["A", "B"][end]
+        ),
+        None => format!(
+            "{time:.6} s: line {} breaks",
+            system.network.lines[line].name
+        ),
     }
-    format!("{:.6} s: end {end} of line {line} is let go", event.time)
 }
 
 fn march_in_words(system: &MovingSystem, error: &MarchError) -> String {

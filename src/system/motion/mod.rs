@@ -14,6 +14,7 @@ pub mod body_equation;
 pub mod border;
 pub mod breaks;
 pub mod channels;
+pub(in crate::system) mod check;
 pub mod energy;
 pub mod inputs;
 pub mod joints;

@@ -254,9 +254,16 @@ pub(super) fn turn_bases(system: &MovingSystem, state: &mut SystemState) {
 /// A search that failed, in words.
 fn refused(system: &MovingSystem, error: &NewtonError) -> UnsolvedSystem {
     let node = system.node_name(error.node());
+    let why = match error {
+        NewtonError::NotConverged {
+            iterations, moved, ..
+        } => format!("after {iterations} iterations {node} still moves by {moved:.3e} m"),
+        NewtonError::NotFinite { .. } => format!("a force is not finite at {node}"),
+        _ => format!("nothing holds {node}"),
+    };
     UnsolvedSystem {
-        problem: format!("the divided lines do not come to rest on their bed: {error}, {node}"),
-        remedy: "give the lines more segments, or the bed less stiffness".to_owned(),
+        problem: format!("divided into segments the system does not come to rest: {why}"),
+        remedy: "give the lines more `segments`, or the bed less `stiffness_n_per_m3`".to_owned(),
         line: None,
         part: None,
     }

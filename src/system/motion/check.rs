@@ -1,0 +1,118 @@
+//! Checks of the keys of motion: prescribed motions, breaks.
+
+use crate::case::Finding;
+use crate::case::schema::Key;
+use crate::system::check::matrix;
+use crate::system::model::{BodyKind, LineKeys, PointKind, SystemKeys};
+
+/// Motions without a period or without a run in time.
+pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let mut found: Vec<Finding> = moved_rods(keys).collect();
+    for (_, point) in &keys.points {
+        if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
+            let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";
+            found.extend(point.period_s.if_missing(remedy));
+        }
+    }
+    let until = keys
+        .solver
+        .as_ref()
+        .and_then(|solver| solver.duration_s.value());
+    for (_, point) in &keys.points {
+        let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
+        found.extend(motion_table(&point.table_time_s, &columns, until));
+    }
+    for (_, body) in &keys.bodies {
+        let columns = [
+            &body.table_x_m,
+            &body.table_y_m,
+            &body.table_z_m,
+            &body.table_roll_deg,
+            &body.table_pitch_deg,
+            &body.table_yaw_deg,
+        ];
+        found.extend(motion_table(&body.table_time_s, &columns, until));
+        let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
+        if body.kind.is(&BodyKind::Moved) && moves {
+            let remedy = "add the period of its motion: `period_s = [10.0]`, or six of them";
+            found.extend(body.period_s.if_missing(remedy));
+        }
+        found.extend(matrix(&body.period_s, &[1, 6], "one number, or six"));
+        found.extend(matrix(&body.phase_deg, &[6], "six numbers"));
+    }
+    found
+}
+
+/// A table of motion with times that do not increase from 0 to the end, or columns of another length.
+fn motion_table(
+    times: &Key<'_, Vec<f64>>,
+    columns: &[&Key<'_, Vec<f64>>],
+    until: Option<f64>,
+) -> Option<Finding> {
+    let given = columns.iter().find(|column| column.is_given());
+    let Some(rows) = times.value().filter(|rows| !rows.is_empty()) else {
+        let remedy = "add the times of its rows: `table_time_s = [0.0, ...]`";
+        return given.and(times.if_missing(remedy));
+    };
+    let increases = rows.windows(2).all(|pair| pair[0] < pair[1]);
+    let ends = until.is_none_or(|until| rows.last().is_some_and(|last| *last >= until));
+    if rows.len() < 2 || rows[0] != 0.0 || !increases || !ends {
+        let problem = "must increase from 0 to the end of the run";
+        return Some(times.finding(problem, "give two rows or more, the first at 0"));
+    }
+    let off = |column: &&&Key<'_, Vec<f64>>| {
+        column.is_given()
+            && column
+                .value()
+                .is_some_and(|values| values.len() != rows.len())
+    };
+    let column = columns.iter().find(off)?;
+    let remedy = "give one value for each time";
+    Some(column.finding("has another number of rows than `table_time_s`", remedy))
+}
+
+/// A break without a place or a cause, beyond the line, of a line that stands for several, or of one that ages.
+pub(in crate::system) fn breaks(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Option<Finding> {
+    let place = &line.break_at_m;
+    let caused = line.break_s.is_given() || line.break_n.is_given();
+    if !place.is_given() {
+        let remedy = "add where it breaks, from its end A: `break_at_m`";
+        return caused.then(|| place.if_missing(remedy)).flatten();
+    }
+    if line.repeat_at_deg.is_given() {
+        let problem = "is not covered for a line that is repeated";
+        let remedy = "write the line that breaks apart from the others";
+        return Some(place.finding(problem, remedy));
+    }
+    if keys.ageing.is_some() {
+        let problem = "is not covered where lines age";
+        return Some(place.finding(problem, "leave the break or [ageing] out"));
+    }
+    if !caused {
+        let remedy = "say when it breaks: add `break_s`, or `break_n`";
+        return Some(place.finding("has no effect by itself", remedy));
+    }
+    let sections = line.sections.iter();
+    let sections: Option<f64> = sections.map(|(_, section)| section.length_m.value()).sum();
+    let whole = line.length_m.value().or(sections)?;
+    let beyond = place.value().is_some_and(|at| at >= whole);
+    let problem = format!("lies beyond the line, which is {whole} m long");
+    beyond.then(|| {
+        place.finding(
+            &problem,
+            "give a place on the line; to let an end go give `release_b_s` or `release_b_n`",
+        )
+    })
+}
+
+/// A rod that is said to be moved: its motion has no keys.
+fn moved_rods(keys: &SystemKeys<'_>) -> impl Iterator<Item = Finding> {
+    let moved = keys
+        .rods
+        .iter()
+        .filter(|(_, rod)| rod.kind.is(&BodyKind::Moved));
+    moved.map(|(_, rod)| {
+        let remedy = "make it a body of one member, which has `amplitude_m` and `amplitude_deg`";
+        rod.kind.finding("is not covered for a rod", remedy)
+    })
+}
