@@ -29,6 +29,7 @@ pub use line::{
     Modules, Section, Traveller,
 };
 pub(crate) use line::{BoreKeys, MaterialKeys};
+pub(crate) use sea::WavesKeys;
 pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
     Waves,

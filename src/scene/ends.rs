@@ -11,7 +11,7 @@ use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, HarmonicMotion, MotionPath};
-use crate::physics::sea::{Component, Harmonics, Rao, Spectrum, WaveField, synthesise};
+use crate::physics::sea::{Component, Harmonics, Rao, Sea, Spectrum, synthesise};
 
 /// Fraction of the wave energy beyond a table of responses that gives a remark.
 const MUCH_BEYOND: f64 = 0.02;
@@ -21,7 +21,7 @@ pub(super) fn end(
     case: &Case,
     end: &case::End,
     key: &str,
-    waves: Option<&WaveField>,
+    waves: Option<&Sea>,
     remarks: &mut Vec<String>,
 ) -> Result<EndCondition, SceneError> {
     let position = || {
@@ -197,7 +197,7 @@ fn vessel(
     end: &case::End,
     key: &str,
     place: &V3,
-    waves: Option<&WaveField>,
+    waves: Option<&Sea>,
     remarks: &mut Vec<String>,
 ) -> Result<MotionPath, SceneError> {
     let why = "a vessel moves in the waves of the case";

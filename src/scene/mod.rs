@@ -59,3 +59,4 @@ pub use scene::{InitialState, Scene};
 pub use step_reading::EnergyRates;
 pub use water::Water;
 pub use waves::records;
+pub(crate) use waves::{sea, steep_waves};

@@ -13,14 +13,14 @@ use super::{AttachedBody, LumpedLine, Segment};
 
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::sea::{WaterMotion, WaveField};
+use crate::physics::sea::{Sea, WaterMotion};
 use crate::solve::State;
 
 /// Waves and the surface, where the case names them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Water {
     /// The waves, if there are any.
-    pub waves: Option<WaveField>,
+    pub waves: Option<Sea>,
     /// Whether the line crosses the surface; if not, all of it counts as submerged.
     pub crossed: bool,
     /// Mass of the water displaced by half of each segment \[kg\].
@@ -44,7 +44,7 @@ impl Water {
         segments: &[Segment],
         bodies: &[AttachedBody],
         (density, gravity): (f64, f64),
-        waves: Option<WaveField>,
+        waves: Option<Sea>,
         crossed: bool,
     ) -> Self {
         let under = |mass: f64, weight: f64| (mass - weight / gravity).max(0.0);
@@ -113,6 +113,15 @@ pub(super) struct BodyInWater {
 }
 
 impl LumpedLine {
+    /// Puts waves into the water around the line, of this density \[kg/m³\] and under this gravity \[m/s²\].
+    pub(crate) fn put_into_waves(&mut self, sea: &Sea, (density, gravity): (f64, f64)) {
+        let bodies = &self.bodies;
+        let water = self.water.get_or_insert_with(|| {
+            Water::around(&self.segments, bodies, (density, gravity), None, false)
+        });
+        water.waves = Some(sea.clone());
+    }
+
     /// Height of the waves above still water over the gauge at a time \[s\], in metres; 0 without waves.
     #[must_use]
     pub fn elevation(&self, time: f64) -> f64 {

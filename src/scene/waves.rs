@@ -1,4 +1,4 @@
-//! Waves of a case.
+//! Waves of a case or a system.
 
 use super::error::SceneError;
 use super::irregular_record::IrregularRecord;
@@ -8,9 +8,10 @@ use crate::case::{
     WaveLoadName,
 };
 use crate::numerics::V3;
+use crate::numerics::random::Random;
 use crate::physics::sea::{
-    Component, DepthDecay, Spectrum, Stretching, WaveField, WaveLoad, WaveSettings, synthesise,
-    wave_number,
+    Component, DepthDecay, Sea, Spectrum, Stretching, WaveField, WaveLoad, WaveSettings, spread,
+    synthesise, wave_number,
 };
 
 /// Fraction of the breaking steepness above which linear theory is remarked on.
@@ -26,9 +27,13 @@ pub(super) fn water(
     let mut remarks = Vec::new();
     let waves = match &case.waves {
         Some(said) => {
-            let waves = waves(case, said)?;
-            remarks.extend(remarks_on(case, said));
-            Some(waves)
+            let bed = case.seabed.as_ref().map(|bed| bed.depth_m);
+            let gravity = case.environment.gravity_m_per_s2;
+            if case.solver.method == Method::Static {
+                remarks.push("statics take no account of the waves".to_owned());
+            }
+            remarks.extend(steep(said, depth(said, bed), gravity));
+            Some(sea(std::slice::from_ref(said), bed, gravity)?)
         }
         None => None,
     };
@@ -67,7 +72,7 @@ pub fn records(case: &Case) -> Vec<IrregularRecord> {
     let mut list = Vec::new();
     if let Some(waves) = &case.waves
         && waves.kind == WaveKind::Irregular
-        && let (Some(spectrum), Ok(components)) = (spectrum(waves), components(waves))
+        && let (Some(spectrum), Ok(components)) = (spectrum(waves), components(waves, 0))
     {
         list.push(IrregularRecord {
             name: "waves".to_owned(),
@@ -83,9 +88,8 @@ pub fn records(case: &Case) -> Vec<IrregularRecord> {
     list
 }
 
-/// Depth of the sea \[m\].
-fn depth(case: &Case, waves: &case::Waves) -> f64 {
-    let bed = case.seabed.as_ref().map(|bed| bed.depth_m);
+/// Depth that waves feel over a bed of a depth \[m\].
+fn depth(waves: &case::Waves, bed: Option<f64>) -> f64 {
     waves.depth_m.or(bed).unwrap_or(f64::INFINITY)
 }
 
@@ -98,8 +102,13 @@ pub(crate) fn spectrum(waves: &case::Waves) -> Option<Spectrum> {
     })
 }
 
-/// The components at the origin. Waves use the first random stream of the seed.
-fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
+/// Random streams of one seed that each wave system of a sea has for its own.
+const STREAMS: u64 = 10;
+/// The stream of directions among them; the first is that of frequencies and phases.
+const DIRECTIONS: u64 = 5;
+
+/// The components at the origin, from a random stream of the seed.
+fn components(waves: &case::Waves, stream: u64) -> Result<Vec<Component>, SceneError> {
     let missing = |key: &str| SceneError::Missing {
         key: format!("waves.{key}"),
         why: "waves have a height and a period",
@@ -116,16 +125,45 @@ fn components(waves: &case::Waves) -> Result<Vec<Component>, SceneError> {
         }
         WaveKind::Irregular => {
             let spectrum = spectrum(waves).ok_or_else(|| missing("significant_height_m"))?;
-            Ok(synthesise(&spectrum, waves.components, waves.seed, 0))
+            Ok(synthesise(&spectrum, waves.components, waves.seed, stream))
         }
     }
 }
 
-fn waves(case: &Case, said: &case::Waves) -> Result<WaveField, SceneError> {
-    let setting = WaveSettings {
+/// The sea of these waves over a bed of a depth \[m\]: a field for each of them, or for each direction of those that are spread.
+///
+/// # Errors
+/// Waves without height or period.
+pub(crate) fn sea(
+    given: &[case::Waves],
+    bed: Option<f64>,
+    gravity: f64,
+) -> Result<Sea, SceneError> {
+    let mut fields = Vec::new();
+    for (number, waves) in (0_u64..).zip(given) {
+        let setting = setting(waves, depth(waves, bed), gravity);
+        let components = components(waves, number * STREAMS)?;
+        let Some(exponent) = waves.spreading_exponent else {
+            fields.push(WaveField::new(components, &setting));
+            continue;
+        };
+        let mut random = Random::new(waves.seed, number * STREAMS + DIRECTIONS);
+        for (angle, part) in spread(components, exponent, &mut random) {
+            let turned = WaveSettings {
+                direction: setting.direction + angle,
+                ..setting
+            };
+            fields.push(WaveField::new(part, &turned));
+        }
+    }
+    Ok(Sea::new(fields))
+}
+
+fn setting(said: &case::Waves, depth: f64, gravity: f64) -> WaveSettings {
+    WaveSettings {
         direction: said.direction_deg.to_radians(),
-        depth: depth(case, said),
-        gravity: case.environment.gravity_m_per_s2,
+        depth,
+        gravity,
         stretching: match said.stretching {
             StretchingName::None => Stretching::None,
             StretchingName::Vertical => Stretching::Vertical,
@@ -142,34 +180,30 @@ fn waves(case: &Case, said: &case::Waves) -> Result<WaveField, SceneError> {
             WaveLoadName::Morison => WaveLoad::Morison,
             WaveLoadName::Inertia => WaveLoad::Inertia,
         },
-    };
-    Ok(WaveField::new(components(said)?, &setting))
+    }
 }
 
-/// Remarks on these waves.
-fn remarks_on(case: &Case, said: &case::Waves) -> Vec<String> {
-    let mut remarks = Vec::new();
-    if case.solver.method == Method::Static {
-        remarks.push("statics take no account of the waves".to_owned());
-    }
+/// A remark on waves of a system that are close to breaking.
+pub(crate) fn steep_waves(waves: &case::Waves, bed: Option<f64>, gravity: f64) -> Option<String> {
+    steep(waves, depth(waves, bed), gravity)
+}
+
+/// A remark on waves that are close to breaking in water of a depth \[m\].
+fn steep(said: &case::Waves, depth: f64, gravity: f64) -> Option<String> {
     let (height, period) = match said.kind {
         WaveKind::Regular => (said.height_m, said.period_s),
         WaveKind::Irregular => (said.significant_height_m, said.peak_period_s),
     };
-    let Some((height, period)) = height.zip(period) else {
-        return remarks;
-    };
-    let depth = depth(case, said);
+    let (height, period) = height.zip(period)?;
     let omega = crate::physics::motion::omega(period);
-    let k = wave_number(omega, case.environment.gravity_m_per_s2, depth);
+    let k = wave_number(omega, gravity, depth);
     // Miche's limit: 0.142 L tanh(k h).
     let limit = 0.142 * std::f64::consts::TAU / k * (k * depth).tanh();
-    if height > STEEP * limit {
-        remarks.push(format!(
+    (height > STEEP * limit).then(|| {
+        format!(
             "waves {height} m high at a period of {period} s are at {:.0} % of the height at which they break; linear \
              theory gives them too little crest and too much trough",
             100.0 * height / limit
-        ));
-    }
-    remarks
+        )
+    })
 }

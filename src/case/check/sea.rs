@@ -1,13 +1,17 @@
 //! Waves: what is given twice, and what has no effect.
 
 use crate::case::diagnostic::Finding;
-use crate::case::model::{CaseKeys, DecayName, SpectrumName};
+use crate::case::model::{CaseKeys, DecayName, SpectrumName, WavesKeys};
 
 /// Checks of the waves.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let Some(waves) = &case.waves else {
-        return Vec::new();
-    };
+    let has_bed = case.place.node.get("seabed").is_some();
+    let waves = case.waves.iter();
+    waves.flat_map(|waves| of_waves(waves, has_bed)).collect()
+}
+
+/// Checks of one wave system, over a sea bed or not.
+pub(crate) fn of_waves(waves: &WavesKeys<'_>, has_bed: bool) -> Vec<Finding> {
     let twice = waves.depth_m.if_given(
         "the depth is given twice, here and by seabed.depth_m",
         "remove it: the waves feel the sea bed",
@@ -21,7 +25,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
         "remove it, or set decay = \"airy-cut\" or \"logarithmic\"",
     );
     let found = [
-        twice.filter(|_| case.place.node.get("seabed").is_some()),
+        twice.filter(|_| has_bed),
         gamma.filter(|_| waves.spectrum.is(&SpectrumName::PiersonMoskowitz)),
         depth.filter(|_| waves.decay.is(&DecayName::Airy)),
     ];

@@ -4,7 +4,7 @@ use crate::case::fields::{of, positive};
 use crate::case::schema::{table, words};
 
 table! {
-    /// Long-crested waves, regular or irregular, by Airy's linear theory.
+    /// Waves, regular or irregular, by Airy's linear theory.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Waves => WavesKeys {
         /// Regular waves, or irregular ones from a spectrum.
@@ -29,6 +29,8 @@ table! {
         seed: u64 = 1, "seed", range of(0.0, 9e15), only kind "irregular";
         /// Where the waves run to, from +x towards +y.
         direction_deg: f64 = 0.0, "wave direction", range of(-360.0, 360.0);
+        /// Exponent n of a spread in direction by cos^n about it.
+        spreading_exponent: Option<f64>, "spreading", range of(1.0, 1e3), absent "long-crested", only kind "irregular";
         /// Depth that the waves feel, where there is no `[seabed]`.
         depth_m: Option<f64>, "sea depth", range positive(2e4), absent "that of the sea bed, or deep water";
         /// The waves grow smoothly from nothing over this time.
@@ -40,7 +42,7 @@ table! {
         /// Depth below which nothing moves, where the decay is not airy.
         decay_depth_m: f64 = 200.0, "decay depth", range positive(2e4);
         /// Where the height of the waves is recorded, x and y.
-        gauge_m: Option<[f64; 2]>, "gauge", range of(-1e6, 1e6), absent "over end B where it has a position, else over end A";
+        gauge_m: Option<[f64; 2]>, "gauge", range of(-1e6, 1e6), absent "over end B where it has a position, else over end A; of a system over x = y = 0";
         /// Of the water's motion: velocity and acceleration, or the acceleration alone, with drag as in water that the waves leave still.
         load: WaveLoadName = WaveLoadName::Morison, "load";
     }

@@ -53,6 +53,15 @@ impl Harmonics {
         }
     }
 
+    /// The sum of several.
+    #[must_use]
+    pub fn sum(parts: impl IntoIterator<Item = Self>) -> Self {
+        let terms = parts.into_iter().flat_map(|part| part.terms);
+        Self {
+            terms: terms.collect(),
+        }
+    }
+
     /// Displacement \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\].
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {

@@ -138,6 +138,19 @@ impl Rao {
     }
 }
 
+impl Rao {
+    /// Roll, pitch and yaw \[rad\] in a sea as it passes the ship's reference point.
+    #[must_use]
+    pub fn rotations_in(&self, sea: &[Component]) -> Harmonics {
+        let amplitude = |c: &Component| {
+            let wave = Complex::from_polar(c.amplitude, c.phase);
+            let q = self.response(c.omega);
+            (c.omega, [q[3] * wave, q[4] * wave, q[5] * wave])
+        };
+        Harmonics::of_amplitudes(sea.iter().map(amplitude))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

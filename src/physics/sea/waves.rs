@@ -111,6 +111,26 @@ impl WaterMotion {
     }
 }
 
+/// The surface of the water over a place.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Surface {
+    /// Height above still water \[m\].
+    pub(super) elevation: f64,
+    /// Its derivative by the place \[-\].
+    pub(super) slope: V3,
+    /// Its rate \[m/s\].
+    pub(super) rate: f64,
+}
+
+impl Surface {
+    /// Adds that of other waves.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.elevation += other.elevation;
+        self.slope += other.slope;
+        self.rate += other.rate;
+    }
+}
+
 /// Sums over the components: `c`, `s` stand for cosine and sine of theta, `k` for another wave number in the sum.
 #[derive(Debug, Clone, Copy, Default)]
 struct ComponentSums {
@@ -141,6 +161,12 @@ impl WaveField {
             ramp: setting.ramp,
             load: setting.load,
         }
+    }
+
+    /// Where they run to, from +x towards +y \[rad\].
+    #[must_use]
+    pub fn direction(&self) -> f64 {
+        self.direction.y.atan2(self.direction.x)
     }
 
     /// The components as they pass a place \[m\].
@@ -175,32 +201,58 @@ impl WaveField {
         smooth_ramp(t, self.ramp).0 * self.surface(t, self.direction.dot(place)).0
     }
 
+    /// Whether the height of the surface matters to the stretching.
+    #[must_use]
+    pub(super) fn needs_elevation(&self) -> bool {
+        self.stretching.needs_elevation()
+    }
+
+    /// The surface over a place at time t \[s\].
+    #[must_use]
+    pub(super) fn surface_at(&self, t: f64, place: &V3) -> Surface {
+        let (r, r1, _) = smooth_ramp(t, self.ramp);
+        let (eta, slope, rate) = self.surface(t, self.direction.dot(place));
+        Surface {
+            elevation: r * eta,
+            slope: self.direction * (r * slope),
+            rate: r * rate + r1 * eta,
+        }
+    }
+
     /// What they make of the water at a place at time t \[s\]; with the height of the surface only where `surface`
     /// or the stretching asks for it.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
+        let surface = if surface || self.needs_elevation() {
+            self.surface_at(t, place)
+        } else {
+            Surface::default()
+        };
+        let flow = self.flow_under(t, place, &surface);
+        WaterMotion {
+            elevation: surface.elevation,
+            slope: surface.slope,
+            elevation_rate: surface.rate,
+            ..flow
+        }
+    }
+
+    /// Velocity and acceleration at a place at time t \[s\] under a surface that may be that of other waves too.
+    #[must_use]
+    pub(super) fn flow_under(&self, t: f64, place: &V3, surface: &Surface) -> WaterMotion {
         let (r, r1, _) = smooth_ramp(t, self.ramp);
         let along = self.direction.dot(place);
-        let (eta, slope, elevation_rate) = if surface || self.stretching.needs_elevation() {
-            let (eta, slope, rate) = self.surface(t, along);
-            (r * eta, r * slope, r * rate + r1 * eta)
-        } else {
-            (0.0, 0.0, 0.0)
-        };
         let mut flow = WaterMotion {
             place: *place,
-            elevation: eta,
-            slope: self.direction * slope,
-            elevation_rate,
             ..WaterMotion::default()
         };
-        let reading = self.stretching.read(place.z, eta, self.depth);
+        let reading = self.stretching.read(place.z, surface.elevation, self.depth);
         if reading.z <= self.decay.reach() {
             return flow;
         }
         let sums = self.sums(t, along, &reading);
-        let (velocity, gradient) = self.turned(&sums, &reading, slope, 0);
-        let (acceleration, its_gradient) = self.turned(&sums, &reading, slope, 1);
+        let (velocity, gradient) = self.turned(&sums, &reading, &surface.slope, 0);
+        let (acceleration, its_gradient) = self.turned(&sums, &reading, &surface.slope, 1);
         if self.load == WaveLoading::Morison {
             flow.velocity = velocity * r;
             flow.gradient = gradient * r;
@@ -233,15 +285,13 @@ impl WaveField {
         &self,
         sums: &ComponentSums,
         reading: &StretchedHeight,
-        slope: f64,
+        slope: &V3,
         which: usize,
     ) -> (V3, M3) {
         let d = &self.direction;
         let (across, up) = (sums.across[which], sums.up[which]);
-        // By the distance along the waves: through theta, and through the height of the surface.
-        let shift = reading.by_elevation * slope;
-        let across_along = sums.across_k[which] + sums.across_z[which] * shift;
-        let up_along = sums.up_k[which] + sums.up_z[which] * shift;
+        // Through theta by the distance along the waves, and through the height of the surface by the place.
+        let shift = slope * reading.by_elevation;
         let steep = if reading.beyond > 0.0 {
             1.0
         } else {
@@ -249,8 +299,10 @@ impl WaveField {
         };
         let (across_z, up_z) = (sums.across_z[which] * steep, sums.up_z[which] * steep);
         let e = V3::z();
-        let gradient = d * (d * across_along + e * across_z).transpose()
-            + e * (d * up_along + e * up_z).transpose();
+        let by_place = |k: f64, by_height: f64, steep: f64| d * k + shift * by_height + e * steep;
+        let gradient = d * by_place(sums.across_k[which], sums.across_z[which], across_z)
+            .transpose()
+            + e * by_place(sums.up_k[which], sums.up_z[which], up_z).transpose();
         (d * across + e * up, gradient)
     }
 }

@@ -19,14 +19,14 @@ use crate::scene::response_entry;
 const LIMITS: [f64; 2] = [20.0, 90.0];
 
 /// Entries of the file at one heading.
-pub(super) struct HeadingRao {
+pub(crate) struct HeadingRao {
     /// Angle from the bow \[rad\]; none in a file without headings.
     heading: Option<f64>,
     rao: Rao,
 }
 
 /// The RAOs of a file by ascending heading; a single one for a file without headings.
-pub(super) fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
+pub(crate) fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
     let has_headings = has_headings(text);
     let rows = rows(text, file, has_headings)?;
     let rao = |block: &[Vec<PlacedNumber>]| {
@@ -130,7 +130,7 @@ fn check(row: &[PlacedNumber], columns: &[String]) -> Result<(), Finding> {
 }
 
 /// The RAO at an angle \[rad\] from the bow, between 0 and 2π, interpolated between the headings of the file.
-pub(super) fn at_angle(raos: &[HeadingRao], angle: f64, file: &str) -> Result<Rao, Diagnostic> {
+pub(crate) fn at_angle(raos: &[HeadingRao], angle: f64, file: &str) -> Result<Rao, Diagnostic> {
     let headings: Vec<f64> = raos.iter().filter_map(|one| one.heading).collect();
     let (Some(first), Some(last)) = (headings.first(), headings.last()) else {
         // Without headings the RAO is that of the ship as it lies.

@@ -1,0 +1,128 @@
+//! A sea of several wave systems: swell beside wind sea, and short-crested waves as fields that run in different directions.
+
+use super::Component;
+use super::waves::{Surface, WaterMotion, WaveField};
+use crate::numerics::V3;
+
+/// Wave systems that run together; their surfaces and their kinematics add up.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sea {
+    fields: Vec<WaveField>,
+}
+
+impl Sea {
+    /// A sea of these fields.
+    #[must_use]
+    pub fn new(fields: Vec<WaveField>) -> Self {
+        Self { fields }
+    }
+
+    /// Its fields.
+    #[must_use]
+    pub fn fields(&self) -> &[WaveField] {
+        &self.fields
+    }
+
+    /// The components as they pass a place \[m\], field by field.
+    #[must_use]
+    pub fn at_point(&self, place: &V3) -> Vec<Component> {
+        let fields = self.fields.iter();
+        fields.flat_map(|field| field.at_point(place)).collect()
+    }
+
+    /// Height of the surface above still water \[m\] at time t \[s\] over a place.
+    #[must_use]
+    pub fn elevation(&self, t: f64, place: &V3) -> f64 {
+        let fields = self.fields.iter();
+        fields.map(|field| field.elevation(t, place)).sum()
+    }
+
+    /// What it makes of the water at a place at time t \[s\]; with the height of the surface only where `surface` or a stretching
+    /// asks for it. Stretching goes by the surface of all fields together.
+    #[must_use]
+    pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
+        if let [only] = self.fields.as_slice() {
+            return only.flow(t, place, surface);
+        }
+        let needed = surface || self.fields.iter().any(WaveField::needs_elevation);
+        let mut whole = Surface::default();
+        if needed {
+            for field in &self.fields {
+                whole.add(&field.surface_at(t, place));
+            }
+        }
+        let mut flow = WaterMotion {
+            place: *place,
+            elevation: whole.elevation,
+            slope: whole.slope,
+            elevation_rate: whole.rate,
+            ..WaterMotion::default()
+        };
+        for field in &self.fields {
+            let part = field.flow_under(t, place, &whole);
+            flow.velocity += part.velocity;
+            flow.gradient += part.gradient;
+            flow.acceleration += part.acceleration;
+            flow.acceleration_gradient += part.acceleration_gradient;
+        }
+        flow
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::physics::sea::{
+        DepthDecay, Spectrum, Stretching, WaveLoad, WaveSettings, synthesise,
+    };
+
+    fn field(direction: f64, seed: u64, stretching: Stretching) -> WaveField {
+        let setting = WaveSettings {
+            direction,
+            depth: 60.0,
+            gravity: 9.81,
+            stretching,
+            decay: DepthDecay::Airy,
+            ramp: 10.0,
+            load: WaveLoad::Morison,
+        };
+        let spectrum = Spectrum::jonswap(4.0, 9.0, 3.3);
+        WaveField::new(synthesise(&spectrum, 20, seed, 0), &setting)
+    }
+
+    #[test]
+    fn derivatives_by_place_are_those_of_the_sum() {
+        for stretching in [Stretching::Vertical, Stretching::Wheeler, Stretching::None] {
+            let sea = Sea::new(vec![field(0.4, 1, stretching), field(2.1, 2, stretching)]);
+            let (t, h) = (17.0, 1e-5);
+            for z in [-20.0, -2.0, 4.0] {
+                let place = V3::new(12.0, -3.0, z);
+                let at = sea.flow(t, &place, true);
+                assert!((at.elevation - sea.elevation(t, &place)).abs() < 1e-14);
+                for axis in 0..3 {
+                    let step = V3::ith(axis, h);
+                    let high = sea.flow(t, &(place + step), true);
+                    let low = sea.flow(t, &(place - step), true);
+                    let by = |a: V3, b: V3| (a - b) / (2.0 * h);
+                    let velocity = by(high.velocity, low.velocity);
+                    let acceleration = by(high.acceleration, low.acceleration);
+                    assert!((velocity - at.gradient.column(axis)).norm() < 1e-7);
+                    assert!((acceleration - at.acceleration_gradient.column(axis)).norm() < 1e-7);
+                    let slope = (high.elevation - low.elevation) / (2.0 * h);
+                    assert!((slope - at.slope[axis]).abs() < 1e-7);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn one_field_is_itself_and_two_in_one_direction_are_their_sum() {
+        let one = field(0.7, 3, Stretching::Vertical);
+        let place = V3::new(5.0, 6.0, -4.0);
+        let alone = Sea::new(vec![one.clone()]).flow(30.0, &place, true);
+        assert_eq!(alone, one.flow(30.0, &place, true));
+        let twice = Sea::new(vec![one.clone(), one]).flow(30.0, &place, true);
+        assert!((twice.velocity - alone.velocity * 2.0).norm() < 1e-13);
+        assert!((twice.elevation - 2.0 * alone.elevation).abs() < 1e-13);
+    }
+}
