@@ -4,6 +4,7 @@
 //! them ([`stand_alone`]), so that it needs nothing but itself. A case that holds `[files."NAME"]` never looks on disk.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
 
@@ -30,13 +31,13 @@ pub(crate) fn response_columns() -> Vec<String> {
         .collect()
 }
 
-/// A case that is being read: its tree, its text, what it is called and the folder it stands in.
+/// A file that is being read: its tree, its text, what it is called and the folder it stands in.
 #[derive(Clone, Copy)]
-struct CaseSource<'a> {
-    root: &'a TomlNode,
-    text: &'a str,
-    file: &'a str,
-    folder: &'a Path,
+pub(crate) struct FileSource<'a> {
+    pub(crate) root: &'a TomlNode,
+    pub(crate) text: &'a str,
+    pub(crate) file: &'a str,
+    pub(crate) folder: &'a Path,
 }
 
 /// Takes in the files that the case uses, and reads them as what they are named for.
@@ -46,7 +47,7 @@ pub(crate) fn gather(
     text: &str,
     (file, folder): (&str, &Path),
 ) -> Result<(), Diagnostic> {
-    let reading = CaseSource {
+    let reading = FileSource {
         root,
         text,
         file,
@@ -58,7 +59,7 @@ pub(crate) fn gather(
         let Some(name) = end.motion_file.as_ref().filter(|_| used) else {
             continue;
         };
-        let shown = reading.take(case, name, &["ends", letter, "motion_file"])?;
+        let shown = reading.take(&mut case.files, name, &["ends", letter, "motion_file"])?;
         let carried = &case.files[name].text;
         match end.motion {
             MotionName::Vessel => numbers(carried, &shown, &response_columns()).map(|_| ())?,
@@ -71,7 +72,11 @@ pub(crate) fn gather(
             continue;
         };
         let words = curve.name.clone();
-        let shown = reading.take(case, &name, &["published_curve", &words, "points_file"])?;
+        let shown = reading.take(
+            &mut case.files,
+            &name,
+            &["published_curve", &words, "points_file"],
+        )?;
         let (time_s, value) = curve_points(&case.files[&name].text, &shown)?;
         let curve = &mut case.published_curve[number];
         (curve.time_s, curve.value) = (time_s, value);
@@ -79,19 +84,23 @@ pub(crate) fn gather(
     Ok(())
 }
 
-impl CaseSource<'_> {
-    /// Sees to it that the case carries a file that it names at a key; what the file is called in words.
-    fn take(&self, case: &mut Case, name: &str, key: &[&str]) -> Result<String, Diagnostic> {
+impl FileSource<'_> {
+    /// Sees to it that a file that is named at a key is carried; what it is called in words.
+    pub(crate) fn take(
+        &self,
+        files: &mut BTreeMap<String, Attachment>,
+        name: &str,
+        key: &[&str],
+    ) -> Result<String, Diagnostic> {
         let beside = self.folder.join(name);
-        if !case.files.contains_key(name) {
+        if !files.contains_key(name) {
             let read = std::fs::read_to_string(&beside).map_err(|error| {
                 let span = self.root.find(key).map_or(0..0, |node| node.span.clone());
                 let problem = format!("{} cannot be read: {error}", beside.display());
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
                 Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
             })?;
-            case.files
-                .insert(name.to_owned(), Attachment { text: read });
+            files.insert(name.to_owned(), Attachment { text: read });
         }
         Ok(beside.display().to_string())
     }
@@ -123,13 +132,18 @@ fn curve_points(text: &str, file: &str) -> Result<(Vec<f64>, Vec<f64>), Diagnost
 /// The text of a case with the files it names, which it may read no more.
 #[must_use]
 pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
+    with_files(text, &case.files)
+}
+
+/// The text with these files carried in it.
+pub(crate) fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Cow<'t, str> {
     let root = TomlNode::parse(text).ok();
     let held = |name: &str| {
         let root = root.as_ref();
         root.is_some_and(|root| root.find(&["files", name]).is_some())
     };
     let mut whole = Cow::Borrowed(text);
-    for (name, carried) in &case.files {
+    for (name, carried) in files {
         if !held(name) {
             let value = toml::Value::String(carried.text.clone());
             let key = toml::Value::String(name.clone());

@@ -1,8 +1,12 @@
 //! What all kinds of file have in common: how they are checked, computed and listed. A kind is the type of its root table.
 
+use std::collections::BTreeMap;
+
+use super::attachments::FileSource;
 use super::check::{check_keys, marks};
-use super::diagnostic::Finding;
+use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
+use super::model::Attachment;
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
@@ -20,6 +24,19 @@ pub(crate) trait FileKind: FileContent + TableType {
 
     /// Errors of keys against each other. Keys that are missing or faulty are passed over.
     fn check(keys: &Self::Keys<'_>) -> Vec<Finding>;
+
+    /// Takes in the files that it names and does not carry.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or does not hold what it is named for.
+    fn take_files(&mut self, _source: &FileSource<'_>) -> Result<(), Diagnostic> {
+        Ok(())
+    }
+
+    /// The files that it carries.
+    fn files(&self) -> Option<&BTreeMap<String, Attachment>> {
+        None
+    }
 
     /// The result of a file without errors; `keys` are those that it was read from.
     ///

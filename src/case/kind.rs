@@ -5,6 +5,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::attachments::{FileSource, with_files};
 use super::diagnostic::Diagnostic;
 use super::edit::{field_by, put_all};
 use super::edited::{self, EditedKey, Origin};
@@ -22,6 +23,8 @@ use super::tree::TomlNode;
 pub struct LoadedFile<T> {
     /// The text of the file.
     pub text: String,
+    /// The same with the files that it names, so that it can be edited and read anywhere.
+    pub whole_text: String,
     /// Its result.
     pub computed: T,
     /// The file.
@@ -36,23 +39,55 @@ pub struct LoadedFile<T> {
 /// and value, or what shows only in the computation.
 pub fn load<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
-    let computed = parse::<K>(&text, &path.display().to_string())?;
+    let file = path.display().to_string();
+    let (root, content) = with_its_files::<K>(&text, &file)?;
+    let whole_text = match content.files() {
+        Some(files) => with_files(&text, files).into_owned(),
+        None => text.clone(),
+    };
+    let computed = computed(content, &root, &text, &file)?;
     Ok(LoadedFile {
         text,
+        whole_text,
         computed,
         path: path.to_owned(),
     })
 }
 
-/// Checks a text and computes it. `file` is the name in the diagnostics.
+/// Checks a text and computes it. `file` is the name in the diagnostics; files that the text names are looked for beside it.
 ///
 /// # Errors
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
-    let (root, content) = checked::<K>(text, file)?;
+    let (root, content) = with_its_files::<K>(text, file)?;
+    computed(content, &root, text, file)
+}
+
+/// What a text without errors says, with the files that it names.
+fn with_its_files<K: FileKind>(text: &str, file: &str) -> Result<(TomlNode, K), Vec<Diagnostic>> {
+    let (root, mut content) = checked::<K>(text, file)?;
+    let source = FileSource {
+        root: &root,
+        text,
+        file,
+        folder: Path::new(file).parent().unwrap_or(Path::new("")),
+    };
     content
-        .compute(&K::keys(&TableNode::root(&root)))
+        .take_files(&source)
+        .map_err(|diagnostic| vec![diagnostic])?;
+    Ok((root, content))
+}
+
+/// The result of what a text says.
+fn computed<K: FileKind>(
+    content: K,
+    root: &TomlNode,
+    text: &str,
+    file: &str,
+) -> Result<K::Computed, Vec<Diagnostic>> {
+    content
+        .compute(&K::keys(&TableNode::root(root)))
         .map_err(|finding| vec![finding.at(file, text)])
 }
 

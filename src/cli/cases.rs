@@ -73,7 +73,8 @@ pub(super) fn edited_text<K: FileKind>(
     words: &[String],
 ) -> Result<String, CommandError> {
     let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
-    kind::set_all::<K>(&loaded.text, &edits(words)?).map_err(CommandError::invalid(&loaded.text))
+    let text = &loaded.whole_text;
+    kind::set_all::<K>(text, &edits(words)?).map_err(CommandError::invalid(text))
 }
 
 /// The fields of a file of a kind that is read with keys set, and its result.
@@ -86,8 +87,8 @@ pub(super) fn load_with<K: FileKind>(
     if words.is_empty() {
         return Ok((fields(&loaded.text), loaded.computed));
     }
-    let text = kind::set_all::<K>(&loaded.text, &edits(words)?)
-        .map_err(CommandError::invalid(&loaded.text))?;
+    let text = kind::set_all::<K>(&loaded.whole_text, &edits(words)?)
+        .map_err(CommandError::invalid(&loaded.whole_text))?;
     let computed = kind::parse::<K>(&text, &path.display().to_string())
         .map_err(CommandError::invalid(&text))?;
     Ok((fields(&text), computed))

@@ -130,8 +130,8 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     let file = kind::load::<SystemFile>(&args.system.case.file)
         .map_err(CommandError::invalid_file(&args.system.case.file))?;
-    let text = kind::set_all::<SystemFile>(&file.text, &cases::edits(&args.system.case.set)?)
-        .map_err(CommandError::invalid(&file.text))?;
+    let text = kind::set_all::<SystemFile>(&file.whole_text, &cases::edits(&args.system.case.set)?)
+        .map_err(CommandError::invalid(&file.whole_text))?;
     let Some((quantity, wanted)) = args
         .want
         .split_once('=')

@@ -60,8 +60,8 @@ fn system(args: &VaryArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
     let loaded = kind::load::<SystemFile>(path).map_err(CommandError::invalid_file(path))?;
     let (text, solved) =
-        kind::set_and_compute::<SystemFile>(&loaded.text, &cases::edits(&args.case.set)?)
-            .map_err(CommandError::invalid(&loaded.text))?;
+        kind::set_and_compute::<SystemFile>(&loaded.whole_text, &cases::edits(&args.case.set)?)
+            .map_err(CommandError::invalid(&loaded.whole_text))?;
     let results = match args.result.is_empty() {
         true => quantities::main_results(&solved),
         false => args.result.clone(),
