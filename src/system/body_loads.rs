@@ -8,11 +8,12 @@ use num_dual::DualSVec64;
 
 use super::heading_loads;
 use super::line_at_rest::LinePhysics;
-use super::members;
+use super::members::{self, Placed};
 use super::network::{Body, Network};
 use super::pose::{Pose, cross};
 use super::waterplane;
 use crate::numerics::{M3, V3};
+use crate::physics::sea::WaterMotion;
 
 /// A number and its change with three displacements and three turns.
 pub(super) type Dual = DualSVec64<6>;
@@ -20,7 +21,7 @@ pub(super) type Dual = DualSVec64<6>;
 pub(super) type DualVector = Vector3<Dual>;
 
 /// A pose and its small motions, and how fast it moves.
-pub(super) struct MovingPose {
+pub(super) struct MovingPose<'a> {
     pose: Pose,
     /// The origin, and the small turn.
     pub(super) origin: DualVector,
@@ -28,6 +29,8 @@ pub(super) struct MovingPose {
     /// Velocity of the origin \[m/s\] and angular velocity \[rad/s\], in the earth's directions.
     pub(super) velocity: DualVector,
     pub(super) spin: DualVector,
+    /// What waves make of the water at the origin and at the stations of the members; empty in still water.
+    waves: &'a [WaterMotion],
 }
 
 /// A vector that moves with three of the six unknowns, by this matrix.
@@ -43,7 +46,7 @@ pub(super) fn unknown(value: &V3, first: usize, by: &M3) -> DualVector {
     })
 }
 
-impl MovingPose {
+impl<'a> MovingPose<'a> {
     /// At rest; its unknowns are displacements and turns in the earth's directions.
     pub(super) fn of(pose: &Pose) -> Self {
         let one = M3::identity();
@@ -69,7 +72,30 @@ impl MovingPose {
             turn,
             velocity,
             spin,
+            waves: &[],
         }
+    }
+
+    /// The same in waves.
+    pub(super) fn in_waves(self, waves: &'a [WaterMotion]) -> Self {
+        Self { waves, ..self }
+    }
+
+    /// What waves make of the water at the origin.
+    pub(super) fn at_origin(&self) -> Option<&'a WaterMotion> {
+        self.waves.first()
+    }
+
+    /// What waves make of the water at the stations of a member; empty in still water.
+    pub(super) fn at_member(&self, number: usize) -> &'a [WaterMotion] {
+        let stations = self.waves.get(1..).unwrap_or_default();
+        let mut members = stations.chunks_exact(members::STATIONS);
+        members.nth(number).unwrap_or_default()
+    }
+
+    /// A place at an arm from the origin.
+    pub(super) fn place(&self, arm: &DualVector) -> DualVector {
+        self.origin + arm
     }
 
     /// The velocity at an arm.
@@ -95,6 +121,12 @@ impl MovingPose {
         let arm = constant(&self.pose.arm(place));
         arm + self.turn.cross(&arm)
     }
+}
+
+/// A vector of the water near a place where it is known, to first order in the distance.
+pub(super) fn near(known: (&V3, &M3), from: &V3, place: &DualVector) -> DualVector {
+    let (value, gradient) = known;
+    constant(value) + gradient.map(Dual::from_re) * (place - constant(from))
 }
 
 /// A vector that does not change.
@@ -170,11 +202,13 @@ pub(super) fn add_loads_by_pose(
     sum: &mut LoadSum,
 ) {
     waterplane::add(body, moving, sum);
-    for member in &body.members {
-        members::buoyancy(network, member, moving, sum);
+    for (number, member) in body.members.iter().enumerate() {
+        let placed = Placed::of(member, moving, moving.at_member(number));
+        members::buoyancy(network, &placed, sum);
         members::bed(network, body, member, moving, sum);
         if flow {
-            members::drag(network, member, moving, sum);
+            members::drag(network, member, moving, &placed, sum);
+            members::wave_inertia(network, member, moving, &placed, sum);
         }
     }
     if flow {

@@ -10,6 +10,7 @@ use super::model::{
     SystemFile,
 };
 use super::motion::inputs::{body_motion, point_motion};
+use super::motion::responses::wave_response;
 use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
     WEIGHTLESS, reversed, weight, weighted,
@@ -19,7 +20,8 @@ use super::pose::Pose;
 use super::rods;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
-use crate::scene::current_profile;
+use crate::physics::sea::Sea;
+use crate::scene::{current_profile, sea};
 use crate::statics::catenary::SectionProperties;
 
 /// The parts of lines that differ from what the file states, by the name of line or copy.
@@ -58,14 +60,22 @@ pub fn build(
         }),
         ..Network::default()
     };
+    let sea = sea_of(file);
     for (name, body) in &file.bodies {
         let spins_about = given.rods.contains_key(name).then(V3::x);
         let built = self::body(name, body, &network);
+        // Its file was read with the system.
+        let response = sea.as_ref().map(|sea| wave_response(file, body, sea));
+        let response = response.and_then(Result::ok).flatten();
         network.bodies.push(Body {
             spins_about,
+            motion: response.map(|found| found.motion).or(built.motion),
             ..built
         });
     }
+    network.sea = sea;
+    let gauge = file.waves.iter().find_map(|waves| waves.gauge_m);
+    network.gauge = gauge.map_or_else(V3::zeros, |[x, y]| V3::new(x, y, 0.0));
     let mut builder = Builder {
         file,
         aged,
@@ -85,6 +95,15 @@ pub fn build(
         builder.point(name, 0.0, V3::zeros());
     }
     Ok(builder.network)
+}
+
+/// The waves of a system; nothing without any.
+#[must_use]
+pub fn sea_of(file: &SystemFile) -> Option<Sea> {
+    let bed = file.seabed.as_ref().map(|bed| bed.depth_m);
+    let found = sea(&file.waves, bed, file.environment.gravity_m_per_s2);
+    // What waves lack is refused with the file.
+    found.ok().filter(|sea| !sea.fields().is_empty())
 }
 
 impl SystemFile {
@@ -168,6 +187,7 @@ impl Builder<'_> {
                 weight: given.mass_kg * self.network.gravity,
                 buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
                 moving_mass: given.mass_kg + given.added_mass_kg,
+                added_mass: given.added_mass_kg,
                 drag_area: given.drag_area_m2,
                 load: V3::from(given.load_n),
                 start: place,

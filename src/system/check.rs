@@ -52,6 +52,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(elastic(material));
     }
     found.extend(wind_without_loads(keys));
+    found.extend(motion::waves(keys));
     found.extend(motion::motion(keys));
     found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {

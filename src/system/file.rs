@@ -1,16 +1,20 @@
 //! The system as a kind of file: its result, its keys in reading order.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
+use super::build::sea_of;
 use super::check::check;
 use super::connected::Loose;
 use super::model::{SystemFile, SystemKeys};
+use super::motion::responses::wave_response;
 use super::rest::UnsolvedSystem;
 use super::solved::{SolvedSystem, solve};
+use crate::case::attachments::FileSource;
 use crate::case::fields::{POSITION, Schema};
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
-use crate::case::{FieldLister, FieldRow, Finding};
+use crate::case::{Attachment, Diagnostic, FieldLister, FieldRow, Finding};
 
 /// The system file.
 pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
@@ -35,6 +39,27 @@ impl FileKind for SystemFile {
         check(keys)
     }
 
+    fn take_files(&mut self, source: &FileSource<'_>) -> Result<(), Diagnostic> {
+        for (name, body) in &self.bodies {
+            let Some(file) = &body.response_file else {
+                continue;
+            };
+            let key = ["bodies", name.as_str(), "response_file"];
+            source.take(&mut self.files, file, &key)?;
+        }
+        let Some(sea) = sea_of(self) else {
+            return Ok(());
+        };
+        let bodies = self.bodies.values();
+        bodies
+            .map(|body| wave_response(self, body, &sea).map(|_| ()))
+            .collect()
+    }
+
+    fn files(&self) -> Option<&BTreeMap<String, Attachment>> {
+        Some(&self.files)
+    }
+
     fn compute(self, keys: &SystemKeys<'_>) -> Result<SolvedSystem, Finding> {
         solve(self).map_err(|refusal| located(&refusal, keys))
     }
@@ -44,6 +69,7 @@ impl FileKind for SystemFile {
         rows.extend(lister.always("environment"));
         rows.extend(lister.if_given(&["seabed"], "seabed"));
         rows.extend(lister.if_given(&["current"], "current"));
+        rows.extend(lister.named("waves", "waves"));
         rows.extend(lister.if_given(&["wind"], "wind"));
         rows.extend(lister.named("lines", "line"));
         rows.extend(nested(lister, ("lines", "line"), ("sections", "section")));

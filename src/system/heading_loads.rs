@@ -6,12 +6,12 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use num_dual::DualNum;
 
-use super::body_loads::{Dual, LoadSum, MovingPose, constant};
+use super::body_loads::{Dual, LoadSum, MovingPose, constant, near};
 use super::network::{Body, HeadingLoads, Network};
 use crate::numerics::V3;
 
 /// Wind, current and drag on a body.
-pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose, sum: &mut LoadSum) {
+pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &mut LoadSum) {
     if let Some(loads) = &body.wind_loads {
         by_heading(loads, &network.wind, pose, sum);
     }
@@ -32,12 +32,15 @@ pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose, sum: &mut L
 fn on_areas(
     density: f64,
     body: &Body,
-    pose: &MovingPose,
+    pose: &MovingPose<'_>,
     (still, slope): (V3, V3),
     sum: &mut LoadSum,
 ) {
     let above = pose.origin.z - pose.origin.z.re;
-    let velocity = constant(&still) + constant(&slope) * above - pose.velocity;
+    let mut velocity = constant(&still) + constant(&slope) * above - pose.velocity;
+    if let Some(flow) = pose.at_origin() {
+        velocity += near((&flow.velocity, &flow.gradient), &flow.place, &pose.origin);
+    }
     let speed2 = velocity.dot(&velocity);
     if speed2.re == 0.0 {
         return;
@@ -52,7 +55,7 @@ fn on_areas(
 }
 
 /// The load of a flow by its heading: surge and sway along the body's heading, and yaw.
-fn by_heading(loads: &HeadingLoads, flow: &V3, pose: &MovingPose, sum: &mut LoadSum) {
+fn by_heading(loads: &HeadingLoads, flow: &V3, pose: &MovingPose<'_>, sum: &mut LoadSum) {
     let flow = constant(flow) - pose.velocity;
     let speed2 = flow.x.powi(2) + flow.y.powi(2);
     if speed2.re == 0.0 {

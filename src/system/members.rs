@@ -15,10 +15,11 @@ use std::sync::LazyLock;
 use nalgebra::Matrix6;
 use num_dual::DualNum;
 
-use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant};
+use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant, near};
 use super::network::{Body, Member, Network};
 use super::pose::{Pose, cross};
 use crate::numerics::{M3, V3};
+use crate::physics::sea::{Sea, WaterMotion};
 
 /// Points of a quadrature.
 const POINTS: usize = 24;
@@ -38,7 +39,7 @@ static RULE: LazyLock<Vec<(f64, f64)>> = LazyLock::new(|| {
 });
 
 /// A member where it is, its lower end first.
-struct Placed {
+pub(super) struct Placed<'a> {
     /// From the origin of the body to its lower end.
     arm: DualVector,
     /// Height of the lower end, and of the upper one above it.
@@ -51,10 +52,26 @@ struct Placed {
     radius: (f64, f64),
     /// Sine of the angle between axis and vertical, squared.
     tilt2: Dual,
+    /// What waves make of the water at its lower end, its upper end, and along its part in the water; empty in still water.
+    waves: &'a [WaterMotion],
 }
 
-impl Placed {
-    fn of(member: &Member, pose: &MovingPose) -> Self {
+/// A slice across the part of a member in the water.
+struct Slice {
+    /// Its number.
+    number: usize,
+    /// From the origin of the body.
+    arm: DualVector,
+    /// Height above the surface \[m\].
+    height: Dual,
+    radius: Dual,
+    /// Length along the axis that it stands for \[m\].
+    long: Dual,
+}
+
+impl<'a> Placed<'a> {
+    /// A member at a pose; heights are above the surface of the waves at its stations.
+    pub(super) fn of(member: &Member, pose: &MovingPose<'_>, waves: &'a [WaterMotion]) -> Self {
         let (from, to) = (pose.arm(&member.from), pose.arm(&member.to));
         let radius = member.radius;
         let (low, high, radius) = if to.z.re < from.z.re {
@@ -64,15 +81,50 @@ impl Placed {
         };
         let length = (member.to - member.from).norm();
         let axis = (high - low) / Dual::from_re(length);
+        let surface = |end: usize, arm: &DualVector| {
+            let flow = waves.get(end);
+            flow.map_or_else(
+                || Dual::from_re(0.0),
+                |flow| elevation(flow, &pose.place(arm)),
+            )
+        };
+        let (at_low, at_high) = (surface(0, &low), surface(1, &high));
         Self {
-            z: pose.origin.z + low.z,
-            rise: high.z - low.z,
+            z: pose.origin.z + low.z - at_low,
+            rise: high.z - low.z - (at_high - at_low),
             tilt2: axis.x.powi(2) + axis.y.powi(2),
             arm: low,
             axis,
             length,
             radius,
+            waves,
         }
+    }
+
+    /// Share of the length that is in the water, from the lower end; nothing where that end is out of it.
+    fn wet_share(&self) -> Option<Dual> {
+        let upper_is_dry = self.z.re + self.rise.re > 0.0;
+        (self.z.re < 0.0).then(|| match upper_is_dry {
+            true => -self.z / self.rise,
+            false => Dual::from_re(1.0),
+        })
+    }
+
+    /// Slices of the part in the water.
+    fn wet_slices(&self) -> impl Iterator<Item = Slice> {
+        let wet = self.wet_share();
+        let slice = move |(number, (node, weight)): (usize, &(f64, f64))| {
+            let wet = wet?;
+            let share = wet * *node;
+            Some(Slice {
+                number,
+                arm: self.arm + self.axis * (share * self.length),
+                height: self.z + self.rise * share,
+                radius: self.radius_at(share),
+                long: wet * (*weight * self.length),
+            })
+        };
+        RULE.iter().enumerate().filter_map(slice)
     }
 
     fn radius_at(&self, share: Dual) -> Dual {
@@ -189,9 +241,43 @@ impl Placed {
 /// Sine of the tilt below which a cone at the surface counts as a cylinder of its radius there.
 const UPRIGHT: f64 = 1e-6;
 
+/// Height of the surface \[m\] over a place near where it is known.
+fn elevation(flow: &WaterMotion, place: &DualVector) -> Dual {
+    let away = place - constant(&flow.place);
+    away.dot(&constant(&flow.slope)) + flow.elevation
+}
+
+/// Stations of a member at which waves are read: its lower end, its upper end, and the slices of its part in the water.
+pub(super) const STATIONS: usize = POINTS + 2;
+
+/// Reads the waves of a sea at a time \[s\] at the stations of a member.
+pub(super) fn read_waves(
+    member: &Member,
+    pose: &Pose,
+    (sea, t): (&Sea, f64),
+    stations: &mut [WaterMotion],
+) {
+    let ends = [&member.from, &member.to].map(|end| pose.origin + pose.arm(end));
+    let [low, high] = match ends[1].z < ends[0].z {
+        true => [ends[1], ends[0]],
+        false => ends,
+    };
+    stations.fill(WaterMotion::default());
+    stations[0] = sea.flow(t, &low, true);
+    stations[1] = sea.flow(t, &high, true);
+    let z = low.z - stations[0].elevation;
+    let rise = high.z - stations[1].elevation - z;
+    if z >= 0.0 {
+        return;
+    }
+    let wet = if z + rise > 0.0 { -z / rise } else { 1.0 };
+    for (station, (node, _)) in stations[2..].iter_mut().zip(RULE.iter()) {
+        *station = sea.flow(t, &low.lerp(&high, wet * node), false);
+    }
+}
+
 /// Buoyancy of a member, as far as it is in the water.
-pub(super) fn buoyancy(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
-    let placed = Placed::of(member, pose);
+pub(super) fn buoyancy(network: &Network, placed: &Placed<'_>, sum: &mut LoadSum) {
     let (volume, moment) = placed.immersed();
     if volume.re == 0.0 {
         return;
@@ -207,7 +293,7 @@ pub(super) fn bed(
     network: &Network,
     body: &Body,
     member: &Member,
-    pose: &MovingPose,
+    pose: &MovingPose<'_>,
     sum: &mut LoadSum,
 ) {
     let Some(bed) = network.bed_z else { return };
@@ -229,35 +315,61 @@ pub(super) fn bed(
 const GIVES_WAY: f64 = 1e-3;
 
 /// Drag across a member by the velocity of the water relative to it, on its part below the surface.
-pub(super) fn drag(network: &Network, member: &Member, pose: &MovingPose, sum: &mut LoadSum) {
+pub(super) fn drag(
+    network: &Network,
+    member: &Member,
+    pose: &MovingPose<'_>,
+    placed: &Placed<'_>,
+    sum: &mut LoadSum,
+) {
     if member.drag == 0.0 {
         return;
     }
     let current = network.current.as_ref();
-    let placed = Placed::of(member, pose);
-    if placed.z.re >= 0.0 {
-        return;
-    }
-    let wet = match placed.z.re + placed.rise.re > 0.0 {
-        true => -placed.z / placed.rise,
-        false => Dual::from_re(1.0),
-    };
-    for (node, weight) in RULE.iter() {
-        let share = wet * *node;
-        let height = placed.z + placed.rise * share;
-        let (water, slope) = current.map_or_else(Default::default, |current| current.at(height.re));
-        let above = height - height.re;
-        let arm = placed.arm + placed.axis * (share * placed.length);
-        let velocity = constant(&water) + constant(&slope) * above - pose.velocity_at(&arm);
+    for slice in placed.wet_slices() {
+        let (water, slope) =
+            current.map_or_else(Default::default, |current| current.at(slice.height.re));
+        let above = slice.height - slice.height.re;
+        let mut velocity =
+            constant(&water) + constant(&slope) * above - pose.velocity_at(&slice.arm);
+        if let Some(flow) = placed.waves.get(2 + slice.number) {
+            let place = pose.place(&slice.arm);
+            velocity += near((&flow.velocity, &flow.gradient), &flow.place, &place);
+        }
         let across = velocity - placed.axis * velocity.dot(&placed.axis);
         let speed2 = across.dot(&across);
         if speed2.re == 0.0 {
             continue;
         }
-        let width = placed.radius_at(share) * 2.0;
-        let long = wet * (*weight * placed.length);
-        let by_speed = width * long * speed2.sqrt() * (0.5 * network.density * member.drag);
-        sum.add(&arm, &(across * by_speed));
+        let width = slice.radius * 2.0;
+        let by_speed = width * slice.long * speed2.sqrt() * (0.5 * network.density * member.drag);
+        sum.add(&slice.arm, &(across * by_speed));
+    }
+}
+
+/// Load of the acceleration of the water on the part of a member below the surface: the pressure of the undisturbed wave in all directions,
+/// and the added mass across the member (Morison et al. 1950; DNV-RP-C205 2019, section 6.2). With the buoyancy up to the surface of the
+/// wave, which counts its pressure at still water as that at rest, the pressure on the ends is complete.
+pub(super) fn wave_inertia(
+    network: &Network,
+    member: &Member,
+    pose: &MovingPose<'_>,
+    placed: &Placed<'_>,
+    sum: &mut LoadSum,
+) {
+    if placed.waves.is_empty() {
+        return;
+    }
+    for slice in placed.wet_slices() {
+        let flow = &placed.waves[2 + slice.number];
+        let known = (&flow.acceleration, &flow.acceleration_gradient);
+        let water = near(known, &flow.place, &pose.place(&slice.arm));
+        let across = water - placed.axis * water.dot(&placed.axis);
+        let mass = slice.radius * slice.radius * slice.long * (PI * network.density);
+        sum.add(
+            &slice.arm,
+            &((water + across * Dual::from_re(member.added_mass)) * mass),
+        );
     }
 }
 

@@ -9,7 +9,7 @@ pub use motion::{MotionInputs, MotionOutput};
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
-use crate::case::{Current, Environment, Mark, Material, OneOrMany};
+use crate::case::{Attachment, Current, Environment, Mark, Material, OneOrMany, Waves};
 use crate::reference::PublishedNumber;
 
 const ON_BODY: Conditions = &[("kind", &["body"])];
@@ -27,6 +27,8 @@ table! {
         environment: Environment, optional;
         /// A current on lines, points and bodies.
         current: Option<Current>;
+        /// Waves that run together, in motion.
+        waves: Vec<Waves>;
         /// A wind on bodies that state their loads by it.
         wind: Option<SystemWind>;
         /// The level sea bed; absent means that none is in reach.
@@ -53,6 +55,8 @@ table! {
         solver: Option<MotionInputs>;
         /// What is recorded of a run in time.
         output: MotionOutput, optional;
+        /// Files that the system names, carried with it, by their names.
+        files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
         /// A published value the system is held against.
@@ -255,6 +259,8 @@ table! {
         table_yaw_deg: Vec<f64>, "yaw of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
+        /// CSV file of its responses to waves over period_s and heading_deg (optional), by which it moves about its pose.
+        response_file: Option<String>, "responses", absent "it does not follow the waves", matters MOVED;
     }
     tables {
         /// Round members in the water, whose buoyancy counts as far as they are immersed.

@@ -11,6 +11,7 @@ use super::pose::Pose;
 use crate::numerics::{M3, V3};
 use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
+use crate::physics::sea::Sea;
 use crate::statics::catenary::SectionProperties;
 
 /// A system of lines, in SI.
@@ -24,6 +25,10 @@ pub struct Network {
     pub bed_z: Option<f64>,
     /// The current on lines, points and bodies, if there is one.
     pub current: Option<CurrentProfile>,
+    /// Waves in motion, if there are any.
+    pub sea: Option<Sea>,
+    /// Where the height of the waves is recorded \[m\].
+    pub gauge: V3,
     /// Velocity of the wind on bodies \[m/s\].
     pub wind: V3,
     /// Points that lines end at.
@@ -63,8 +68,10 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
-    /// Mass with added mass \[kg\].
+    /// Mass with added mass, and the added mass alone \[kg\].
     pub moving_mass: f64,
+    /// See `moving_mass`.
+    pub added_mass: f64,
     /// Drag coefficient times area in a current \[m²\].
     pub drag_area: f64,
     /// Steady load \[N\].

@@ -73,6 +73,7 @@ fn body(rod: &RodInputs) -> BodyInputs {
         table_pitch_deg: Vec::new(),
         table_yaw_deg: Vec::new(),
         ramp_s: 0.0,
+        response_file: None,
         members: vec![MemberInputs {
             from_m: [-0.5 * long, 0.0, 0.0],
             to_m: [0.5 * long, 0.0, 0.0],

@@ -14,7 +14,7 @@ use super::pose::Pose;
 use crate::numerics::V3;
 
 /// The force and the moment of the water-plane.
-pub(super) fn add(body: &Body, pose: &MovingPose, sum: &mut LoadSum) {
+pub(super) fn add(body: &Body, pose: &MovingPose<'_>, sum: &mut LoadSum) {
     if body.waterplane == Matrix6::zeros() {
         return;
     }

@@ -1,4 +1,4 @@
-//! Systems of lines at rest: closed forms, stiffness against differences, invariance, random systems, refusals.
+//! Systems of lines, at rest and in motion: closed forms, stiffness against differences, invariance, random systems, refusals.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
@@ -11,6 +11,7 @@ mod motion;
 mod random;
 mod refusals;
 mod stiffness;
+mod waves;
 
 use seacable::case::kind;
 use seacable::system::{SolvedSystem, SystemFile};

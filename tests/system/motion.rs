@@ -16,7 +16,7 @@ use crate::{HEAD, solved};
 type V3 = Vector3<f64>;
 
 /// A system run in time.
-fn moved(text: &str) -> MotionRun {
+pub fn moved(text: &str) -> MotionRun {
     let system = solved(&format!("{HEAD}{text}"));
     let given = system.file.solver.clone().unwrap();
     let run = run(&system, &given, &AtomicBool::new(false), &mut |_| {}).unwrap();
@@ -25,8 +25,16 @@ fn moved(text: &str) -> MotionRun {
 }
 
 /// The values of a channel.
-fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
+pub fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
     &run.history.channel(name).unwrap().values
+}
+
+/// What is wrong with a system.
+pub fn refused(text: &str) -> String {
+    let text = format!("{HEAD}{text}");
+    let errors =
+        seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap_err();
+    errors.iter().map(ToString::to_string).collect::<String>()
 }
 
 const WIRE: &str = "
@@ -179,6 +187,7 @@ fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
     let mut joints = State::at_rest(vec![V3::zeros(); 2]);
     joints.v[1] = spin;
     let state = SystemState {
+        body_flow: Vec::new(),
         lines: Vec::new(),
         joints,
         bases: vec![UnitQuaternion::identity()],
@@ -398,15 +407,12 @@ fn a_table_of_a_swing_moves_as_the_swing() {
 #[test]
 fn motions_and_breaks_that_do_not_fit_are_refused() {
     let refused = |table: &str, line: &str| {
-        let text = format!(
-            "{HEAD}{WIRE}[points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\n{table}
+        refused(&format!(
+            "{WIRE}[points.top]\nkind = \"moved\"\nposition_m = [60.0, 0.0, 0.0]\n{table}
             [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
             [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\n{line}
             [solver]\nduration_s = 10.0\n"
-        );
-        let errors =
-            seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap_err();
-        errors.iter().map(ToString::to_string).collect::<String>()
+        ))
     };
     let short = refused("table_time_s = [0.0, 5.0]\ntable_z_m = [0.0, 1.0]", "");
     assert!(

@@ -3,11 +3,13 @@
 use crate::case::WaterSurface;
 use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
+use crate::scene::steep_waves;
 use crate::system::SolvedSystem;
 use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
+use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
 use crate::system::network::Held;
 use crate::system::stability::Stability;
 
@@ -118,6 +120,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found.extend(unused_motion(solved));
+    found.extend(on_waves(solved));
     found.extend(afloat(solved));
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));
@@ -148,6 +151,38 @@ fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
             found.push(format!(
                 "Line {} is not released or broken as it states: the run ends before, or there is none.",
                 line.name
+            ));
+        }
+    }
+    found
+}
+
+/// Waves that nothing is computed in, that break, or that a table of responses does not cover.
+fn on_waves(solved: &SolvedSystem) -> Vec<String> {
+    let file = &solved.file;
+    let Some(sea) = &solved.network.sea else {
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    if file.solver.is_none() {
+        found.push(
+            "The waves have no effect at rest: add a table [solver] with a `duration_s`."
+                .to_owned(),
+        );
+    }
+    let bed = file.seabed.as_ref().map(|bed| bed.depth_m);
+    let gravity = file.environment.gravity_m_per_s2;
+    let steep = file
+        .waves
+        .iter()
+        .filter_map(|waves| steep_waves(waves, bed, gravity));
+    found.extend(steep);
+    for (name, body) in &file.bodies {
+        let response = wave_response(file, body, sea).ok().flatten();
+        if let Some(found_beyond) = response.filter(|found| found.energy_beyond > MUCH_BEYOND) {
+            found.push(format!(
+                "Body {name}: {:.0} % of the energy of the waves lies beyond the periods of its responses; the last ones hold there.",
+                100.0 * found_beyond.energy_beyond
             ));
         }
     }

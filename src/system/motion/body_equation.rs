@@ -14,6 +14,7 @@ use nalgebra::{Matrix6, Vector6};
 
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
+use crate::physics::sea::WaterMotion;
 use crate::solve::Factors;
 use crate::system::body_loads::{
     Dual, DualVector, LoadSum, MovingPose, add_loads_by_pose, constant, fixed_loads, unknown,
@@ -53,13 +54,14 @@ impl MovingBody {
     }
 
     /// The residual, inertia less loads: force \[N\] and moment about the origin \[N m\] in the earth's directions, and its
-    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `jacobian` turns changes of that
+    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `waves` are those at its stations, `jacobian` turns changes of that
     /// vector into turns in the earth's directions.
     #[must_use]
     pub fn residual(
         &self,
         network: &Network,
         motion: &BodyMotion,
+        waves: &[WaterMotion],
         jacobian: &M3,
         c: Factors,
     ) -> (Vector6<f64>, Matrix6<f64>) {
@@ -78,7 +80,8 @@ impl MovingBody {
             unknown(&motion.pose.origin, 0, &(one * k)),
             turn,
             (velocity, still + turn.cross(&still)),
-        );
+        )
+        .in_waves(waves);
         let mut sum = LoadSum::none();
         self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
         add_loads_by_pose(network, body, &moving, true, &mut sum);
@@ -95,7 +98,7 @@ impl MovingBody {
     /// Inertia as a load.
     fn inertia(
         &self,
-        moving: &MovingPose,
+        moving: &MovingPose<'_>,
         (acceleration, spin, spin_rate): (&DualVector, &DualVector, &DualVector),
         sum: &mut LoadSum,
     ) {
@@ -156,7 +159,7 @@ fn rigid(body: &Body) -> Matrix6<f64> {
 }
 
 /// Damping by the matrices of the body.
-fn damp(body: &Body, moving: &MovingPose, spin: &DualVector, sum: &mut LoadSum) {
+fn damp(body: &Body, moving: &MovingPose<'_>, spin: &DualVector, sum: &mut LoadSum) {
     if body.damping == Matrix6::zeros() && body.quadratic_damping == Matrix6::zeros() {
         return;
     }
@@ -177,7 +180,7 @@ fn damp(body: &Body, moving: &MovingPose, spin: &DualVector, sum: &mut LoadSum) 
 }
 
 /// The bed under the bottom of a body that has one.
-fn bottom(network: &Network, body: &Body, moving: &MovingPose, sum: &mut LoadSum) {
+fn bottom(network: &Network, body: &Body, moving: &MovingPose<'_>, sum: &mut LoadSum) {
     let Some((bed, bottom)) = network.bed_z.zip(body.bottom) else {
         return;
     };
@@ -213,6 +216,9 @@ pub fn rotation_jacobian(rotation: &nalgebra::UnitQuaternion<f64>, vector: &V3) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::physics::sea::{
+        Component, DepthDecay, Sea, Stretching, WaveField, WaveLoad, WaveSettings,
+    };
     use crate::system::network::Member;
     use nalgebra::UnitQuaternion;
 
@@ -288,6 +294,43 @@ mod tests {
             spin_rate: V3::new(-0.1, 0.2, 0.3),
         };
         let moving = MovingBody::new(&network, 0, &Pose::default());
+        for waves in [Vec::new(), waves_around(&network, &motion.pose)] {
+            check_tangent(&network, &moving, (&motion, &vector, base), &waves);
+        }
+    }
+
+    /// Short waves at the stations of the body.
+    fn waves_around(network: &Network, pose: &Pose) -> Vec<WaterMotion> {
+        let setting = WaveSettings {
+            direction: 0.6,
+            depth: 60.0,
+            gravity: 9.81,
+            stretching: Stretching::Vertical,
+            decay: DepthDecay::Airy,
+            ramp: 0.0,
+            load: WaveLoad::Morison,
+        };
+        let component = Component {
+            omega: 1.1,
+            amplitude: 1.5,
+            phase: 0.4,
+        };
+        let sea = Sea::new(vec![WaveField::new(vec![component], &setting)]);
+        let mut flows = vec![sea.flow(2.0, &pose.origin, true)];
+        for member in &network.bodies[0].members {
+            let mut stations = [WaterMotion::default(); members::STATIONS];
+            members::read_waves(member, pose, (&sea, 2.0), &mut stations);
+            flows.extend(stations);
+        }
+        flows
+    }
+
+    fn check_tangent(
+        network: &Network,
+        moving: &MovingBody,
+        (motion, vector, base): (&BodyMotion, &V3, UnitQuaternion<f64>),
+        waves: &[WaterMotion],
+    ) {
         let c = Factors {
             mass: 7.0,
             damping: 3.0,
@@ -295,19 +338,20 @@ mod tests {
         };
         let residual = |motion: &BodyMotion, vector: &V3| {
             moving.residual(
-                &network,
+                network,
                 motion,
+                waves,
                 &rotation_jacobian(&motion.pose.rotation, vector),
                 c,
             )
         };
-        let (_, tangent) = residual(&motion, &vector);
+        let (_, tangent) = residual(motion, vector);
         for k in 0..6 {
             let h = 1e-5;
             let d = Vector6::ith(k, h);
             let turn = d.fixed_rows::<3>(3).into_owned();
-            let ahead = residual(&moved(&motion, &vector, base, c, &d), &(vector + turn)).0;
-            let behind = residual(&moved(&motion, &vector, base, c, &-d), &(vector - turn)).0;
+            let ahead = residual(&moved(motion, vector, base, c, &d), &(vector + turn)).0;
+            let behind = residual(&moved(motion, vector, base, c, &-d), &(vector - turn)).0;
             let slope = (ahead - behind) / (2.0 * h);
             let error = (slope - tangent.column(k)).norm();
             assert!(

@@ -265,7 +265,8 @@ impl Border {
                         continue;
                     };
                     let (x, v, a) = node(&state.joints, joint);
-                    let load = point_load(&system.network, point, x, v);
+                    let waves = state.joints.wave_flow.get(joint);
+                    let load = point_load(&system.network, point, (x, v), waves);
                     let residual = a * point.moving_mass - load.force;
                     self.rows[row] += residual;
                     self.own[row] += residual;
@@ -290,7 +291,8 @@ impl Border {
             };
             let motion = system.body(state, body.number);
             let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
-            let (residual, tangent) = body.residual(&system.network, &motion, &jacobian, c);
+            let waves = system.waves_on(state, body.number);
+            let (residual, tangent) = body.residual(&system.network, &motion, waves, &jacobian, c);
             // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
             let rows = [
                 (first, 0, M3::identity()),

@@ -15,6 +15,8 @@ enum Source {
     Place(usize, usize),
     /// Roll, pitch or yaw of a body.
     Angle(usize, usize),
+    /// Height of the waves over the gauge.
+    Elevation,
 }
 
 /// The channels of a system and where they are read.
@@ -26,7 +28,7 @@ pub struct Channels {
 }
 
 impl Channels {
-    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move.
+    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move, height of the waves.
     #[must_use]
     pub fn of(system: &MovingSystem) -> Self {
         let mut channels = Self {
@@ -59,6 +61,10 @@ impl Channels {
                 }
             }
         }
+        if system.network.sea.is_some() {
+            let id = ChannelQuantity::WaveElevation.at("gauge");
+            channels.add(id, Source::Elevation);
+        }
         channels
     }
 
@@ -73,8 +79,9 @@ impl Channels {
         self.sources.push(source);
     }
 
-    /// Their values, in order.
-    pub fn read(&self, system: &MovingSystem, state: &SystemState, values: &mut Vec<f64>) {
+    /// Their values at time t \[s\], in order.
+    pub fn read(&self, system: &MovingSystem, t: f64, state: &SystemState, values: &mut Vec<f64>) {
+        let network = &system.network;
         values.clear();
         values.extend(self.sources.iter().map(|source| match *source {
             Source::Tension(line, end) => {
@@ -82,6 +89,10 @@ impl Channels {
                 scene.tension_at(end * (line.x.len() - 1), line)
             }
             Source::Place(joint, axis) => state.joints.x[joint][axis],
+            Source::Elevation => {
+                let sea = network.sea.as_ref();
+                sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
+            }
             Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
         }));
     }

@@ -1,9 +1,57 @@
 //! Checks of the keys of motion: prescribed motions, breaks.
 
-use crate::case::Finding;
 use crate::case::schema::Key;
+use crate::case::{Finding, WaveKind, of_waves};
 use crate::system::check::matrix;
 use crate::system::model::{BodyKind, LineKeys, PointKind, SystemKeys};
+
+/// Waves without height or period, or in a system without water.
+pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let density = keys
+        .environment
+        .as_ref()
+        .and_then(|around| around.water_density_kg_per_m3.value());
+    for (_, waves) in &keys.waves {
+        found.extend(of_waves(waves, keys.seabed.is_some()));
+        if density == Some(0.0) {
+            let remedy = "give environment.water_density_kg_per_m3, or leave the waves out";
+            found.push(waves.place.finding("there is no water to run in", remedy));
+        }
+        let (regular, irregular) = (WaveKind::Regular, WaveKind::Irregular);
+        if waves.kind.is(&regular) {
+            let height = "regular waves have a height: `height_m`";
+            found.extend(waves.height_m.if_missing(height));
+            found.extend(waves.period_s.if_missing("and a period: `period_s`"));
+        }
+        if waves.kind.is(&irregular) {
+            let height = "irregular waves have a height: `significant_height_m`";
+            found.extend(waves.significant_height_m.if_missing(height));
+            let period = "and a period: `peak_period_s`";
+            found.extend(waves.peak_period_s.if_missing(period));
+        }
+    }
+    found.extend(keys.bodies.iter().filter_map(|(_, body)| {
+        let file = &body.response_file;
+        let moved = [&body.amplitude_m, &body.amplitude_deg]
+            .iter()
+            .any(|key| key.is_given())
+            || body.table_time_s.is_given();
+        let (problem, remedy) = match moved {
+            true => (
+                "the body has a prescribed motion too",
+                "leave its amplitudes and tables out, or this",
+            ),
+            false => (
+                "there are no waves to respond to",
+                "add [[waves]] with a kind, a height and a period",
+            ),
+        };
+        file.if_given(problem, remedy)
+            .filter(|_| moved || keys.waves.is_empty())
+    }));
+    found
+}
 
 /// Motions without a period or without a run in time.
 pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {

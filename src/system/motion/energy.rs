@@ -40,7 +40,8 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             && let Held::Free(point) = &system.network.points[number].held
         {
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
-            let load = point_load(&system.network, point, x, v);
+            let waves = state.joints.wave_flow.get(joint);
+            let load = point_load(&system.network, point, (x, v), waves);
             sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
             sum.lost += load.lost;
         }
@@ -65,7 +66,13 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
         mass: Matrix6::zeros(),
     };
     let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
-    let (residual, _) = massless.residual(&system.network, &motion, &jacobian, STILL);
+    let (residual, _) = massless.residual(
+        &system.network,
+        &motion,
+        system.waves_on(state, body.number),
+        &jacobian,
+        STILL,
+    );
     let spin = motion.pose.rotation * motion.spin;
     let force = residual.fixed_rows::<3>(0).into_owned();
     let moment = residual.fixed_rows::<3>(3).into_owned();

@@ -96,6 +96,7 @@ impl Marching {
 
     /// The accelerations at the start, and the first row.
     fn begin(&mut self) -> Result<(), String> {
+        self.system.update_wave_kinematics(0.0, &mut self.state);
         let begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         self.system.commit(0.0, 0.0, &mut self.state);
         self.recorder

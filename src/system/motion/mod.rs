@@ -24,10 +24,12 @@ mod point_loads;
 pub mod pose_motion;
 pub mod recorder;
 pub mod release;
+pub mod responses;
 pub mod run;
 pub mod settings;
 pub mod start;
 pub mod system_state;
+mod wave_stations;
 
 pub use alpha::SystemAlpha;
 pub use moving_system::MovingSystem;

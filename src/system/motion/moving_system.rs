@@ -6,7 +6,9 @@ use super::joints::{Joints, Role};
 use super::pose_motion::BodyMotion;
 use super::start::turn_bases;
 use super::system_state::SystemState;
+use super::wave_stations;
 use crate::numerics::V3;
+use crate::physics::sea::WaterMotion;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
 use crate::system::network::Network;
@@ -22,6 +24,8 @@ pub struct MovingSystem {
     pub joints: Joints,
     /// Length by which the turns of each body count \[m\]: the longest arm of what is on it.
     pub arms: Vec<f64>,
+    /// The stations of each body at which waves are read, among those of all.
+    pub stations: Vec<Range<usize>>,
 }
 
 impl MovingSystem {
@@ -40,6 +44,10 @@ impl MovingSystem {
                     scene.line.ends[end] = EndCondition::Free;
                 }
             }
+            if let Some(sea) = &network.sea {
+                let water = (network.density, network.gravity);
+                scene.line.put_into_waves(sea, water);
+            }
         }
         let mut arms = vec![1.0_f64; network.bodies.len()];
         for role in &joints.roles {
@@ -48,6 +56,7 @@ impl MovingSystem {
             }
         }
         Self {
+            stations: wave_stations::ranges(&network.bodies, network.sea.is_some()),
             network,
             scenes,
             joints,
@@ -158,6 +167,15 @@ impl MovingSystem {
             .all(|joint| self.joints.follows(joint) == super::joints::Follows::Nothing)
     }
 
+    /// What waves make of the water at the stations of a body; empty in still water.
+    #[must_use]
+    pub fn waves_on<'a>(&self, state: &'a SystemState, body: usize) -> &'a [WaterMotion] {
+        state
+            .body_flow
+            .get(self.stations[body].clone())
+            .unwrap_or_default()
+    }
+
     /// A body in motion.
     #[must_use]
     pub fn body(&self, state: &SystemState, body: usize) -> BodyMotion {
@@ -178,6 +196,9 @@ impl Marched<SystemState> for MovingSystem {
     fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
         for (scene, line) in self.scenes.iter().zip(&mut state.lines) {
             Kinematics::update_wave_kinematics(scene, t, line);
+        }
+        if let Some(sea) = &self.network.sea {
+            wave_stations::read(self, sea, t, state);
         }
     }
 

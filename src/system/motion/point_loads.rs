@@ -2,6 +2,7 @@
 
 use crate::numerics::{M3, V3};
 use crate::physics::CurrentProfile;
+use crate::physics::sea::WaterMotion;
 use crate::system::network::{FreePoint, Network};
 
 /// How far the bed gives way under the weight of a point that lies on it \[m\].
@@ -25,16 +26,63 @@ pub(super) struct PointLoad {
     pub(super) energy: f64,
 }
 
-/// The load on a point at a place and with a velocity.
-pub(super) fn point_load(network: &Network, point: &FreePoint, x: &V3, v: &V3) -> PointLoad {
+/// The surface over a point.
+struct Immersion {
+    /// Share of its volume under water.
+    share: f64,
+    /// Derivative of the share by place \[1/m\].
+    by_place: V3,
+}
+
+/// The load on a point at a place and with a velocity, in waves if there are any.
+pub(super) fn point_load(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    waves: Option<&WaterMotion>,
+) -> PointLoad {
     let mut load = PointLoad::default();
-    let (share, by_height, integral) = immersion(network, point, x.z);
+    let surface = waves.map_or(0.0, |flow| flow.elevation_at(x));
+    let slope = waves.map_or_else(V3::zeros, |flow| flow.slope);
+    let (share, by_height, integral) = immersion(network, point, x.z - surface);
+    let immersion = Immersion {
+        share,
+        by_place: (V3::z() - slope) * by_height,
+    };
     load.force = point.load + V3::z() * (point.buoyancy * share - point.weight);
-    load.by_position[(2, 2)] += point.buoyancy * by_height;
+    load.by_position += V3::z() * immersion.by_place.transpose() * point.buoyancy;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
-    drag(network, point, (x, v), (share, by_height), &mut load);
+    drag(network, point, (x, v), waves, &immersion, &mut load);
     bed(network, point, (x, v), &mut load);
+    if let Some(flow) = waves {
+        // What the rising surface lifts is put in by the waves.
+        load.lost -= point.buoyancy * share * (flow.elevation_rate + slope.dot(v));
+        wave_inertia(network, point, (x, v), flow, &immersion, &mut load);
+    }
     load
+}
+
+/// Load of the acceleration of the water on displaced and added mass, as far as the point is under water (Morison et al. 1950).
+fn wave_inertia(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    flow: &WaterMotion,
+    immersion: &Immersion,
+    load: &mut PointLoad,
+) {
+    let displaced = if network.gravity > 0.0 {
+        point.buoyancy / network.gravity
+    } else {
+        0.0
+    };
+    let mass = displaced + point.added_mass;
+    let water = flow.acceleration_at(x);
+    let force = water * (mass * immersion.share);
+    load.force += force;
+    load.by_position += water * immersion.by_place.transpose() * mass
+        + flow.acceleration_gradient * (mass * immersion.share);
+    load.lost -= force.dot(v);
 }
 
 /// The share of a ball of the point's volume that is under water, its derivative by height \[1/m\] and its integral over height from the
@@ -65,29 +113,35 @@ fn drag(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
-    (share, by_height): (f64, f64),
+    waves: Option<&WaterMotion>,
+    immersion: &Immersion,
     load: &mut PointLoad,
 ) {
-    if point.drag_area == 0.0 || share == 0.0 {
+    if point.drag_area == 0.0 || immersion.share == 0.0 {
         return;
     }
     let current = network.current.as_ref();
     let (water, slope) =
         current.map_or_else(Default::default, |current: &CurrentProfile| current.at(x.z));
-    let u = water - v;
+    let mut u = water - v;
+    let mut gradient = slope * V3::z().transpose();
+    if let Some(flow) = waves {
+        u += flow.velocity_at(x);
+        gradient += flow.gradient;
+    }
     let speed = u.norm();
-    let half = 0.5 * network.density * point.drag_area * share;
-    let force = u * (half * speed);
+    let half = 0.5 * network.density * point.drag_area;
+    let whole = u * (half * speed);
     let turning = if speed > 0.0 {
         u * u.transpose() / speed
     } else {
         M3::zeros()
     };
-    let by_flow = (M3::identity() * speed + turning) * half;
+    let by_flow = (M3::identity() * speed + turning) * (half * immersion.share);
+    let force = whole * immersion.share;
     load.force += force;
     load.by_velocity -= by_flow;
-    let by_z = by_flow * slope + force * (by_height / share);
-    load.by_position += by_z * V3::z().transpose();
+    load.by_position += by_flow * gradient + whole * immersion.by_place.transpose();
     load.lost -= force.dot(v);
 }
 
@@ -115,7 +169,24 @@ fn bed(network: &Network, point: &FreePoint, (x, v): (&V3, &V3), load: &mut Poin
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::random::Random;
     use crate::scene::current_profile;
+
+    /// Waves as a point knows them, with derivatives of any size.
+    fn waves(random: &mut Random) -> WaterMotion {
+        let mut number = || random.uniform() - 0.5;
+        let mut vector = || V3::new(number(), number(), number());
+        WaterMotion {
+            place: vector() + V3::new(1.0, 2.0, 0.0),
+            velocity: vector() * 2.0,
+            gradient: M3::from_columns(&[vector(), vector(), vector()]) * 0.2,
+            acceleration: vector(),
+            acceleration_gradient: M3::from_columns(&[vector(), vector(), vector()]) * 0.2,
+            elevation: 0.3,
+            slope: V3::new(0.2, -0.1, 0.0),
+            elevation_rate: 0.4,
+        }
+    }
 
     #[test]
     fn derivatives_are_those_of_the_force() {
@@ -130,29 +201,39 @@ mod tests {
             weight: 5e3,
             buoyancy: 9e3,
             moving_mass: 800.0,
+            added_mass: 300.0,
             drag_area: 1.3,
             load: V3::new(10.0, -20.0, 30.0),
             start: None,
         };
         let v = V3::new(0.4, -0.9, 0.3);
-        for z in [-50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
-            let x = V3::new(1.0, 2.0, z);
-            let load = point_load(&network, &point, &x, &v);
-            let h = 1e-6;
-            for k in 0..3 {
-                let step = V3::ith(k, h);
-                let at = |x: V3, v: V3| point_load(&network, &point, &x, &v);
-                let (ahead, behind) = (at(x + step, v), at(x - step, v));
-                let by_x = (ahead.force - behind.force) / (2.0 * h);
-                let by_v = (at(x, v + step).force - at(x, v - step).force) / (2.0 * h);
-                assert!((by_x - load.by_position.column(k)).norm() < 1e-4 * (1.0 + by_x.norm()));
-                assert!((by_v - load.by_velocity.column(k)).norm() < 1e-4 * (1.0 + by_v.norm()));
-                let still = at(x, V3::zeros()).force[k];
-                let slope = (ahead.energy - behind.energy) / (2.0 * h);
-                assert!(
-                    (slope + still).abs() < 1e-3 * (1.0 + still.abs()),
-                    "{z} {k}"
-                );
+        let flow = waves(&mut Random::new(1, 0));
+        for waves in [None, Some(&flow)] {
+            for z in [-50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
+                let x = V3::new(1.0, 2.0, z);
+                let load = point_load(&network, &point, (&x, &v), waves);
+                let h = 1e-6;
+                for k in 0..3 {
+                    let step = V3::ith(k, h);
+                    let at = |x: V3, v: V3| point_load(&network, &point, (&x, &v), waves);
+                    let (ahead, behind) = (at(x + step, v), at(x - step, v));
+                    let by_x = (ahead.force - behind.force) / (2.0 * h);
+                    let by_v = (at(x, v + step).force - at(x, v - step).force) / (2.0 * h);
+                    assert!(
+                        (by_x - load.by_position.column(k)).norm() < 1e-4 * (1.0 + by_x.norm())
+                    );
+                    assert!(
+                        (by_v - load.by_velocity.column(k)).norm() < 1e-4 * (1.0 + by_v.norm())
+                    );
+                    if waves.is_none() {
+                        let still = at(x, V3::zeros()).force[k];
+                        let slope = (ahead.energy - behind.energy) / (2.0 * h);
+                        assert!(
+                            (slope + still).abs() < 1e-3 * (1.0 + still.abs()),
+                            "{z} {k}"
+                        );
+                    }
+                }
             }
         }
     }

@@ -121,7 +121,7 @@ impl Recorder {
             Step::default()
         };
         step.time = t;
-        self.channels.read(system, state, &mut step.values);
+        self.channels.read(system, t, state, &mut step.values);
         self.summarise(&step);
         self.add_energy(&energy(system, bodies, t, state), t);
         self.steps.push(step);
@@ -151,7 +151,7 @@ impl Recorder {
             time: t,
             values: Vec::new(),
         };
-        self.channels.read(system, state, &mut step.values);
+        self.channels.read(system, t, state, &mut step.values);
         self.summarise(&step);
         self.last_energy = energy(system, bodies, t, state);
         self.steps = vec![step];

@@ -4,7 +4,10 @@ use std::f64::consts::TAU;
 
 use super::moving_system::MovingSystem;
 use crate::dynamics::ErrorLimits;
+use crate::numerics::V3;
 use crate::physics::EndMotion;
+use crate::physics::motion::MotionPath;
+use crate::physics::sea::Harmonics;
 use crate::scene::Scene;
 use crate::solve::StaticSearch;
 use crate::system::model::MotionInputs;
@@ -76,6 +79,17 @@ fn motions(system: &MovingSystem) -> impl Iterator<Item = &EndMotion> {
     points.chain(bodies.flat_map(|motion| [&motion.place, &motion.angles]))
 }
 
+/// The surface over the origin, where there are waves.
+fn surface(system: &MovingSystem) -> Option<EndMotion> {
+    let sea = system.network.sea.as_ref()?;
+    let heave = sea.at_point(&V3::zeros());
+    Some(EndMotion {
+        position: V3::zeros(),
+        course: MotionPath::Sum(Harmonics::along_axes(&[Vec::new(), Vec::new(), heave])),
+        ramp: 0.0,
+    })
+}
+
 /// The longest step that sees what is prescribed; error control shortens it where it must.
 fn longest_step(system: &MovingSystem) -> f64 {
     let bounce = system
@@ -84,7 +98,9 @@ fn longest_step(system: &MovingSystem) -> f64 {
         .map(bounce_period)
         .fold(0.0, f64::max)
         .max(f64::MIN_POSITIVE);
-    let prescribed = motions(system).filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
+    let surface = surface(system);
+    let prescribed = motions(system).chain(&surface);
+    let prescribed = prescribed.filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
     prescribed.fold(bounce / STEPS_A_PERIOD, f64::min)
 }
 
@@ -100,7 +116,7 @@ fn bounce_period(scene: &Scene) -> f64 {
 }
 
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
-/// nothing but prescribed motion disturbs a system at rest, of [`RESPONSE`] times that motion.
+/// nothing but prescribed motion and waves disturb a system at rest, of [`RESPONSE`] times that motion and that of the surface.
 fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
     let network = &system.network;
     let lengths = network.lines.iter().map(Line::length);
@@ -120,10 +136,13 @@ fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
         .filter_map(|point| point.motion.as_ref());
     let turns = network.bodies.iter().zip(&system.arms);
     let turns = turns.filter_map(|(body, arm)| Some((body.motion.as_ref()?, *arm)));
-    let moved = points.map(|motion| extent(motion, 1.0)).chain(
-        turns.flat_map(|(motion, arm)| [extent(&motion.place, 1.0), extent(&motion.angles, arm)]),
-    );
-    let (far, fast) = moved.fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
+    let surface = surface(system);
+    let moved = points.chain(&surface).map(|motion| extent(motion, 1.0));
+    let turned =
+        turns.flat_map(|(motion, arm)| [extent(&motion.place, 1.0), extent(&motion.angles, arm)]);
+    let (far, fast) = moved
+        .chain(turned)
+        .fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
     if far <= 0.0 || fast <= 0.0 {
         return (length, speed);
     }

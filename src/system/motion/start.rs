@@ -6,6 +6,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::numerics::V3;
+use crate::physics::sea::WaterMotion;
 use crate::solve::{Factors, NewtonError, State, StaticSearch};
 use crate::system::SolvedSystem;
 use crate::system::balance::balance;
@@ -163,7 +164,9 @@ fn at_rest(
     let places = joints.roles.iter().enumerate().map(place).collect();
     let bases = placement.bodies.iter().map(|pose| pose.rotation);
     let ends = |line: &Line| [line.from, line.to].map(|point| joints.points[point]);
+    let stations = system.stations.last().map_or(0, |range| range.end);
     let state = SystemState {
+        body_flow: vec![WaterMotion::default(); stations],
         lines,
         joints: State::at_rest(places),
         bases: bases.collect(),

@@ -5,6 +5,7 @@ use nalgebra::UnitQuaternion;
 use super::joints::Joints;
 use super::pose_motion::BodyMotion;
 use crate::numerics::V3;
+use crate::physics::sea::WaterMotion;
 use crate::solve::State;
 use crate::system::pose::Pose;
 
@@ -20,6 +21,8 @@ pub struct SystemState {
     pub bases: Vec<UnitQuaternion<f64>>,
     /// Joints at ends A and B of each line.
     pub attached: Vec<[usize; 2]>,
+    /// What waves make of the water at the stations of the bodies; empty in still water.
+    pub body_flow: Vec<WaterMotion>,
 }
 
 impl SystemState {
@@ -31,6 +34,7 @@ impl SystemState {
         self.joints.copy_from(&other.joints);
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
+        self.body_flow.clone_from(&other.body_flow);
     }
 
     /// Copies histories, bases and what is attached to what.

@@ -1,0 +1,49 @@
+//! Where the waves are read for the bodies of a system: once a step, at the origin of each body and along its members.
+
+use std::ops::Range;
+
+use super::moving_system::MovingSystem;
+use super::system_state::SystemState;
+use crate::physics::sea::{Sea, WaterMotion};
+use crate::system::members::{self, STATIONS};
+use crate::system::network::Body;
+
+/// The stations of each body among those of all: its origin, then its members; none in still water.
+#[must_use]
+pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
+    let mut next = 0;
+    let range = |body: &Body| {
+        let feels = waves && body.free;
+        let count = if feels {
+            1 + STATIONS * body.members.len()
+        } else {
+            0
+        };
+        next += count;
+        next - count..next
+    };
+    bodies.iter().map(range).collect()
+}
+
+/// Reads the waves at the joints and at the stations of the bodies at time t \[s\].
+pub(super) fn read(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemState) {
+    let joints = &mut state.joints;
+    joints
+        .wave_flow
+        .resize(joints.x.len(), WaterMotion::default());
+    for joint in system.joints.free.clone() {
+        joints.wave_flow[joint] = sea.flow(t, &joints.x[joint], true);
+    }
+    for (number, range) in system.stations.iter().enumerate() {
+        if range.is_empty() {
+            continue;
+        }
+        let pose = state.body(&system.joints, number).pose;
+        let flows = &mut state.body_flow[range.clone()];
+        flows[0] = sea.flow(t, &pose.origin, true);
+        let members = &system.network.bodies[number].members;
+        for (member, flows) in members.iter().zip(flows[1..].chunks_exact_mut(STATIONS)) {
+            members::read_waves(member, &pose, (sea, t), flows);
+        }
+    }
+}
