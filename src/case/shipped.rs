@@ -95,7 +95,12 @@ pub const SHIPS: &[Shipped] = &[
 ];
 
 /// Tables that these files name, in the order of their paths.
-pub const BESIDE: &[Shipped] = &[shipped!("ship/landing_craft.csv")];
+pub const BESIDE: &[Shipped] = &[
+    shipped!("ship/landing_craft.csv"),
+    shipped!("systems/volturnus_data/semi.1"),
+    shipped!("systems/volturnus_data/semi.12d"),
+    shipped!("systems/volturnus_data/semi.3"),
+];
 
 /// The ropeways that come with the program, in the order of their paths.
 pub const ROPEWAYS: &[Shipped] = &[
@@ -128,6 +133,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/tripod.toml"),
     shipped!("systems/volturnus.toml"),
     shipped!("systems/volturnus_free.toml"),
+    shipped!("systems/volturnus_in_waves.toml"),
     shipped!("systems/w_shape.toml"),
 ];
 

@@ -204,11 +204,15 @@ pub(super) fn add_loads_by_pose(
     waterplane::add(body, moving, sum);
     for (number, member) in body.members.iter().enumerate() {
         let placed = Placed::of(member, moving, moving.at_member(number));
-        members::buoyancy(network, &placed, sum);
+        if !member.drag_only {
+            members::buoyancy(network, &placed, sum);
+        }
         members::bed(network, body, member, moving, sum);
         if flow {
             members::drag(network, member, moving, &placed, sum);
-            members::wave_inertia(network, member, moving, &placed, sum);
+            if !member.drag_only {
+                members::wave_inertia(network, member, moving, &placed, sum);
+            }
         }
     }
     if flow {

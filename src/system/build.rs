@@ -1,6 +1,7 @@
 //! A system file in SI, its repeats written out.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use nalgebra::{Matrix6, Rotation3, Vector6};
 
@@ -17,6 +18,7 @@ use super::network::{
 };
 use super::parts::{Part, parts};
 use super::pose::Pose;
+use super::potential_flow::{PotentialFlow, RadiationTable};
 use super::rods;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
@@ -64,12 +66,16 @@ pub fn build(
     for (name, body) in &file.bodies {
         let spins_about = given.rods.contains_key(name).then(V3::x);
         let built = self::body(name, body, &network);
-        // Its file was read with the system.
+        // Its files were read with the system.
         let response = sea.as_ref().map(|sea| wave_response(file, body, sea));
         let response = response.and_then(Result::ok).flatten();
+        let flow = PotentialFlow::of(file, body).ok().flatten();
+        let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
         network.bodies.push(Body {
             spins_about,
             motion: response.map(|found| found.motion).or(built.motion),
+            added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
+            potential_flow: flow.map(Arc::new),
             ..built
         });
     }
@@ -318,6 +324,7 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         drag_area: V3::from(given.drag_area_m2),
         wind_loads: heading_loads(&given.wind_loads),
         current_loads: heading_loads(&given.current_loads),
+        potential_flow: None,
         spins_about: None,
     }
 }
@@ -333,6 +340,7 @@ fn members(given: &MemberInputs) -> Vec<Member> {
             radius: (radius, given.to_diameter_m.map_or(radius, |end| 0.5 * end)),
             drag: given.drag_normal,
             added_mass: given.added_mass_normal,
+            drag_only: given.drag_only,
         }
     };
     angles(&given.repeat_at_deg).iter().map(turned).collect()

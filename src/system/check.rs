@@ -22,6 +22,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     }
     for (_, body) in &keys.bodies {
         found.extend(body_alone(body));
+        found.extend(motion::potential_flow(body));
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));

@@ -6,8 +6,10 @@ use std::sync::LazyLock;
 use super::build::sea_of;
 use super::check::check;
 use super::connected::Loose;
-use super::model::{SystemFile, SystemKeys};
+use super::model::{BodyInputs, SystemFile, SystemKeys};
 use super::motion::responses::wave_response;
+use super::potential_flow::PotentialFlow;
+use super::potential_flow::wave_loads::uncovered;
 use super::rest::UnsolvedSystem;
 use super::solved::{SolvedSystem, solve};
 use crate::case::attachments::FileSource;
@@ -41,19 +43,30 @@ impl FileKind for SystemFile {
 
     fn take_files(&mut self, source: &FileSource<'_>) -> Result<(), Diagnostic> {
         for (name, body) in &self.bodies {
-            let Some(file) = &body.response_file else {
-                continue;
-            };
-            let key = ["bodies", name.as_str(), "response_file"];
-            source.take(&mut self.files, file, &key)?;
+            let named = [
+                ("response_file", &body.response_file),
+                ("radiation_file", &body.radiation_file),
+                ("excitation_file", &body.excitation_file),
+                ("drift_file", &body.drift_file),
+            ];
+            for (key, file) in named {
+                if let Some(file) = file {
+                    let key = ["bodies", name.as_str(), key];
+                    source.take(&mut self.files, file, &key)?;
+                }
+            }
         }
-        let Some(sea) = sea_of(self) else {
-            return Ok(());
-        };
-        let bodies = self.bodies.values();
-        bodies
-            .map(|body| wave_response(self, body, &sea).map(|_| ()))
-            .collect()
+        let sea = sea_of(self);
+        for body in self.bodies.values() {
+            let flow = PotentialFlow::of(self, body)?;
+            let Some(sea) = &sea else { continue };
+            wave_response(self, body, sea)?;
+            let uncovered = flow.and_then(|flow| uncovered(&flow, sea, body.yaw_deg.to_radians()));
+            if let Some(heading) = uncovered {
+                return Err(not_covered(body, heading, source));
+            }
+        }
+        Ok(())
     }
 
     fn files(&self) -> Option<&BTreeMap<String, Attachment>> {
@@ -95,6 +108,22 @@ impl FileKind for SystemFile {
         }
         rows
     }
+}
+
+/// Waves from a heading that the coefficients of a body do not have.
+fn not_covered(body: &BodyInputs, heading: f64, source: &FileSource<'_>) -> Diagnostic {
+    let files = [&body.excitation_file, &body.drift_file];
+    let names: Vec<&str> = files.into_iter().flatten().map(String::as_str).collect();
+    Diagnostic::whole_file(
+        source.file,
+        format!(
+            "waves run towards {:.1} deg from the bow of a body, which {} {} not cover",
+            heading.to_degrees(),
+            names.join(" and "),
+            if names.len() == 1 { "does" } else { "do" },
+        ),
+        "give files with headings on both sides of it, or turn the waves",
+    )
 }
 
 /// The rows of a list that every table of a kind has: the sections of each line.

@@ -376,7 +376,11 @@ pub(super) fn wave_inertia(
 /// Added mass of the members about the origin of their body, in the earth's axes \[kg, kg m, kg m²\].
 pub(super) fn added_mass(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
     let mut mass = Matrix6::zeros();
-    for member in body.members.iter().filter(|member| member.added_mass > 0.0) {
+    for member in body
+        .members
+        .iter()
+        .filter(|member| member.added_mass > 0.0 && !member.drag_only)
+    {
         let (from, to) = (pose.arm(&member.from), pose.arm(&member.to));
         let length = (to - from).norm();
         let axis = (to - from) / length;

@@ -27,6 +27,7 @@ pub mod motion;
 pub mod network;
 pub mod parts;
 pub mod pose;
+pub mod potential_flow;
 pub mod quantities;
 pub mod rest;
 pub mod rods;

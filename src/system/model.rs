@@ -233,6 +233,14 @@ table! {
         moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters FLOATING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
+        /// WAMIT .1 file: added mass and damping over period, about its origin, in the place of added_mass.
+        radiation_file: Option<String>, "radiation", absent "added_mass and damping as they are given", matters FLOATING;
+        /// WAMIT .3 file: loads of the first order in waves by period and heading.
+        excitation_file: Option<String>, "excitation", absent "waves act on its members alone", matters FLOATING;
+        /// WAMIT .8, .9 or .12d file: mean drift, and slow drift by Newman's approximation.
+        drift_file: Option<String>, "wave drift", absent "none", matters FLOATING;
+        /// Length by which the numbers of these files are scaled (ULEN).
+        wamit_length_m: f64 = 1.0, "length of the files", range positive(1e4), matters FLOATING;
         /// Drag coefficient times area along its x, y and z, at its origin.
         drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters FLOATING;
         /// Amplitudes of its motion: surge, sway, heave along x, y, z of the earth.
@@ -309,8 +317,10 @@ table! {
         to_diameter_m: Option<f64>, "diameter at the other end", range of(0.0, 1e3), absent "the same";
         /// Drag coefficient across it, on the diameter, in a current.
         drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
-        /// Added mass coefficient across it, on the displaced volume; for natural periods.
+        /// Added mass coefficient across it, on the displaced volume; for natural periods and in motion.
         added_mass_normal: f64 = 0.0, "normal added mass", range of(0.0, 100.0);
+        /// It has drag alone: what it displaces is in the volume of its body, or in coefficients.
+        drag_only: bool = false, "drag alone";
         /// Copies turned about the z axis of the body by these angles.
         repeat_at_deg: Vec<f64>, "repeats", range of(-360.0, 360.0), absent "once";
     }

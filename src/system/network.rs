@@ -8,6 +8,7 @@ use super::discretised::DiscretisedLine;
 use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
 use super::pose::Pose;
+use super::potential_flow::PotentialFlow;
 use crate::numerics::{M3, V3};
 use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
@@ -149,6 +150,8 @@ pub struct Body {
     pub wind_loads: Option<HeadingLoads>,
     /// Loads of the current at the surface by its heading.
     pub current_loads: Option<HeadingLoads>,
+    /// Coefficients of potential flow around it.
+    pub potential_flow: Option<Arc<PotentialFlow>>,
     /// Axis of a rod in its frame, about which it spins freely and nothing hangs on.
     pub spins_about: Option<V3>,
 }
@@ -182,6 +185,8 @@ pub struct Member {
     pub drag: f64,
     /// Added mass coefficient across it, on the displaced volume \[-\].
     pub added_mass: f64,
+    /// Whether it has drag alone, and displaces no water of its own.
+    pub drag_only: bool,
 }
 
 /// Loads of a flow by its heading.

@@ -74,6 +74,10 @@ fn body(rod: &RodInputs) -> BodyInputs {
         table_yaw_deg: Vec::new(),
         ramp_s: 0.0,
         response_file: None,
+        radiation_file: None,
+        excitation_file: None,
+        drift_file: None,
+        wamit_length_m: 1.0,
         members: vec![MemberInputs {
             from_m: [-0.5 * long, 0.0, 0.0],
             to_m: [0.5 * long, 0.0, 0.0],
@@ -81,6 +85,7 @@ fn body(rod: &RodInputs) -> BodyInputs {
             to_diameter_m: None,
             drag_normal: rod.drag_normal,
             added_mass_normal: rod.added_mass_normal,
+            drag_only: false,
             repeat_at_deg: Vec::new(),
         }],
         wind_loads: Vec::new(),

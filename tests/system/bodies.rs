@@ -55,6 +55,7 @@ fn cylinder(from: [f64; 3], to: [f64; 3], radius: f64) -> Member {
         radius: (radius, radius),
         drag: 1.1,
         added_mass: 1.0,
+        drag_only: false,
     }
 }
 

@@ -8,6 +8,7 @@ mod bodies;
 mod closed_forms;
 mod discretised;
 mod motion;
+mod potential_flow;
 mod random;
 mod refusals;
 mod stiffness;

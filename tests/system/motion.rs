@@ -16,7 +16,7 @@ use crate::{HEAD, solved};
 type V3 = Vector3<f64>;
 
 /// A system run in time.
-pub fn moved(text: &str) -> MotionRun {
+pub(crate) fn moved(text: &str) -> MotionRun {
     let system = solved(&format!("{HEAD}{text}"));
     let given = system.file.solver.clone().unwrap();
     let run = run(&system, &given, &AtomicBool::new(false), &mut |_| {}).unwrap();
@@ -25,12 +25,12 @@ pub fn moved(text: &str) -> MotionRun {
 }
 
 /// The values of a channel.
-pub fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
+pub(crate) fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
     &run.history.channel(name).unwrap().values
 }
 
 /// What is wrong with a system.
-pub fn refused(text: &str) -> String {
+pub(crate) fn refused(text: &str) -> String {
     let text = format!("{HEAD}{text}");
     let errors =
         seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap_err();
@@ -188,6 +188,8 @@ fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
     joints.v[1] = spin;
     let state = SystemState {
         body_flow: Vec::new(),
+        flow_loads: Vec::new(),
+        velocities: Vec::new(),
         lines: Vec::new(),
         joints,
         bases: vec![UnitQuaternion::identity()],

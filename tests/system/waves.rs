@@ -9,10 +9,11 @@ use crate::motion::{channel, moved, refused};
 const G: f64 = 9.80665;
 
 /// Amplitude and lead over `cos(omega t)` of a channel at a period of a whole number of rows, over the last periods.
-fn swing(run: &MotionRun, name: &str, period: f64, periods: f64) -> (f64, f64) {
-    let rows = run.history.time.iter().zip(channel(run, name));
-    let end = run.history.time.last().unwrap();
-    let last = rows.filter(|(t, _)| **t > end - period * periods + 0.05);
+pub(crate) fn swing(run: &MotionRun, name: &str, period: f64, periods: f64) -> (f64, f64) {
+    let time = &run.history.time;
+    let end = time.last().unwrap() + 0.5 * (time[1] - time[0]);
+    let rows = time.iter().zip(channel(run, name));
+    let last = rows.filter(|(t, _)| **t > end - period * periods);
     let (mut cosine, mut sine, mut count) = (0.0, 0.0, 0.0);
     for (t, value) in last {
         let (s, c) = (TAU / period * t).sin_cos();
@@ -24,16 +25,16 @@ fn swing(run: &MotionRun, name: &str, period: f64, periods: f64) -> (f64, f64) {
     (cosine.hypot(sine), (-sine).atan2(cosine))
 }
 
-const SOFT: &str = "
+pub(crate) const SOFT: &str = "
 [materials.soft]
 mass_kg_per_m = 0.01
 diameter_m = 0.004
 ea_n = 2e3
 ";
 
-fn solver(duration: f64, step: f64) -> String {
+pub(crate) fn solver(duration: f64, step: f64, interval: f64) -> String {
     format!(
-        "[solver]\nduration_s = {duration:?}\ntime_step_s = {step:?}\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+        "[solver]\nduration_s = {duration:?}\ntime_step_s = {step:?}\nerror_estimate = false\n[output]\ninterval_s = {interval:?}\n"
     )
 }
 
@@ -65,7 +66,7 @@ fn a_spar_heaves_as_its_closed_form() {
             {}{}",
             2.0 * amplitude,
             held("spar"),
-            solver(260.0, 0.1)
+            solver(260.0, 0.1, 0.1)
         ));
         let (heave, _) = swing(&run, "z_m[spar]", period, 3.0);
         let k = omega * omega / G;
@@ -93,7 +94,7 @@ fn a_neutral_ball_moves_as_the_water_around_it() {
         [points.ball]\nkind = \"free\"\nmass_kg = 1025.0\nvolume_m3 = 1.0\nadded_mass_kg = 512.5\nposition_m = [0.0, 0.0, {:?}]
         [[lines]]\nname = \"tether\"\nfrom = \"below\"\nto = \"ball\"\nmaterial = \"soft\"\nlength_m = 139.99\nsegments = 8
         {}",
-        2.0 * amplitude, -depth, solver(120.0, 0.1)
+        2.0 * amplitude, -depth, solver(120.0, 0.1, 0.1)
     ));
     let heights = channel(&run, "z_m[ball]");
     let z = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -130,7 +131,7 @@ fn vessel(waves: &str, keys: &str, files: &str) -> String {
         [points.anchor]\nkind = \"fixed\"\nposition_m = [20.0, -60.0, -100.0]
         [[lines]]\nname = \"riser\"\nfrom = \"anchor\"\nto = \"stern\"\nmaterial = \"soft\"\nlength_m = 105.0\nsegments = 6
         {}{files}",
-        solver(60.0, 0.1)
+        solver(60.0, 0.1, 0.1)
     )
 }
 

@@ -169,6 +169,12 @@ impl WaveField {
         self.direction.y.atan2(self.direction.x)
     }
 
+    /// How far the waves have grown at time t \[s\], 0 to 1.
+    #[must_use]
+    pub fn growth(&self, t: f64) -> f64 {
+        smooth_ramp(t, self.ramp).0
+    }
+
     /// The components as they pass a place \[m\].
     #[must_use]
     pub fn at_point(&self, place: &V3) -> Vec<Component> {

@@ -11,6 +11,7 @@ use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
 use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
 use crate::system::network::Held;
+use crate::system::potential_flow::wave_loads::energy_above;
 use crate::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
@@ -178,6 +179,15 @@ fn on_waves(solved: &SolvedSystem) -> Vec<String> {
         .filter_map(|waves| steep_waves(waves, bed, gravity));
     found.extend(steep);
     for (name, body) in &file.bodies {
+        let flow = solved.network.body(name);
+        let flow = flow.and_then(|number| solved.network.bodies[number].potential_flow.as_ref());
+        let above = flow.map_or(0.0, |flow| energy_above(flow, sea));
+        if above > MUCH_BEYOND {
+            found.push(format!(
+                "Body {name}: {:.0} % of the energy of the waves lies above the frequencies of its loads, and has none.",
+                100.0 * above
+            ));
+        }
         let response = wave_response(file, body, sea).ok().flatten();
         if let Some(found_beyond) = response.filter(|found| found.energy_beyond > MUCH_BEYOND) {
             found.push(format!(

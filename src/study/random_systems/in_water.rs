@@ -14,6 +14,7 @@ impl Maker<'_> {
             radius: (radius, radius * self.between(0.5, 1.0)),
             drag: self.between(0.0, 1.5),
             added_mass: 1.0,
+            drag_only: false,
         }
     }
 

@@ -12,6 +12,7 @@
 
 use nalgebra::{Matrix6, Vector6};
 
+use super::body_flow::FlowLoad;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
 use crate::physics::sea::WaterMotion;
@@ -25,6 +26,15 @@ use crate::system::pose::{Pose, cross};
 
 /// How far the bed gives way under the weight of a body \[m\].
 const GIVES_WAY: f64 = 1e-3;
+
+/// The water around a body.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct BodyWater<'a> {
+    /// Waves at its stations; empty in still water.
+    pub waves: &'a [WaterMotion],
+    /// Loads of potential flow, if it has coefficients.
+    pub flow: Option<&'a FlowLoad>,
+}
 
 /// A body in the equation of motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,14 +64,14 @@ impl MovingBody {
     }
 
     /// The residual, inertia less loads: force \[N\] and moment about the origin \[N m\] in the earth's directions, and its
-    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `waves` are those at its stations, `jacobian` turns changes of that
+    /// derivative by displacement of the origin and by the rotation vector along the axes of the body. `jacobian` turns changes of that
     /// vector into turns in the earth's directions.
     #[must_use]
     pub fn residual(
         &self,
         network: &Network,
         motion: &BodyMotion,
-        waves: &[WaterMotion],
+        around: &BodyWater<'_>,
         jacobian: &M3,
         c: Factors,
     ) -> (Vector6<f64>, Matrix6<f64>) {
@@ -81,14 +91,17 @@ impl MovingBody {
             turn,
             (velocity, still + turn.cross(&still)),
         )
-        .in_waves(waves);
+        .in_waves(around.waves);
         let mut sum = LoadSum::none();
         self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
         add_loads_by_pose(network, body, &moving, true, &mut sum);
-        damp(body, &moving, &spin, &mut sum);
+        damp(body, around.flow, &moving, &spin, &mut sum);
         bottom(network, body, &moving, &mut sum);
         let (force, tangent) = sum.parts();
-        let (fixed, by_turn) = fixed_loads(body, &motion.pose);
+        let (mut fixed, by_turn) = fixed_loads(body, &motion.pose);
+        if let Some(flow) = around.flow {
+            fixed += flow.waves;
+        }
         let mut by_unknowns = by_turn;
         let mut columns = by_unknowns.fixed_view_mut::<6, 3>(0, 3);
         columns.copy_from(&(by_turn.fixed_view::<6, 3>(0, 3) * jacobian * k));
@@ -138,7 +151,7 @@ impl MovingBody {
 }
 
 /// Velocity of the origin and angular velocity along the axes of the body.
-fn velocities(motion: &BodyMotion) -> Vector6<f64> {
+pub(super) fn velocities(motion: &BodyMotion) -> Vector6<f64> {
     let velocity = motion.pose.rotation.inverse() * motion.velocity;
     let spin = motion.spin;
     Vector6::new(velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z)
@@ -158,18 +171,31 @@ fn rigid(body: &Body) -> Matrix6<f64> {
     mass
 }
 
-/// Damping by the matrices of the body.
-fn damp(body: &Body, moving: &MovingPose<'_>, spin: &DualVector, sum: &mut LoadSum) {
-    if body.damping == Matrix6::zeros() && body.quadratic_damping == Matrix6::zeros() {
+/// Damping by the matrices of the body, and the memory of the waves that it radiated.
+fn damp(
+    body: &Body,
+    flow: Option<&FlowLoad>,
+    moving: &MovingPose<'_>,
+    spin: &DualVector,
+    sum: &mut LoadSum,
+) {
+    let still = body.damping == Matrix6::zeros() && body.quadratic_damping == Matrix6::zeros();
+    if still && flow.is_none() {
         return;
+    }
+    let mut damping = body.damping;
+    let mut memory = Vector6::zeros();
+    if let Some(flow) = flow {
+        damping += flow.damping;
+        memory = flow.memory;
     }
     let velocity = moving.to_body(&moving.velocity);
     let rates = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
     let load = |row: usize| {
-        let zero = Dual::from_re(0.0);
+        let zero = Dual::from_re(memory[row]);
         rates.iter().enumerate().fold(zero, |sum, (column, rate)| {
             let size = if rate.re < 0.0 { -*rate } else { *rate };
-            sum - *rate * body.damping[(row, column)]
+            sum - *rate * damping[(row, column)]
                 - *rate * size * body.quadratic_damping[(row, column)]
         })
     };
@@ -242,6 +268,7 @@ mod tests {
                 radius: (0.8, 0.8),
                 drag: 1.1,
                 added_mass: 0.9,
+                drag_only: false,
             }],
             drag_area: V3::new(2.0, 3.0, 4.0),
             ..Body::default()
@@ -336,11 +363,19 @@ mod tests {
             damping: 3.0,
             stiffness: 1.0,
         };
+        let mut flow = FlowLoad::default();
+        flow.waves[2] = 1e4;
+        flow.memory[4] = 1e4;
+        flow.damping[(0, 4)] = 3e3;
+        let around = BodyWater {
+            waves,
+            flow: (!waves.is_empty()).then_some(&flow),
+        };
         let residual = |motion: &BodyMotion, vector: &V3| {
             moving.residual(
                 network,
                 motion,
-                waves,
+                &around,
                 &rotation_jacobian(&motion.pose.rotation, vector),
                 c,
             )

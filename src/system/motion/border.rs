@@ -291,8 +291,9 @@ impl Border {
             };
             let motion = system.body(state, body.number);
             let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
-            let waves = system.waves_on(state, body.number);
-            let (residual, tangent) = body.residual(&system.network, &motion, waves, &jacobian, c);
+            let around = system.water_around(state, body.number);
+            let (residual, tangent) =
+                body.residual(&system.network, &motion, &around, &jacobian, c);
             // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
             let rows = [
                 (first, 0, M3::identity()),

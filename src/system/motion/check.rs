@@ -3,7 +3,7 @@
 use crate::case::schema::Key;
 use crate::case::{Finding, WaveKind, of_waves};
 use crate::system::check::matrix;
-use crate::system::model::{BodyKind, LineKeys, PointKind, SystemKeys};
+use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
 
 /// Waves without height or period, or in a system without water.
 pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -50,6 +50,27 @@ pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
         file.if_given(problem, remedy)
             .filter(|_| moved || keys.waves.is_empty())
     }));
+    found
+}
+
+/// Coefficients that are given twice, or count the waves twice.
+pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if body.radiation_file.is_given() {
+        let problem = "is given twice, here and by radiation_file";
+        found.extend(body.added_mass.if_given(problem, "leave one of them out"));
+    }
+    if body.excitation_file.is_given() {
+        for (_, member) in &body.members {
+            if member.drag_only.value() != Some(true) {
+                let problem =
+                    "counts the waves twice: excitation_file has the loads of what it displaces";
+                let remedy =
+                    "set `drag_only = true`, with its volume in that of the body, or leave it out";
+                found.push(member.place.finding(problem, remedy));
+            }
+        }
+    }
     found
 }
 

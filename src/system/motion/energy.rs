@@ -69,7 +69,7 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
     let (residual, _) = massless.residual(
         &system.network,
         &motion,
-        system.waves_on(state, body.number),
+        &system.water_around(state, body.number),
         &jacobian,
         STILL,
     );

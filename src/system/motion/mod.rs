@@ -11,6 +11,7 @@
 
 pub mod alpha;
 pub mod body_equation;
+pub mod body_flow;
 pub mod border;
 pub mod breaks;
 pub mod channels;

@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
+use super::body_equation::BodyWater;
+use super::body_flow::{self, BodyFlow};
 use super::joints::{Joints, Role};
 use super::pose_motion::BodyMotion;
 use super::start::turn_bases;
 use super::system_state::SystemState;
 use super::wave_stations;
 use crate::numerics::V3;
-use crate::physics::sea::WaterMotion;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
 use crate::system::network::Network;
@@ -26,12 +27,20 @@ pub struct MovingSystem {
     pub arms: Vec<f64>,
     /// The stations of each body at which waves are read, among those of all.
     pub stations: Vec<Range<usize>>,
+    /// Potential flow around the bodies that have coefficients.
+    pub flows: Vec<BodyFlow>,
 }
 
 impl MovingSystem {
     /// A system of these lines, in the order of the network's.
     #[must_use]
-    pub fn new(network: Network, mut scenes: Vec<Scene>) -> Self {
+    pub fn new(mut network: Network, mut scenes: Vec<Scene>) -> Self {
+        let flows = body_flow::flows(&network);
+        for flow in &flows {
+            if let Some(retardation) = &flow.retardation {
+                network.bodies[flow.body].added_mass = retardation.at_infinity;
+            }
+        }
         let joints = Joints::new(&network);
         let moves = |point: usize| {
             joints.row(joints.points[point]).is_some()
@@ -57,6 +66,7 @@ impl MovingSystem {
         }
         Self {
             stations: wave_stations::ranges(&network.bodies, network.sea.is_some()),
+            flows,
             network,
             scenes,
             joints,
@@ -167,13 +177,15 @@ impl MovingSystem {
             .all(|joint| self.joints.follows(joint) == super::joints::Follows::Nothing)
     }
 
-    /// What waves make of the water at the stations of a body; empty in still water.
+    /// The water around a body.
     #[must_use]
-    pub fn waves_on<'a>(&self, state: &'a SystemState, body: usize) -> &'a [WaterMotion] {
-        state
-            .body_flow
-            .get(self.stations[body].clone())
-            .unwrap_or_default()
+    pub fn water_around<'a>(&self, state: &'a SystemState, body: usize) -> BodyWater<'a> {
+        let stations = self.stations[body].clone();
+        let flow = self.flows.iter().position(|flow| flow.body == body);
+        BodyWater {
+            waves: state.body_flow.get(stations).unwrap_or_default(),
+            flow: flow.and_then(|number| state.flow_loads.get(number)),
+        }
     }
 
     /// A body in motion.
@@ -200,6 +212,7 @@ impl Marched<SystemState> for MovingSystem {
         if let Some(sea) = &self.network.sea {
             wave_stations::read(self, sea, t, state);
         }
+        body_flow::prepare(self, t, state);
     }
 
     /// The rotation vectors of the bodies count from here.
@@ -208,5 +221,6 @@ impl Marched<SystemState> for MovingSystem {
             Hysteresis::commit(scene, t, dt, line);
         }
         turn_bases(self, state);
+        body_flow::commit(self, t, state);
     }
 }

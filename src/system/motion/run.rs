@@ -91,7 +91,9 @@ pub fn run(
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
     let again = given.error_estimate.then(|| begun.clone());
+    let coarse = coarse_memory(&begun);
     let mut run = compute(begun, &settings, cancel, progress);
+    run.warnings.extend(coarse);
     if let Some(again) = again.filter(|_| run.failure.is_none()) {
         estimate(solved, again, &mut run, cancel);
     }
@@ -106,6 +108,26 @@ pub fn run(
 
 /// Share of the energy that may be missing without a warning.
 const NOTABLE_DRIFT: f64 = 0.02;
+
+/// Difference of the damping transformed back, by its greatest value, above which it is told to the user.
+const COARSE_MEMORY: f64 = 0.01;
+
+/// Warnings of retardation functions that are not those of their damping.
+fn coarse_memory(begun: &Start) -> Vec<String> {
+    let system = &begun.system;
+    let flows = system.flows.iter();
+    let off = flows.filter_map(|flow| {
+        let error = flow.retardation.as_ref()?.error;
+        let name = &system.network.bodies[flow.body].name;
+        (error > COARSE_MEMORY).then(|| {
+            format!(
+                "body {name}: the retardation functions give the damping back within {:.1} % of its greatest value only; give radiation_file at more frequencies",
+                100.0 * error
+            )
+        })
+    });
+    off.collect()
+}
 
 /// The errors of all results from companions: from the same start with longer steps, and on half the segments.
 fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &AtomicBool) {

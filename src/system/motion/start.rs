@@ -1,5 +1,6 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
+use super::body_flow::{FlowLoad, VelocityHistory};
 use super::border::Border;
 use super::breaks;
 use super::joints::Role;
@@ -167,6 +168,8 @@ fn at_rest(
     let stations = system.stations.last().map_or(0, |range| range.end);
     let state = SystemState {
         body_flow: vec![WaterMotion::default(); stations],
+        flow_loads: vec![FlowLoad::default(); system.flows.len()],
+        velocities: vec![VelocityHistory::default(); system.flows.len()],
         lines,
         joints: State::at_rest(places),
         bases: bases.collect(),

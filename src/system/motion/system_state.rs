@@ -2,6 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 
+use super::body_flow::{FlowLoad, VelocityHistory};
 use super::joints::Joints;
 use super::pose_motion::BodyMotion;
 use crate::numerics::V3;
@@ -23,6 +24,10 @@ pub struct SystemState {
     pub attached: Vec<[usize; 2]>,
     /// What waves make of the water at the stations of the bodies; empty in still water.
     pub body_flow: Vec<WaterMotion>,
+    /// Loads of potential flow on the bodies that have coefficients.
+    pub flow_loads: Vec<FlowLoad>,
+    /// Past velocities of these bodies.
+    pub velocities: Vec<VelocityHistory>,
 }
 
 impl SystemState {
@@ -35,6 +40,8 @@ impl SystemState {
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
         self.body_flow.clone_from(&other.body_flow);
+        self.flow_loads.copy_from_slice(&other.flow_loads);
+        self.velocities.clone_from_slice(&other.velocities);
     }
 
     /// Copies histories, bases and what is attached to what.
@@ -44,6 +51,7 @@ impl SystemState {
         }
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
+        self.velocities.clone_from_slice(&other.velocities);
     }
 
     /// The lines, then the joints.

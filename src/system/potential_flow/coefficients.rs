@@ -1,0 +1,185 @@
+//! Tables of coefficients over frequency and heading.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{Complex, Matrix6, Vector6};
+
+use crate::numerics::interpolation::{interval, mix, share};
+
+/// Added mass \[kg, kg m, kg m²\] and damping \[N s/m, N s, N m s\] over angular frequency \[rad/s\].
+#[derive(Debug, Clone, PartialEq)]
+pub struct RadiationTable {
+    /// Frequencies, rising.
+    pub omega: Vec<f64>,
+    /// Added mass at each.
+    pub added: Vec<Matrix6<f64>>,
+    /// Damping at each.
+    pub damping: Vec<Matrix6<f64>>,
+    /// Added mass at frequency zero, if the file has it.
+    pub at_zero: Option<Matrix6<f64>>,
+    /// Added mass at infinite frequency, if the file has it.
+    pub at_infinity: Option<Matrix6<f64>>,
+}
+
+impl RadiationTable {
+    /// Added mass for slow motions: at frequency zero, or at the lowest that is known.
+    #[must_use]
+    pub fn slow(&self) -> Matrix6<f64> {
+        self.at_zero.unwrap_or_else(|| self.added[0])
+    }
+}
+
+/// Complex numbers of several rows over frequency and heading.
+#[derive(Debug, Clone, PartialEq)]
+struct Grid<T> {
+    /// Headings towards which waves run, rising \[rad\].
+    headings: Vec<f64>,
+    /// Frequencies, rising \[rad/s\].
+    omega: Vec<f64>,
+    /// By heading, then by frequency.
+    values: Vec<Vec<T>>,
+}
+
+/// A heading between two of a table, and the share of the way from one to the other.
+struct Between {
+    from: usize,
+    to: usize,
+    share: f64,
+}
+
+/// Distance of headings that counts as none \[rad\].
+const SAME: f64 = 1e-6;
+
+impl<T> Grid<T> {
+    /// The headings around one; nothing where the table does not cover it.
+    fn around(&self, heading: f64) -> Option<Between> {
+        let first = *self.headings.first()?;
+        let last = *self.headings.last()?;
+        let turned = first + (heading - first + SAME).rem_euclid(TAU) - SAME;
+        if let Some(at) = self.headings.iter().position(|h| (h - turned).abs() < SAME) {
+            return Some(Between {
+                from: at,
+                to: at,
+                share: 0.0,
+            });
+        }
+        if turned < last {
+            let from = interval(&self.headings, turned);
+            return Some(Between {
+                from,
+                to: from + 1,
+                share: share(&self.headings, from, turned),
+            });
+        }
+        // Around the circle, where no gap is wider than between other headings.
+        let gap = first + TAU - last;
+        let widest = self.headings.windows(2).map(|pair| pair[1] - pair[0]);
+        (gap <= widest.fold(0.0, f64::max) * (1.0 + SAME)).then(|| Between {
+            from: self.headings.len() - 1,
+            to: 0,
+            share: (turned - last) / gap,
+        })
+    }
+}
+
+/// Loads of the first order per wave amplitude \[N/m, N\] over frequency and heading.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExcitationTable(Grid<Vector6<Complex<f64>>>);
+
+impl ExcitationTable {
+    /// A table of rows by heading \[rad\], then by frequency \[rad/s\], both rising.
+    #[must_use]
+    pub fn new(
+        headings: Vec<f64>,
+        omega: Vec<f64>,
+        values: Vec<Vec<Vector6<Complex<f64>>>>,
+    ) -> Self {
+        Self(Grid {
+            headings,
+            omega,
+            values,
+        })
+    }
+
+    /// Whether the table covers a heading \[rad\].
+    #[must_use]
+    pub fn covers(&self, heading: f64) -> bool {
+        self.0.around(heading).is_some()
+    }
+
+    /// The lowest and the highest frequency \[rad/s\].
+    #[must_use]
+    pub fn span(&self) -> (f64, f64) {
+        (self.0.omega[0], self.0.omega[self.0.omega.len() - 1])
+    }
+
+    /// The loads of a wave of unit amplitude: real and imaginary part linear between headings and frequencies, held below the lowest
+    /// frequency, none above the highest.
+    #[must_use]
+    pub fn at(&self, heading: f64, omega: f64) -> Vector6<Complex<f64>> {
+        let Some(between) = self.0.around(heading) else {
+            return Vector6::zeros();
+        };
+        let row = |k: usize| {
+            let values = &self.0.values[k];
+            let (low, high) = self.span();
+            if omega > high {
+                return Vector6::zeros();
+            }
+            if omega <= low || values.len() == 1 {
+                return values[0];
+            }
+            let i = interval(&self.0.omega, omega);
+            let part = share(&self.0.omega, i, omega);
+            values[i] + (values[i + 1] - values[i]) * Complex::from(part)
+        };
+        let (from, to) = (row(between.from), row(between.to));
+        from + (to - from) * Complex::from(between.share)
+    }
+}
+
+/// Mean drift per wave amplitude squared, of surge, sway \[N/m²\] and yaw \[N/m\], over frequency and heading.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DriftTable(Grid<[f64; 3]>);
+
+impl DriftTable {
+    /// A table of rows by heading \[rad\], then by frequency \[rad/s\], both rising.
+    #[must_use]
+    pub fn new(headings: Vec<f64>, omega: Vec<f64>, values: Vec<Vec<[f64; 3]>>) -> Self {
+        Self(Grid {
+            headings,
+            omega,
+            values,
+        })
+    }
+
+    /// Whether the table covers a heading \[rad\].
+    #[must_use]
+    pub fn covers(&self, heading: f64) -> bool {
+        self.0.around(heading).is_some()
+    }
+
+    /// Mean drift in a wave of unit amplitude: linear between headings and frequencies, none below the lowest frequency, held above
+    /// the highest, where waves are reflected.
+    #[must_use]
+    pub fn at(&self, heading: f64, omega: f64) -> [f64; 3] {
+        let Some(between) = self.0.around(heading) else {
+            return [0.0; 3];
+        };
+        let grid = &self.0.omega;
+        let row = |k: usize| {
+            let values = &self.0.values[k];
+            if omega < grid[0] {
+                return [0.0; 3];
+            }
+            if omega >= grid[grid.len() - 1] {
+                return values[grid.len() - 1];
+            }
+            let i = interval(grid, omega);
+            let part = share(grid, i, omega);
+            [0, 1, 2].map(|axis| mix(values[i][axis], values[i + 1][axis], part))
+        };
+        let (from, to) = (row(between.from), row(between.to));
+        [0, 1, 2].map(|axis| mix(from[axis], to[axis], between.share))
+    }
+}

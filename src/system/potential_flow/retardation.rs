@@ -1,0 +1,368 @@
+//! Retardation functions: radiated waves as a memory of past velocities.
+//!
+//! ```text
+//! F(t) = - A_inf v'(t) - int_0^inf K(tau) v(t - tau) dtau      K(tau) = 2/pi int_0^inf B(omega) cos(omega tau) domega
+//! A(omega) = A_inf - 1/omega int K sin(omega tau) dtau          B(omega) = int K cos(omega tau) dtau
+//! ```
+//!
+//! (Cummins 1962; Ogilvie 1964). B is taken at even steps of frequency, straight lines between those of the file, up to the highest of the
+//! file; below the lowest it falls with the cube of frequency, as that of heave does (Haskind's relation). K is their sum of cosines over half the period of the step, on which cosines are orthogonal: B comes back exactly at these
+//! frequencies, however sharply it peaks. In time K is a straight line between the points of a fine grid, up to where it has died away; what
+//! is lost is stated by transforming it back.
+
+use std::f64::consts::{FRAC_2_PI, PI, TAU};
+
+use nalgebra::Matrix6;
+
+use super::RadiationTable;
+use crate::numerics::interpolation::linear_clamped;
+
+/// Points of the grid in a period of the highest frequency.
+const POINTS: f64 = 24.0;
+/// Share of its greatest value below which a function has died away.
+const FAINT: f64 = 1e-3;
+/// Longest memory \[s\], and most steps of frequency.
+const LONGEST: f64 = 200.0;
+const MOST_STEPS: f64 = 512.0;
+/// Relative difference of intervals of frequency that count as the same.
+const EVEN: f64 = 1e-3;
+/// Greatest number of functions of a body.
+pub const PAIRS: usize = 36;
+/// Damping by that of the modes themselves that counts as none.
+const NOTHING: f64 = 1e-5;
+
+/// One function, of velocity j on load i, at the points of the grid.
+#[derive(Debug, Clone, PartialEq)]
+struct Function {
+    i: usize,
+    j: usize,
+    value: Vec<f64>,
+    /// Its integral from 0, and the integral of that.
+    first: Vec<f64>,
+    second: Vec<f64>,
+}
+
+/// The retardation functions of a body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Retardation {
+    step: f64,
+    functions: Vec<Function>,
+    /// Added mass at infinite frequency \[kg, kg m, kg m²\].
+    pub at_infinity: Matrix6<f64>,
+    /// Greatest difference of the damping transformed back, by the greatest of its pair of modes \[-\].
+    pub error: f64,
+}
+
+impl Retardation {
+    /// The functions of a table.
+    #[must_use]
+    pub fn new(table: &RadiationTable) -> Self {
+        let omega = even_frequencies(table);
+        let step = TAU / omega[omega.len() - 1] / POINTS;
+        let longest = PI / omega[0];
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a count of points"
+        )]
+        let count = (longest / step).round() as usize + 1;
+        let pairs = pairs(table);
+        let sampled = pairs
+            .iter()
+            .map(|&pair| sample(table, pair, &omega, (step, count)));
+        let mut values: Vec<Vec<f64>> = sampled.collect();
+        let kept = values.iter().map(|value| alive(value)).max().unwrap_or(1);
+        for value in &mut values {
+            value.truncate(kept.max(2));
+        }
+        let functions = pairs.iter().zip(values).map(|(&(i, j), value)| {
+            let (first, second) = integrals(&value, step);
+            Function {
+                i,
+                j,
+                value,
+                first,
+                second,
+            }
+        });
+        let mut made = Self {
+            step,
+            functions: functions.collect(),
+            at_infinity: Matrix6::zeros(),
+            error: 0.0,
+        };
+        made.at_infinity = table
+            .at_infinity
+            .unwrap_or_else(|| made.mean_at_infinity(table));
+        made.error = made.difference(table);
+        made
+    }
+
+    /// Time over which it lasts \[s\].
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        let points = self.functions.first().map_or(1, |f| f.value.len());
+        self.step * (points - 1) as f64
+    }
+
+    /// The pairs of modes, load and velocity, in the order of their functions.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.functions.iter().map(|f| (f.i, f.j))
+    }
+
+    /// The first integral of every function over the times before tau \[s\].
+    pub fn first_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
+        let (k, s) = self.place(tau);
+        let s = s.min(self.step);
+        let curve = 0.5 * s * s / self.step;
+        for (out, f) in out.iter_mut().zip(&self.functions) {
+            *out = f.first[k] + s * f.value[k] + curve * (f.value[k + 1] - f.value[k]);
+        }
+    }
+
+    /// The integral of that, which is straight beyond the memory.
+    pub fn second_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
+        let (k, s) = self.place(tau);
+        let beyond = (s - self.step).max(0.0);
+        let s = s - beyond;
+        let (square, cube) = (0.5 * s * s, s * s * s / (6.0 * self.step));
+        for (out, f) in out.iter_mut().zip(&self.functions) {
+            let slope = f.value[k + 1] - f.value[k];
+            *out = f.second[k] + s * f.first[k] + square * f.value[k] + cube * slope;
+            if beyond > 0.0 {
+                *out += beyond * f.first[k + 1];
+            }
+        }
+    }
+
+    /// The interval of the grid that holds a time, the last one beyond, and the distance into it.
+    fn place(&self, tau: f64) -> (usize, f64) {
+        let points = self.functions.first().map_or(2, |f| f.value.len());
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "tau is not negative; large ones are clamped"
+        )]
+        let k = ((tau / self.step).max(0.0) as usize).min(points - 2);
+        (k, tau - k as f64 * self.step)
+    }
+
+    /// Added mass less that at infinite frequency, and damping, of a function at a frequency.
+    fn transformed(&self, function: &Function, omega: f64) -> (f64, f64) {
+        let (mut sine, mut cosine) = (0.0, 0.0);
+        for (k, pair) in function.value.windows(2).enumerate() {
+            let from = k as f64 * self.step;
+            let (c, s) = line_transform(pair, from, self.step, omega);
+            cosine += c;
+            sine += s;
+        }
+        (-sine / omega, cosine)
+    }
+
+    /// Added mass at infinite frequency as the mean over the frequencies of what they give for it.
+    fn mean_at_infinity(&self, table: &RadiationTable) -> Matrix6<f64> {
+        let count = table.omega.len() as f64;
+        let mut mean: Matrix6<f64> = table.added.iter().sum::<Matrix6<f64>>() / count;
+        for function in &self.functions {
+            let beyond = table.omega.iter().map(|w| self.transformed(function, *w).0);
+            mean[(function.i, function.j)] -= beyond.sum::<f64>() / count;
+        }
+        mean
+    }
+
+    /// Greatest difference of the damping transformed back, by the greatest of the modes it joins.
+    fn difference(&self, table: &RadiationTable) -> f64 {
+        let peak = peaks(table);
+        let mut worst = 0.0_f64;
+        for function in &self.functions {
+            let (i, j) = (function.i, function.j);
+            for (omega, damping) in table.omega.iter().zip(&table.damping) {
+                let back = self.transformed(function, *omega).1;
+                let size = (peak[i] * peak[j]).sqrt();
+                worst = worst.max((back - damping[(i, j)]).abs() / size);
+            }
+        }
+        worst
+    }
+}
+
+/// Greatest damping of each mode.
+fn peaks(table: &RadiationTable) -> [f64; 6] {
+    std::array::from_fn(|i| {
+        let own = table.damping.iter().map(|b| b[(i, i)].abs());
+        own.fold(f64::MIN_POSITIVE, f64::max)
+    })
+}
+
+/// The pairs of modes with damping.
+fn pairs(table: &RadiationTable) -> Vec<(usize, usize)> {
+    let peak = peaks(table);
+    let all = (0..6).flat_map(|i| (0..6).map(move |j| (i, j)));
+    let acts = |&(i, j): &(usize, usize)| {
+        let own = table.damping.iter().map(|b| b[(i, j)].abs());
+        own.fold(0.0, f64::max) > NOTHING * (peak[i] * peak[j]).sqrt()
+    };
+    all.filter(acts).collect()
+}
+
+/// Multiples of a step of frequency up to the highest of a table: its own where it is even, else as fine as the memory allows.
+fn even_frequencies(table: &RadiationTable) -> Vec<f64> {
+    let highest = table.omega[table.omega.len() - 1];
+    let widths = || table.omega.windows(2).map(|pair| pair[1] - pair[0]);
+    let (least, most) = (
+        widths().fold(f64::INFINITY, f64::min),
+        widths().fold(0.0, f64::max),
+    );
+    let even = most < least * (1.0 + EVEN);
+    let own = if even { 0.5 * (least + most) } else { least };
+    let width = own.max(PI / LONGEST).max(highest / MOST_STEPS);
+    let count = (1_u32..).take_while(|k| f64::from(*k) * width <= highest * (1.0 + EVEN));
+    count.map(|k| f64::from(k) * width).collect()
+}
+
+/// A function at the points of the grid.
+fn sample(
+    table: &RadiationTable,
+    (i, j): (usize, usize),
+    omega: &[f64],
+    (step, count): (f64, usize),
+) -> Vec<f64> {
+    let mut known = vec![0.0];
+    known.extend(&table.omega);
+    let mut damping = vec![0.0];
+    damping.extend(table.damping.iter().map(|b| b[(i, j)]));
+    let damping_at = |w: f64| match w < table.omega[0] {
+        true => damping[1] * (w / table.omega[0]).powi(3),
+        false => linear_clamped(&known, &damping, w),
+    };
+    let weight = FRAC_2_PI * omega[0];
+    let even = omega.iter().map(|w| (*w, weight * damping_at(*w)));
+    let even: Vec<(f64, f64)> = even.collect();
+    let at = |tau: f64| even.iter().map(|(w, b)| b * (w * tau).cos()).sum();
+    (0..count).map(|k| at(k as f64 * step)).collect()
+}
+
+/// Integrals of a straight line, from one value to another over an interval of this width, times `cos(p x)` and `sin(p x)`.
+fn line_transform(ends: &[f64], from: f64, width: f64, p: f64) -> (f64, f64) {
+    let (a, b) = (ends[0], ends[1]);
+    let (half, middle) = (0.5 * width, from + 0.5 * width);
+    let q = p * half;
+    // Of 1 and of x / half over -1 to 1, times cos(q x) and sin(q x).
+    let (even, odd) = if q.abs() < 1e-2 {
+        let q2 = q * q;
+        (
+            2.0 - q2 / 3.0 + q2 * q2 / 60.0,
+            2.0 * q * (1.0 / 3.0 - q2 / 30.0 + q2 * q2 / 840.0),
+        )
+    } else {
+        (2.0 * q.sin() / q, 2.0 * (q.sin() - q * q.cos()) / (q * q))
+    };
+    let (mean, slope) = (0.5 * (a + b), 0.5 * (b - a));
+    let (sin, cos) = (p * middle).sin_cos();
+    let (level, tilted) = (half * mean * even, half * slope * odd);
+    (level * cos - tilted * sin, level * sin + tilted * cos)
+}
+
+/// Points after which a function has died away.
+fn alive(value: &[f64]) -> usize {
+    let greatest = value.iter().fold(0.0_f64, |a, b| a.max(b.abs()));
+    let last = value.iter().rposition(|v| v.abs() > FAINT * greatest);
+    last.map_or(1, |last| last + 1)
+}
+
+/// The integral of straight lines from the start, and the integral of that, at the points.
+fn integrals(value: &[f64], step: f64) -> (Vec<f64>, Vec<f64>) {
+    let (mut first, mut second) = (vec![0.0], vec![0.0]);
+    for (k, pair) in value.windows(2).enumerate() {
+        second.push(second[k] + step * (first[k] + step * (pair[0] / 3.0 + pair[1] / 6.0)));
+        first.push(first[k] + 0.5 * step * (pair[0] + pair[1]));
+    }
+    (first, second)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Heave of a floating hemisphere, added mass and damping by the displaced mass, over K a (Hulme 1982, table 1).
+    const HULME: [(f64, f64, f64); 26] = [
+        (0.05, 0.8764, 0.1036),
+        (0.1, 0.8627, 0.1816),
+        (0.2, 0.7938, 0.2793),
+        (0.3, 0.7157, 0.3254),
+        (0.4, 0.6452, 0.3410),
+        (0.5, 0.5861, 0.3391),
+        (0.6, 0.5381, 0.3271),
+        (0.7, 0.4999, 0.3098),
+        (0.8, 0.4698, 0.2899),
+        (0.9, 0.4464, 0.2691),
+        (1.0, 0.4284, 0.2484),
+        (1.2, 0.4047, 0.2096),
+        (1.4, 0.3924, 0.1756),
+        (1.6, 0.3871, 0.1469),
+        (1.8, 0.3864, 0.1229),
+        (2.0, 0.3884, 0.1031),
+        (2.5, 0.3988, 0.0674),
+        (3.0, 0.4111, 0.0452),
+        (4.0, 0.4322, 0.0219),
+        (5.0, 0.4471, 0.0116),
+        (6.0, 0.4574, 0.0066),
+        (7.0, 0.4647, 0.0040),
+        (8.0, 0.4700, 0.0026),
+        (9.0, 0.4740, 0.0017),
+        (10.0, 0.4771, 0.0012),
+        (14.0, 0.485, 0.0003),
+    ];
+
+    fn hemisphere() -> RadiationTable {
+        let omega = HULME.map(|(ka, _, _)| (9.81 * ka).sqrt());
+        let one = |value: f64| {
+            let mut matrix = Matrix6::zeros();
+            matrix[(2, 2)] = value;
+            matrix
+        };
+        let damping = HULME.iter().zip(omega);
+        RadiationTable {
+            omega: omega.to_vec(),
+            added: HULME.iter().map(|row| one(row.1)).collect(),
+            damping: damping.map(|(row, omega)| one(row.2 * omega)).collect(),
+            at_zero: Some(one(0.8310)),
+            at_infinity: None,
+        }
+    }
+
+    #[test]
+    fn a_hemisphere_comes_back_as_it_was() {
+        let table = hemisphere();
+        let made = Retardation::new(&table);
+        assert!(made.error < 0.01, "{}", made.error);
+        // One half at infinite frequency, from the finite ones.
+        let infinite = made.at_infinity[(2, 2)];
+        assert!((infinite / 0.5 - 1.0).abs() < 1e-3, "{infinite}");
+        for (omega, (ka, added, _)) in table.omega.iter().zip(HULME) {
+            let found = infinite + made.transformed(&made.functions[0], *omega).0;
+            assert!((found / added - 1.0).abs() < 0.01, "{ka}: {found} {added}");
+        }
+    }
+
+    #[test]
+    fn integrals_are_those_of_the_function() {
+        let made = Retardation::new(&hemisphere());
+        let h = 1e-4;
+        let mut out = [0.0; PAIRS];
+        let mut second = |tau: f64| {
+            made.second_integrals(tau, &mut out);
+            out[0]
+        };
+        let first = |tau: f64| {
+            let mut out = [0.0; PAIRS];
+            made.first_integrals(tau, &mut out);
+            out[0]
+        };
+        for tau in [0.3, 1.234, 5.0, made.duration() + 3.0] {
+            let slope = (second(tau + h) - second(tau - h)) / (2.0 * h);
+            assert!((slope - first(tau)).abs() < 1e-7, "{tau}");
+        }
+        assert_eq!(second(0.0), 0.0);
+    }
+}
