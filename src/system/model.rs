@@ -4,7 +4,7 @@ mod motion;
 
 use std::collections::BTreeMap;
 
-pub use motion::{MotionInputs, MotionOutput};
+pub use motion::{MotionInputs, MotionMethod, MotionOutput};
 
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};

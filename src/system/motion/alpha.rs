@@ -1,7 +1,7 @@
 //! Generalized-alpha for systems of lines: the scheme of [`AlphaScheme`] on all nodes, with the bordered iteration.
 
 use super::body_equation::MovingBody;
-use super::border::Border;
+use super::border::{Border, accelerate};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
@@ -80,26 +80,7 @@ impl SystemAlpha {
         t: f64,
         state: &mut SystemState,
     ) -> Result<(), NewtonError> {
-        const MASS: Factors = Factors {
-            mass: 1.0,
-            damping: 0.0,
-            stiffness: 0.0,
-        };
-        for (number, part) in state.parts_mut().enumerate() {
-            for i in system.free(number) {
-                part.a[i] = V3::zeros();
-            }
-        }
-        system.follow(state);
-        self.border.solve(system, t, state, MASS)?;
-        for (number, part) in state.parts_mut().enumerate() {
-            let d = self.border.displacements(number);
-            for i in system.free(number) {
-                part.a[i] -= d[i];
-            }
-        }
-        system.follow(state);
-        Ok(())
+        accelerate(&mut self.border, system, t, state)
     }
 
     /// The free bodies with their mass.

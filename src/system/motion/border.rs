@@ -57,6 +57,38 @@ enum End {
     Body(Arm),
 }
 
+/// Accelerations of a state from its positions and velocities, by the forces.
+///
+/// # Errors
+/// Where nothing has mass.
+pub fn accelerate(
+    border: &mut Border,
+    system: &MovingSystem,
+    t: f64,
+    state: &mut SystemState,
+) -> Result<(), NewtonError> {
+    const MASS: Factors = Factors {
+        mass: 1.0,
+        damping: 0.0,
+        stiffness: 0.0,
+    };
+    for (number, part) in state.parts_mut().enumerate() {
+        for i in system.free(number) {
+            part.a[i] = V3::zeros();
+        }
+    }
+    system.follow(state);
+    border.solve(system, t, state, MASS)?;
+    for (number, part) in state.parts_mut().enumerate() {
+        let d = border.displacements(number);
+        for i in system.free(number) {
+            part.a[i] -= d[i];
+        }
+    }
+    system.follow(state);
+    Ok(())
+}
+
 impl Border {
     /// For a system, whose bodies have the added mass that they have in this state.
     #[must_use]

@@ -3,9 +3,9 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::alpha::SystemAlpha;
 use super::body_equation::MovingBody;
 use super::breaks;
+use super::method::Method;
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, Recorder};
 use super::release::{Release, by_tension, by_time};
@@ -22,7 +22,7 @@ use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
 struct Marching {
     system: MovingSystem,
     state: SystemState,
-    method: SystemAlpha,
+    method: Method,
     bodies: Vec<MovingBody>,
     recorder: Recorder,
     march: March,
@@ -60,6 +60,7 @@ pub(super) fn compute(
     marching.recorder.end();
     let work = MotionWork {
         iterations: at_start + marching.method.work_counts().iterations,
+        evaluations: marching.method.work_counts().evaluations,
         seconds: clock.elapsed().as_secs_f64(),
         ..marching.work()
     };
@@ -69,16 +70,7 @@ pub(super) fn compute(
 impl Marching {
     fn new(begun: Start, settings: &MotionSettings) -> Self {
         let Start { system, state, .. } = begun;
-        let mut method = SystemAlpha::new(
-            &system,
-            &state,
-            settings.rho_inf,
-            settings.position_tolerance_m,
-            settings.max_iterations,
-        );
-        if let Some(limits) = settings.limits(&system) {
-            method = method.controlled(limits);
-        }
+        let method = Method::new(settings, &system, &state);
         Self {
             bodies: method.bodies().to_vec(),
             recorder: Recorder::new(&system, settings.interval_s),

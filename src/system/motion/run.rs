@@ -47,6 +47,8 @@ pub struct MotionWork {
     pub rejections: u64,
     /// Newton iterations.
     pub iterations: u64,
+    /// Evaluations of an explicit method.
+    pub evaluations: u64,
     /// Wall time of the run without its companions \[s\].
     pub seconds: f64,
     /// Time at its end \[s\].

@@ -10,7 +10,7 @@ use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
 use crate::scene::Scene;
 use crate::solve::StaticSearch;
-use crate::system::model::MotionInputs;
+use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::network::{Line, ReleaseCondition};
 
 /// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
@@ -21,6 +21,8 @@ const RESPONSE: f64 = 10.0;
 /// The settings that a run uses.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSettings {
+    /// Method of time integration.
+    pub method: MotionMethod,
     /// Simulated time \[s\].
     pub duration_s: f64,
     /// Length of a whole step, the greatest there is \[s\].
@@ -43,10 +45,17 @@ impl MotionSettings {
     pub fn new(given: &MotionInputs, interval_s: f64, system: &MovingSystem) -> Self {
         let own = |scene: &Scene| scene.position_tolerance(1e-4);
         let finest = system.scenes.iter().map(own).fold(f64::INFINITY, f64::min);
+        let explicit = given.method == MotionMethod::Rk4;
+        let chosen = || match explicit {
+            true => longest_step(system).min(EXPLICIT_SHARE * explicit_limit(system)),
+            false => longest_step(system),
+        };
+        let varies = given.time_step_s.is_none() && !explicit;
         Self {
+            method: given.method,
             duration_s: given.duration_s,
-            time_step_s: given.time_step_s.unwrap_or_else(|| longest_step(system)),
-            step_tolerance: given.time_step_s.is_none().then_some(given.step_tolerance),
+            time_step_s: given.time_step_s.unwrap_or_else(chosen),
+            step_tolerance: varies.then_some(given.step_tolerance),
             rho_inf: given.rho_inf,
             position_tolerance_m: given.position_tolerance_m.min(finest),
             max_iterations: given.max_iterations,
@@ -88,6 +97,15 @@ fn surface(system: &MovingSystem) -> Option<EndMotion> {
         course: MotionPath::Sum(Harmonics::along_axes(&[Vec::new(), Vec::new(), heave])),
         ramp: 0.0,
     })
+}
+
+/// Share of the stability limit of explicit methods that a step is chosen by.
+const EXPLICIT_SHARE: f64 = 0.45;
+
+/// The longest stable step of the lines by themselves \[s\]; what is at their ends makes it longer.
+fn explicit_limit(system: &MovingSystem) -> f64 {
+    let limits = system.scenes.iter().map(|scene| scene.explicit_limit().0);
+    limits.fold(f64::INFINITY, f64::min)
 }
 
 /// The longest step that sees what is prescribed; error control shortens it where it must.

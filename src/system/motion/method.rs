@@ -1,0 +1,104 @@
+//! The method by which a system is computed in time.
+
+use super::alpha::SystemAlpha;
+use super::body_equation::MovingBody;
+use super::moving_system::MovingSystem;
+use super::rk4::SystemRk4;
+use super::settings::MotionSettings;
+use super::system_state::SystemState;
+use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
+use crate::solve::NewtonError;
+use crate::system::model::MotionMethod;
+
+/// One of the methods.
+#[derive(Debug, Clone)]
+#[expect(clippy::large_enum_variant, reason = "there is one in a run")]
+pub enum Method {
+    /// Generalized-alpha.
+    Alpha(SystemAlpha),
+    /// Runge-Kutta of order 4.
+    Rk4(SystemRk4),
+}
+
+impl Method {
+    /// The method of these settings.
+    #[must_use]
+    pub fn new(settings: &MotionSettings, system: &MovingSystem, state: &SystemState) -> Self {
+        if settings.method == MotionMethod::Rk4 {
+            return Self::Rk4(SystemRk4::new(system, state));
+        }
+        let alpha = SystemAlpha::new(
+            system,
+            state,
+            settings.rho_inf,
+            settings.position_tolerance_m,
+            settings.max_iterations,
+        );
+        Self::Alpha(match settings.limits(system) {
+            Some(limits) => alpha.controlled(limits),
+            None => alpha,
+        })
+    }
+
+    /// Accelerations from positions and velocities, by the forces.
+    ///
+    /// # Errors
+    /// Where nothing has mass.
+    pub fn accelerate(
+        &mut self,
+        system: &MovingSystem,
+        t: f64,
+        state: &mut SystemState,
+    ) -> Result<(), NewtonError> {
+        match self {
+            Self::Alpha(method) => method.accelerate(system, t, state),
+            Self::Rk4(method) => method.accelerate(system, t, state),
+        }
+    }
+
+    /// The free bodies with their mass.
+    #[must_use]
+    pub fn bodies(&self) -> &[MovingBody] {
+        match self {
+            Self::Alpha(method) => method.bodies(),
+            Self::Rk4(method) => method.bodies(),
+        }
+    }
+}
+
+impl Integrator for Method {
+    fn work_counts(&self) -> WorkCounts {
+        match self {
+            Self::Alpha(method) => method.work_counts(),
+            Self::Rk4(method) => method.work_counts(),
+        }
+    }
+}
+
+impl Stepper<MovingSystem, SystemState> for Method {
+    fn step(
+        &mut self,
+        system: &MovingSystem,
+        at: TimeStep,
+        state: &mut SystemState,
+    ) -> Result<f64, StepError> {
+        match self {
+            Self::Alpha(method) => method.step(system, at, state),
+            Self::Rk4(method) => method.step(system, at, state),
+        }
+    }
+
+    fn restart(&mut self, system: &MovingSystem, t: f64, state: &mut SystemState) {
+        match self {
+            Self::Alpha(method) => method.restart(system, t, state),
+            Self::Rk4(method) => method.restart(system, t, state),
+        }
+    }
+
+    fn pass_kink(&mut self, system: &MovingSystem, t: f64, state: &mut SystemState) -> bool {
+        match self {
+            Self::Alpha(method) => method.pass_kink(system, t, state),
+            Self::Rk4(method) => method.pass_kink(system, t, state),
+        }
+    }
+}
