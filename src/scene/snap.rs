@@ -1,6 +1,7 @@
 //! Segments that snap taut within a step: see [`MidstepBalance`](crate::solve::MidstepBalance).
 
 use super::LumpedLine;
+use crate::numerics::V3;
 use crate::solve::State;
 
 impl LumpedLine {
@@ -17,5 +18,17 @@ impl LumpedLine {
             }
         }
         jolt
+    }
+
+    /// Whether the displacements `-d` that led to this state turned a segment taut or slack: the derivative of its tension jumps there.
+    #[must_use]
+    pub(crate) fn turns_taut_or_slack(&self, d: &[V3], state: &State) -> bool {
+        self.segments.iter().enumerate().any(|(i, segment)| {
+            let unstretched = segment.axial.length * segment.axial.length;
+            let chord = state.x[i + 1] - state.x[i];
+            let before = chord + (d[i + 1] - d[i]);
+            !segment.axial.rod
+                && (chord.norm_squared() > unstretched) != (before.norm_squared() > unstretched)
+        })
     }
 }

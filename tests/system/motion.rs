@@ -332,6 +332,23 @@ fn an_end_that_is_let_go_falls_and_its_energy_balances() {
     assert!(run.balance.relative_drift() < 5e-3, "{:?}", run.balance);
 }
 
+/// The end of a vertical tether recoils from its anchor and crumples, segments taut and slack by turns.
+#[test]
+fn a_tether_that_crumples_gains_no_energy() {
+    let run = moved(
+        "[environment]\ndrag_length = \"unstretched\"
+        [materials.wire]\nmass_kg_per_m = 6.0\ndiameter_m = 0.04\nea_n = 3e7\naxial_damping_n_s = 3e4\ndrag_normal = 1.2\ndrag_tangential = 0.01
+        [points.buoy]\nkind = \"free\"\nmass_kg = 1500.0\nvolume_m3 = 4.0\nadded_mass_kg = 2050.0\ndrag_area_m2 = 2.5
+        [points.clamp]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
+        [points.anchor]\nkind = \"fixed\"\nposition_m = [40.0, 0.0, -100.0]
+        [[lines]]\nname = \"tether\"\nfrom = \"clamp\"\nto = \"buoy\"\nmaterial = \"wire\"\nlength_m = 40.0\nsegments = 80\nrelease_a_s = 0.5
+        [[lines]]\nname = \"guy\"\nfrom = \"anchor\"\nto = \"buoy\"\nmaterial = \"wire\"\nlength_m = 66.0\nsegments = 20
+        [solver]\nduration_s = 3.0\nerror_estimate = false\n[output]\ninterval_s = 0.1\n",
+    );
+    assert!(run.balance.relative_drift() < 5e-3, "{:?}", run.balance);
+    assert!(run.work.steps < 10_000, "{}", run.work.steps);
+}
+
 #[test]
 fn a_moored_body_decays_with_its_natural_period() {
     // Pulled aside by a line that is let go.

@@ -145,7 +145,7 @@ impl SystemAlpha {
             self.apply(system, c);
             let reached = convergence.is_reached(moved);
             self.rate = convergence.rate();
-            if reached {
+            if reached && (moved <= self.tolerance || !self.passes_kink(system)) {
                 return Ok(());
             }
         }
@@ -155,6 +155,17 @@ impl SystemAlpha {
             node: worst.0,
             moved: worst.1,
         })
+    }
+
+    /// Whether the displacement just made turns a segment taut or slack. The rate of convergence, measured where no tension has a
+    /// kink, predicts nothing there: with it an iteration stopped with the whole tension of the segment out of balance.
+    fn passes_kink(&self, system: &MovingSystem) -> bool {
+        let lines = system.scenes.iter().zip(&self.between.lines).enumerate();
+        let mut passes = lines.map(|(number, (scene, line))| {
+            let d = self.border.displacements(number);
+            scene.line.turns_taut_or_slack(d, line)
+        });
+        passes.any(|passes| passes)
     }
 
     /// The displacement in the norm of convergence \[m\]: along the lines in full, transverse to them by the ratio of the tolerances.
