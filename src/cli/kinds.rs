@@ -1,6 +1,6 @@
 //! What each kind of file gives the command line: its keys, and its comparison with published values.
 
-use std::path::Path;
+use std::{path::Path, sync::atomic::AtomicBool};
 
 use super::{CommandError, cases::OtherFile};
 use crate::{
@@ -10,7 +10,10 @@ use crate::{
     ropeway::{self, ROPEWAY, Ropeway},
     section::SECTION,
     ship::{self, MotionAnalysis, SHIP, Ship},
-    system::{self, SYSTEM, SystemFile},
+    system::{
+        self, SYSTEM, SolvedSystem, SystemFile,
+        motion::{self, run::MotionRun},
+    },
 };
 
 /// The tables and keys of a kind.
@@ -28,6 +31,7 @@ pub(super) fn schema(kind: FileType) -> &'static Schema {
 pub(super) fn validation(
     file: &OtherFile,
     set: &[(&str, &str)],
+    cancel: &AtomicBool,
 ) -> Result<(String, Vec<ValidationRow>), CommandError> {
     let OtherFile { kind, name, text } = file;
     let before = text;
@@ -54,11 +58,23 @@ pub(super) fn validation(
         FileType::System => {
             let text = &kind::set_all::<SystemFile>(text, set).map_err(&wrong)?;
             let solved = kind::parse::<SystemFile>(text, name).map_err(wrong)?;
-            let mut rows = system::validation::rows(&solved);
+            let run = in_time(&solved, cancel)?;
+            let mut rows = system::validation::rows(&solved, run.as_ref());
             let (_, edited) = kind::edited_rows::<SystemFile>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
             (solved.file.about.title, rows)
         }
         FileType::Line | FileType::Section => (String::new(), Vec::new()),
     })
+}
+
+/// The run in time of a system that has curves to be held against it.
+fn in_time(solved: &SolvedSystem, cancel: &AtomicBool) -> Result<Option<MotionRun>, CommandError> {
+    let given = solved.file.solver.as_ref();
+    let Some(given) = given.filter(|_| !solved.file.published_curve.is_empty()) else {
+        return Ok(None);
+    };
+    let run = motion::run::run(solved, given, cancel, &mut |_| {});
+    run.map(Some)
+        .map_err(|why| CommandError::Usage(format!("{}; {}.", why.problem, why.remedy)))
 }

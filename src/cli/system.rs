@@ -55,7 +55,7 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
         output::object(&json::object(&solved, &analyses))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let rows = validation::rows(&solved);
+    let rows = validation::rows(&solved, None);
     let text = views::report(
         &solved,
         &analyses,
@@ -87,7 +87,8 @@ fn in_motion(
     let computed =
         computed.map_err(|why| CommandError::Usage(format!("{}; {}.", why.problem, why.remedy)))?;
     let glyphs = output::glyphs(args.ascii);
-    let report = motion::report(solved, &computed, fields, glyphs);
+    let rows = validation::rows(solved, Some(&computed));
+    let report = motion::report(solved, &computed, &rows, fields, glyphs);
     if args.json || args.out.is_some() {
         let mut object = json::object(solved, &Analyses::of(solved));
         object["motion"] = motion::object(&computed);

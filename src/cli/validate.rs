@@ -28,8 +28,9 @@ use crate::{
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     let named = cases::named_or_shipped(&args.cases)?;
     let set = cases::edits(&args.set)?;
+    let stop = StopFlag::listen()?;
     let others = named.others.iter().map(|file| {
-        let (title, rows) = kinds::validation(file, &set)?;
+        let (title, rows) = kinds::validation(file, &set, stop.cancel())?;
         Ok(ValidatedFile::new(&title, &file.name, rows))
     });
     let others: Vec<ValidatedFile> = others.collect::<Result<_, CommandError>>()?;
@@ -39,7 +40,6 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
         .map(|loaded| EditedCase::new(loaded, &args.set))
         .collect::<Result<_, CommandError>>()?;
     let variants = variants(&cases)?;
-    let stop = StopFlag::listen()?;
     let runs = compute(&variants, &stop);
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed; nothing was judged.");

@@ -10,7 +10,7 @@ use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
 use crate::case::{Finding, MaterialKeys, unknown, used_twice};
-use crate::reference::published_number;
+use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -59,6 +59,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
+    found.extend(published_history::check(&keys.published_curve));
     found
 }
 

@@ -10,7 +10,7 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{Attachment, Current, Environment, Mark, Material, OneOrMany, Waves};
-use crate::reference::PublishedNumber;
+use crate::reference::{PublishedHistory, PublishedNumber};
 
 const ON_BODY: Conditions = &[("kind", &["body"])];
 const FREE: Conditions = &[("kind", &["free"])];
@@ -61,6 +61,8 @@ table! {
         marks: BTreeMap<String, Mark>;
         /// A published value the system is held against.
         published: Vec<PublishedNumber>;
+        /// A published curve over time that the run is held against.
+        published_curve: Vec<PublishedHistory>;
     }
 }
 

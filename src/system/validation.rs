@@ -1,19 +1,33 @@
 //! A system compared with its published values: rows of the validation table.
 
+use super::motion::run::MotionRun;
 use super::quantities::{unit, value};
 use super::solved::SolvedSystem;
 use crate::reference::ValidationRow;
 
-/// Rows for every published value of a system, in the order of its file.
+/// Rows for every published value of a system at rest, then for every published curve of its run in time, in the order of its file.
+/// Without a run the curves read NOT RUN.
 #[must_use]
-pub fn rows(solved: &SolvedSystem) -> Vec<ValidationRow> {
-    let printed = solved.file.published.iter();
-    printed
-        .map(|printed| {
-            // Closed forms are exact to rounding; the mesh error of derived results is not estimated.
-            let error = (!solved.is_discretised()).then_some(0.0);
-            let found = value(solved, &printed.quantity).map(|value| (value, error));
-            printed.held(unit(&printed.quantity), found)
-        })
-        .collect()
+pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow> {
+    let file = &solved.file;
+    let numbers = file.published.iter().map(|printed| {
+        // Closed forms are exact to rounding; the mesh error of derived results is not estimated.
+        let error = (!solved.is_discretised()).then_some(0.0);
+        let found = value(solved, &printed.quantity).map(|value| (value, error));
+        printed.held(unit(&printed.quantity), found)
+    });
+    let curves = file.published_curve.iter().flat_map(|curve| {
+        let history = match run {
+            None if file.solver.is_none() => {
+                Err("The file has no run in time: add [solver].".to_owned())
+            }
+            None => Err("`seacable validate` computes the run in time.".to_owned()),
+            Some(run) => match &run.failure {
+                Some(why) => Err(format!("The run ended early: {why}.")),
+                None => Ok(&run.history),
+            },
+        };
+        curve.rows(history, run.map_or(&[], |run| &run.companions))
+    });
+    numbers.chain(curves).collect()
 }

@@ -5,9 +5,10 @@ use serde_json::{Value, json};
 use super::Glyphs;
 use crate::case::FieldRow;
 use crate::number::{duration, with_error};
+use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::table::{NumberFormat, Table};
-use crate::report::text::{Page, inputs};
+use crate::report::text::{self, Page, inputs};
 use crate::system::SolvedSystem;
 use crate::system::motion::run::{ChannelResult, MotionRun};
 
@@ -104,6 +105,7 @@ pub fn tensions(run: &MotionRun, end: &str) -> Chart {
 pub fn report(
     solved: &SolvedSystem,
     run: &MotionRun,
+    rows: &[ValidationRow],
     fields: &[FieldRow],
     glyphs: Glyphs,
 ) -> String {
@@ -126,6 +128,10 @@ pub fn report(
     page.table(&channels(run));
     for end in ["|a", "|b"] {
         page.chart(&tensions(run, end), LINES, glyphs);
+    }
+    if !rows.is_empty() {
+        page.heading("Published values");
+        page.block(&text::validation(rows));
     }
     inputs(&mut page, fields, !about.source.trim().is_empty());
     page.finish()

@@ -165,6 +165,7 @@ impl Marching {
             settings: settings.clone(),
             channels: channels.map(channel).collect(),
             history: recorder.history,
+            companions: Vec::new(),
             work,
             balance: recorder.balance,
             happened: self.happened,

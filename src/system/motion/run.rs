@@ -22,6 +22,8 @@ pub struct MotionRun {
     pub channels: Vec<ChannelResult>,
     /// The channels at the output times.
     pub history: History,
+    /// The same of the companion runs that estimate the errors: on longer steps, and on half the segments.
+    pub companions: Vec<History>,
     /// Work done.
     pub work: MotionWork,
     /// The energy balance.
@@ -156,6 +158,7 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
             });
         match other {
             Ok(other) => {
+                run.companions.push(other.history);
                 for (channel, coarse) in run.channels.iter_mut().zip(&other.channels) {
                     let (fine, coarse) = (channel.summary.numbers(), coarse.summary.numbers());
                     let errors = std::array::from_fn(|k| second.presumed(fine[k], coarse[k]));
