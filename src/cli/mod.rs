@@ -19,6 +19,7 @@ mod modes;
 mod output;
 mod physics;
 mod progress;
+mod random_motion;
 mod random_systems;
 mod report;
 mod ropeway;

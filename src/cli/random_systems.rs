@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use super::{BAD_RESULT, CommandError, output, system_args::SystemsArgs};
+use super::{BAD_RESULT, CommandError, output, random_motion, system_args::SystemsArgs};
 use crate::report::run_json;
 use crate::report::table::{NumberFormat, Table};
 use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
@@ -16,6 +16,9 @@ struct KindTally {
 }
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+    if args.in_motion {
+        return random_motion::systems(args);
+    }
     let outcomes = run(args.count, args.seed);
     let tallies: Vec<KindTally> = (0..KINDS.len())
         .map(|kind| tally(kind, &outcomes))
@@ -52,7 +55,8 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     }
     let mut text = table.to_text(110);
     text.push_str("\nReasons:\n");
-    for (reason, many) in reasons(&tallies) {
+    let reasons = tallies.iter().flat_map(|kind| &kind.refused);
+    for (reason, many) in frequent(reasons.map(String::as_str)) {
         text.push_str(&format!("{many:6}  {reason}\n"));
     }
     if args.list {
@@ -95,9 +99,9 @@ fn tally(kind: usize, outcomes: &[RandomOutcome]) -> KindTally {
 }
 
 /// Reasons without their numbers and names, and how often each is given, the most frequent first.
-fn reasons(tallies: &[KindTally]) -> Vec<(String, usize)> {
+pub(super) fn frequent<'a>(reasons: impl Iterator<Item = &'a str>) -> Vec<(String, usize)> {
     let mut found: Vec<(String, usize)> = Vec::new();
-    for reason in tallies.iter().flat_map(|kind| &kind.refused) {
+    for reason in reasons {
         let plain = without_numbers(reason);
         match found.iter_mut().find(|(known, _)| *known == plain) {
             Some((_, many)) => *many += 1,

@@ -91,6 +91,19 @@ pub(super) struct SystemsArgs {
     #[arg(long, default_value = "1")]
     pub(super) seed: u64,
 
+    /// Let other systems move for some seconds: by harmonics and tables, let go, broken, lowered.
+    #[arg(long)]
+    pub(super) in_motion: bool,
+
+    /// Print the file of the system of this number, counted from 0.
+    #[arg(
+        long,
+        value_name = "NUMBER",
+        requires = "in_motion",
+        conflicts_with = "json"
+    )]
+    pub(super) show: Option<usize>,
+
     /// List every system that is refused, with its number.
     #[arg(long)]
     pub(super) list: bool,

@@ -9,6 +9,7 @@ pub mod hard_cases;
 pub mod lines;
 pub mod physics;
 pub mod points;
+pub mod random_motion;
 pub mod random_systems;
 pub mod results;
 pub mod speed;

@@ -1,5 +1,6 @@
-//! A sample of random systems; `seacable study systems` solves more.
+//! A sample of random systems, at rest and in motion; `seacable study systems` and its `--in-motion` solve more.
 
+use seacable::study::random_motion::{self, MotionEnd};
 use seacable::study::random_systems::{KINDS, run};
 
 /// Solved exactly or refused with a reason, never wrong by more than rounding; few are refused.
@@ -24,6 +25,28 @@ fn random_systems_are_solved_exactly_or_refused() {
     assert!(
         refused * 10 < outcomes.len(),
         "{refused} of {} refused",
+        outcomes.len()
+    );
+}
+
+/// Runs to the end with an energy that balances, or a reason with time and node; never a panic or a number that is not finite.
+#[test]
+fn random_systems_in_motion_run_or_say_why_not() {
+    let outcomes = random_motion::run_all(random_motion::KINDS.len() * 3, 20_261_123);
+    let ran = |end: &MotionEnd| matches!(end, MotionEnd::Ran { warned: false, .. });
+    for (index, outcome) in outcomes.iter().enumerate() {
+        let kind = random_motion::KINDS[outcome.kind];
+        assert!(
+            outcome.end.is_sound(),
+            "system {index}, {kind}: {:?}\n{}",
+            outcome.end,
+            outcome.text
+        );
+    }
+    let ran = outcomes.iter().filter(|outcome| ran(&outcome.end)).count();
+    assert!(
+        ran * 10 > outcomes.len() * 8,
+        "{ran} of {} ran",
         outcomes.len()
     );
 }
