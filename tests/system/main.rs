@@ -9,6 +9,7 @@ mod closed_forms;
 mod discretised;
 mod motion;
 mod potential_flow;
+mod published;
 mod random;
 mod refusals;
 mod stiffness;
