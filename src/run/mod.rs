@@ -48,7 +48,7 @@ pub use crate::case::{ModePlane, QuantityId, Subject};
 pub use checkpoint::{Checkpoint, ResumedRun};
 pub use coarse::coarse;
 pub use decimation::DecimatedRecord;
-pub use edited_inputs::edited_inputs;
+pub(crate) use edited_inputs::edited_inputs;
 pub use line_statistics::evaluate as along_line;
 pub use model::*;
 pub use result_scale::result_scales;

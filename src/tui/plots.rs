@@ -107,7 +107,7 @@ pub fn viewed(line: &LineView, id: FigureId) -> Chart {
 fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
     let runs: Vec<PlottedRun> = shown(line).iter().map(Shown::source).collect();
     make(&FigureData {
-        case: &line.case,
+        case: Some(&line.case),
         runs: &runs,
         checks: &line.checks.rows,
         instant: line.instant,
