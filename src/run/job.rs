@@ -49,6 +49,7 @@ impl Request {
             overrides: self.overrides.clone(),
             failure: None,
             warnings: Vec::new(),
+            happened: Vec::new(),
             settings: Settings {
                 method: settings::method_name(self.case.solver.method).to_owned(),
                 duration_s: self.case.solver.duration_s,

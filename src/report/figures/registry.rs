@@ -245,7 +245,7 @@ pub const FIGURES: [Figure; 29] = [
     figure(Id::BedForce, "Bed force", Time, |d| against_time(d.runs, Quantity::BedForce))
         .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
-        .when(irregular_sea).in_report(7),
+        .when(irregular_sea).also_in_systems(Quantity::WaveElevation).in_report(7),
     figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(12),
     figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
         .when(spatial).in_report(13),

@@ -13,8 +13,11 @@ use super::run::{ChannelResult, MotionRun, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
+use crate::background::cpu_time;
+use crate::case::ChannelId;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
-use crate::run::Channel;
+use crate::run::event::JobEvent;
+use crate::run::{Cost, OutputFrame, Progress, RunState};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
 
@@ -31,40 +34,72 @@ struct Marching {
     happened: Vec<String>,
 }
 
-/// Marches from the start to the end.
+/// Why a march ended before its end.
+enum EarlyEnd {
+    /// It was cancelled.
+    Cancelled,
+    /// A step failed, for this reason.
+    Failed(String),
+}
+
+/// Sends the rows of a march as they are recorded.
+struct RowSender<'a> {
+    events: &'a mut dyn FnMut(JobEvent),
+    clock: Instant,
+    progress: Progress,
+}
+
+impl RowSender<'_> {
+    /// Sends a row; `steps` are accepted by then.
+    fn send(&mut self, steps: u64, time: f64, values: &[f64]) {
+        let progress = Progress {
+            time,
+            steps,
+            wall_s: self.clock.elapsed().as_secs_f64(),
+            ..self.progress
+        };
+        (self.events)(JobEvent::Frame(Box::new(OutputFrame {
+            time,
+            values: values.to_vec(),
+            shape: None,
+            progress,
+        })));
+    }
+}
+
+/// Marches from the start to the end, and sends every row.
 pub(super) fn compute(
     begun: Start,
     settings: &MotionSettings,
     cancel: &AtomicBool,
-    progress: &mut dyn FnMut(f64),
+    events: &mut dyn FnMut(JobEvent),
 ) -> MotionRun {
-    let clock = Instant::now();
+    let (cpu, clock) = (cpu_time(), Instant::now());
+    let mut rows = RowSender {
+        events,
+        clock,
+        progress: Progress {
+            duration: settings.duration_s,
+            ..Progress::default()
+        },
+    };
     let at_start = begun.iterations;
     let mut marching = Marching::new(begun, settings);
-    let mut events = by_time(&marching.system).into_iter().peekable();
-    let mut failure = marching.begin().err();
-    while failure.is_none() && !marching.march.is_over(&marching.place) {
-        let until = events.peek().map_or(f64::INFINITY, |event| event.time);
-        match marching.advance(until, cancel, progress) {
-            Err(why) => failure = Some(why),
-            Ok(Some(event)) => marching.release(event),
-            Ok(None) => {}
-        }
-        let (march, place) = (marching.march, marching.place);
-        while failure.is_none()
-            && let Some(event) = events.next_if(|event| march.is_at(&place, event.time))
-        {
-            marching.release(event);
-        }
-    }
-    marching.recorder.end();
+    let ended = marching.march(cancel, &mut rows).err();
+    let steps = marching.place.steps;
+    let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
+    marching.recorder.end(last);
     let work = MotionWork {
         iterations: at_start + marching.method.work_counts().iterations,
         evaluations: marching.method.work_counts().evaluations,
-        seconds: clock.elapsed().as_secs_f64(),
         ..marching.work()
     };
-    marching.result(settings, work, failure)
+    let cost = Cost {
+        cpu_s: cpu_time() - cpu,
+        wall_s: clock.elapsed().as_secs_f64(),
+        companions_wall_s: 0.0,
+    };
+    marching.result(settings, (work, cost), ended)
 }
 
 impl Marching {
@@ -86,13 +121,31 @@ impl Marching {
         }
     }
 
+    /// Marches from the start to the end, from one end that is let go to the next.
+    fn march(&mut self, cancel: &AtomicBool, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
+        let mut events = by_time(&self.system).into_iter().peekable();
+        self.begin(rows).map_err(EarlyEnd::Failed)?;
+        while !self.march.is_over(&self.place) {
+            let until = events.peek().map_or(f64::INFINITY, |event| event.time);
+            if let Some(event) = self.advance(until, cancel, rows)? {
+                self.release(event, rows);
+            }
+            let (march, place) = (self.march, self.place);
+            while let Some(event) = events.next_if(|event| march.is_at(&place, event.time)) {
+                self.release(event, rows);
+            }
+        }
+        Ok(())
+    }
+
     /// The accelerations at the start, and the first row.
-    fn begin(&mut self) -> Result<(), String> {
+    fn begin(&mut self, rows: &mut RowSender<'_>) -> Result<(), String> {
         self.system.update_wave_kinematics(0.0, &mut self.state);
         let begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         self.system.commit(0.0, 0.0, &mut self.state);
+        let first = &mut |time, values: &[f64]| rows.send(0, time, values);
         self.recorder
-            .accept(&self.system, &self.bodies, 0.0, &self.state);
+            .accept(&self.system, &self.bodies, (0.0, &self.state), first);
         begun.map_err(|why| in_words(&self.system, 0.0, &why))
     }
 
@@ -101,13 +154,13 @@ impl Marching {
         &mut self,
         until: f64,
         cancel: &AtomicBool,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Option<Release>, String> {
+        rows: &mut RowSender<'_>,
+    ) -> Result<Option<Release>, EarlyEnd> {
         let (system, bodies, recorder) = (&self.system, &self.bodies, &mut self.recorder);
         let mut pulled = None;
         let mut sink = |instant: AcceptedStep<'_, SystemState>| {
-            recorder.accept(system, bodies, instant.time, instant.state);
-            progress(instant.time);
+            let send = &mut |time, values: &[f64]| rows.send(instant.steps, time, values);
+            recorder.accept(system, bodies, (instant.time, instant.state), send);
             pulled = by_tension(system, instant.state, instant.time);
             match pulled.is_some() || cancel.load(Ordering::Relaxed) {
                 true => Progressing::Stop,
@@ -119,19 +172,21 @@ impl Marching {
             .march
             .advance(place, until, method, system, state, &mut sink);
         match going {
-            Err(error) => Err(march_in_words(&self.system, &error)),
-            Ok(Progressing::Stop) if pulled.is_none() => Err("it was stopped".to_owned()),
+            Err(error) => Err(EarlyEnd::Failed(march_in_words(&self.system, &error))),
+            Ok(Progressing::Stop) if pulled.is_none() => Err(EarlyEnd::Cancelled),
             Ok(_) => Ok(pulled),
         }
     }
 
     /// Lets an end go, and starts the method anew.
-    fn release(&mut self, event: Release) {
+    fn release(&mut self, event: Release, rows: &mut RowSender<'_>) {
         self.system.release(event, &mut self.state);
         self.method
             .restart(&self.system, event.time, &mut self.state);
+        let steps = self.place.steps;
+        let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
         self.recorder
-            .jump(&self.system, &self.bodies, event.time, &self.state);
+            .jump(&self.system, &self.bodies, (event.time, &self.state), last);
         self.happened.push(in_time(&self.system, event));
     }
 
@@ -149,25 +204,32 @@ impl Marching {
     fn result(
         self,
         settings: &MotionSettings,
-        work: MotionWork,
-        failure: Option<String>,
+        (work, cost): (MotionWork, Cost),
+        ended: Option<EarlyEnd>,
     ) -> MotionRun {
         let recorder = self.recorder;
         let summaries = recorder.summaries();
-        let channels = recorder.history.channels.iter().zip(summaries);
-        let channel = |(channel, summary): (&Channel, ChannelSummary)| ChannelResult {
-            id: channel.id.clone(),
+        let channels = recorder.channels().iter().zip(summaries);
+        let channel = |(id, summary): (&ChannelId, ChannelSummary)| ChannelResult {
+            id: id.clone(),
             summary,
             time_error: None,
             mesh_error: None,
         };
+        let (state, failure) = match ended {
+            None => (RunState::Done, None),
+            Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
+            Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
+        };
         MotionRun {
             settings: settings.clone(),
             channels: channels.map(channel).collect(),
-            history: recorder.history,
-            work,
             balance: recorder.balance,
+            history: recorder.into_history(),
+            work,
+            cost,
             happened: self.happened,
+            state,
             failure,
             warnings: Vec::new(),
         }

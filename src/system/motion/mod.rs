@@ -18,6 +18,7 @@ pub mod channels;
 pub(in crate::system) mod check;
 pub mod energy;
 pub mod inputs;
+pub mod job;
 pub mod joints;
 mod march;
 pub mod method;

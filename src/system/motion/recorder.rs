@@ -5,7 +5,8 @@ use super::channels::Channels;
 use super::energy::{Energy, energy};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
-use crate::run::{Channel, History};
+use crate::case::ChannelId;
+use crate::run::{DecimatedRecord, History};
 
 /// A channel over the whole run.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,8 +64,11 @@ pub struct Recorder {
     /// What is recorded.
     channels: Channels,
     interval: f64,
-    /// The channels at the output times.
-    pub history: History,
+    /// The channels at the output times; of a long run some of them.
+    record: DecimatedRecord,
+    /// Rows recorded so far, and the latest of them.
+    rows: u64,
+    row: Vec<f64>,
     /// The last three steps, the oldest first: rows between the last two are written once the next is there.
     steps: Vec<Step>,
     sums: Vec<f64>,
@@ -90,10 +94,9 @@ impl Recorder {
             last: 0.0,
         };
         Self {
-            history: History {
-                time: Vec::new(),
-                channels: channels.ids.iter().cloned().map(Channel::new).collect(),
-            },
+            record: DecimatedRecord::new(channels.ids.iter().cloned()),
+            rows: 0,
+            row: Vec::new(),
             channels,
             interval,
             steps: Vec::new(),
@@ -107,13 +110,19 @@ impl Recorder {
         }
     }
 
-    /// Records an accepted step at time t \[s\].
+    /// What is recorded, in the order of the rows.
+    #[must_use]
+    pub fn channels(&self) -> &[ChannelId] {
+        &self.channels.ids
+    }
+
+    /// Records an accepted step at time t \[s\], and sends the rows that are complete with it.
     pub fn accept(
         &mut self,
         system: &MovingSystem,
         bodies: &[MovingBody],
-        t: f64,
-        state: &SystemState,
+        (t, state): (f64, &SystemState),
+        rows: &mut dyn FnMut(f64, &[f64]),
     ) {
         let mut step = if self.steps.len() == 3 {
             self.steps.remove(0)
@@ -127,14 +136,11 @@ impl Recorder {
         self.steps.push(step);
         match self.steps.len() {
             1 => {
-                let first = &self.steps[0];
-                self.history.time.push(first.time);
-                for (channel, value) in self.history.channels.iter_mut().zip(&first.values) {
-                    channel.values.push(*value);
-                }
+                self.row.clone_from(&self.steps[0].values);
+                self.add_row(t, rows);
             }
             2 => {}
-            _ => self.write_rows(1),
+            _ => self.write_rows(1, rows),
         }
     }
 
@@ -143,10 +149,10 @@ impl Recorder {
         &mut self,
         system: &MovingSystem,
         bodies: &[MovingBody],
-        t: f64,
-        state: &SystemState,
+        (t, state): (f64, &SystemState),
+        rows: &mut dyn FnMut(f64, &[f64]),
     ) {
-        self.end();
+        self.end(rows);
         let mut step = Step {
             time: t,
             values: Vec::new(),
@@ -157,29 +163,43 @@ impl Recorder {
         self.steps = vec![step];
     }
 
-    /// Writes the rows between the last two steps, and takes the extremes over to the history.
-    pub fn end(&mut self) {
+    /// Records the rows between the last two steps.
+    pub fn end(&mut self, rows: &mut dyn FnMut(f64, &[f64])) {
         if self.steps.len() > 1 {
-            self.write_rows(self.steps.len() - 1);
-        }
-        for (channel, summary) in self.history.channels.iter_mut().zip(&self.summaries) {
-            (channel.peak, channel.trough) = (summary.greatest, summary.least);
+            self.write_rows(self.steps.len() - 1, rows);
         }
     }
 
+    /// The rows, with the extremes over every step.
+    #[must_use]
+    pub fn into_history(self) -> History {
+        let (mut history, _) = self.record.into_parts();
+        for (channel, summary) in history.channels.iter_mut().zip(&self.summaries) {
+            (channel.peak, channel.trough) = (summary.greatest, summary.least);
+        }
+        history
+    }
+
     /// Rows at output times after step `to - 1`, up to step `to`, on cubics with the slopes of the steps around.
-    fn write_rows(&mut self, to: usize) {
+    fn write_rows(&mut self, to: usize, rows: &mut dyn FnMut(f64, &[f64])) {
         let (from, until) = (self.steps[to - 1].time, self.steps[to].time);
         loop {
-            let t = self.history.time.len() as f64 * self.interval;
+            let t = self.rows as f64 * self.interval;
             if t > until * (1.0 + 1e-12) || t <= from * (1.0 - 1e-12) {
                 break;
             }
-            self.history.time.push(t);
-            for (number, channel) in self.history.channels.iter_mut().enumerate() {
-                channel.values.push(between(&self.steps, to, number, t));
-            }
+            self.row.clear();
+            let values = (0..self.sums.len()).map(|number| between(&self.steps, to, number, t));
+            self.row.extend(values);
+            self.add_row(t, rows);
         }
+    }
+
+    /// Adds the row of an output time, and sends it.
+    fn add_row(&mut self, t: f64, rows: &mut dyn FnMut(f64, &[f64])) {
+        self.record.row(t, &self.row);
+        self.rows += 1;
+        rows(t, &self.row);
     }
 
     fn summarise(&mut self, step: &Step) {

@@ -1,14 +1,17 @@
 //! A system computed in time, with the numerical errors of its results.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
+use super::channels::Channels;
 use super::march::compute;
 use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use crate::case::ChannelId;
 use crate::numerics::richardson::Refinement;
-use crate::run::History;
+use crate::run::event::JobEvent;
+use crate::run::{Cost, History, RunState};
 use crate::system::SolvedSystem;
 use crate::system::model::MotionInputs;
 use crate::system::rest::UnsolvedSystem;
@@ -20,15 +23,19 @@ pub struct MotionRun {
     pub settings: MotionSettings,
     /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
-    /// The channels at the output times.
+    /// The channels at the output times; of a long run some of them.
     pub history: History,
     /// Work done.
     pub work: MotionWork,
+    /// The time that it took.
+    pub cost: Cost,
     /// The energy balance.
     pub balance: EnergyBalance,
     /// What happened to the lines, in words.
     pub happened: Vec<String>,
-    /// Why it ended before its end, if it did.
+    /// How it ended.
+    pub state: RunState,
+    /// Why it failed, if it did.
     pub failure: Option<String>,
     /// What a reader should know.
     pub warnings: Vec<String>,
@@ -49,8 +56,6 @@ pub struct MotionWork {
     pub iterations: u64,
     /// Evaluations of an explicit method.
     pub evaluations: u64,
-    /// Wall time of the run without its companions \[s\].
-    pub seconds: f64,
     /// Time at its end \[s\].
     pub reached: f64,
 }
@@ -79,7 +84,7 @@ impl ChannelSummary {
 /// By how much more error the companion allows in a step that varies: steps are about twice as long.
 const COARSER_STEPS: f64 = 8.0;
 
-/// Computes a system in time, with companions of longer steps and of half the segments.
+/// Computes a system in time, with companions of longer steps and of half the segments, and sends the rows of its history.
 ///
 /// # Errors
 /// Where the divided lines do not come to rest. A run that fails later says so in [`MotionRun::failure`].
@@ -87,17 +92,27 @@ pub fn run(
     solved: &SolvedSystem,
     given: &MotionInputs,
     cancel: &AtomicBool,
-    progress: &mut dyn FnMut(f64),
+    events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
     let again = given.error_estimate.then(|| begun.clone());
+    events(JobEvent::Started {
+        channels: Channels::of(&begun.system).ids,
+    });
     let coarse = coarse_memory(&begun);
-    let mut run = compute(begun, &settings, cancel, progress);
+    let mut run = compute(begun, &settings, cancel, events);
     run.warnings.extend(coarse);
-    if let Some(again) = again.filter(|_| run.failure.is_none()) {
+    if let Some(again) = again.filter(|_| run.state == RunState::Done) {
+        events(JobEvent::Estimating);
+        let clock = Instant::now();
         estimate(solved, again, &mut run, cancel);
+        run.cost.companions_wall_s = clock.elapsed().as_secs_f64();
+        // Its errors are left to estimate.
+        if cancel.load(Ordering::Relaxed) {
+            run.state = RunState::Cancelled;
+        }
     }
     if run.balance.relative_drift() > NOTABLE_DRIFT {
         run.warnings.push(format!(
@@ -150,9 +165,10 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
         let other = begun
             .map(|begun| compute(begun, &settings, cancel, &mut |_| {}))
             .map_err(|why| why.problem)
-            .and_then(|other| match other.failure.clone() {
-                None => Ok(other),
-                Some(why) => Err(why),
+            .and_then(|other| match (other.state, &other.failure) {
+                (RunState::Done, _) => Ok(other),
+                (_, Some(why)) => Err(why.clone()),
+                (_, None) => Err("it was stopped".to_owned()),
             });
         match other {
             Ok(other) => {

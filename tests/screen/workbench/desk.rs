@@ -351,6 +351,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
             overrides: request.overrides.clone(),
             failure: (state == RunState::Failed).then(|| "step 7 did not converge.".to_owned()),
             warnings: Vec::new(),
+            happened: Vec::new(),
             settings: Settings {
                 method: "alpha".to_owned(),
                 duration_s: 600.0,
