@@ -153,10 +153,8 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
         order: 2.0,
     };
     let mut longer = run.settings.clone();
-    match &mut longer.step_tolerance {
-        Some(allowed) => *allowed *= COARSER_STEPS,
-        None => longer.time_step_s *= 2.0,
-    }
+    longer.time_step_s *= 2.0;
+    longer.step_tolerance = longer.step_tolerance.map(|t| COARSER_STEPS * t);
     let companions = [
         ("time", Ok(same), longer),
         ("mesh", start(solved, 2), run.settings.clone()),
@@ -166,6 +164,9 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
             .map(|begun| compute(begun, &settings, cancel, &mut |_| {}))
             .map_err(|why| why.problem)
             .and_then(|other| match (other.state, &other.failure) {
+                (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {
+                    Err("its lines have the least segments already".to_owned())
+                }
                 (RunState::Done, _) => Ok(other),
                 (_, Some(why)) => Err(why.clone()),
                 (_, None) => Err("it was stopped".to_owned()),
@@ -181,9 +182,9 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
                     }
                 }
             }
-            Err(why) => run.warnings.push(format!(
-                "the {what} error is not estimated, its companion run did not finish: {why}"
-            )),
+            Err(why) => run
+                .warnings
+                .push(format!("the {what} error is not estimated: {why}")),
         }
     }
 }
