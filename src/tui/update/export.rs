@@ -26,8 +26,8 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
         return None;
     }
     let (line, editor) = document.line_and_editor()?;
-    let Some((name, run, _)) = line.reported() else {
-        line.report = None;
+    let Some((name, run, _)) = line.runs_view.reported() else {
+        line.runs_view.report = None;
         return None;
     };
     let edited = run.case_text == editor.text;
@@ -39,20 +39,23 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
     };
     // Its validation table is that of the runs as they are now.
     let open = line.checking.is_open() && edited;
-    if open || line.report_asked.is_some() || line.report_of.as_ref() == Some(&wanted) {
+    if open
+        || line.runs_view.report_asked.is_some()
+        || line.runs_view.report_of.as_ref() == Some(&wanted)
+    {
         return None;
     }
-    line.report_asked = Some(wanted.clone());
+    line.runs_view.report_asked = Some(wanted.clone());
     Some(Effect::MakeReport(Box::new(wanted)))
 }
 
 /// A report is there.
 pub(super) fn reported(state: &mut AppState, of: &ReportRequest, text: String) -> Vec<Effect> {
-    if let Some(line) = state.line_mut()
-        && line.report_asked.as_ref() == Some(of)
+    if let Some(view) = state.runs_view_mut()
+        && view.report_asked.as_ref() == Some(of)
     {
-        line.report = Some((of.name.clone(), text));
-        line.report_of = line.report_asked.take();
+        view.report = Some((of.name.clone(), text));
+        view.report_of = view.report_asked.take();
     }
     Vec::new()
 }

@@ -29,7 +29,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
         line.case.clone(),
         "live",
     );
-    let live = &mut line.live;
+    let live = &mut line.runs_view.live;
     live.going = Some(RunCurves::default());
     live.going_text.clone_from(&editor.text);
     live.failure = None;
@@ -107,7 +107,7 @@ pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     // The same curves twice would only hide each other.
-    line.hide_runs();
+    line.runs_view.hide_runs();
     let (text, rows, case) = (editor.text.clone(), editor.rows.clone(), line.case.clone());
     enqueue(state, (&text, &rows), case, None, true);
     let effects = start_newest(state);
@@ -120,8 +120,8 @@ pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
 
 /// Puts the cursor on the newest run, and starts what waits.
 pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
-    if let Some(line) = state.line_mut() {
-        line.runs.go_to_newest();
+    if let Some(view) = state.runs_view_mut() {
+        view.runs.go_to_newest();
     }
     start_waiting(state)
 }
@@ -155,13 +155,13 @@ pub(super) fn queue(
     shown: bool,
 ) {
     let ticket = state.jobs.ticket();
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return;
     };
     let method = method_name(request.case.solver.method).to_owned();
     let stem = request.file.trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    line.runs.push(RunEntry {
+    view.runs.push(RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
@@ -219,8 +219,8 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         .lines
         .get(cursor)
         .filter(|l| state.focus() == PaneId::Jobs && l.state.is_open());
-    let in_runs = state.line().and_then(|line| {
-        let ticket = line.current_run()?.ticket?;
+    let in_runs = state.runs_view().and_then(|view| {
+        let ticket = view.current_run()?.ticket?;
         let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
         (state.focus() == PaneId::Runs && line.state.is_open()).then_some(line)
     });
@@ -273,7 +273,7 @@ pub(super) fn set_state(state: &mut AppState, ticket: JobNumber, new: JobState) 
 
 pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEntry> {
     state
-        .line_mut()?
+        .runs_view_mut()?
         .runs
         .newest_mut(|run| run.ticket == Some(ticket))
 }

@@ -13,10 +13,10 @@ use crate::tui::state::{AppState, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
-    let Some((slot, dir)) = line.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
+    let Some((slot, dir)) = view.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
         return Vec::new();
     };
     let end = slot.duration_s;
@@ -66,10 +66,10 @@ pub(super) fn found(
             return Vec::new();
         }
     };
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    line.hide_runs();
+    view.hide_runs();
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
     let time = from.as_ref().map_or(0.0, |from| from.checkpoint.time());

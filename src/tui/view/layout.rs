@@ -305,13 +305,11 @@ pub fn pane_area(state: &AppState, id: PaneId) -> Option<Rect> {
 /// Where the chosen chart is drawn.
 #[must_use]
 pub fn chart_area(state: &AppState) -> Rect {
-    let (Some(line), Some(pane)) = (state.line(), pane_area(state, PaneId::Charts)) else {
+    let (Some(view), Some(pane)) = (state.runs_view(), pane_area(state, PaneId::Charts)) else {
         return Rect::default();
     };
-    let mut charts = charts(pane, &FigureId::of(&line.case), line.chart)
-        .charts
-        .into_iter();
+    let mut charts = charts(pane, &view.figures, view.chart).charts.into_iter();
     charts
-        .find(|(kind, _)| *kind == line.chart)
+        .find(|(kind, _)| *kind == view.chart)
         .map_or_else(Rect::default, |(_, area)| area)
 }
