@@ -154,7 +154,11 @@ impl Pane for ChartsPane {
                 let words = "`V` computes what the case states along its studies.";
                 painter.titled(*place, &chart.title, words);
             } else {
-                painter.titled(*place, &chart.title, &nothing_yet(on));
+                painter.titled(
+                    *place,
+                    &chart.title,
+                    &nothing_yet(on, state.number_of(PaneId::Runs)),
+                );
             }
         }
         readout(painter, parts.readout, on);
@@ -324,10 +328,11 @@ fn chart_tabs(painter: &mut Painter, tabs: Rect, on: Charted<'_>) {
     }
 }
 
-fn nothing_yet(on: Charted<'_>) -> String {
+fn nothing_yet(on: Charted<'_>, runs: usize) -> String {
     match (&on.view.live.failure, plots::runs_shown(on)) {
         (Some(why), _) => format!("The last solve gave nothing: {why}"),
-        (None, 0) => "No run is shown. `3` goes to the runs, space shows one.".to_owned(),
+        (None, 0) if on.view.runs.is_empty() => "There is no run yet. `R` computes one.".to_owned(),
+        (None, 0) => format!("No run is shown. `{runs}` goes to the runs, space shows one."),
         (None, _) => "Nothing to draw yet.".to_owned(),
     }
 }

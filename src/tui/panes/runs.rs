@@ -42,6 +42,22 @@ const COMMANDS: &[Command] = &[
     command::DOWN,
 ];
 
+/// What is done to the run under the cursor.
+const OF_RUN: [CommandId; 12] = [
+    CommandId::ShowAlone,
+    CommandId::Select,
+    CommandId::Mark,
+    CommandId::Compare,
+    CommandId::HoldAgainst,
+    CommandId::Delete,
+    CommandId::TagRuns,
+    CommandId::NameRun,
+    CommandId::RunCase,
+    CommandId::Resume,
+    CommandId::RunAgain,
+    CommandId::NoteRun,
+];
+
 pub(super) struct RunsPane;
 
 impl Pane for RunsPane {
@@ -49,8 +65,26 @@ impl Pane for RunsPane {
         about("Runs", "Go to the runs", &[COMMANDS, LIST, WIDE])
     }
 
+    fn commands(&self, state: &AppState) -> Vec<Command> {
+        let mut all = self.about().commands.concat();
+        let has_live = state.runs_view().is_none_or(|view| view.runs.has_live());
+        all.retain(|command| has_live || command.id != CommandId::SelectNone);
+        all
+    }
+
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let run = state.runs_view()?.current_run();
+        let view = state.runs_view()?;
+        let run = view.current_run();
+        if !view.runs.has_live() {
+            if run.is_none() && OF_RUN.contains(&id) {
+                return Some("There is no run yet; `R` computes one.");
+            }
+            if id == CommandId::Resume {
+                return Some(
+                    "Runs of systems of lines cannot be resumed yet; `X` computes one again.",
+                );
+            }
+        }
         let any_marked = || state.runs_view().is_some_and(|view| view.runs.any_marked());
         match id {
             CommandId::PlotColumns => column_plot::why_not(&state.runs_view()?.runs),
@@ -66,7 +100,6 @@ impl Pane for RunsPane {
                 Some(run) => why_not_stored(Some(run)),
             },
             CommandId::SelectNone => {
-                let view = state.runs_view()?;
                 let alone = !view.live.hidden && view.runs.on_charts().next().is_none();
                 (alone && !any_marked()).then_some("The live run is shown alone already.")
             }

@@ -62,6 +62,7 @@ impl DocumentContent {
     fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
         match self {
             Self::Line(line) => Some(&mut line.runs_view),
+            Self::System(system) if system.is_in_motion() => Some(&mut system.runs_view),
             _ => None,
         }
     }
@@ -150,6 +151,7 @@ impl Document {
     pub fn runs_view(&self) -> Option<&RunsView> {
         match &self.content {
             DocumentContent::Line(line) => Some(&line.runs_view),
+            DocumentContent::System(system) if system.is_in_motion() => Some(&system.runs_view),
             _ => None,
         }
     }
@@ -173,7 +175,11 @@ impl Document {
                 case: Some(&line.case),
                 checks: &line.checks.rows,
             }),
-            _ => None,
+            _ => self.runs_view().map(|view| Charted {
+                view,
+                case: None,
+                checks: &[],
+            }),
         }
     }
 
@@ -247,6 +253,10 @@ impl Document {
     /// Takes a newer text with all that was read from it.
     pub fn take(&mut self, read: Reading) {
         self.content.kind_mut().renew(read.content);
+        let info = self.kind().info();
+        if !info.panes.contains(&self.pane) {
+            self.pane = info.first;
+        }
         self.parts.outdate();
         self.editor.text = read.text;
         self.editor.rows = read.rows;

@@ -28,7 +28,7 @@ pub use case_list::{CaseEntry, CaseList, Filter};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Document, DocumentContent};
 pub use document_kind::DocumentKind;
-pub use jobs::{JobLine, JobNumber, JobPurpose, JobState, Jobs, QueuedRequest};
+pub use jobs::{JobLine, JobNumber, JobPurpose, JobRequest, JobState, Jobs, QueuedRequest};
 pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};
 pub use parameter_editor::{Editing, KeptRange, ParameterEditor};
@@ -159,6 +159,13 @@ impl AppState {
     pub fn panes(&self) -> &'static [PaneId] {
         let document = self.document.as_ref();
         document.map_or(&[], |document| document.kind().info().panes)
+    }
+
+    /// The key of a pane of what is open.
+    #[must_use]
+    pub fn number_of(&self, pane: PaneId) -> usize {
+        let place = self.panes().iter().position(|other| *other == pane);
+        place.map_or(0, |place| place + 1)
     }
 
     /// The text and fields of what is open.

@@ -7,6 +7,7 @@ use super::runs;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
 use crate::tui::state::runs_view::CoarseAnswer;
 use crate::tui::state::{
     AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
@@ -165,15 +166,24 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
 
 fn said_done(state: &mut AppState, ticket: JobNumber) {
     let left = state.jobs.open();
+    let line = state.line().is_some();
+    let [charts, validation, report] =
+        [PaneId::Charts, PaneId::Validation, PaneId::Report].map(|pane| state.number_of(pane));
     let Some(slot) = slot(state, ticket) else {
         return;
     };
+    let id = &slot.id;
+    let run = slot.curves.run.as_ref();
+    let happened = run.map_or(&[][..], |run| &run.info.happened);
+    let events: String = happened.iter().map(|event| format!(" {event}.")).collect();
     let text = match left {
-        0 => format!(
-            "{} is done. `4` shows the validation table, `5` the report.",
-            slot.id
-        ),
-        _ => format!("{} is done; {left} runs to go.", slot.id),
+        0 if line => {
+            format!(
+                "{id} is done. `{validation}` shows the validation table, `{report}` the report."
+            )
+        }
+        0 => format!("{id} is done.{events} `{charts}` shows its curves, `{report}` the report."),
+        _ => format!("{id} is done; {left} runs to go."),
     };
     state.say(Severity::Info, text);
 }

@@ -9,7 +9,7 @@ use super::notice::info;
 use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, JobState, Overlay, PromptPurpose, RunStatus};
+use crate::tui::state::{AppState, JobRequest, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -73,7 +73,8 @@ pub(super) fn found(
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
     let time = from.as_ref().map_or(0.0, |from| from.checkpoint.time());
-    queue(state, request, from, label, None, true);
+    let request = JobRequest::Line(Box::new(request), from.map(Box::new));
+    queue(state, request, label, None, true);
     let effects = start_newest(state);
     info(
         state,

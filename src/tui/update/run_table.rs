@@ -7,12 +7,15 @@ use tui_input::Input;
 use super::edit;
 use super::jobs::{queue, start_newest};
 use super::notice::{info, warn};
-use crate::case::Case;
 use crate::run::job::Request;
+use crate::system::motion::job::SystemRequest;
 use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
 use crate::tui::state::overlay::RunText;
-use crate::tui::state::{AppState, Overlay, PromptPurpose, Question, RunEntry, RunStatus};
+use crate::tui::state::{
+    AppState, DocumentContent, JobRequest, Overlay, ParameterEditor, PromptPurpose, Question,
+    RunEntry, RunStatus,
+};
 
 /// Marks the run under the cursor for what is done to several, or takes the mark off.
 pub fn mark(state: &mut AppState) {
@@ -163,9 +166,9 @@ pub(super) fn exact_case(
     state: &mut AppState,
     dir: &Path,
     wanted: RunCaseUse,
-    read: Result<(String, Box<Case>), String>,
+    read: Result<(String, DocumentContent), String>,
 ) -> Vec<Effect> {
-    let (text, case) = match read {
+    let (text, content) = match read {
         Ok(read) => read,
         Err(why) => return warn(state, why),
     };
@@ -186,15 +189,11 @@ pub(super) fn exact_case(
             edit::replace(state, text, said)
         }
         RunCaseUse::RunAgain => {
-            let request = Request {
-                case: *case,
-                file: editor.file.clone(),
-                id: editor.stem().to_owned(),
-                overrides: Vec::new(),
-                text,
+            let Some(request) = request_again(editor, text, content) else {
+                return warn(state, format!("{name} is no run of what is open."));
             };
             let label = format!("again {name}");
-            queue(state, request, None, label, None, false);
+            queue(state, request, label, None, false);
             let effects = start_newest(state);
             info(
                 state,
@@ -202,6 +201,35 @@ pub(super) fn exact_case(
             );
             effects
         }
+    }
+}
+
+/// A run of the exact text of an earlier one.
+fn request_again(
+    editor: &ParameterEditor,
+    text: String,
+    content: DocumentContent,
+) -> Option<JobRequest> {
+    let (file, id) = (editor.file.clone(), editor.stem().to_owned());
+    match content {
+        DocumentContent::Line(line) => {
+            let request = Request {
+                case: line.case,
+                file,
+                id,
+                overrides: Vec::new(),
+                text,
+            };
+            Some(JobRequest::Line(Box::new(request), None))
+        }
+        DocumentContent::System(system) => {
+            let request = SystemRequest::new(system.solved, &text, file, Vec::new())?;
+            Some(JobRequest::System(Box::new(SystemRequest {
+                id,
+                ..request
+            })))
+        }
+        _ => None,
     }
 }
 
@@ -220,7 +248,7 @@ pub fn sort(state: &mut AppState, around: bool) {
 pub fn live_only(state: &mut AppState) {
     if let Some(view) = state.runs_view_mut() {
         view.hide_runs();
-        view.live.hidden = !view.runs.has_live();
+        view.live.hidden = false;
         view.runs.change_all(|run| run.marked = false);
     }
 }

@@ -5,16 +5,17 @@ use std::sync::Arc;
 
 use super::motion::moved;
 use super::notice::info;
-use crate::case::TextDigest;
+use crate::case::{ChannelQuantity, TextDigest};
 use crate::run::Run;
 use crate::run::index::SyncProgress;
 use crate::study::results::main_results;
+use crate::system::network::Network;
 use crate::tui::facade;
 use crate::tui::msg::{Effect, RunsFound};
 use crate::tui::state::line::PlannedWork;
 use crate::tui::state::{
-    AppState, Document, JobNumber, JobState, RunCurves, RunEntry, RunOrigin, RunStatus, RunsView,
-    Severity, VariantPlan,
+    AppState, Document, DocumentContent, JobNumber, JobState, RunCurves, RunEntry, RunOrigin,
+    RunStatus, RunsView, Severity, VariantPlan,
 };
 
 /// Stores the live run.
@@ -115,16 +116,31 @@ pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effec
     vec![Effect::RefreshRuns]
 }
 
-/// Asks for the stored runs of a line case, and of those beside it.
+/// Asks for the stored runs of what is open, and of those beside it.
 pub(super) fn list(state: &AppState) -> Option<Effect> {
-    let (line, editor) = (state.line()?, state.editor()?);
-    let mut files = vec![editor.file.clone()];
-    files.extend(line.case.case.beside.iter().flatten().cloned());
-    let results = main_results(&line.case);
-    Some(Effect::ListRuns {
-        files,
-        results: results.iter().map(ToString::to_string).collect(),
-    })
+    let document = state.document.as_ref()?;
+    let mut files = vec![document.editor.file.clone()];
+    let results = match &document.content {
+        DocumentContent::Line(line) => {
+            files.extend(line.case.case.beside.iter().flatten().cloned());
+            let main = main_results(&line.case);
+            main.iter().map(ToString::to_string).collect()
+        }
+        DocumentContent::System(system) if system.is_in_motion() => {
+            main_channels(&system.solved.network)
+        }
+        _ => return None,
+    };
+    Some(Effect::ListRuns { files, results })
+}
+
+/// The results of a system that the table of runs shows: the greatest tensions at both ends of its first lines.
+fn main_channels(network: &Network) -> Vec<String> {
+    const LINES: usize = 3;
+    let lines = network.lines.iter().take(LINES);
+    let both = lines.flat_map(|line| ["a", "b"].map(|end| format!("{}|{end}", line.name)));
+    both.map(|place| format!("{}.max", ChannelQuantity::Tension.at(place)))
+        .collect()
 }
 
 /// What the index says: stored runs join the list, change or leave it; those that the validation table needs are read.

@@ -13,8 +13,8 @@ use crate::study::vary::{Variation, VariationError, VariedKey};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Document, KeptRange, Overlay, ParameterEditor, Question, RunEntry, Severity,
-    VariedRuns,
+    AppState, Document, JobRequest, KeptRange, Overlay, ParameterEditor, Question, RunEntry,
+    Severity, VariedRuns,
 };
 
 /// More runs than this are asked about first.
@@ -320,7 +320,8 @@ fn show_or_queue(
     }
     queued.begun += 1;
     editor.stem().clone_into(&mut request.id);
-    jobs::queue(state, request, None, label, None, true);
+    let request = JobRequest::Line(Box::new(request), None);
+    jobs::queue(state, request, label, None, true);
     Vec::new()
 }
 

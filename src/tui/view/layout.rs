@@ -207,6 +207,12 @@ fn file_panes(
     } else {
         (1, 1)
     };
+    if matches!(
+        focus,
+        PaneId::Charts | PaneId::Runs | PaneId::Report | PaneId::Jobs
+    ) {
+        return run_panes(left, right, focus);
+    }
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
     let below = if focus == PaneId::Validation {
@@ -215,6 +221,23 @@ fn file_panes(
         PaneId::Tables
     };
     vec![(PaneId::Inputs, left), (drawing, upper), (below, lower)]
+}
+
+/// The panes of the runs of a system, beside its inputs.
+fn run_panes(left: Rect, right: Rect, focus: PaneId) -> Vec<(PaneId, Rect)> {
+    if focus == PaneId::Report {
+        return vec![(PaneId::Inputs, left), (focus, right)];
+    }
+    let [charts, list] = Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
+    let listed = match focus {
+        PaneId::Jobs => focus,
+        _ => PaneId::Runs,
+    };
+    vec![
+        (PaneId::Inputs, left),
+        (PaneId::Charts, charts),
+        (listed, list),
+    ]
 }
 
 /// Where a cross-section is drawn.

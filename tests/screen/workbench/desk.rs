@@ -18,7 +18,7 @@ use seacable::run::{
 use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
 use seacable::tui::state::{
-    CaseEntry, DocumentContent, JobNumber, LineView, VariantPlan, VariedRuns,
+    CaseEntry, DocumentContent, JobNumber, JobRequest, LineView, VariantPlan, VariedRuns,
 };
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
@@ -167,7 +167,9 @@ impl Desk {
         let mut started = Vec::new();
         self.asked.retain(|effect| match effect {
             Effect::Start {
-                ticket, request, ..
+                ticket,
+                request: JobRequest::Line(request, _),
+                ..
             } => {
                 started.push((*ticket, (**request).clone()));
                 false

@@ -20,6 +20,7 @@ mod ropeway;
 mod section;
 mod ship;
 mod system;
+mod system_runs;
 mod umbilical;
 mod vary;
 
