@@ -26,6 +26,11 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     if path.is_some_and(|path| FileType::of(path) == FileType::System) {
         return system::system(args);
     }
+    if let Some(dir) = &args.resume
+        && FileType::of(&dir.join(store::CASE)) == FileType::System
+    {
+        return system::resume(args, dir);
+    }
     let (request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),
@@ -103,7 +108,10 @@ pub(super) fn stored(
             JobEvent::Searching(search) => line.show(&search.to_string()),
             JobEvent::Frame(frame) => line.run(&frame.progress),
             JobEvent::Estimating => line.show("Estimating the numerical errors"),
-            JobEvent::Started { .. } | JobEvent::Checkpoint(_) | JobEvent::Finished(_) => {}
+            JobEvent::Started { .. }
+            | JobEvent::Checkpoint(_)
+            | JobEvent::SystemCheckpoint(_)
+            | JobEvent::Finished(_) => {}
         }
         if store_error.is_none() {
             store_error = writer.event(&event).err();

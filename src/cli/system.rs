@@ -14,6 +14,7 @@ use crate::{
     system::{
         SolvedSystem, SystemFile,
         analysis::analyses::Analyses,
+        motion::checkpoint::{ResumedSystem, resume_request},
         motion::job::{self, SystemRequest},
         validation,
     },
@@ -68,11 +69,25 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
 
 /// The run in time, stored as it is computed: its results or JSON on standard output.
 fn in_motion(args: &RunArgs, solved: SolvedSystem) -> Result<ExitCode, CommandError> {
-    let request = request(args, solved)?;
+    stored_run(args, &request(args, solved)?, None)
+}
+
+/// Continues a stored run.
+pub(super) fn resume(args: &RunArgs, dir: &Path) -> Result<ExitCode, CommandError> {
+    let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
+    stored_run(args, &request, from.as_ref())
+}
+
+/// Computes a run, stores it as it is computed, and prints its results.
+fn stored_run(
+    args: &RunArgs,
+    request: &SystemRequest,
+    from: Option<&ResumedSystem>,
+) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let info = request.initial_info();
     let stored = stored(args, &info, &request.text, &stop, &mut |cancel, events| {
-        job::execute(&request, cancel, events)
+        job::execute(request, from, cancel, events)
     })?;
     let StoredRun { run, dir } = &stored;
     if args.json {

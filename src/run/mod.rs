@@ -51,6 +51,7 @@ pub use decimation::DecimatedRecord;
 pub(crate) use edited_inputs::edited_inputs;
 pub use line_statistics::evaluate as along_line;
 pub use model::*;
+pub(crate) use replay::replay_rows;
 pub use result_scale::result_scales;
 pub use resume::resume_request;
 pub use search_progress::SearchProgress;

@@ -28,7 +28,7 @@ pub fn resume_request(
     let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
     if FileType::of_text(&text) == FileType::System {
         return Err(format!(
-            "{} is a run of a system of lines, which cannot be resumed yet; compute it again from its case.toml.",
+            "{} is a run of a system of lines, which `seacable run --resume` continues.",
             dir.display()
         ));
     }

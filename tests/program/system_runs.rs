@@ -107,18 +107,47 @@ fn runs_of_systems_are_reported_and_compared() {
         );
 }
 
+/// A run that is continued to a later time has the rows and results of one that was never stopped, to the last bit: with a line that
+/// breaks before, and one that is let go after.
 #[test]
-fn a_run_of_a_system_is_not_resumed() {
+fn a_resumed_run_is_that_of_one_never_stopped() {
     let dir = folder();
-    seacable(dir.path(), &["run", "bridle.toml", "--out", "a"])
-        .assert()
-        .success();
-    seacable(dir.path(), &["run", "--resume", "a", "--until", "9"])
+    let events = [
+        "lines.left.break_at_m=50",
+        "lines.left.break_s=1.5",
+        "lines.right.release_b_s=3.2",
+    ];
+    let set: Vec<&str> = events.iter().flat_map(|set| ["--set", set]).collect();
+    let run = |words: &[&str]| {
+        seacable(dir.path(), &[words, &set].concat())
+            .assert()
+            .success();
+    };
+    run(&["run", "bridle.toml", "--out", "whole"]);
+    run(&[
+        "run",
+        "bridle.toml",
+        "--out",
+        "first",
+        "--set",
+        "solver.duration_s=2.5",
+    ]);
+    let resume = [
+        "run", "--resume", "first", "--until", "4", "--out", "second",
+    ];
+    seacable(dir.path(), &resume).assert().success();
+    let read =
+        |name: &str, file: &str| fs::read_to_string(dir.path().join(name).join(file)).unwrap();
+    for file in ["history.csv", "summary.csv", "channels.csv", "errors.csv"] {
+        assert!(read("whole", file) == read("second", file), "{file}");
+    }
+    let happened = |name: &str| store::read_info(&dir.path().join(name)).unwrap().happened;
+    assert_eq!(happened("second"), happened("whole"));
+    assert_eq!(happened("second").len(), 2);
+    seacable(dir.path(), &["run", "--resume", "whole"])
         .assert()
         .code(2)
-        .stderr(contains(
-            "run of a system of lines, which cannot be resumed",
-        ));
+        .stderr(contains("is at 4 s already"));
 }
 
 /// What the solver cannot bring to its end is kept, with time, place and reason.

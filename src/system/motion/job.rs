@@ -4,8 +4,10 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::SystemTime;
 
+use super::checkpoint::{ResumedSystem, digest};
+use super::march::Stored;
 use super::recorder::EnergyBalance;
-use super::run::{ChannelResult, MotionRun, run};
+use super::run::{ChannelResult, MotionRun, run_stored};
 use crate::case::attachments::with_files;
 use crate::case::{EnergyQuantity, QuantityId, Statistic, Subject};
 use crate::run::event::JobEvent;
@@ -79,16 +81,19 @@ impl SystemRequest {
     }
 }
 
-/// Computes a request, with the companions that estimate errors if the file asks for them. A failure is reported in the run, which keeps
+/// Computes a request, or resumes an earlier run of it, with the companions that estimate errors if the file asks for them. A failure is reported in the run, which keeps
 /// the results before it. Does not send [`JobEvent::Finished`]: the run is returned.
 pub fn execute(
     request: &SystemRequest,
+    from: Option<&ResumedSystem>,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Run {
     let info = request.initial_info();
     let case_text = request.text.clone();
-    match run(&request.solved, &request.motion, cancel, events) {
+    let text = digest(&case_text);
+    let stored = Some(Stored { text: &text, from });
+    match run_stored(&request.solved, &request.motion, stored, cancel, events) {
         Ok(computed) => of_result(info, case_text, &request.motion, computed),
         Err(why) => Run {
             info: RunInfo {
@@ -106,12 +111,7 @@ pub fn execute(
 }
 
 /// The result of a computation as a run.
-fn of_result(
-    info: RunInfo,
-    case_text: String,
-    given: &MotionInputs,
-    computed: MotionRun,
-) -> Run {
+fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: MotionRun) -> Run {
     let mut summary: Vec<Quantity> = computed.channels.iter().flat_map(statistics).collect();
     summary.extend(energies(&computed.balance));
     Run {

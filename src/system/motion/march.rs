@@ -1,10 +1,11 @@
 //! The march of a system through time, from one end that is let go to the next.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
 use super::breaks;
+use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::method::Method;
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, Recorder};
@@ -17,21 +18,31 @@ use crate::background::cpu_time;
 use crate::case::ChannelId;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
 use crate::run::event::JobEvent;
-use crate::run::{Cost, OutputFrame, Progress, RunState};
+use crate::run::{Cost, OutputFrame, Progress, RunState, replay_rows};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
 
+/// Least wall time between two checkpoints.
+const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
+
 /// A march under way.
-struct Marching {
+pub(super) struct Marching {
     system: MovingSystem,
-    state: SystemState,
-    method: Method,
+    pub(super) state: SystemState,
+    pub(super) method: Method,
     bodies: Vec<MovingBody>,
-    recorder: Recorder,
+    pub(super) recorder: Recorder,
     march: March,
-    place: MarchProgress,
+    pub(super) place: MarchProgress,
     /// What happened to the lines, in words.
-    happened: Vec<String>,
+    pub(super) happened: Vec<String>,
+}
+
+/// What a march that is stored needs: the digest of its text, and the checkpoint from where it is resumed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stored<'a> {
+    pub(super) text: &'a str,
+    pub(super) from: Option<&'a ResumedSystem>,
 }
 
 /// Why a march ended before its end.
@@ -47,6 +58,9 @@ struct RowSender<'a> {
     events: &'a mut dyn FnMut(JobEvent),
     clock: Instant,
     progress: Progress,
+    /// Digest of the text that checkpoints are of, and the interval of the rows \[s\]; absent: none are sent.
+    checkpoints: Option<(&'a str, f64)>,
+    saved: Instant,
 }
 
 impl RowSender<'_> {
@@ -65,12 +79,25 @@ impl RowSender<'_> {
             progress,
         })));
     }
+
+    /// Sends the state of a march.
+    fn checkpoint(&mut self, march: &Marching) {
+        let Some((text, interval)) = self.checkpoints else {
+            return;
+        };
+        // What cannot be written is no checkpoint; the run goes on without.
+        if let Ok(text) = toml::to_string(&SystemCheckpoint::of(march, text, interval)) {
+            (self.events)(JobEvent::SystemCheckpoint(text));
+        }
+        self.saved = Instant::now();
+    }
 }
 
-/// Marches from the start to the end, and sends every row.
+/// Marches from the start, or from where a stored run is resumed, to the end, and sends every row.
 pub(super) fn compute(
     begun: Start,
     settings: &MotionSettings,
+    stored: Option<Stored<'_>>,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> MotionRun {
@@ -82,10 +109,18 @@ pub(super) fn compute(
             duration: settings.duration_s,
             ..Progress::default()
         },
+        checkpoints: stored.map(|stored| (stored.text, settings.interval_s)),
+        saved: clock,
     };
     let at_start = begun.iterations;
     let mut marching = Marching::new(begun, settings);
-    let ended = marching.march(cancel, &mut rows).err();
+    let from = stored.and_then(|stored| stored.from);
+    let begun = match from {
+        Some(from) => marching.resume(from, &mut rows),
+        None => marching.begin(&mut rows),
+    };
+    let ended = begun.map_err(EarlyEnd::Failed);
+    let ended = ended.and_then(|()| marching.march(cancel, &mut rows)).err();
     let steps = marching.place.steps;
     let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
     marching.recorder.end(last);
@@ -121,20 +156,63 @@ impl Marching {
         }
     }
 
-    /// Marches from the start to the end, from one end that is let go to the next.
+    /// Marches to the end, from one end that is let go to the next; sends checkpoints at intervals, where it is stopped, and at the end:
+    /// before the last whole step where the end cuts it short, so that a longer run resumes with a whole one.
     fn march(&mut self, cancel: &AtomicBool, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
-        let mut events = by_time(&self.system).into_iter().peekable();
-        self.begin(rows).map_err(EarlyEnd::Failed)?;
+        let (system, state) = (&self.system, &self.state);
+        let mut events = by_time(system);
+        events.retain(|event| !system.is_released(*event, state));
+        let mut events = events.into_iter().peekable();
         while !self.march.is_over(&self.place) {
-            let until = events.peek().map_or(f64::INFINITY, |event| event.time);
-            if let Some(event) = self.advance(until, cancel, rows)? {
-                self.release(event, rows);
+            let next = (self.place.whole + 1) as f64 * self.march.step;
+            let cut_by_end = self.march.is_after_end(next);
+            if cut_by_end {
+                rows.checkpoint(self);
+            }
+            let event = events.peek().map_or(f64::INFINITY, |event| event.time);
+            match self.advance(next.min(event), cancel, rows) {
+                Ok(Some(event)) => self.release(event, rows),
+                Ok(None) => {}
+                Err(end) => {
+                    if matches!(end, EarlyEnd::Cancelled) {
+                        rows.checkpoint(self);
+                    }
+                    return Err(end);
+                }
             }
             let (march, place) = (self.march, self.place);
             while let Some(event) = events.next_if(|event| march.is_at(&place, event.time)) {
                 self.release(event, rows);
             }
+            let due = march.is_over(&place) || rows.saved.elapsed() >= BETWEEN_CHECKPOINTS;
+            if due && !cut_by_end {
+                rows.checkpoint(self);
+            }
         }
+        Ok(())
+    }
+
+    /// Continues from the checkpoint of a stored run; its rows are recorded and sent again.
+    fn resume(&mut self, from: &ResumedSystem, rows: &mut RowSender<'_>) -> Result<(), String> {
+        let stored = &from.checkpoint;
+        stored.check(&self.state, self.recorder.channels().len())?;
+        if stored.interval_s.to_bits() != self.recorder.interval().to_bits() {
+            return Err("the interval of its history is another one".to_owned());
+        }
+        let span = (stored.recorder.rows, stored.recorder.time());
+        let recorder = &mut self.recorder;
+        replay_rows(&from.dir, span, &mut |time, values| {
+            recorder.take_row(time, values);
+            rows.send(0, time, values);
+        })
+        .map_err(|why| why.to_string())?;
+        self.recorder.restore(&stored.recorder);
+        self.state.restore(&stored.state);
+        self.system.free_released_ends(&self.state);
+        self.system.update_wave_kinematics(span.1, &mut self.state);
+        self.method.restore(&stored.method, &self.state);
+        self.place = stored.place;
+        self.happened.clone_from(&stored.happened);
         Ok(())
     }
 

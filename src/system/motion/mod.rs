@@ -16,6 +16,7 @@ pub mod border;
 pub mod breaks;
 pub mod channels;
 pub(in crate::system) mod check;
+pub mod checkpoint;
 pub mod energy;
 pub mod inputs;
 pub mod job;

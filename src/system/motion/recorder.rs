@@ -1,5 +1,7 @@
 //! Records the accepted steps of a system: a row at every output time, extremes and means of every step, the energy balance.
 
+use serde::{Deserialize, Serialize};
+
 use super::body_equation::MovingBody;
 use super::channels::Channels;
 use super::energy::{Energy, energy};
@@ -9,7 +11,7 @@ use crate::case::ChannelId;
 use crate::run::{DecimatedRecord, History};
 
 /// A channel over the whole run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ChannelSummary {
     /// Least value at a step, and its time \[s\].
     pub least: (f64, f64),
@@ -22,7 +24,7 @@ pub struct ChannelSummary {
 }
 
 /// The energy over the whole run \[J\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyBalance {
     /// Work of prescribed motion and of the loads on bodies.
     pub put_in: f64,
@@ -52,10 +54,41 @@ impl EnergyBalance {
 }
 
 /// An accepted step as it is recorded.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Step {
     time: f64,
     values: Vec<f64>,
+}
+
+/// What is recorded so far, but for the rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecorderState {
+    /// Rows recorded so far.
+    pub rows: u64,
+    energy_at_start: f64,
+    greatest_energy: f64,
+    passed: f64,
+    sums: Vec<f64>,
+    last_energy: Energy,
+    balance: EnergyBalance,
+    summaries: Vec<ChannelSummary>,
+    steps: Vec<Step>,
+}
+
+impl RecorderState {
+    /// Time of the last step \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps.last().map_or(0.0, |step| step.time)
+    }
+
+    /// Whether it is of so many channels.
+    #[must_use]
+    pub fn fits(&self, channels: usize) -> bool {
+        let steps = self.steps.iter().map(|step| step.values.len());
+        let mut sizes = steps.chain([self.sums.len(), self.summaries.len()]);
+        !self.steps.is_empty() && sizes.all(|size| size == channels)
+    }
 }
 
 /// The record of a run.
@@ -108,6 +141,46 @@ impl Recorder {
             greatest_energy: 0.0,
             passed: 0.0,
         }
+    }
+
+    /// What is recorded so far, but for the rows.
+    #[must_use]
+    pub fn state(&self) -> RecorderState {
+        RecorderState {
+            rows: self.rows,
+            energy_at_start: self.energy_at_start,
+            greatest_energy: self.greatest_energy,
+            passed: self.passed,
+            sums: self.sums.clone(),
+            last_energy: self.last_energy,
+            balance: self.balance,
+            summaries: self.summaries.clone(),
+            steps: self.steps.clone(),
+        }
+    }
+
+    /// Continues from what was recorded so far.
+    pub fn restore(&mut self, stored: &RecorderState) {
+        self.rows = stored.rows;
+        self.energy_at_start = stored.energy_at_start;
+        self.greatest_energy = stored.greatest_energy;
+        self.passed = stored.passed;
+        self.sums.clone_from(&stored.sums);
+        self.last_energy = stored.last_energy;
+        self.balance = stored.balance;
+        self.summaries.clone_from(&stored.summaries);
+        self.steps.clone_from(&stored.steps);
+    }
+
+    /// Interval of the rows \[s\].
+    #[must_use]
+    pub const fn interval(&self) -> f64 {
+        self.interval
+    }
+
+    /// Takes a row of an earlier history.
+    pub fn take_row(&mut self, t: f64, values: &[f64]) {
+        self.record.row(t, values);
     }
 
     /// What is recorded, in the order of the rows.

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::channels::Channels;
-use super::march::compute;
+use super::march::{Stored, compute};
 use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
@@ -94,6 +94,20 @@ pub fn run(
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {
+    run_stored(solved, given, None, cancel, events)
+}
+
+/// The same; a run that is stored sends checkpoints too, and may be resumed from one.
+///
+/// # Errors
+/// As [`run`].
+pub(super) fn run_stored(
+    solved: &SolvedSystem,
+    given: &MotionInputs,
+    stored: Option<Stored<'_>>,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(JobEvent),
+) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
@@ -102,7 +116,7 @@ pub fn run(
         channels: Channels::of(&begun.system).ids,
     });
     let coarse = coarse_memory(&begun);
-    let mut run = compute(begun, &settings, cancel, events);
+    let mut run = compute(begun, &settings, stored, cancel, events);
     run.warnings.extend(coarse);
     if let Some(again) = again.filter(|_| run.state == RunState::Done) {
         events(JobEvent::Estimating);
@@ -161,7 +175,7 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
     ];
     for (what, begun, settings) in companions {
         let other = begun
-            .map(|begun| compute(begun, &settings, cancel, &mut |_| {}))
+            .map(|begun| compute(begun, &settings, None, cancel, &mut |_| {}))
             .map_err(|why| why.problem)
             .and_then(|other| match (other.state, &other.failure) {
                 (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {

@@ -81,7 +81,7 @@ impl Pane for RunsPane {
             }
             if id == CommandId::Resume {
                 return Some(
-                    "Runs of systems of lines cannot be resumed yet; `X` computes one again.",
+                    "Runs of systems are resumed by `seacable run --resume DIR`; `X` computes one again.",
                 );
             }
         }

@@ -126,7 +126,7 @@ impl JobRequest {
             Self::Line(request, from) => {
                 job::execute_from(request, from.as_deref(), cancel, events)
             }
-            Self::System(request) => system_job::execute(request, cancel, events),
+            Self::System(request) => system_job::execute(request, None, cancel, events),
         }
     }
 }

@@ -147,7 +147,11 @@ fn two_runs_are_compared_and_reported() {
         desk.screen()
     );
     desk.keys("6 c");
-    assert!(said(&desk).contains("cannot be resumed"), "{}", said(&desk));
+    assert!(
+        said(&desk).contains("seacable run --resume DIR"),
+        "{}",
+        said(&desk)
+    );
 }
 
 #[test]
