@@ -55,7 +55,12 @@ impl FileType {
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        let text = std::fs::read_to_string(path).unwrap_or_default();
+        Self::of_text(&std::fs::read_to_string(path).unwrap_or_default())
+    }
+
+    /// The kind of the file with this text.
+    #[must_use]
+    pub fn of_text(text: &str) -> Self {
         let has = |kind: &Self| {
             let header = format!("[{}]", kind.table());
             text.lines()

@@ -1,10 +1,11 @@
-//! Every input of a case with the value that holds, defaults included, as one flat list: what cases are compared by.
+//! Every input of a file with the value that holds, defaults included, as one flat list: what runs are compared by.
 
-use super::fields::{join, number};
-use super::model::field_at;
+use super::fields::{Schema, join, number};
+use super::file_kind::FileKind;
+use super::read::checked;
+use super::schema::WrittenKeys;
 use super::tree::{TomlData, TomlNode, element_names};
-use super::write::write_all;
-use super::{Case, Diagnostic, TextDigest, parse};
+use super::{Diagnostic, TextDigest};
 
 /// An input of a case.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,8 +21,9 @@ pub struct EffectiveInput {
 }
 
 /// Tables that describe, record or judge a case and are no input of it.
-const NO_INPUTS: [&str; 7] = [
+const NO_INPUTS: [&str; 8] = [
     "case",
+    "system",
     "marks",
     "study",
     "published",
@@ -30,58 +32,64 @@ const NO_INPUTS: [&str; 7] = [
     "trial",
 ];
 
-/// Every input of a case text with the value that holds, in the order of the declarations. Keys without a value and without a
+/// Every input of the text of a file with the value that holds, in the order of the declarations. Keys without a value and without a
 /// default are not listed.
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub fn effective_inputs(text: &str, file: &str) -> Result<Vec<EffectiveInput>, Vec<Diagnostic>> {
-    let case = parse(text, file)?;
-    Ok(inputs_of(&case, text))
-}
-
-fn inputs_of(case: &Case, text: &str) -> Vec<EffectiveInput> {
-    let (Ok(all), Ok(given)) = (TomlNode::parse(&write_all(case)), TomlNode::parse(text)) else {
-        return Vec::new();
+pub(crate) fn effective_inputs<K: FileKind>(
+    text: &str,
+    file: &str,
+) -> Result<Vec<EffectiveInput>, Vec<Diagnostic>> {
+    let (given, content) = checked::<K>(text, file)?;
+    let all = TomlNode::of(&content.write(WrittenKeys::All));
+    let mut inputs = EffectiveInputs {
+        schema: K::schema(),
+        given: &given,
+        list: Vec::new(),
     };
-    let mut list = Vec::new();
     for entry in all.entries() {
         if !NO_INPUTS.contains(&entry.key.as_str()) {
-            collect(&entry.node, &mut vec![entry.key.clone()], &given, &mut list);
+            inputs.collect(&entry.node, &mut vec![entry.key.clone()]);
         }
     }
-    list
+    Ok(inputs.list)
 }
 
-/// Adds the values below a node.
-fn collect(
-    node: &TomlNode,
-    path: &mut Vec<String>,
-    given: &TomlNode,
-    list: &mut Vec<EffectiveInput>,
-) {
-    let inner: Vec<(String, &TomlNode)> = match &node.data {
-        TomlData::Table(_, entries) => {
-            let entries = entries.iter();
-            entries.map(|e| (e.key.clone(), &e.node)).collect()
+/// The inputs found so far.
+struct EffectiveInputs<'a> {
+    schema: &'static Schema,
+    given: &'a TomlNode,
+    list: Vec<EffectiveInput>,
+}
+
+impl EffectiveInputs<'_> {
+    /// Adds the values below a node.
+    fn collect(&mut self, node: &TomlNode, path: &mut Vec<String>) {
+        let inner: Vec<(String, &TomlNode)> = match &node.data {
+            TomlData::Table(_, entries) => {
+                let entries = entries.iter();
+                entries.map(|e| (e.key.clone(), &e.node)).collect()
+            }
+            TomlData::List(items) if !items.is_empty() && node.is_list_of_tables() => {
+                element_names(items).into_iter().zip(items).collect()
+            }
+            _ => {
+                let field = self.schema.fields_at(path).next();
+                self.list.push(EffectiveInput {
+                    value: shown(path, node),
+                    unit: field.map_or("", |field| field.unit),
+                    given: self.given.find(path).is_some(),
+                    path: join(path),
+                });
+                return;
+            }
+        };
+        for (name, node) in inner {
+            path.push(name);
+            self.collect(node, path);
+            path.pop();
         }
-        TomlData::List(items) if !items.is_empty() && node.is_list_of_tables() => {
-            element_names(items).into_iter().zip(items).collect()
-        }
-        _ => {
-            list.push(EffectiveInput {
-                value: shown(path, node),
-                unit: field_at(path).map_or("", |field| field.unit),
-                given: given.find(path).is_some(),
-                path: join(path),
-            });
-            return;
-        }
-    };
-    for (name, node) in inner {
-        path.push(name);
-        collect(node, path, given, list);
-        path.pop();
     }
 }
 
@@ -107,6 +115,7 @@ fn shown(path: &[String], node: &TomlNode) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::Case;
     use crate::case::shipped::SHIPPED;
 
     #[test]
@@ -115,7 +124,7 @@ mod tests {
             .iter()
             .find(|(path, _)| path.ends_with("pendulous/manifold.toml"))
             .unwrap();
-        let inputs = effective_inputs(text, path).unwrap();
+        let inputs = effective_inputs::<Case>(text, path).unwrap();
         let of = |path: &str| inputs.iter().find(|input| input.path == path).unwrap();
         let speed = of("current.speed_m_per_s");
         assert_eq!(

@@ -43,13 +43,6 @@ impl ProgressLine {
         }
     }
 
-    /// Shows that a share of something is done, and what that is.
-    pub(super) fn part(&mut self, share: f64, text: &str) {
-        if self.due() {
-            self.put(&format!("{:3.0} %  {text}", 100.0 * share));
-        }
-    }
-
     /// Shows a text at once.
     pub(super) fn show(&mut self, text: &str) {
         if self.terminal {

@@ -10,9 +10,10 @@ use super::{
 };
 use crate::{
     comparison::Comparison,
+    kinds::FileType,
     reference,
-    report::{chart::Glyphs, comparison, text},
-    run::store,
+    report::{chart::Glyphs, comparison, system::motion, text},
+    run::{Run, store},
 };
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
@@ -22,14 +23,12 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         .collect();
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
     let run = store::read(&args.dir)?;
-    let case = cases::parse(&run.case_text, &run.info.case_file)?;
-    let rows = reference::rows_of_run(&run, &case);
     // A file is the same whatever the terminal shows.
     let glyphs = match (&file, args.ascii) {
         (Some(_), false) => Glyphs::Braille,
         (_, ascii) => output::glyphs(ascii),
     };
-    let mut text = text::report(&run, &case, &rows, glyphs);
+    let mut text = of_run(&run, glyphs)?;
     if let Some(dir) = &args.against {
         let other = store::read(dir)?;
         let compared = Comparison::of(&[&other, &run]);
@@ -45,4 +44,15 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The report of a run of a line case or of a system of lines.
+fn of_run(run: &Run, glyphs: Glyphs) -> Result<String, CommandError> {
+    let (text, file) = (&run.case_text, &run.info.case_file);
+    if FileType::of_text(text) == FileType::System {
+        return motion::stored_report(run, glyphs).map_err(CommandError::invalid(text));
+    }
+    let case = cases::parse(text, file)?;
+    let rows = reference::rows_of_run(run, &case);
+    Ok(text::report(run, &case, &rows, glyphs))
 }

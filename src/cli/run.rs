@@ -1,6 +1,10 @@
 //! `seacable run`: a case computed and kept.
 
-use std::{path::Path, process::ExitCode};
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+    sync::atomic::AtomicBool,
+};
 
 use super::{
     BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::StopFlag, system,
@@ -10,10 +14,10 @@ use crate::{
     kinds::FileType,
     report::{limits, run_json, text},
     run::{
-        ResumedRun, Run, RunState,
+        Run, RunInfo, RunState,
         job::{self, JobEvent, Request},
         resume_request,
-        store::{self, RunLocation, RunWriter, StoreError},
+        store::{self, RunLocation, RunWriter},
     },
 };
 
@@ -22,27 +26,22 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     if path.is_some_and(|path| FileType::of(path) == FileType::System) {
         return system::system(args);
     }
-    let (mut request, from) = match &args.resume {
+    if let Some(dir) = &args.resume
+        && FileType::of(&dir.join(store::CASE)) == FileType::System
+    {
+        return system::resume(args, dir);
+    }
+    let (request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),
     };
     let stop = StopFlag::listen()?;
-    let place = match &args.out {
-        Some(dir) => RunLocation::Exactly(dir.clone()),
-        None => RunLocation::Below(store::DEFAULT_ROOT.into()),
-    };
-    let mut writer = RunWriter::begin(
-        &place,
-        request.initial_info(),
-        &case::stand_alone(&request.text, &request.case),
-    )?;
-    writer.id().clone_into(&mut request.id);
-
-    let (run, store_error) = compute(&request, from.as_ref(), &stop, &mut writer);
-    if let Some(error) = store_error {
-        return Err(error.into());
-    }
-    let dir = writer.finish(&run)?;
+    let info = request.initial_info();
+    let text = case::stand_alone(&request.text, &request.case).into_owned();
+    let stored = stored(args, &info, &text, &stop, &mut |cancel, events| {
+        job::execute_from(&request, from.as_ref(), cancel, events)
+    })?;
+    let StoredRun { run, dir } = stored;
     if args.json {
         output::results(&format!("{:#}\n", run_json::run(&run, &dir)), false)?;
         return Ok(status(&run, &stop));
@@ -79,21 +78,40 @@ fn request(args: &RunArgs) -> Result<Request, CommandError> {
     })
 }
 
-/// Computes, and writes every result to disk as it comes. The run is cancelled if writing fails.
-fn compute(
-    request: &Request,
-    from: Option<&ResumedRun>,
+/// A run, and the directory that holds it.
+pub(super) struct StoredRun {
+    pub(super) run: Run,
+    pub(super) dir: PathBuf,
+}
+
+/// What computes a run until it is cancelled, and says what it records.
+type Compute<'a> = &'a mut dyn FnMut(&AtomicBool, &mut dyn FnMut(JobEvent)) -> Run;
+
+/// Computes, and writes every result to disk as it comes, to `--out` or below the default directory. The run is cancelled if
+/// writing fails.
+pub(super) fn stored(
+    args: &RunArgs,
+    info: &RunInfo,
+    case_text: &str,
     stop: &StopFlag,
-    writer: &mut RunWriter,
-) -> (Run, Option<StoreError>) {
+    compute: Compute<'_>,
+) -> Result<StoredRun, CommandError> {
+    let place = match &args.out {
+        Some(dir) => RunLocation::Exactly(dir.clone()),
+        None => RunLocation::Below(store::DEFAULT_ROOT.into()),
+    };
+    let mut writer = RunWriter::begin(&place, info.clone(), case_text)?;
     let mut line = progress::ProgressLine::new();
     let mut store_error = None;
-    let run = job::execute_from(request, from, stop.cancel(), &mut |event: JobEvent| {
+    let mut run = compute(stop.cancel(), &mut |event: JobEvent| {
         match &event {
             JobEvent::Searching(search) => line.show(&search.to_string()),
             JobEvent::Frame(frame) => line.run(&frame.progress),
             JobEvent::Estimating => line.show("Estimating the numerical errors"),
-            JobEvent::Started { .. } | JobEvent::Checkpoint(_) | JobEvent::Finished(_) => {}
+            JobEvent::Started { .. }
+            | JobEvent::Checkpoint(_)
+            | JobEvent::SystemCheckpoint(_)
+            | JobEvent::Finished(_) => {}
         }
         if store_error.is_none() {
             store_error = writer.event(&event).err();
@@ -102,10 +120,17 @@ fn compute(
             }
         }
     });
-    (run, store_error)
+    drop(line);
+    if let Some(error) = store_error {
+        return Err(error.into());
+    }
+    writer.id().clone_into(&mut run.info.id);
+    let dir = writer.finish(&run)?;
+    Ok(StoredRun { run, dir })
 }
 
-fn status(run: &Run, stop: &StopFlag) -> ExitCode {
+/// Warnings, how the run ended, and the exit status.
+pub(super) fn status(run: &Run, stop: &StopFlag) -> ExitCode {
     for warning in &run.info.warnings {
         output::message(&format!("warning: {warning}"));
     }

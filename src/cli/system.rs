@@ -1,21 +1,21 @@
 //! `seacable run` on a system of lines: at rest, or in time where its file has a table `[solver]`; as a report or as JSON.
 
-use std::{fs, path::Path, process::ExitCode};
+use std::{path::Path, process::ExitCode, sync::Arc};
 
 use super::{
-    BAD_RESULT, CommandError, args::RunArgs, cases, output, progress::ProgressLine,
+    CommandError,
+    args::RunArgs,
+    cases, output,
+    run::{StoredRun, status, stored},
     signals::StopFlag,
 };
 use crate::{
-    case::FieldRow,
-    files::Target,
     report::system::{self as views, json, motion},
-    run::store::{StoreError, write_history},
     system::{
         SolvedSystem, SystemFile,
         analysis::analyses::Analyses,
-        model::MotionInputs,
-        motion::run::{self, MotionRun},
+        motion::checkpoint::{ResumedSystem, resume_request},
+        motion::job::{self, SystemRequest},
         validation,
     },
 };
@@ -42,8 +42,8 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
         )));
     }
     let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
-    if let Some(motion) = &solved.file.solver {
-        return in_motion(args, &solved, motion, &fields);
+    if solved.file.solver.is_some() {
+        return in_motion(args, solved);
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
@@ -67,84 +67,46 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The run in time: report or JSON on standard output, and with `--out` a directory with all of it.
-fn in_motion(
+/// The run in time, stored as it is computed: its results or JSON on standard output.
+fn in_motion(args: &RunArgs, solved: SolvedSystem) -> Result<ExitCode, CommandError> {
+    stored_run(args, &request(args, solved)?, None)
+}
+
+/// Continues a stored run.
+pub(super) fn resume(args: &RunArgs, dir: &Path) -> Result<ExitCode, CommandError> {
+    let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
+    stored_run(args, &request, from.as_ref())
+}
+
+/// Computes a run, stores it as it is computed, and prints its results.
+fn stored_run(
     args: &RunArgs,
-    solved: &SolvedSystem,
-    given: &MotionInputs,
-    fields: &[FieldRow],
+    request: &SystemRequest,
+    from: Option<&ResumedSystem>,
 ) -> Result<ExitCode, CommandError> {
-    if let Some(dir) = &args.out {
-        refuse_if_taken(dir)?;
-    }
     let stop = StopFlag::listen()?;
-    let mut line = ProgressLine::new();
-    let duration = given.duration_s;
-    let computed = run::run(solved, given, stop.cancel(), &mut |time| {
-        line.part(time / duration, &format!("{time:.1} s of {duration} s"));
-    });
-    drop(line);
-    let computed =
-        computed.map_err(|why| CommandError::Usage(format!("{}; {}.", why.problem, why.remedy)))?;
-    let glyphs = output::glyphs(args.ascii);
-    let rows = validation::rows(solved, Some(&computed));
-    let report = motion::report(solved, &computed, &rows, fields, glyphs);
-    if args.json || args.out.is_some() {
+    let info = request.initial_info();
+    let stored = stored(args, &info, &request.text, &stop, &mut |cancel, events| {
+        job::execute(request, from, cancel, events)
+    })?;
+    let StoredRun { run, dir } = &stored;
+    if args.json {
+        let solved = &request.solved;
         let mut object = json::object(solved, &Analyses::of(solved));
-        object["motion"] = motion::object(&computed);
-        if let Some(dir) = &args.out {
-            object["motion"]["directory"] = dir.display().to_string().into();
-            keep(args, dir, &computed, &report, &object)?;
-        }
-        if args.json {
-            output::object(&object)?;
-        }
+        object["motion"] = motion::object(run, dir);
+        output::object(&object)?;
+    } else {
+        let text = format!("{}\n\n{}", dir.display(), motion::summary(run));
+        output::results(&text, args.ascii)?;
     }
-    if !args.json {
-        output::results(&report, args.ascii)?;
-    }
-    Ok(match &computed.failure {
-        None => ExitCode::SUCCESS,
-        Some(why) => {
-            output::message(&format!("error: The run ended early: {why}"));
-            stop.status().unwrap_or(ExitCode::from(BAD_RESULT))
-        }
-    })
+    Ok(status(run, &stop))
 }
 
-fn refuse_if_taken(dir: &Path) -> Result<(), CommandError> {
-    let taken = fs::read_dir(dir).is_ok_and(|mut entries| entries.next().is_some());
-    if taken {
-        return Err(StoreError::Taken(dir.to_owned()).into());
-    }
-    Ok(())
-}
-
-/// The directory of a run: its input, its history, its report and its results.
-fn keep(
-    args: &RunArgs,
-    dir: &Path,
-    run: &MotionRun,
-    report: &str,
-    object: &serde_json::Value,
-) -> Result<(), CommandError> {
+/// The run that the file with all `--set` asks for.
+fn request(args: &RunArgs, solved: SolvedSystem) -> Result<SystemRequest, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     let text = cases::edited_text::<SystemFile>(path, &args.set)?;
-    fs::create_dir_all(dir).map_err(|source| StoreError::Io {
-        action: "Making",
-        path: dir.to_owned(),
-        source,
-    })?;
-    let files = [
-        ("case.toml", text.into_bytes()),
-        ("history.csv", write_history(&run.history)?),
-        ("report.txt", report.as_bytes().to_vec()),
-        ("results.json", format!("{object:#}\n").into_bytes()),
-    ];
-    for (name, contents) in files {
-        Target::new(&dir.join(name))
-            .write(&contents)
-            .map_err(StoreError::from)?;
-    }
-    Ok(())
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let request = SystemRequest::new(Arc::new(solved), &text, name.into_owned(), args.set.clone());
+    request.ok_or_else(|| CommandError::Usage("A run in time needs a table `[solver]`.".to_owned()))
 }

@@ -3,8 +3,10 @@
 use std::collections::HashMap;
 
 use super::letter;
-use crate::case::{EffectiveInput, effective_inputs};
+use crate::case::{Case, Diagnostic, EffectiveInput, effective_inputs};
+use crate::kinds::FileType;
 use crate::run::Run;
+use crate::system::SystemFile;
 
 /// An input that is not the same in all runs.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,7 +33,7 @@ pub(super) fn compare(runs: &[&Run]) -> (Vec<ComparedInput>, Vec<String>) {
     let mut notes = Vec::new();
     let mut all = Vec::with_capacity(runs.len());
     for (index, run) in runs.iter().enumerate() {
-        match effective_inputs(&run.case_text, &run.info.case_file) {
+        match inputs_of(run) {
             Ok(inputs) => all.push(inputs),
             Err(faults) => {
                 let first = faults.first();
@@ -47,6 +49,15 @@ pub(super) fn compare(runs: &[&Run]) -> (Vec<ComparedInput>, Vec<String>) {
         (differing(&all), notes)
     } else {
         (Vec::new(), notes)
+    }
+}
+
+/// The inputs of a run, of a line case or of a system of lines.
+fn inputs_of(run: &Run) -> Result<Vec<EffectiveInput>, Vec<Diagnostic>> {
+    let (text, file) = (&run.case_text, &run.info.case_file);
+    match FileType::of_text(text) {
+        FileType::System => effective_inputs::<SystemFile>(text, file),
+        _ => effective_inputs::<Case>(text, file),
     }
 }
 

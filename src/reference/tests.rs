@@ -77,6 +77,7 @@ fn run(quantities: &[(&str, f64, f64)]) -> Run {
             overrides: Vec::new(),
             failure: None,
             warnings: Vec::new(),
+            happened: Vec::new(),
             settings: Settings::default(),
             work: crate::run::Work::default(),
             cost: crate::run::Cost::default(),

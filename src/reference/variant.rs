@@ -40,7 +40,7 @@ pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<Variant, Vec<
 /// a study is no edited case.
 #[must_use]
 pub fn rows_of_run(run: &Run, case: &Case) -> Vec<ValidationRow> {
-    let (points, edited): (Vec<EditedKey>, Vec<EditedKey>) = edited_inputs(run)
+    let (points, edited): (Vec<EditedKey>, Vec<EditedKey>) = edited_inputs::<Case>(run)
         .into_iter()
         .partition(|key| is_point(key, case));
     rows_of_edited(case, &edited, &|at| {

@@ -11,6 +11,7 @@
 //! assert_eq!(chart.y.unit, "N");
 //! ```
 
+mod contents;
 mod profiles;
 mod published;
 mod registry;
@@ -26,7 +27,7 @@ pub use registry::{FIGURES, Figure, FigureAxis, FigureData, FigureId, report_fig
 pub use response::{ResponseMapKind, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
-pub use time_histories::{against_time, payload_position};
+pub use time_histories::{against_time, against_time_at, payload_position};
 
 use crate::case::ChannelQuantity;
 use crate::report::chart::Series;

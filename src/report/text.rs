@@ -8,6 +8,7 @@ mod results;
 mod validation;
 
 pub use about::numerical_damping;
+pub(crate) use about::{head, settings, warnings, work};
 pub(crate) use inputs::list as inputs;
 pub(crate) use layout::{Page, WIDTH, wrap};
 pub use results::summary;
@@ -26,9 +27,14 @@ use crate::{case::Case, reference::ValidationRow, run::Run};
 #[must_use]
 pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) -> String {
     let mut page = Page::default();
-    about::head(&mut page, run, case);
-    about::warnings(&mut page, &run.info);
-    about::settings(&mut page, &run.info);
+    let about = &case.case;
+    head(
+        &mut page,
+        &run.info,
+        [&about.title, &about.source, &about.notes],
+    );
+    warnings(&mut page, &run.info.warnings);
+    settings(&mut page, &run.info);
     inputs::table(&mut page, run, case);
     let sea = sea::table(case);
     if !sea.rows.is_empty() {
@@ -47,6 +53,6 @@ pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) ->
         page.block(&validation(rows));
         validation::not_judged(&mut page, rows);
     }
-    about::work(&mut page, &run.info);
+    work(&mut page, &run.info);
     page.finish()
 }

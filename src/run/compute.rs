@@ -3,8 +3,6 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use rustix::time::{ClockId, clock_gettime};
-
 use super::event::JobEvent;
 use super::observer::RunRecord;
 use super::recorder::Recorder;
@@ -13,6 +11,7 @@ use super::simulation::simulate;
 use super::time_march::{MarchResult, phases};
 use super::{Cost, Profile, Quantity, ResumedRun, Settings, Work};
 use super::{natural_modes, published_curve, steady_state};
+use crate::background::cpu_time;
 use crate::case::{self, Case, WaterSurface};
 use crate::scene::{self, Scene};
 
@@ -141,12 +140,6 @@ fn evaluate(case: &Case, scene: &Scene, mut computed: Computed) -> Computed {
     computed.modes.extend(steady);
     computed.curves = published_curve::differences(case, &record.history);
     computed
-}
-
-/// CPU time of this thread \[s\].
-fn cpu_time() -> f64 {
-    let t = clock_gettime(ClockId::ThreadCPUTime);
-    t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
 }
 
 /// Height above still water from which a node counts as out of the water \[m\].

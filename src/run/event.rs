@@ -17,6 +17,8 @@ pub enum JobEvent {
     Frame(Box<OutputFrame>),
     /// The state of the computation, from which it can be resumed.
     Checkpoint(Box<Checkpoint>),
+    /// The same of a system of lines, as the text of its file.
+    SystemCheckpoint(String),
     /// The run is complete; companion runs now estimate its errors.
     Estimating,
     /// The end, whatever it was: see [`RunInfo::state`](super::RunInfo::state).

@@ -1,7 +1,6 @@
 //! Computes a case: on the caller's thread by [`execute`], on its own by [`start`], with a flag to cancel it. Events are
 //! sent; a bounded channel makes the solver wait for its receiver, a receiver that is gone does not.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Instant, SystemTime};
 
@@ -49,6 +48,7 @@ impl Request {
             overrides: self.overrides.clone(),
             failure: None,
             warnings: Vec::new(),
+            happened: Vec::new(),
             settings: Settings {
                 method: settings::method_name(self.case.solver.method).to_owned(),
                 duration_s: self.case.solver.duration_s,
@@ -60,24 +60,23 @@ impl Request {
     }
 }
 
-/// Starts a thread of lower priority that computes the request, or resumes an earlier run of it, until `cancel` is set, and
-/// sends its events. The last one is always [`JobEvent::Finished`].
+/// Starts a thread of lower priority that computes a run of this name, and sends its events. The last one is always
+/// [`JobEvent::Finished`].
 ///
 /// # Errors
 /// When the system gives no thread.
 pub fn start(
-    request: Request,
-    from: Option<ResumedRun>,
-    cancel: Arc<AtomicBool>,
+    id: &str,
     events: Sender<JobEvent>,
+    compute: impl FnOnce(&mut dyn FnMut(JobEvent)) -> Run + Send + 'static,
 ) -> std::io::Result<()> {
     std::thread::Builder::new()
-        .name(format!("job {}", request.id))
+        .name(format!("job {id}"))
         .spawn(move || {
             lower_priority();
             // A channel that nobody listens to any more is no reason to stop early.
             let mut send = |event| drop(events.send(event));
-            let run = execute_from(&request, from.as_ref(), &cancel, &mut send);
+            let run = compute(&mut send);
             send(JobEvent::Finished(Box::new(run)));
         })?;
     Ok(())

@@ -67,6 +67,9 @@ pub struct RunInfo {
     pub failure: Option<String>,
     /// What the user should know before trusting the numbers.
     pub warnings: Vec<String>,
+    /// What happened to the lines of a system, in words: ends let go, breaks.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub happened: Vec<String>,
     /// Settings used, also those chosen automatically.
     pub settings: Settings,
     /// Machine-independent work of the run itself, without its companions.

@@ -1,10 +1,31 @@
 //! The rows of an earlier run up to its checkpoint, read back from its directory.
 
+use std::path::Path;
+
 use super::store::{HistoryReader, ShapeReader, StoreError};
 use super::{LineShape, ResumedRun};
 
 /// Receives a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
 type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
+
+/// Reads the first rows of the history in a run directory, which reach to a time \[s\].
+///
+/// # Errors
+/// There are fewer.
+pub(crate) fn replay_rows(
+    dir: &Path,
+    (count, until): (u64, f64),
+    receive: &mut dyn FnMut(f64, &[f64]),
+) -> Result<(), StoreError> {
+    let mut rows = HistoryReader::open(dir);
+    for _ in 0..count {
+        let Some((time, values)) = rows.next() else {
+            return Err(rows.short_of(dir, until));
+        };
+        receive(time, values);
+    }
+    Ok(())
+}
 
 /// Reads the record of a run up to its checkpoint.
 ///

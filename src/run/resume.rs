@@ -7,6 +7,7 @@ use super::recorder::OutputTimes;
 use super::store::{self, StoreError};
 use super::{Checkpoint, ResumedRun, RunInfo, RunState};
 use crate::case::{self, Case, Diagnostic, Method};
+use crate::kinds::FileType;
 
 /// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped before it
 /// wrote one, which is computed from its start.
@@ -24,12 +25,18 @@ pub fn resume_request(
             dir.display()
         ));
     }
+    let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
+    if FileType::of_text(&text) == FileType::System {
+        return Err(format!(
+            "{} is a run of a system of lines, which `seacable run --resume` continues.",
+            dir.display()
+        ));
+    }
     let from = match store::resume(dir) {
         // Stopped before its first step, and so begun anew.
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
         found => Some(found.map_err(|e| e.to_string())?),
     };
-    let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
     let mut overrides = info.overrides.clone();
     let first = |all: &[Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
     if let Some(until) = until {

@@ -47,7 +47,7 @@ pub use history_csv::write_history;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
 pub use notes::RunNotes;
-pub use read::{case_text, read, read_info, resume};
+pub use read::{case_text, checkpoint, read, read_info, resume};
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
 pub use timestamp::{rfc3339, stamp};

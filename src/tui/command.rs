@@ -221,6 +221,13 @@ pub const REPORTED: &[Command] = &[
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
 ];
 
+/// Of a system of lines that is computed in time.
+#[rustfmt::skip]
+pub const MOVING: &[Command] = &[
+    command(CommandOrder::Kind, CommandId::Run, &["R"], "run", "Compute the system in time and store the run"),
+    REPORTED[0],
+];
+
 /// Of every open file.
 #[rustfmt::skip]
 pub const DOCUMENT: &[Command] = &[

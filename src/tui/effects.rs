@@ -36,14 +36,13 @@ use super::state::parts::{Part, PartRequest, PartView};
 use super::state::report::ReportRequest;
 use super::state::trials::TrialsOf;
 use super::state::value_check::ValueCheck;
-use super::state::{JobNumber, RunCurves, Severity, VariantPlan, VariedRuns};
+use super::state::{JobNumber, JobRequest, RunCurves, Severity, VariantPlan, VariedRuns};
 use crate::background::lower_priority;
-use crate::case;
 use crate::modes;
 use crate::report::table::Table;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter};
-use crate::run::{ResumedRun, coarse, resume_request};
+use crate::run::{coarse, resume_request};
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -165,9 +164,8 @@ impl EffectRunner {
             Effect::Start {
                 ticket,
                 request,
-                from,
                 store,
-            } => self.start(ticket, *request, from.map(|from| *from), store),
+            } => self.start(ticket, request, store),
             Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
             Effect::Cancel(ticket) => self.cancel(ticket),
             Effect::FindModes { case, text } => self.aside(move || {
@@ -251,13 +249,7 @@ impl EffectRunner {
 
     /// Starts a job, and a thread that stores its run and passes on what it says, so that a slow disk never holds the screen
     /// up.
-    fn start(
-        &mut self,
-        ticket: JobNumber,
-        request: Request,
-        from: Option<ResumedRun>,
-        store: bool,
-    ) -> Vec<Msg> {
+    fn start(&mut self, ticket: JobNumber, request: JobRequest, store: bool) -> Vec<Msg> {
         let (cancel, fresh): (Arc<AtomicBool>, Arc<Mutex<RunCurves>>) = Default::default();
         let going = RunningJob {
             cancel: Arc::clone(&cancel),
@@ -267,7 +259,7 @@ impl EffectRunner {
         let started = std::thread::Builder::new()
             .name(format!("relay-{ticket}"))
             .spawn(move || {
-                if let Err(why) = compute(ticket, request, from, store, cancel, &fresh, &out) {
+                if let Err(why) = compute(ticket, request, store, cancel, &fresh, &out) {
                     out.send(Msg::JobFailed(ticket, why));
                 }
             });
@@ -288,8 +280,7 @@ fn no_thread(error: &io::Error) -> String {
 /// Makes the directory of a run that is stored, starts its job, and passes on its events.
 fn compute(
     ticket: JobNumber,
-    request: Request,
-    from: Option<ResumedRun>,
+    request: JobRequest,
     store: bool,
     cancel: Arc<AtomicBool>,
     fresh: &Mutex<RunCurves>,
@@ -300,11 +291,13 @@ fn compute(
     if let Some(writer) = &writer {
         out.send(Msg::Stored(ticket, writer.dir().to_owned()));
     }
-    if !store {
-        answer_coarsely(ticket, &request, &cancel, out);
+    if let (JobRequest::Line(request, _), false) = (&request, store) {
+        answer_coarsely(ticket, request, &cancel, out);
     }
     let (events, said) = bounded(AHEAD);
-    job::start(request, from, cancel, events).map_err(|error| no_thread(&error))?;
+    let id = request.initial_info().id;
+    job::start(&id, events, move |events| request.execute(&cancel, events))
+        .map_err(|error| no_thread(&error))?;
     relay(ticket, &said, writer, fresh, out)
 }
 
@@ -440,7 +433,7 @@ fn relay(
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
             JobEvent::Frame(frame) => recorded().push(*frame),
-            JobEvent::Checkpoint(_) => {}
+            JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
             event => {
                 if let JobEvent::Started { channels } = &event {
                     recorded().begin(channels.clone());
@@ -455,10 +448,10 @@ fn relay(
     Err("The run ended without a result; this is a fault of seacable.".to_owned())
 }
 
-fn begin(request: &Request) -> Result<RunWriter, store::StoreError> {
+fn begin(request: &JobRequest) -> Result<RunWriter, store::StoreError> {
     RunWriter::begin(
         &RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT)),
         request.initial_info(),
-        &case::stand_alone(&request.text, &request.case),
+        &request.stored_text(),
     )
 }

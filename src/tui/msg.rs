@@ -13,8 +13,8 @@ use super::state::ship::ShipAtSea;
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::value_check::{ValidationTable, ValueCheck};
 use super::state::{
-    CaseEntry, DocumentContent, FileOfText, JobNumber, ParameterEditor, Reading, RunCurves,
-    RunEntry, Severity, VariantPlan, VariedRuns,
+    CaseEntry, DocumentContent, FileOfText, JobNumber, JobRequest, ParameterEditor, Reading,
+    RunCurves, RunEntry, Severity, VariantPlan, VariedRuns,
 };
 use crate::case::{Case, QuantityId};
 use crate::modes::LineModes;
@@ -96,7 +96,11 @@ pub enum Msg {
     /// The report that was asked for.
     Report(Box<ReportRequest>, String),
     /// The exact case of a stored run, for this.
-    RunCase(PathBuf, RunCaseUse, Result<(String, Box<Case>), String>),
+    RunCase(
+        PathBuf,
+        RunCaseUse,
+        Result<(String, DocumentContent), String>,
+    ),
     /// A stored run was read.
     RunRead(PathBuf, Result<Arc<Run>, String>),
     /// Stored runs were deleted.
@@ -241,9 +245,7 @@ pub enum Effect {
         /// Its number.
         ticket: JobNumber,
         /// What to compute.
-        request: Box<Request>,
-        /// Where it is resumed from.
-        from: Option<Box<ResumedRun>>,
+        request: JobRequest,
         /// Whether its run is stored.
         store: bool,
     },

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use super::state::line::CoarseAnswer;
-use super::state::{LineView, RunCurves};
+use super::state::RunCurves;
+use super::state::runs_view::{Charted, CoarseAnswer};
 use crate::comparison::points_less;
 use crate::report::chart::{AxisRange, Chart, Limit, LimitLine};
 use crate::report::figures::{FigureAxis, FigureData, FigureId, PlottedRun};
@@ -28,27 +28,27 @@ impl<'a> Shown<'a> {
 }
 
 /// Whether the curves of the live solve are complete, and only their errors are left to estimate.
-fn has_landed(line: &LineView) -> bool {
-    let going = line.live.going.as_ref();
+fn has_landed(on: Charted<'_>) -> bool {
+    let going = on.view.live.going.as_ref();
     going.is_some_and(|going| going.progress.estimating)
 }
 
 /// The coarse answer, as long as it is on the charts.
-fn coarse_shown(line: &LineView) -> Option<&CoarseAnswer> {
-    let coarse = line.live.coarse.as_ref();
+fn coarse_shown(on: Charted<'_>) -> Option<&CoarseAnswer> {
+    let coarse = on.view.live.coarse.as_ref();
     // What is coarse is compared with nothing.
-    let subtracted = line.differences && line.against.is_some();
-    coarse.filter(|_| !line.live.hidden && !has_landed(line) && !subtracted)
+    let subtracted = on.view.differences && on.view.against.is_some();
+    coarse.filter(|_| !on.view.live.hidden && !has_landed(on) && !subtracted)
 }
 
 /// The runs on the charts, older results first.
-fn shown(line: &LineView) -> Vec<Shown<'_>> {
+fn shown(on: Charted<'_>) -> Vec<Shown<'_>> {
     let mut list = Vec::new();
-    let live = &line.live;
+    let live = &on.view.live;
     if !live.hidden {
         // The old curve stays, dimmed, until the new one is complete.
-        let landed = has_landed(line);
-        let coarse = coarse_shown(line);
+        let landed = has_landed(on);
+        let coarse = coarse_shown(on);
         list.extend(coarse.map(|coarse| Shown {
             label: "coarse",
             curves: &coarse.curves,
@@ -71,7 +71,7 @@ fn shown(line: &LineView) -> Vec<Shown<'_>> {
             dimmed: false,
         }));
     }
-    list.extend(line.runs.on_charts().map(|slot| Shown {
+    list.extend(on.view.runs.on_charts().map(|slot| Shown {
         label: if slot.label.is_empty() {
             &slot.id
         } else {
@@ -85,60 +85,60 @@ fn shown(line: &LineView) -> Vec<Shown<'_>> {
 
 /// How many runs are on the charts in full ink.
 #[must_use]
-pub fn runs_shown(line: &LineView) -> usize {
-    shown(line).iter().filter(|s| !s.dimmed).count()
+pub fn runs_shown(on: Charted<'_>) -> usize {
+    shown(on).iter().filter(|s| !s.dimmed).count()
 }
 
 /// Whether the runs shown have anything to draw.
 #[must_use]
-pub fn has_curves(line: &LineView) -> bool {
+pub fn has_curves(on: Charted<'_>) -> bool {
     let drawn =
         |run: &Shown| !run.curves.history().time.is_empty() || !run.curves.shapes().is_empty();
-    shown(line).iter().any(drawn)
+    shown(on).iter().any(drawn)
 }
 
 /// The figure of this name as the user has it: with zoom, cursor and marks.
 #[must_use]
-pub fn viewed(line: &LineView, id: FigureId) -> Chart {
-    line.views[id.index()].chart(&chart(line, id))
+pub fn viewed(on: Charted<'_>, id: FigureId) -> Chart {
+    on.view.views[id.index()].chart(&chart(on, id))
 }
 
 /// What the figures of the case are drawn from.
-fn with_data<T>(line: &LineView, make: impl FnOnce(&FigureData) -> T) -> T {
-    let runs: Vec<PlottedRun> = shown(line).iter().map(Shown::source).collect();
+fn with_data<T>(on: Charted<'_>, make: impl FnOnce(&FigureData) -> T) -> T {
+    let runs: Vec<PlottedRun> = shown(on).iter().map(Shown::source).collect();
     make(&FigureData {
-        case: &line.case,
+        case: on.case,
         runs: &runs,
-        checks: &line.checks.rows,
-        instant: line.instant,
-        chosen: line.series,
-        limits: !line.without_limits,
+        checks: on.checks,
+        instant: on.view.instant,
+        chosen: on.view.series,
+        limits: !on.view.without_limits,
     })
 }
 
 /// The figure of this name, without zoom and cursor.
 #[must_use]
-pub fn chart(line: &LineView, id: FigureId) -> Chart {
+pub fn chart(on: Charted<'_>, id: FigureId) -> Chart {
     let figure = id.figure();
-    let (mut chart, names) = with_data(line, |data| (figure.draw(data), figure.curve_names(data)));
-    let only = match line.series {
+    let (mut chart, names) = with_data(on, |data| (figure.draw(data), figure.curve_names(data)));
+    let only = match on.view.series {
         _ if figure.has_variants() => None,
         Some(i) => names.get(i.min(names.len().saturating_sub(1))),
         // Every curve of every run would be too many to tell apart.
-        None if runs_shown(line) > 1 => names.last(),
+        None if runs_shown(on) > 1 => names.last(),
         None => None,
     };
-    if let Some(held) = held(line, id) {
-        let base = with_held(line, &held.1, |data| figure.draw(data));
+    if let Some(held) = held(on, id) {
+        let base = with_held(on, &held.1, |data| figure.draw(data));
         subtract(&mut chart, &base, &held.0);
     }
     if let Some(only) = only {
         keep_only(&mut chart, only);
     }
-    if line.series.is_none() {
-        hide(&mut chart, line, id);
+    if on.view.series.is_none() {
+        hide(&mut chart, on, id);
     }
-    if coarse_shown(line).is_some() {
+    if coarse_shown(on).is_some() {
         chart.title.push_str(" (coarse)");
     }
     chart
@@ -152,14 +152,14 @@ pub fn has_differences(id: FigureId) -> bool {
 }
 
 /// The run whose curves are subtracted from those of a figure, and its name.
-fn held(line: &LineView, id: FigureId) -> Option<&(String, Arc<Run>)> {
-    let held = line.against.as_ref();
-    held.filter(|_| line.differences && has_differences(id))
+fn held(on: Charted<'_>, id: FigureId) -> Option<&(String, Arc<Run>)> {
+    let held = on.view.against.as_ref();
+    held.filter(|_| on.view.differences && has_differences(id))
 }
 
 /// What a figure is drawn from, with the run held alone.
-fn with_held<T>(line: &LineView, held: &Run, make: impl FnOnce(&FigureData) -> T) -> T {
-    with_data(line, |data| {
+fn with_held<T>(on: Charted<'_>, held: &Run, make: impl FnOnce(&FigureData) -> T) -> T {
+    with_data(on, |data| {
         make(&FigureData {
             runs: &[PlottedRun::whole(held, "")],
             ..*data
@@ -190,9 +190,10 @@ pub fn is_named(label: &str, name: &str) -> bool {
 }
 
 /// Hides the curves that the user has taken off.
-fn hide(chart: &mut Chart, line: &LineView, id: FigureId) {
+fn hide(chart: &mut Chart, on: Charted<'_>, id: FigureId) {
     let hidden = || {
-        line.hidden_curves
+        on.view
+            .hidden_curves
             .iter()
             .filter(|(figure, _)| *figure == id)
     };
@@ -205,8 +206,8 @@ fn hide(chart: &mut Chart, line: &LineView, id: FigureId) {
 
 /// How many curves or variants of a figure can be shown alone.
 #[must_use]
-pub fn curve_count(line: &LineView, id: FigureId) -> usize {
-    with_data(line, |data| id.figure().curve_names(data).len())
+pub fn curve_count(on: Charted<'_>, id: FigureId) -> usize {
+    with_data(on, |data| id.figure().curve_names(data).len())
 }
 
 /// Leaves one curve of each run on the chart, named after the run, each with a marker and colour of
@@ -229,8 +230,8 @@ fn keep_only(chart: &mut Chart, name: &str) {
 
 /// First and last instant of the runs shown.
 #[must_use]
-pub fn time_range(line: &LineView) -> Option<AxisRange> {
-    let runs = shown(line);
+pub fn time_range(on: Charted<'_>) -> Option<AxisRange> {
+    let runs = shown(on);
     let ends = runs.iter().filter_map(|s| {
         let time = &s.curves.history().time;
         Some((*time.first()?, *time.last()?))

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use super::state::LineView;
+use super::state::{LineView, RunsView};
 use crate::case::{Case, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
 use crate::number;
 use crate::run::{Quantity, Run, limits};
@@ -27,16 +27,16 @@ pub struct ResultLine {
 
 /// The run solved last, with which others are compared.
 #[must_use]
-pub fn solved_run(line: &LineView) -> Option<&Arc<Run>> {
-    line.live.done.as_ref()?.run.as_ref()
+pub fn solved_run(view: &RunsView) -> Option<&Arc<Run>> {
+    view.live.done.as_ref()?.run.as_ref()
 }
 
 /// The run whose results are shown: the coarse one until the full one is complete.
 #[must_use]
 pub fn shown_run(line: &LineView) -> Option<&Arc<Run>> {
-    match &line.live.coarse {
+    match &line.runs_view.live.coarse {
         Some(coarse) => coarse.curves.run.as_ref(),
-        None => solved_run(line),
+        None => solved_run(&line.runs_view),
     }
 }
 
@@ -65,9 +65,10 @@ pub fn all(line: &LineView) -> Vec<ResultLine> {
 }
 
 fn one(line: &LineView, run: &Run, quantity: &Quantity) -> ResultLine {
-    let coarse = line.live.coarse.is_some();
+    let coarse = line.runs_view.live.coarse.is_some();
     // What differs from a coarse result may be nothing but its error.
     let against = line
+        .runs_view
         .against
         .as_ref()
         .filter(|_| !coarse)

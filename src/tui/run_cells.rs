@@ -1,6 +1,6 @@
 //! The cells of the table of runs.
 
-use super::state::{LineView, RunColumn, RunEntry, RunList};
+use super::state::{Charted, RunColumn, RunEntry, RunList};
 use crate::case;
 use crate::number;
 use crate::run::index::MeasuredResult;
@@ -102,8 +102,8 @@ fn result(result: &MeasuredResult) -> String {
 
 /// A cell of the live run.
 #[must_use]
-pub fn live_cell(line: &LineView, column: RunColumn) -> String {
-    let live = &line.live;
+pub fn live_cell(on: Charted<'_>, column: RunColumn) -> String {
+    let live = &on.view.live;
     let run = live.done.as_ref().and_then(|done| done.run.as_ref());
     match column {
         RunColumn::Name => {
@@ -121,7 +121,13 @@ pub fn live_cell(line: &LineView, column: RunColumn) -> String {
         .to_owned(),
         RunColumn::Input(_) | RunColumn::Age | RunColumn::Tags => String::new(),
         RunColumn::Result(at) => {
-            let name = line.runs.columns.results.get(at).map(|c| c.name.as_str());
+            let name = on
+                .view
+                .runs
+                .columns
+                .results
+                .get(at)
+                .map(|c| c.name.as_str());
             let found = name.and_then(|name| run?.quantity(name));
             found.map_or_else(String::new, |q| {
                 result(&MeasuredResult {
@@ -132,7 +138,9 @@ pub fn live_cell(line: &LineView, column: RunColumn) -> String {
                 })
             })
         }
-        RunColumn::Method => method_name(line.case.solver.method).to_owned(),
+        RunColumn::Method => on.case.map_or_else(String::new, |case| {
+            method_name(case.solver.method).to_owned()
+        }),
         RunColumn::Steps => run.map_or_else(String::new, |run| run.info.work.steps.to_string()),
         RunColumn::Cpu => run.map_or_else(String::new, |run| number::duration(run.info.cost.cpu_s)),
     }

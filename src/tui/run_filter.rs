@@ -248,7 +248,7 @@ mod tests {
 
     #[test]
     fn letters_decide_only_what_the_matcher_would() {
-        let list = RunList::empty();
+        let list = RunList::empty(true);
         let method = |word: &str| RunEntry::session(TextDigest::of(""), word.to_owned());
         let passes = |typed: &str, run: &RunEntry| {
             RunFilter::new(typed).passes(&list, run, Some(&RunText::new(run)))

@@ -17,6 +17,7 @@ pub(crate) fn info() -> RunInfo {
         overrides: vec!["current.speed_m_per_s=0.4".to_owned()],
         failure: None,
         warnings: vec!["Segment 57 was slack for 12 s.".to_owned()],
+        happened: Vec::new(),
         settings: Settings {
             step_tolerance: None,
             numerical_damping: Some(1e-4 / 3.0),

@@ -23,5 +23,6 @@ mod store;
 mod stored_versions;
 mod stories;
 mod study_speed;
+mod system_runs;
 mod terminal;
 mod vary;

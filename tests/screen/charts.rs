@@ -125,7 +125,7 @@ fn the_bed_force_on_a_clump_that_lands() {
     let run = job::execute(&request, &AtomicBool::new(false), &mut |_| {});
     assert!(FigureId::of(&clump).contains(&FigureId::BedForce));
     let chart = FigureId::BedForce.figure().draw(&FigureData {
-        case: &clump,
+        case: Some(&clump),
         runs: &[PlottedRun::whole(&run, "")],
         checks: &[],
         instant: None,

@@ -1,19 +1,20 @@
-//! Every figure of a line case, listed once: what it is called, when a run has data for it, how it is drawn. The screen,
+//! Every figure of a run, listed once: what it is called, when a run has data for it, how it is drawn. The screen,
 //! the text report and the files written from both take figures from here. A new figure is a line in [`FigureId`] and
 //! one in [`FIGURES`].
 
+use super::contents::{
+    CaseContents, bends, driven, irregular_sea, moves, response, rope, spatial, studied,
+};
 use super::{
     PlottedRun, ResponseMapKind, against_time, along_studies, curvature_profile, histories,
     line_from_above, line_from_ahead, line_shape, moment_profile, payload_position, places,
     published_curves, response_map, rms_profile, stated, stiffness_profile, tension_profile,
     trajectory, wave_amplitudes, wavelengths,
 };
-use crate::case::{
-    self, Case, ChannelLocation, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, WaveKind,
-};
+use crate::case::{Case, ChannelQuantity};
 use crate::reference::ValidationRow;
 use crate::report::chart::{Chart, extent};
-use crate::run::{Run, response};
+use crate::run::Run;
 
 /// A figure, in the order of [`FIGURES`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -64,6 +65,18 @@ pub enum FigureId {
     MeanLoad,
     /// Deviation from the mean load of fibre ropes against time.
     Deviation,
+    /// First coordinate of points and bodies of a system against time.
+    X,
+    /// Second coordinate, likewise.
+    Y,
+    /// Height, likewise.
+    Z,
+    /// Roll of the bodies of a system against time.
+    Roll,
+    /// Pitch, likewise.
+    Pitch,
+    /// Yaw, likewise.
+    Yaw,
 }
 
 /// What a figure is drawn over.
@@ -95,8 +108,8 @@ enum CurveNames {
 /// What figures are drawn from.
 #[derive(Debug, Clone, Copy)]
 pub struct FigureData<'a> {
-    /// The case.
-    pub case: &'a Case,
+    /// The case; absent for systems of lines.
+    pub case: Option<&'a Case>,
     /// Runs of it, older results first.
     pub runs: &'a [PlottedRun<'a>],
     /// Its validation table.
@@ -109,7 +122,20 @@ pub struct FigureData<'a> {
     pub limits: bool,
 }
 
-impl FigureData<'_> {
+impl<'a> FigureData<'a> {
+    /// Of runs of a system of lines.
+    #[must_use]
+    pub const fn of_system(runs: &'a [PlottedRun<'a>]) -> Self {
+        Self {
+            case: None,
+            runs,
+            checks: &[],
+            instant: None,
+            chosen: None,
+            limits: true,
+        }
+    }
+
     fn instant(&self) -> f64 {
         let ends = histories(self.runs).filter_map(|history| history.time.last().copied());
         let newest = ends.reduce(f64::max);
@@ -129,88 +155,11 @@ pub struct Figure {
     curves: CurveNames,
     /// Whether a run of a case has data for it.
     available: fn(&CaseContents) -> bool,
+    /// The quantity for which a run of a system has it; absent: only line cases have it.
+    in_systems: Option<ChannelQuantity>,
     draw: fn(&FigureData) -> Chart,
     /// Position in the text report; absent: not in it.
     report: Option<u8>,
-}
-
-/// What decides which figures a case has.
-struct CaseContents<'a> {
-    case: &'a Case,
-    channels: Vec<ChannelSpec>,
-    dynamic: bool,
-}
-
-impl CaseContents<'_> {
-    fn records(&self, quantity: ChannelQuantity) -> bool {
-        self.dynamic && self.channels.iter().any(|c| c.id.quantity == quantity)
-    }
-}
-
-/// Whether an end moves.
-fn moves(c: &CaseContents) -> bool {
-    let of_end = |spec: &ChannelSpec| {
-        matches!(
-            (spec.id.quantity, spec.site),
-            (ChannelQuantity::X, ChannelLocation::End(_))
-        )
-    };
-    c.dynamic && c.channels.iter().any(of_end)
-}
-
-/// Whether there is a fibre rope.
-fn rope(c: &CaseContents) -> bool {
-    let of_rope = |spec: &ChannelSpec| spec.id.quantity == ChannelQuantity::Stiffness;
-    c.channels.iter().any(of_rope)
-}
-
-/// Whether the steady response is recorded.
-fn response(c: &CaseContents) -> bool {
-    c.dynamic && c.case.output.response_from_s.is_some()
-}
-
-/// Whether that response has a period.
-fn driven(c: &CaseContents) -> bool {
-    response(c) && response::period(c.case).is_some()
-}
-
-/// Whether waves are irregular; a regular wave is a sine, which need not be drawn.
-fn irregular_sea(c: &CaseContents) -> bool {
-    let waves = c.case.waves.as_ref();
-    c.dynamic && waves.is_some_and(|waves| waves.kind == WaveKind::Irregular)
-}
-
-/// Whether the case states anything along a study.
-fn studied(c: &CaseContents) -> bool {
-    let mut published = c.case.published.iter();
-    !c.case.trend.is_empty()
-        || !c.case.published_curve.is_empty()
-        || published.any(|p| p.at.is_some())
-}
-
-/// Whether any section has a bending stiffness.
-fn bends(c: &CaseContents) -> bool {
-    c.case.line.iter().any(|section| {
-        let material = c.case.materials.get(&section.material);
-        material.is_some_and(|material| material.ei_n_m2 > 0.0)
-    })
-}
-
-/// Whether the line may leave a plane along x; a line at rest is always seen from three sides.
-fn spatial(c: &CaseContents) -> bool {
-    let aside = |end: &End| {
-        let y = |p: &[f64; 3]| p[1].abs() > 0.0;
-        end.position_m.as_ref().is_some_and(y) || y(&end.amplitude_m)
-    };
-    let oblique = c.case.current.as_ref().is_some_and(|current| {
-        let turns = |degrees: &f64| degrees.to_radians().sin().abs() > 1e-9;
-        match &current.direction_deg {
-            OneOrMany::One(one) => turns(one),
-            OneOrMany::Many(many) => many.iter().any(turns),
-        }
-    });
-    let ends = &c.case.ends;
-    !c.dynamic || aside(&ends.a) || aside(&ends.b) || oblique
 }
 
 const ENVELOPE: CurveNames = CurveNames::Envelope(&["at the end", "smallest", "greatest"]);
@@ -229,6 +178,7 @@ const fn figure(
         axis,
         curves: CurveNames::None,
         available: |_| true,
+        in_systems: None,
         draw,
         report: None,
     }
@@ -250,6 +200,20 @@ impl Figure {
         self.curves(CurveNames::Places(quantity))
     }
 
+    /// The same, also of systems of lines that record a quantity.
+    const fn also_in_systems(self, quantity: ChannelQuantity) -> Self {
+        Self {
+            in_systems: Some(quantity),
+            ..self
+        }
+    }
+
+    /// The same, of systems of lines that record a quantity, at the places where they do.
+    const fn only_in_systems(self, quantity: ChannelQuantity) -> Self {
+        let figure = self.when(|_| false).at_places(quantity);
+        figure.also_in_systems(quantity)
+    }
+
     /// The same, at a position of the text report.
     const fn in_report(self, position: u8) -> Self {
         Self {
@@ -265,9 +229,9 @@ use FigureId as Id;
 
 /// The figures, in the order in which the screen shows them.
 #[rustfmt::skip] // a table: one figure an entry
-pub const FIGURES: [Figure; 23] = [
-    figure(Id::Tensions, "Tensions", Time, |d| against_time(d.runs, Quantity::Tension))
-        .when(|c| c.dynamic).at_places(Quantity::Tension).in_report(1),
+pub const FIGURES: [Figure; 29] = [
+    figure(Id::Tensions, "Tensions", Time, tensions)
+        .when(|c| c.dynamic).at_places(Quantity::Tension).also_in_systems(Quantity::Tension).in_report(1),
     figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
         .when(|c| c.records(Quantity::WallTension)).at_places(Quantity::WallTension).in_report(2),
     figure(Id::Payload, "Payload", Time, |d| payload_position(d.runs))
@@ -281,7 +245,7 @@ pub const FIGURES: [Figure; 23] = [
     figure(Id::BedForce, "Bed force", Time, |d| against_time(d.runs, Quantity::BedForce))
         .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
-        .when(irregular_sea).in_report(7),
+        .when(irregular_sea).also_in_systems(Quantity::WaveElevation).in_report(7),
     figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(12),
     figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
         .when(spatial).in_report(13),
@@ -311,6 +275,12 @@ pub const FIGURES: [Figure; 23] = [
         .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(9),
     figure(Id::Deviation, "Deviation", Time, |d| against_time(d.runs, Quantity::LoadDeviation))
         .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).in_report(10),
+    figure(Id::X, "x", Time, |d| against_time(d.runs, Quantity::X)).only_in_systems(Quantity::X),
+    figure(Id::Y, "y", Time, |d| against_time(d.runs, Quantity::Y)).only_in_systems(Quantity::Y),
+    figure(Id::Z, "z", Time, |d| against_time(d.runs, Quantity::Z)).only_in_systems(Quantity::Z),
+    figure(Id::Roll, "Roll", Time, |d| against_time(d.runs, Quantity::Roll)).only_in_systems(Quantity::Roll),
+    figure(Id::Pitch, "Pitch", Time, |d| against_time(d.runs, Quantity::Pitch)).only_in_systems(Quantity::Pitch),
+    figure(Id::Yaw, "Yaw", Time, |d| against_time(d.runs, Quantity::Yaw)).only_in_systems(Quantity::Yaw),
 ];
 
 impl FigureId {
@@ -329,14 +299,18 @@ impl FigureId {
     /// The figures that a run of this case has data for.
     #[must_use]
     pub fn of(case: &Case) -> Vec<Self> {
-        let contents = CaseContents {
-            case,
-            channels: case::channels(case),
-            dynamic: case.solver.method != Method::Static,
-        };
+        let contents = CaseContents::new(case);
         let available = FIGURES
             .iter()
             .filter(|figure| (figure.available)(&contents));
+        available.map(|figure| figure.id).collect()
+    }
+
+    /// The figures of runs of a system that record these quantities.
+    #[must_use]
+    pub fn of_system(recorded: &[ChannelQuantity]) -> Vec<Self> {
+        let records = |figure: &&Figure| figure.in_systems.is_some_and(|q| recorded.contains(&q));
+        let available = FIGURES.iter().filter(records);
         available.map(|figure| figure.id).collect()
     }
 
@@ -389,10 +363,22 @@ impl Figure {
     }
 }
 
+fn tensions(data: &FigureData) -> Chart {
+    let chart = against_time(data.runs, Quantity::Tension);
+    match data.case {
+        Some(_) => chart,
+        None => Chart {
+            title: "Tension at the ends of the lines".to_owned(),
+            ..chart
+        },
+    }
+}
+
 fn map(data: &FigureData) -> Chart {
     let kind = data.chosen.and_then(|i| ResponseMapKind::ALL.get(i + 1));
     let kind = kind.copied().unwrap_or(ResponseMapKind::Steady);
-    response_map(data.runs, data.case.output.response_from_s, kind)
+    let from = data.case.and_then(|case| case.output.response_from_s);
+    response_map(data.runs, from, kind)
 }
 
 fn map_names(_: &FigureData) -> Vec<String> {
@@ -402,7 +388,8 @@ fn map_names(_: &FigureData) -> Vec<String> {
 
 /// What the case states: along its studies, then its published curves.
 fn stated(data: &FigureData) -> Vec<Chart> {
-    let mut charts = along_studies(data.case, data.checks);
+    let of_case = |case| along_studies(case, data.checks);
+    let mut charts = data.case.map(of_case).unwrap_or_default();
     charts.extend(published_curves(data.checks));
     charts
 }
@@ -429,7 +416,7 @@ fn study_names(data: &FigureData) -> Vec<String> {
 pub fn report_figures(run: &Run, case: &Case, checks: &[ValidationRow]) -> Vec<Chart> {
     let runs = [PlottedRun::whole(run, "")];
     let data = FigureData {
-        case,
+        case: Some(case),
         runs: &runs,
         checks,
         instant: None,

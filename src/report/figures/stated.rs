@@ -8,31 +8,32 @@ use crate::report::chart::{Chart, Limit, LimitLine};
 
 /// Adds the limits of a case to a figure, and the published values of the places that are shown.
 pub(super) fn add(chart: &mut Chart, id: FigureId, data: &FigureData, shown: &[String]) {
-    if !data.limits || chart.is_empty() {
+    let Some(case) = data.case.filter(|_| data.limits && !chart.is_empty()) else {
         return;
-    }
+    };
     let limits = match id {
         FigureId::Tensions => {
-            let mut all = breaking_loads(data.case);
-            all.extend(published(data, &[ChannelQuantity::Tension], shown));
+            let mut all = breaking_loads(case);
+            all.extend(published(case, data, &[ChannelQuantity::Tension], shown));
             all
         }
-        FigureId::Profile => breaking_loads(data.case),
-        FigureId::Curvature => least_radii(data.case),
-        FigureId::Shape | FigureId::Front | FigureId::Path => bed(data.case),
+        FigureId::Profile => breaking_loads(case),
+        FigureId::Curvature => least_radii(case),
+        FigureId::Shape | FigureId::Front | FigureId::Path => bed(case),
         FigureId::Payload => {
-            let mut all = bed(data.case);
+            let mut all = bed(case);
             all.extend(published(
+                case,
                 data,
                 &[ChannelQuantity::X, ChannelQuantity::Z],
                 shown,
             ));
             all
         }
-        FigureId::Speed => published(data, &[ChannelQuantity::Speed], shown),
-        FigureId::Tilt => published(data, &[ChannelQuantity::Tilt], shown),
-        FigureId::WallTension => published(data, &[ChannelQuantity::WallTension], shown),
-        FigureId::BedForce => published(data, &[ChannelQuantity::BedForce], shown),
+        FigureId::Speed => published(case, data, &[ChannelQuantity::Speed], shown),
+        FigureId::Tilt => published(case, data, &[ChannelQuantity::Tilt], shown),
+        FigureId::WallTension => published(case, data, &[ChannelQuantity::WallTension], shown),
+        FigureId::BedForce => published(case, data, &[ChannelQuantity::BedForce], shown),
         _ => Vec::new(),
     };
     chart.limits.extend(limits);
@@ -77,8 +78,12 @@ fn bed(case: &Case) -> Vec<Limit> {
 
 /// The published values of channels of these quantities at the places shown: bands of value and tolerance over their windows,
 /// and the times of extremes. Those of other variants, and those that an edit has made those of another case, are left out.
-fn published(data: &FigureData, quantities: &[ChannelQuantity], shown: &[String]) -> Vec<Limit> {
-    let case = data.case;
+fn published(
+    case: &Case,
+    data: &FigureData,
+    quantities: &[ChannelQuantity],
+    shown: &[String],
+) -> Vec<Limit> {
     let mut limits = Vec::new();
     for (i, value) in case.published.iter().enumerate() {
         let Subject::Channel(channel) = &value.channel else {

@@ -192,7 +192,7 @@ fn limits_and_published_values_are_drawn_where_the_case_states_them() {
     let mut row = crate::reference::ValidationRow::default();
     let lines = |id: FigureId, limits: bool, chosen: Option<usize>, checks: &[_]| {
         let data = FigureData {
-            case: &case,
+            case: Some(&case),
             runs: &runs,
             checks,
             instant: None,

@@ -20,7 +20,19 @@ pub fn payload_position(sources: &[PlottedRun]) -> Chart {
 /// One quantity at all the places where it was recorded, against time.
 #[must_use]
 pub fn against_time(sources: &[PlottedRun], quantity: ChannelQuantity) -> Chart {
+    against_time_at(sources, quantity, |_| true)
+}
+
+/// One quantity at some of the places where it was recorded, against time.
+#[must_use]
+pub fn against_time_at(
+    sources: &[PlottedRun],
+    quantity: ChannelQuantity,
+    is_shown: impl Fn(&str) -> bool,
+) -> Chart {
     let all = places(histories(sources), quantity);
+    let all = all.into_iter().filter(|place| is_shown(place));
+    let all: Vec<&str> = all.collect();
     let things: Vec<_> = all.iter().map(|place| (quantity, *place, *place)).collect();
     let unit = match quantity.unit() {
         "-" => "",

@@ -1,175 +1,234 @@
-//! A system in motion in tables, charts and as JSON.
+//! A run of a system in time: tables, charts, text report, JSON.
+
+use std::path::Path;
 
 use serde_json::{Value, json};
 
 use super::Glyphs;
-use crate::case::FieldRow;
-use crate::number::{duration, with_error};
-use crate::reference::ValidationRow;
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::table::{NumberFormat, Table};
+use crate::case::{
+    ChannelQuantity, Diagnostic, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
+};
+use crate::number::{si, with_error};
+use crate::report::chart::Chart;
+use crate::report::figures::{FigureData, FigureId, PlottedRun, against_time_at};
+use crate::report::table::{Align, Cell, NumberFormat, Table};
 use crate::report::text::{self, Page, inputs};
-use crate::system::SolvedSystem;
-use crate::system::motion::run::{ChannelResult, MotionRun};
+use crate::run::{Channel, Quantity, Run, edited_inputs};
+use crate::system::motion::job::STATISTICS;
+use crate::system::{SolvedSystem, SystemFile, validation};
 
 /// Lines of a chart.
 const LINES: usize = 16;
 
-/// The error of one of the four numbers of a channel, by steps and mesh together.
-fn error(channel: &ChannelResult, number: usize) -> Option<f64> {
-    Some(channel.time_error?[number] + channel.mesh_error?[number])
+/// A channel with its statistics, as far as the run has them.
+struct ChannelRow<'a> {
+    channel: &'a Channel,
+    numbers: [Option<&'a Quantity>; 4],
 }
 
-/// A number with its error.
-fn written(channel: &ChannelResult, number: usize) -> String {
-    let value = channel.summary.numbers()[number];
-    with_error(value, error(channel, number), channel.id.quantity.unit())
+impl<'a> ChannelRow<'a> {
+    fn all(run: &'a Run) -> Vec<Self> {
+        let channels = run.history.channels.iter();
+        channels.map(|channel| Self::new(run, channel)).collect()
+    }
+
+    fn new(run: &'a Run, channel: &'a Channel) -> Self {
+        let find = |statistic| {
+            let id = QuantityId::new(Subject::Channel(channel.id.clone()), statistic, None);
+            run.summary.iter().find(|quantity| quantity.id == id)
+        };
+        Self {
+            channel,
+            numbers: STATISTICS.map(find),
+        }
+    }
+
+    /// A number with its error.
+    fn written(&self, number: usize) -> Cell {
+        let written = |q: &Quantity| match q.error_estimate().filter(|error| *error > 0.0) {
+            Some(error) => with_error(q.value, Some(error), &q.unit()),
+            None => si(q.value, &q.unit()),
+        };
+        self.numbers[number].map_or_else(Cell::none, |q| Cell::plain(written(q)))
+    }
+
+    fn values(&self) -> [Option<f64>; 4] {
+        self.numbers.map(|number| number.map(|q| q.value))
+    }
+
+    /// The errors of all four numbers by the time steps, or by the mesh.
+    fn errors(&self, of: fn(&Quantity) -> Option<f64>) -> Option<Vec<f64>> {
+        self.numbers.iter().map(|number| of((*number)?)).collect()
+    }
 }
 
 /// Least, greatest, mean and last value of every channel, with errors.
 #[must_use]
-pub fn channels(run: &MotionRun) -> Table {
+pub fn channels(run: &Run) -> Table {
     const SECONDS: NumberFormat = NumberFormat::Digits(6, "s");
-    let mut table = Table::of("In motion", &run.channels)
-        .text("channel", |channel| channel.id.to_string())
-        .text("least", |channel| written(channel, 0))
-        .number("at", SECONDS, |channel| channel.summary.least.1)
-        .text("greatest", |channel| written(channel, 1))
-        .number("at", SECONDS, |channel| channel.summary.greatest.1)
-        .text("mean", |channel| written(channel, 2))
-        .text("at the end", |channel| written(channel, 3))
+    let rows = ChannelRow::all(run);
+    let mut table = Table::of("In motion", &rows)
+        .text("channel", |row| row.channel.name())
+        .cell("least", Align::Left, |row| row.written(0))
+        .number("at", SECONDS, |row| row.channel.trough.1)
+        .cell("greatest", Align::Left, |row| row.written(1))
+        .number("at", SECONDS, |row| row.channel.peak.1)
+        .cell("mean", Align::Left, |row| row.written(2))
+        .cell("at the end", Align::Left, |row| row.written(3))
         .build();
-    let estimated = run
-        .channels
-        .iter()
-        .any(|channel| error(channel, 0).is_some());
-    if estimated {
-        table.notes.push(
-            "Errors: of steps about twice as long and of half the segments, each by 3 times Richardson, order 2, added up.".to_owned(),
-        );
+    if run.summary.iter().any(|q| q.error_estimate().is_some()) {
+        let method = &run.info.settings.error_method;
+        table.notes.push(format!("Errors: {method}, added up."));
     }
     table
 }
 
-/// Settings, work and energy in words.
+/// The energy balance in words; nothing of a run that has none.
 #[must_use]
-pub fn summary(run: &MotionRun) -> String {
-    let (settings, work, balance) = (&run.settings, &run.work, &run.balance);
-    let steps = match settings.step_tolerance {
-        Some(tolerance) => format!(
-            "steps of up to {:.3e} s by a step tolerance of {tolerance:.1e}",
-            settings.time_step_s
-        ),
-        None => format!("steps of {} s", settings.time_step_s),
+pub fn energy(run: &Run) -> Option<String> {
+    let value = |of| {
+        let id = QuantityId::single(Subject::Energy(of));
+        Some(run.summary.iter().find(|q| q.id == id)?.value)
     };
-    format!(
-        "{} s by generalized-alpha, rho_inf {}, {steps}: {} steps, {} rejected, {} Newton iterations on {} nodes and {} joints, {}. \
-         Energy put in {:.4e} J, lost {:.4e} J, stored {:.4e} J, not accounted for {:.1e} J ({:.3} %).",
-        work.reached,
-        settings.rho_inf,
-        work.steps,
-        work.rejections,
-        work.iterations,
-        work.nodes,
-        work.joints,
-        duration(work.seconds),
-        balance.put_in,
-        balance.lost,
-        balance.stored,
-        balance.drift(),
-        100.0 * balance.relative_drift(),
-    )
+    Some(format!(
+        "Energy put in {:.4e} J, dissipated {:.4e} J, stored {:.4e} J, not accounted for {:.1e} J ({:.3} %).",
+        value(EnergyQuantity::Supplied)?,
+        value(EnergyQuantity::Dissipated)?,
+        value(EnergyQuantity::Stored)?,
+        value(EnergyQuantity::Drift)?,
+        value(EnergyQuantity::DriftShare)?.abs(),
+    ))
 }
 
-/// The tensions at the ends of the lines against time.
-#[must_use]
-pub fn tensions(run: &MotionRun, end: &str) -> Chart {
-    let history = &run.history;
-    let of_end = history.channels.iter();
-    let of_end = of_end.filter(|channel| channel.id.place.ends_with(end));
-    let series = of_end.enumerate().map(|(number, channel)| {
-        let points = history.time.iter().zip(&channel.values);
-        let points = points.map(|(time, value)| (*time, *value));
-        Series::new(&channel.id.place, number, points.collect())
-    });
-    let title = format!(
-        "Tension at ends {}",
-        end.trim_start_matches('|').to_uppercase()
-    );
-    let (x, y) = (Axis::new("time", "s"), Axis::new("tension", "N"));
-    Chart::new(title, x, y, series.collect())
-}
-
-/// The report of a run.
-#[must_use]
-pub fn report(
-    solved: &SolvedSystem,
-    run: &MotionRun,
-    rows: &[ValidationRow],
-    fields: &[FieldRow],
-    glyphs: Glyphs,
-) -> String {
-    let about = &solved.file.about;
-    let mut page = Page::default();
-    page.title(&about.title);
-    page.prose([&about.source, &about.notes]);
-    page.paragraph(&super::tables::summary(solved));
-    if let Some(why) = &run.failure {
-        page.hanging("! ", &format!("The run ended early: {why}"));
+/// Events, channels and energy balance.
+fn results(page: &mut Page, run: &Run) {
+    for event in &run.info.happened {
+        page.hanging("* ", event);
     }
-    for warning in super::tables::warnings(solved).iter().chain(&run.warnings) {
-        page.hanging("! ", warning);
-    }
-    page.heading("In motion");
-    page.paragraph(&summary(run));
-    for event in &run.happened {
-        page.hanging("", event);
+    if run.history.channels.is_empty() {
+        return page.line("The run holds no results.");
     }
     page.table(&channels(run));
-    for end in ["|a", "|b"] {
-        page.chart(&tensions(run, end), LINES, glyphs);
+    if let Some(energy) = energy(run) {
+        page.paragraph(&energy);
     }
-    if !rows.is_empty() {
-        page.heading("Published values");
-        page.block(&text::validation(rows));
-    }
-    inputs(&mut page, fields, !about.source.trim().is_empty());
+}
+
+/// The results on 80 columns.
+#[must_use]
+pub fn summary(run: &Run) -> String {
+    let mut page = Page::default();
+    results(&mut page, run);
     page.finish()
 }
 
-/// The run as a JSON object.
+/// The charts that have something to show: tensions by ends, then positions and angles.
+fn charts(run: &Run) -> Vec<Chart> {
+    let runs = [PlottedRun::whole(run, "")];
+    let tension = ["|a", "|b"].map(|end| {
+        let chart = against_time_at(&runs, ChannelQuantity::Tension, |place| {
+            place.ends_with(end)
+        });
+        Chart {
+            title: format!("Tension at ends {}", end[1..].to_uppercase()),
+            ..chart
+        }
+    });
+    let recorded = run.history.channels.iter().map(|c| c.id.quantity);
+    let others = FigureId::of_system(&recorded.collect::<Vec<_>>()).into_iter();
+    let others = others.filter(|id| *id != FigureId::Tensions);
+    let others = others.map(|id| id.figure().draw(&FigureData::of_system(&runs)));
+    let all = tension.into_iter().chain(others);
+    all.filter(|chart| chart.series.iter().any(|series| series.points.len() > 1))
+        .collect()
+}
+
+/// The report of a stored run, of its own text.
+///
+/// # Errors
+/// Everything that is wrong with the text for this version.
+pub fn stored_report(run: &Run, glyphs: Glyphs) -> Result<String, Vec<Diagnostic>> {
+    let solved = kind::parse::<SystemFile>(&run.case_text, &run.info.case_file)?;
+    let mut fields = kind::rows::<SystemFile>(&run.case_text);
+    edited::mark(&mut fields, &edited_inputs::<SystemFile>(run));
+    Ok(report(&solved, run, &fields, glyphs))
+}
+
+/// The report of a run: what was computed and how, inputs, results with their errors, charts, work and cost.
+fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow], glyphs: Glyphs) -> String {
+    let about = &solved.file.about;
+    let mut page = Page::default();
+    text::head(
+        &mut page,
+        &run.info,
+        [&about.title, &about.source, &about.notes],
+    );
+    page.line("");
+    page.paragraph(&super::tables::summary(solved));
+    let at_rest = super::tables::warnings(solved);
+    let warnings: Vec<String> = at_rest.iter().chain(&run.info.warnings).cloned().collect();
+    text::warnings(&mut page, &warnings);
+    text::settings(&mut page, &run.info);
+    inputs(&mut page, fields, !about.source.trim().is_empty());
+    page.heading("Results");
+    results(&mut page, run);
+    let history = match &run.info.failure {
+        Some(why) => Err(format!("The run ended early: {why}.")),
+        None => Ok(&run.history),
+    };
+    let rows = validation::rows_of(solved, history, &[]);
+    if !rows.is_empty() {
+        page.heading("Published values");
+        page.block(&text::validation(&rows));
+    }
+    let charts = charts(run);
+    if !charts.is_empty() {
+        page.heading("Charts");
+    }
+    for chart in &charts {
+        page.chart(chart, LINES, glyphs);
+    }
+    text::work(&mut page, &run.info);
+    page.finish()
+}
+
+/// The run as a JSON object, with the directory that holds it.
 #[must_use]
-pub fn object(run: &MotionRun) -> Value {
-    let channel = |channel: &ChannelResult| {
-        let [least, greatest, mean, last] = channel.summary.numbers();
+pub fn object(run: &Run, directory: &Path) -> Value {
+    let channel = |row: &ChannelRow<'_>| {
+        let [least, greatest, mean, last] = row.values();
         json!({
-            "name": channel.id.to_string(),
-            "unit": channel.id.quantity.unit(),
+            "name": row.channel.name(),
+            "unit": row.channel.unit(),
             "least": least,
-            "least_at_s": channel.summary.least.1,
+            "least_at_s": row.channel.trough.1,
             "greatest": greatest,
-            "greatest_at_s": channel.summary.greatest.1,
+            "greatest_at_s": row.channel.peak.1,
             "mean": mean,
             "last": last,
-            "time_errors": channel.time_error,
-            "mesh_errors": channel.mesh_error,
+            "time_errors": row.errors(|q| q.time_error),
+            "mesh_errors": row.errors(|q| q.mesh_error),
         })
     };
-    let (work, balance) = (&run.work, &run.balance);
+    let energy = |of| {
+        let id = QuantityId::single(Subject::Energy(of));
+        run.summary.iter().find(|q| q.id == id).map(|q| q.value)
+    };
+    let info = &run.info;
     json!({
-        "state": if run.failure.is_some() { "failed" } else { "done" },
-        "failure": run.failure,
-        "warnings": run.warnings,
-        "events": run.happened,
-        "reached_s": work.reached,
-        "steps": work.steps,
-        "rejections": work.rejections,
-        "iterations": work.iterations,
-        "energy_put_in_j": balance.put_in,
-        "energy_lost_j": balance.lost,
-        "energy_stored_j": balance.stored,
-        "energy_drift_j": balance.drift(),
-        "directory": null,
-        "channels": run.channels.iter().map(channel).collect::<Vec<_>>(),
+        "state": info.state,
+        "failure": info.failure,
+        "warnings": info.warnings,
+        "events": info.happened,
+        "reached_s": run.history.time.last(),
+        "steps": info.work.steps,
+        "rejections": info.work.rejections,
+        "iterations": info.work.iterations,
+        "energy_put_in_j": energy(EnergyQuantity::Supplied),
+        "energy_lost_j": energy(EnergyQuantity::Dissipated),
+        "energy_stored_j": energy(EnergyQuantity::Stored),
+        "energy_drift_j": energy(EnergyQuantity::Drift),
+        "directory": directory.display().to_string(),
+        "channels": ChannelRow::all(run).iter().map(channel).collect::<Vec<_>>(),
     })
 }

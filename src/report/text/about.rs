@@ -2,27 +2,25 @@
 
 use super::layout::Page;
 use crate::{
-    case::Case,
     report::number::{duration, si},
-    run::{Run, RunInfo, RunState, Settings},
+    run::{RunInfo, RunState, Settings},
 };
 
-/// Title, source and state.
-pub(super) fn head(page: &mut Page, run: &Run, case: &Case) {
-    let info = &run.info;
-    page.title(&case.case.title);
+/// Title, source and state of a run of a file with this title, source and notes.
+pub(crate) fn head(page: &mut Page, info: &RunInfo, [title, source, notes]: [&str; 3]) {
+    page.title(title);
     page.pairs(&[
         ("Run", info.id.clone()),
         ("Case", info.case_file.clone()),
         ("Set on top", info.overrides.join(", ")),
-        ("Source", case.case.source.clone()),
+        ("Source", source.to_owned()),
         ("Started", info.started.clone()),
         ("State", state(info)),
         ("Version", format!("seacable {}", info.version)),
     ]);
-    if !case.case.notes.trim().is_empty() {
+    if !notes.trim().is_empty() {
         page.line("");
-        page.paragraph(&case.case.notes);
+        page.paragraph(notes);
     }
 }
 
@@ -39,17 +37,17 @@ fn state(info: &RunInfo) -> String {
 }
 
 /// What the reader must know before trusting the numbers.
-pub(super) fn warnings(page: &mut Page, info: &RunInfo) {
-    if !info.warnings.is_empty() {
+pub(crate) fn warnings(page: &mut Page, warnings: &[String]) {
+    if !warnings.is_empty() {
         page.heading("Warnings");
-        for warning in &info.warnings {
+        for warning in warnings {
             page.hanging("* ", warning);
         }
     }
 }
 
 /// The solver's settings, those it chose itself marked so.
-pub(super) fn settings(page: &mut Page, info: &RunInfo) {
+pub(crate) fn settings(page: &mut Page, info: &RunInfo) {
     let s = &info.settings;
     let limit = s.stability_limit_s.map(|limit| {
         let at = s
@@ -123,7 +121,7 @@ fn method(word: &str) -> String {
 }
 
 /// Work counts and cost.
-pub(super) fn work(page: &mut Page, info: &RunInfo) {
+pub(crate) fn work(page: &mut Page, info: &RunInfo) {
     let (work, cost) = (info.work, info.cost);
     page.heading("Work and cost");
     page.pairs(&[

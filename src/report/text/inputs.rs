@@ -10,7 +10,7 @@ use crate::{
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
     let mut all = kind::rows::<Case>(&run.case_text);
-    edited::mark(&mut all, &edited_inputs(run));
+    edited::mark(&mut all, &edited_inputs::<Case>(run));
     list(page, &all, !case.case.source.trim().is_empty());
 }
 

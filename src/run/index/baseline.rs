@@ -8,8 +8,9 @@ use crate::case::TextDigest;
 pub(super) type Inputs = BTreeMap<String, String>;
 
 /// Tables that describe or judge a case, or say what else to compute of it; they are no inputs of a run.
-const NO_INPUTS: [&str; 7] = [
+const NO_INPUTS: [&str; 8] = [
     "case",
+    "system",
     "study",
     "published",
     "published_curve",

@@ -2,6 +2,8 @@
 
 use std::{fs, io, path::Path};
 
+use serde::de::DeserializeOwned;
+
 use super::{
     CASE, CHANNELS, CHECKPOINT, ERRORS, HistoryReader, PROFILE, ROPES, RUN, SUMMARY, ShapeReader,
     StoreError, columns,
@@ -65,6 +67,16 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
 /// # Errors
 /// The run has no checkpoint, or one that cannot be understood.
 pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
+    let checkpoint: Checkpoint = checkpoint(dir)?;
+    let dir = dir.to_owned();
+    Ok(ResumedRun { checkpoint, dir })
+}
+
+/// Reads the checkpoint of a run of any kind.
+///
+/// # Errors
+/// As [`resume`].
+pub fn checkpoint<C: DeserializeOwned>(dir: &Path) -> Result<C, StoreError> {
     let file = dir.join(CHECKPOINT);
     let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
@@ -75,9 +87,7 @@ pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
         file,
         reason: with_version(&error, info.as_ref().map(|info| info.version.as_str())),
     };
-    let checkpoint: Checkpoint = toml::from_str(&text).map_err(damaged)?;
-    let dir = dir.to_owned();
-    Ok(ResumedRun { checkpoint, dir })
+    toml::from_str(&text).map_err(damaged)
 }
 
 /// Reads only the text of its case.

@@ -116,6 +116,7 @@ impl RunWriter {
             JobEvent::Started { channels } => self.channels(channels),
             JobEvent::Frame(frame) => self.frame(frame),
             JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
+            JobEvent::SystemCheckpoint(text) => self.checkpoint_text(text),
             JobEvent::Estimating => self.flush(),
             JobEvent::Searching(_) | JobEvent::Finished(_) => Ok(()),
         }
@@ -153,11 +154,15 @@ impl RunWriter {
 
     /// Writes a checkpoint once everything recorded before is on disk.
     fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), StoreError> {
-        self.flush()?;
         let text = toml::to_string(checkpoint).map_err(|error| StoreError::Damaged {
             file: self.dir.join(CHECKPOINT),
             reason: error.to_string(),
         })?;
+        self.checkpoint_text(&text)
+    }
+
+    fn checkpoint_text(&mut self, text: &str) -> Result<(), StoreError> {
+        self.flush()?;
         create::replace(&self.dir, CHECKPOINT, text.as_bytes())
     }
 

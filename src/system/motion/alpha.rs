@@ -2,6 +2,7 @@
 
 use super::body_equation::MovingBody;
 use super::border::{Border, accelerate};
+use super::method::MethodState;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
@@ -32,6 +33,28 @@ pub struct SystemAlpha {
 }
 
 impl SystemAlpha {
+    /// What it takes to the next step.
+    #[must_use]
+    pub fn method_state(&self) -> MethodState {
+        MethodState {
+            iterations: self.iterations,
+            rate: self.rate,
+            jerk_weight: self.jerk_weight,
+            jerk: self.jerk.clone(),
+            evaluations: 0,
+        }
+    }
+
+    /// Continues from a state after an accepted step.
+    pub fn restore(&mut self, stored: &MethodState, state: &SystemState) {
+        self.iterations = stored.iterations;
+        self.rate = stored.rate;
+        self.jerk_weight = stored.jerk_weight;
+        self.jerk.clone_from(&stored.jerk);
+        self.end.clone_from(state);
+        self.between.clone_from(state);
+    }
+
     /// For a system from a state. `rho` from 0 to 1; Newton's tolerance \[m\] and greatest number of iterations in a step.
     #[must_use]
     pub fn new(

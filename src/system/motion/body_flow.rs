@@ -10,6 +10,7 @@
 //! over the accepted times t_k and the step h under way. The last term is a damping of the step, in the tangent too.
 
 use nalgebra::{Matrix6, Vector6};
+use serde::{Deserialize, Serialize};
 
 use super::body_equation::velocities;
 use super::moving_system::MovingSystem;
@@ -44,7 +45,7 @@ pub struct FlowLoad {
 }
 
 /// Velocities of a body along its axes at the accepted times, as far back as its memory goes.
-#[derive(Debug, PartialEq)]
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct VelocityHistory {
     rows: Vec<(f64, Vector6<f64>)>,
 }

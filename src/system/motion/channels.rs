@@ -5,6 +5,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::case::{ChannelId, ChannelQuantity};
+use crate::system::network::{Body, Held, Network};
 
 /// What a channel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -99,6 +100,33 @@ impl Channels {
 }
 
 fn moves(system: &MovingSystem, body: usize) -> bool {
-    let body = &system.network.bodies[body];
+    is_moving(&system.network.bodies[body])
+}
+
+fn is_moving(body: &Body) -> bool {
     body.free || body.motion.is_some()
+}
+
+/// The quantities that runs of a system record.
+#[must_use]
+pub fn quantities(network: &Network) -> Vec<ChannelQuantity> {
+    let mut all = vec![ChannelQuantity::Tension];
+    let bodies_move = network.bodies.iter().any(is_moving);
+    let points = &network.points;
+    let points_move = points
+        .iter()
+        .any(|point| point.motion.is_some() || matches!(point.held, Held::Free(_)));
+    if bodies_move || points_move {
+        all.extend(ChannelQuantity::POSITION);
+    }
+    if bodies_move {
+        all.extend(ChannelQuantity::ANGLES);
+    }
+    all.extend(
+        network
+            .sea
+            .is_some()
+            .then_some(ChannelQuantity::WaveElevation),
+    );
+    all
 }

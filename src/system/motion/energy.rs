@@ -5,6 +5,8 @@
 
 use nalgebra::Matrix6;
 
+use serde::{Deserialize, Serialize};
+
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
@@ -15,7 +17,7 @@ use crate::solve::Factors;
 use crate::system::network::Held;
 
 /// Energy and power at an instant.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Energy {
     /// Kinetic and potential energy \[J\].
     pub stored: f64,

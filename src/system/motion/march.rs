@@ -1,10 +1,11 @@
 //! The march of a system through time, from one end that is let go to the next.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
 use super::breaks;
+use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::method::Method;
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, Recorder};
@@ -13,58 +14,127 @@ use super::run::{ChannelResult, MotionRun, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
+use crate::background::cpu_time;
+use crate::case::ChannelId;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
-use crate::run::Channel;
+use crate::run::event::JobEvent;
+use crate::run::{Cost, OutputFrame, Progress, RunState, replay_rows};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
 
+/// Least wall time between two checkpoints.
+const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
+
 /// A march under way.
-struct Marching {
+pub(super) struct Marching {
     system: MovingSystem,
-    state: SystemState,
-    method: Method,
+    pub(super) state: SystemState,
+    pub(super) method: Method,
     bodies: Vec<MovingBody>,
-    recorder: Recorder,
+    pub(super) recorder: Recorder,
     march: March,
-    place: MarchProgress,
+    pub(super) place: MarchProgress,
     /// What happened to the lines, in words.
-    happened: Vec<String>,
+    pub(super) happened: Vec<String>,
 }
 
-/// Marches from the start to the end.
+/// What a march that is stored needs: the digest of its text, and the checkpoint from where it is resumed.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stored<'a> {
+    pub(super) text: &'a str,
+    pub(super) from: Option<&'a ResumedSystem>,
+}
+
+/// Why a march ended before its end.
+enum EarlyEnd {
+    /// It was cancelled.
+    Cancelled,
+    /// A step failed, for this reason.
+    Failed(String),
+}
+
+/// Sends the rows of a march as they are recorded.
+struct RowSender<'a> {
+    events: &'a mut dyn FnMut(JobEvent),
+    clock: Instant,
+    progress: Progress,
+    /// Digest of the text that checkpoints are of, and the interval of the rows \[s\]; absent: none are sent.
+    checkpoints: Option<(&'a str, f64)>,
+    saved: Instant,
+}
+
+impl RowSender<'_> {
+    /// Sends a row; `steps` are accepted by then.
+    fn send(&mut self, steps: u64, time: f64, values: &[f64]) {
+        let progress = Progress {
+            time,
+            steps,
+            wall_s: self.clock.elapsed().as_secs_f64(),
+            ..self.progress
+        };
+        (self.events)(JobEvent::Frame(Box::new(OutputFrame {
+            time,
+            values: values.to_vec(),
+            shape: None,
+            progress,
+        })));
+    }
+
+    /// Sends the state of a march.
+    fn checkpoint(&mut self, march: &Marching) {
+        let Some((text, interval)) = self.checkpoints else {
+            return;
+        };
+        // What cannot be written is no checkpoint; the run goes on without.
+        if let Ok(text) = toml::to_string(&SystemCheckpoint::of(march, text, interval)) {
+            (self.events)(JobEvent::SystemCheckpoint(text));
+        }
+        self.saved = Instant::now();
+    }
+}
+
+/// Marches from the start, or from where a stored run is resumed, to the end, and sends every row.
 pub(super) fn compute(
     begun: Start,
     settings: &MotionSettings,
+    stored: Option<Stored<'_>>,
     cancel: &AtomicBool,
-    progress: &mut dyn FnMut(f64),
+    events: &mut dyn FnMut(JobEvent),
 ) -> MotionRun {
-    let clock = Instant::now();
+    let (cpu, clock) = (cpu_time(), Instant::now());
+    let mut rows = RowSender {
+        events,
+        clock,
+        progress: Progress {
+            duration: settings.duration_s,
+            ..Progress::default()
+        },
+        checkpoints: stored.map(|stored| (stored.text, settings.interval_s)),
+        saved: clock,
+    };
     let at_start = begun.iterations;
     let mut marching = Marching::new(begun, settings);
-    let mut events = by_time(&marching.system).into_iter().peekable();
-    let mut failure = marching.begin().err();
-    while failure.is_none() && !marching.march.is_over(&marching.place) {
-        let until = events.peek().map_or(f64::INFINITY, |event| event.time);
-        match marching.advance(until, cancel, progress) {
-            Err(why) => failure = Some(why),
-            Ok(Some(event)) => marching.release(event),
-            Ok(None) => {}
-        }
-        let (march, place) = (marching.march, marching.place);
-        while failure.is_none()
-            && let Some(event) = events.next_if(|event| march.is_at(&place, event.time))
-        {
-            marching.release(event);
-        }
-    }
-    marching.recorder.end();
+    let from = stored.and_then(|stored| stored.from);
+    let begun = match from {
+        Some(from) => marching.resume(from, &mut rows),
+        None => marching.begin(&mut rows),
+    };
+    let ended = begun.map_err(EarlyEnd::Failed);
+    let ended = ended.and_then(|()| marching.march(cancel, &mut rows)).err();
+    let steps = marching.place.steps;
+    let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
+    marching.recorder.end(last);
     let work = MotionWork {
         iterations: at_start + marching.method.work_counts().iterations,
         evaluations: marching.method.work_counts().evaluations,
-        seconds: clock.elapsed().as_secs_f64(),
         ..marching.work()
     };
-    marching.result(settings, work, failure)
+    let cost = Cost {
+        cpu_s: cpu_time() - cpu,
+        wall_s: clock.elapsed().as_secs_f64(),
+        companions_wall_s: 0.0,
+    };
+    marching.result(settings, (work, cost), ended)
 }
 
 impl Marching {
@@ -86,13 +156,74 @@ impl Marching {
         }
     }
 
+    /// Marches to the end, from one end that is let go to the next; sends checkpoints at intervals, where it is stopped, and at the end:
+    /// before the last whole step where the end cuts it short, so that a longer run resumes with a whole one.
+    fn march(&mut self, cancel: &AtomicBool, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
+        let (system, state) = (&self.system, &self.state);
+        let mut events = by_time(system);
+        events.retain(|event| !system.is_released(*event, state));
+        let mut events = events.into_iter().peekable();
+        while !self.march.is_over(&self.place) {
+            let next = (self.place.whole + 1) as f64 * self.march.step;
+            let cut_by_end = self.march.is_after_end(next);
+            if cut_by_end {
+                rows.checkpoint(self);
+            }
+            let event = events.peek().map_or(f64::INFINITY, |event| event.time);
+            match self.advance(next.min(event), cancel, rows) {
+                Ok(Some(event)) => self.release(event, rows),
+                Ok(None) => {}
+                Err(end) => {
+                    if matches!(end, EarlyEnd::Cancelled) {
+                        rows.checkpoint(self);
+                    }
+                    return Err(end);
+                }
+            }
+            let (march, place) = (self.march, self.place);
+            while let Some(event) = events.next_if(|event| march.is_at(&place, event.time)) {
+                self.release(event, rows);
+            }
+            let due = march.is_over(&place) || rows.saved.elapsed() >= BETWEEN_CHECKPOINTS;
+            if due && !cut_by_end {
+                rows.checkpoint(self);
+            }
+        }
+        Ok(())
+    }
+
+    /// Continues from the checkpoint of a stored run; its rows are recorded and sent again.
+    fn resume(&mut self, from: &ResumedSystem, rows: &mut RowSender<'_>) -> Result<(), String> {
+        let stored = &from.checkpoint;
+        stored.check(&self.state, self.recorder.channels().len())?;
+        if stored.interval_s.to_bits() != self.recorder.interval().to_bits() {
+            return Err("the interval of its history is another one".to_owned());
+        }
+        let span = (stored.recorder.rows, stored.recorder.time());
+        let recorder = &mut self.recorder;
+        replay_rows(&from.dir, span, &mut |time, values| {
+            recorder.take_row(time, values);
+            rows.send(0, time, values);
+        })
+        .map_err(|why| why.to_string())?;
+        self.recorder.restore(&stored.recorder);
+        self.state.restore(&stored.state);
+        self.system.free_released_ends(&self.state);
+        self.system.update_wave_kinematics(span.1, &mut self.state);
+        self.method.restore(&stored.method, &self.state);
+        self.place = stored.place;
+        self.happened.clone_from(&stored.happened);
+        Ok(())
+    }
+
     /// The accelerations at the start, and the first row.
-    fn begin(&mut self) -> Result<(), String> {
+    fn begin(&mut self, rows: &mut RowSender<'_>) -> Result<(), String> {
         self.system.update_wave_kinematics(0.0, &mut self.state);
         let begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         self.system.commit(0.0, 0.0, &mut self.state);
+        let first = &mut |time, values: &[f64]| rows.send(0, time, values);
         self.recorder
-            .accept(&self.system, &self.bodies, 0.0, &self.state);
+            .accept(&self.system, &self.bodies, (0.0, &self.state), first);
         begun.map_err(|why| in_words(&self.system, 0.0, &why))
     }
 
@@ -101,13 +232,13 @@ impl Marching {
         &mut self,
         until: f64,
         cancel: &AtomicBool,
-        progress: &mut dyn FnMut(f64),
-    ) -> Result<Option<Release>, String> {
+        rows: &mut RowSender<'_>,
+    ) -> Result<Option<Release>, EarlyEnd> {
         let (system, bodies, recorder) = (&self.system, &self.bodies, &mut self.recorder);
         let mut pulled = None;
         let mut sink = |instant: AcceptedStep<'_, SystemState>| {
-            recorder.accept(system, bodies, instant.time, instant.state);
-            progress(instant.time);
+            let send = &mut |time, values: &[f64]| rows.send(instant.steps, time, values);
+            recorder.accept(system, bodies, (instant.time, instant.state), send);
             pulled = by_tension(system, instant.state, instant.time);
             match pulled.is_some() || cancel.load(Ordering::Relaxed) {
                 true => Progressing::Stop,
@@ -119,19 +250,21 @@ impl Marching {
             .march
             .advance(place, until, method, system, state, &mut sink);
         match going {
-            Err(error) => Err(march_in_words(&self.system, &error)),
-            Ok(Progressing::Stop) if pulled.is_none() => Err("it was stopped".to_owned()),
+            Err(error) => Err(EarlyEnd::Failed(march_in_words(&self.system, &error))),
+            Ok(Progressing::Stop) if pulled.is_none() => Err(EarlyEnd::Cancelled),
             Ok(_) => Ok(pulled),
         }
     }
 
     /// Lets an end go, and starts the method anew.
-    fn release(&mut self, event: Release) {
+    fn release(&mut self, event: Release, rows: &mut RowSender<'_>) {
         self.system.release(event, &mut self.state);
         self.method
             .restart(&self.system, event.time, &mut self.state);
+        let steps = self.place.steps;
+        let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
         self.recorder
-            .jump(&self.system, &self.bodies, event.time, &self.state);
+            .jump(&self.system, &self.bodies, (event.time, &self.state), last);
         self.happened.push(in_time(&self.system, event));
     }
 
@@ -149,26 +282,33 @@ impl Marching {
     fn result(
         self,
         settings: &MotionSettings,
-        work: MotionWork,
-        failure: Option<String>,
+        (work, cost): (MotionWork, Cost),
+        ended: Option<EarlyEnd>,
     ) -> MotionRun {
         let recorder = self.recorder;
         let summaries = recorder.summaries();
-        let channels = recorder.history.channels.iter().zip(summaries);
-        let channel = |(channel, summary): (&Channel, ChannelSummary)| ChannelResult {
-            id: channel.id.clone(),
+        let channels = recorder.channels().iter().zip(summaries);
+        let channel = |(id, summary): (&ChannelId, ChannelSummary)| ChannelResult {
+            id: id.clone(),
             summary,
             time_error: None,
             mesh_error: None,
         };
+        let (state, failure) = match ended {
+            None => (RunState::Done, None),
+            Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
+            Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
+        };
         MotionRun {
             settings: settings.clone(),
             channels: channels.map(channel).collect(),
-            history: recorder.history,
             companions: Vec::new(),
-            work,
             balance: recorder.balance,
+            history: recorder.into_history(),
+            work,
+            cost,
             happened: self.happened,
+            state,
             failure,
             warnings: Vec::new(),
         }

@@ -1,5 +1,7 @@
 //! The method by which a system is computed in time.
 
+use serde::{Deserialize, Serialize};
+
 use super::alpha::SystemAlpha;
 use super::body_equation::MovingBody;
 use super::moving_system::MovingSystem;
@@ -7,8 +9,24 @@ use super::rk4::SystemRk4;
 use super::settings::MotionSettings;
 use super::system_state::SystemState;
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
+use crate::numerics::V3;
 use crate::solve::NewtonError;
 use crate::system::model::MotionMethod;
+
+/// What a method takes from one step to the next.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct MethodState {
+    /// Newton iterations so far.
+    pub iterations: u64,
+    /// Evaluations of an explicit method so far.
+    pub evaluations: u64,
+    /// Rate of Newton's convergence.
+    pub rate: Option<f64>,
+    /// Weight of the jerk in the prediction.
+    pub jerk_weight: f64,
+    /// Rates of the accelerations over the step before, part by part \[m/s³\]; empty for an explicit method.
+    pub jerk: Vec<Vec<V3>>,
+}
 
 /// One of the methods.
 #[derive(Debug, Clone)]
@@ -53,6 +71,26 @@ impl Method {
         match self {
             Self::Alpha(method) => method.accelerate(system, t, state),
             Self::Rk4(method) => method.accelerate(system, t, state),
+        }
+    }
+
+    /// What it takes to the next step.
+    #[must_use]
+    pub fn method_state(&self) -> MethodState {
+        match self {
+            Self::Alpha(method) => method.method_state(),
+            Self::Rk4(method) => MethodState {
+                evaluations: method.work_counts().evaluations,
+                ..MethodState::default()
+            },
+        }
+    }
+
+    /// Continues from a state after an accepted step.
+    pub fn restore(&mut self, stored: &MethodState, state: &SystemState) {
+        match self {
+            Self::Alpha(method) => method.restore(stored, state),
+            Self::Rk4(method) => method.restore(stored.evaluations),
         }
     }
 

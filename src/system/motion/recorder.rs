@@ -1,14 +1,17 @@
 //! Records the accepted steps of a system: a row at every output time, extremes and means of every step, the energy balance.
 
+use serde::{Deserialize, Serialize};
+
 use super::body_equation::MovingBody;
 use super::channels::Channels;
 use super::energy::{Energy, energy};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
-use crate::run::{Channel, History};
+use crate::case::ChannelId;
+use crate::run::{DecimatedRecord, History};
 
 /// A channel over the whole run.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ChannelSummary {
     /// Least value at a step, and its time \[s\].
     pub least: (f64, f64),
@@ -21,7 +24,7 @@ pub struct ChannelSummary {
 }
 
 /// The energy over the whole run \[J\].
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergyBalance {
     /// Work of prescribed motion and of the loads on bodies.
     pub put_in: f64,
@@ -51,10 +54,41 @@ impl EnergyBalance {
 }
 
 /// An accepted step as it is recorded.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 struct Step {
     time: f64,
     values: Vec<f64>,
+}
+
+/// What is recorded so far, but for the rows.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RecorderState {
+    /// Rows recorded so far.
+    pub rows: u64,
+    energy_at_start: f64,
+    greatest_energy: f64,
+    passed: f64,
+    sums: Vec<f64>,
+    last_energy: Energy,
+    balance: EnergyBalance,
+    summaries: Vec<ChannelSummary>,
+    steps: Vec<Step>,
+}
+
+impl RecorderState {
+    /// Time of the last step \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.steps.last().map_or(0.0, |step| step.time)
+    }
+
+    /// Whether it is of so many channels.
+    #[must_use]
+    pub fn fits(&self, channels: usize) -> bool {
+        let steps = self.steps.iter().map(|step| step.values.len());
+        let mut sizes = steps.chain([self.sums.len(), self.summaries.len()]);
+        !self.steps.is_empty() && sizes.all(|size| size == channels)
+    }
 }
 
 /// The record of a run.
@@ -63,8 +97,11 @@ pub struct Recorder {
     /// What is recorded.
     channels: Channels,
     interval: f64,
-    /// The channels at the output times.
-    pub history: History,
+    /// The channels at the output times; of a long run some of them.
+    record: DecimatedRecord,
+    /// Rows recorded so far, and the latest of them.
+    rows: u64,
+    row: Vec<f64>,
     /// The last three steps, the oldest first: rows between the last two are written once the next is there.
     steps: Vec<Step>,
     sums: Vec<f64>,
@@ -90,10 +127,9 @@ impl Recorder {
             last: 0.0,
         };
         Self {
-            history: History {
-                time: Vec::new(),
-                channels: channels.ids.iter().cloned().map(Channel::new).collect(),
-            },
+            record: DecimatedRecord::new(channels.ids.iter().cloned()),
+            rows: 0,
+            row: Vec::new(),
             channels,
             interval,
             steps: Vec::new(),
@@ -107,13 +143,59 @@ impl Recorder {
         }
     }
 
-    /// Records an accepted step at time t \[s\].
+    /// What is recorded so far, but for the rows.
+    #[must_use]
+    pub fn state(&self) -> RecorderState {
+        RecorderState {
+            rows: self.rows,
+            energy_at_start: self.energy_at_start,
+            greatest_energy: self.greatest_energy,
+            passed: self.passed,
+            sums: self.sums.clone(),
+            last_energy: self.last_energy,
+            balance: self.balance,
+            summaries: self.summaries.clone(),
+            steps: self.steps.clone(),
+        }
+    }
+
+    /// Continues from what was recorded so far.
+    pub fn restore(&mut self, stored: &RecorderState) {
+        self.rows = stored.rows;
+        self.energy_at_start = stored.energy_at_start;
+        self.greatest_energy = stored.greatest_energy;
+        self.passed = stored.passed;
+        self.sums.clone_from(&stored.sums);
+        self.last_energy = stored.last_energy;
+        self.balance = stored.balance;
+        self.summaries.clone_from(&stored.summaries);
+        self.steps.clone_from(&stored.steps);
+    }
+
+    /// Interval of the rows \[s\].
+    #[must_use]
+    pub const fn interval(&self) -> f64 {
+        self.interval
+    }
+
+    /// Takes a row of an earlier history.
+    pub fn take_row(&mut self, t: f64, values: &[f64]) {
+        self.record.row(t, values);
+    }
+
+    /// What is recorded, in the order of the rows.
+    #[must_use]
+    pub fn channels(&self) -> &[ChannelId] {
+        &self.channels.ids
+    }
+
+    /// Records an accepted step at time t \[s\], and sends the rows that are complete with it.
     pub fn accept(
         &mut self,
         system: &MovingSystem,
         bodies: &[MovingBody],
-        t: f64,
-        state: &SystemState,
+        (t, state): (f64, &SystemState),
+        rows: &mut dyn FnMut(f64, &[f64]),
     ) {
         let mut step = if self.steps.len() == 3 {
             self.steps.remove(0)
@@ -127,14 +209,11 @@ impl Recorder {
         self.steps.push(step);
         match self.steps.len() {
             1 => {
-                let first = &self.steps[0];
-                self.history.time.push(first.time);
-                for (channel, value) in self.history.channels.iter_mut().zip(&first.values) {
-                    channel.values.push(*value);
-                }
+                self.row.clone_from(&self.steps[0].values);
+                self.add_row(t, rows);
             }
             2 => {}
-            _ => self.write_rows(1),
+            _ => self.write_rows(1, rows),
         }
     }
 
@@ -143,10 +222,10 @@ impl Recorder {
         &mut self,
         system: &MovingSystem,
         bodies: &[MovingBody],
-        t: f64,
-        state: &SystemState,
+        (t, state): (f64, &SystemState),
+        rows: &mut dyn FnMut(f64, &[f64]),
     ) {
-        self.end();
+        self.end(rows);
         let mut step = Step {
             time: t,
             values: Vec::new(),
@@ -157,29 +236,43 @@ impl Recorder {
         self.steps = vec![step];
     }
 
-    /// Writes the rows between the last two steps, and takes the extremes over to the history.
-    pub fn end(&mut self) {
+    /// Records the rows between the last two steps.
+    pub fn end(&mut self, rows: &mut dyn FnMut(f64, &[f64])) {
         if self.steps.len() > 1 {
-            self.write_rows(self.steps.len() - 1);
-        }
-        for (channel, summary) in self.history.channels.iter_mut().zip(&self.summaries) {
-            (channel.peak, channel.trough) = (summary.greatest, summary.least);
+            self.write_rows(self.steps.len() - 1, rows);
         }
     }
 
+    /// The rows, with the extremes over every step.
+    #[must_use]
+    pub fn into_history(self) -> History {
+        let (mut history, _) = self.record.into_parts();
+        for (channel, summary) in history.channels.iter_mut().zip(&self.summaries) {
+            (channel.peak, channel.trough) = (summary.greatest, summary.least);
+        }
+        history
+    }
+
     /// Rows at output times after step `to - 1`, up to step `to`, on cubics with the slopes of the steps around.
-    fn write_rows(&mut self, to: usize) {
+    fn write_rows(&mut self, to: usize, rows: &mut dyn FnMut(f64, &[f64])) {
         let (from, until) = (self.steps[to - 1].time, self.steps[to].time);
         loop {
-            let t = self.history.time.len() as f64 * self.interval;
+            let t = self.rows as f64 * self.interval;
             if t > until * (1.0 + 1e-12) || t <= from * (1.0 - 1e-12) {
                 break;
             }
-            self.history.time.push(t);
-            for (number, channel) in self.history.channels.iter_mut().enumerate() {
-                channel.values.push(between(&self.steps, to, number, t));
-            }
+            self.row.clear();
+            let values = (0..self.sums.len()).map(|number| between(&self.steps, to, number, t));
+            self.row.extend(values);
+            self.add_row(t, rows);
         }
+    }
+
+    /// Adds the row of an output time, and sends it.
+    fn add_row(&mut self, t: f64, rows: &mut dyn FnMut(f64, &[f64])) {
+        self.record.row(t, &self.row);
+        self.rows += 1;
+        rows(t, &self.row);
     }
 
     fn summarise(&mut self, step: &Step) {

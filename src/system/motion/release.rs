@@ -53,6 +53,24 @@ fn ends(
 }
 
 impl MovingSystem {
+    /// Whether an end was let go already.
+    #[must_use]
+    pub fn is_released(&self, release: Release, state: &SystemState) -> bool {
+        let Release { line, end, .. } = release;
+        self.joints.released[line][end] == Some(state.attached[line][end])
+    }
+
+    /// Frees the ends that were let go in an earlier run.
+    pub fn free_released_ends(&mut self, state: &SystemState) {
+        for (line, scene) in self.scenes.iter_mut().enumerate() {
+            for (end, condition) in scene.line.ends.iter_mut().enumerate() {
+                if self.joints.released[line][end] == Some(state.attached[line][end]) {
+                    *condition = EndCondition::Free;
+                }
+            }
+        }
+    }
+
     /// Lets an end of a line go: it moves on from where it is, by itself.
     pub fn release(&mut self, release: Release, state: &mut SystemState) {
         let Release { line, end, .. } = release;

@@ -52,6 +52,11 @@ impl SystemRk4 {
         accelerate(&mut self.border, system, t, state)
     }
 
+    /// Continues after so many evaluations.
+    pub const fn restore(&mut self, evaluations: u64) {
+        self.evaluations = evaluations;
+    }
+
     /// The free bodies with their mass.
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {

@@ -1,14 +1,17 @@
 //! A system computed in time, with the numerical errors of its results.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
-use super::march::compute;
+use super::channels::Channels;
+use super::march::{Stored, compute};
 use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use crate::case::ChannelId;
 use crate::numerics::richardson::Refinement;
-use crate::run::History;
+use crate::run::event::JobEvent;
+use crate::run::{Cost, History, RunState};
 use crate::system::SolvedSystem;
 use crate::system::model::MotionInputs;
 use crate::system::rest::UnsolvedSystem;
@@ -20,17 +23,21 @@ pub struct MotionRun {
     pub settings: MotionSettings,
     /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
-    /// The channels at the output times.
+    /// The channels at the output times; of a long run some of them.
     pub history: History,
     /// The same of the companion runs that estimate the errors: on longer steps, and on half the segments.
     pub companions: Vec<History>,
     /// Work done.
     pub work: MotionWork,
+    /// The time that it took.
+    pub cost: Cost,
     /// The energy balance.
     pub balance: EnergyBalance,
     /// What happened to the lines, in words.
     pub happened: Vec<String>,
-    /// Why it ended before its end, if it did.
+    /// How it ended.
+    pub state: RunState,
+    /// Why it failed, if it did.
     pub failure: Option<String>,
     /// What a reader should know.
     pub warnings: Vec<String>,
@@ -51,8 +58,6 @@ pub struct MotionWork {
     pub iterations: u64,
     /// Evaluations of an explicit method.
     pub evaluations: u64,
-    /// Wall time of the run without its companions \[s\].
-    pub seconds: f64,
     /// Time at its end \[s\].
     pub reached: f64,
 }
@@ -81,7 +86,7 @@ impl ChannelSummary {
 /// By how much more error the companion allows in a step that varies: steps are about twice as long.
 const COARSER_STEPS: f64 = 8.0;
 
-/// Computes a system in time, with companions of longer steps and of half the segments.
+/// Computes a system in time, with companions of longer steps and of half the segments, and sends the rows of its history.
 ///
 /// # Errors
 /// Where the divided lines do not come to rest. A run that fails later says so in [`MotionRun::failure`].
@@ -89,17 +94,41 @@ pub fn run(
     solved: &SolvedSystem,
     given: &MotionInputs,
     cancel: &AtomicBool,
-    progress: &mut dyn FnMut(f64),
+    events: &mut dyn FnMut(JobEvent),
+) -> Result<MotionRun, UnsolvedSystem> {
+    run_stored(solved, given, None, cancel, events)
+}
+
+/// The same; a run that is stored sends checkpoints too, and may be resumed from one.
+///
+/// # Errors
+/// As [`run`].
+pub(super) fn run_stored(
+    solved: &SolvedSystem,
+    given: &MotionInputs,
+    stored: Option<Stored<'_>>,
+    cancel: &AtomicBool,
+    events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
     let again = given.error_estimate.then(|| begun.clone());
+    events(JobEvent::Started {
+        channels: Channels::of(&begun.system).ids,
+    });
     let coarse = coarse_memory(&begun);
-    let mut run = compute(begun, &settings, cancel, progress);
+    let mut run = compute(begun, &settings, stored, cancel, events);
     run.warnings.extend(coarse);
-    if let Some(again) = again.filter(|_| run.failure.is_none()) {
+    if let Some(again) = again.filter(|_| run.state == RunState::Done) {
+        events(JobEvent::Estimating);
+        let clock = Instant::now();
         estimate(solved, again, &mut run, cancel);
+        run.cost.companions_wall_s = clock.elapsed().as_secs_f64();
+        // Its errors are left to estimate.
+        if cancel.load(Ordering::Relaxed) {
+            run.state = RunState::Cancelled;
+        }
     }
     if run.balance.relative_drift() > NOTABLE_DRIFT {
         run.warnings.push(format!(
@@ -140,21 +169,23 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
         order: 2.0,
     };
     let mut longer = run.settings.clone();
-    match &mut longer.step_tolerance {
-        Some(allowed) => *allowed *= COARSER_STEPS,
-        None => longer.time_step_s *= 2.0,
-    }
+    longer.time_step_s *= 2.0;
+    longer.step_tolerance = longer.step_tolerance.map(|t| COARSER_STEPS * t);
     let companions = [
         ("time", Ok(same), longer),
         ("mesh", start(solved, 2), run.settings.clone()),
     ];
     for (what, begun, settings) in companions {
         let other = begun
-            .map(|begun| compute(begun, &settings, cancel, &mut |_| {}))
+            .map(|begun| compute(begun, &settings, None, cancel, &mut |_| {}))
             .map_err(|why| why.problem)
-            .and_then(|other| match other.failure.clone() {
-                None => Ok(other),
-                Some(why) => Err(why),
+            .and_then(|other| match (other.state, &other.failure) {
+                (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {
+                    Err("its lines have the least segments already".to_owned())
+                }
+                (RunState::Done, _) => Ok(other),
+                (_, Some(why)) => Err(why.clone()),
+                (_, None) => Err("it was stopped".to_owned()),
             });
         match other {
             Ok(other) => {
@@ -168,9 +199,9 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
                     }
                 }
             }
-            Err(why) => run.warnings.push(format!(
-                "the {what} error is not estimated, its companion run did not finish: {why}"
-            )),
+            Err(why) => run
+                .warnings
+                .push(format!("the {what} error is not estimated: {why}")),
         }
     }
 }

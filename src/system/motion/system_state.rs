@@ -1,6 +1,7 @@
 //! The state of a system in motion.
 
 use nalgebra::UnitQuaternion;
+use serde::{Deserialize, Serialize};
 
 use super::body_flow::{FlowLoad, VelocityHistory};
 use super::joints::Joints;
@@ -11,7 +12,7 @@ use crate::solve::State;
 use crate::system::pose::Pose;
 
 /// Positions, velocities, accelerations and history of everything.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SystemState {
     /// The lines, their end nodes included.
     pub lines: Vec<State>,
@@ -23,8 +24,10 @@ pub struct SystemState {
     /// Joints at ends A and B of each line.
     pub attached: Vec<[usize; 2]>,
     /// What waves make of the water at the stations of the bodies; empty in still water.
+    #[serde(skip)]
     pub body_flow: Vec<WaterMotion>,
     /// Loads of potential flow on the bodies that have coefficients.
+    #[serde(skip)]
     pub flow_loads: Vec<FlowLoad>,
     /// Past velocities of these bodies.
     pub velocities: Vec<VelocityHistory>,
@@ -52,6 +55,15 @@ impl SystemState {
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
         self.velocities.clone_from_slice(&other.velocities);
+    }
+
+    /// Takes what a checkpoint has of it; what waves make of the water is read anew.
+    pub fn restore(&mut self, stored: &Self) {
+        self.lines.clone_from(&stored.lines);
+        self.joints.clone_from(&stored.joints);
+        self.bases.clone_from(&stored.bases);
+        self.attached.clone_from(&stored.attached);
+        self.velocities.clone_from(&stored.velocities);
     }
 
     /// The lines, then the joints.

@@ -4,10 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::kinds::FileType;
 use crate::run::Run;
 use crate::run::store::{self, RunLocation, RunNotes};
 use crate::tui::facade;
 use crate::tui::msg::{Msg, RunCaseUse};
+use crate::tui::state::reading::content;
 use crate::tui::state::{ParameterEditor, Severity};
 
 /// Deletes run directories, and refuses to delete anything else.
@@ -53,11 +55,12 @@ pub(super) fn read_run_case(dir: PathBuf, wanted: RunCaseUse, beside: &Path) -> 
         let text = store::case_text(&dir)
             .map_err(|error| format!("The case of the run cannot be read: {error}"))?;
         let name = ParameterEditor::name_of(beside);
-        let case = facade::parse_at(&text, beside, &name).map_err(|all| {
+        let content = content(FileType::of_text(&text), &text, beside, &name);
+        let content = content.map_err(|all| {
             let problem = facade::first(&all, &name);
             format!("The case of the run is none of this version: {problem}")
         })?;
-        Ok((text, Box::new(case)))
+        Ok((text, content))
     };
     let read = read();
     Msg::RunCase(dir, wanted, read)

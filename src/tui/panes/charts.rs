@@ -1,4 +1,4 @@
-//! The charts of a line case: one with tabs, or all at once where there is room.
+//! The charts of runs: one with tabs, or all at once where there is room.
 
 use std::path::PathBuf;
 
@@ -7,14 +7,14 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::report::chart::{self, GridMap};
-use crate::report::figures::{FIGURES, Figure, FigureAxis, FigureId};
+use crate::report::figures::{FIGURES, FigureAxis, FigureId};
 use crate::report::number;
 use crate::tui::command::{self, Command, CommandId, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::{PlotPane, PlotVerb};
 use crate::tui::plots;
-use crate::tui::state::{AppState, LineView, Overlay};
+use crate::tui::state::{AppState, Charted, Overlay, RunsView};
 use crate::tui::update::curves;
 use crate::tui::update::export::{self, TEXT_WIDTH};
 use crate::tui::update::motion::plot_verb;
@@ -65,7 +65,7 @@ impl Pane for ChartsPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let line = state.line()?;
+        let on = state.charted()?;
         let of_curves = matches!(
             id,
             CommandId::NextSeries
@@ -80,20 +80,20 @@ impl Pane for ChartsPane {
                 | CommandId::LogAlong
                 | CommandId::Write
         );
-        if of_curves && !plots::has_curves(line) {
+        if of_curves && !plots::has_curves(on) {
             return Some("There are no curves yet. `R` runs the case.");
         }
         let alone = matches!(id, CommandId::NextSeries | CommandId::PreviousSeries);
-        if alone && plots::curve_count(line, line.chart) == 0 {
+        if alone && plots::curve_count(on, on.view.chart) == 0 {
             return Some("This chart has no curves to show one by one.");
         }
         match id {
-            CommandId::Curves => return curves::why_none(line),
-            CommandId::Difference => return curves::why_no_difference(line),
-            CommandId::LogUp | CommandId::LogAlong => return curves::why_linear(line),
+            CommandId::Curves => return curves::why_none(on),
+            CommandId::Difference => return curves::why_no_difference(on),
+            CommandId::LogUp | CommandId::LogAlong => return curves::why_linear(on),
             _ => {}
         }
-        let fitted = line.instant.is_none() && line.views[line.chart.index()].is_fitted();
+        let fitted = on.view.instant.is_none() && on.view.views[on.view.chart.index()].is_fitted();
         (id == CommandId::Fit && fitted).then_some("Everything is shown already.")
     }
 
@@ -101,31 +101,30 @@ impl Pane for ChartsPane {
         let glyphs = state.capabilities.glyphs;
         let area = layout::chart_area(state);
         let stem = state.editor()?.stem().to_owned();
-        let line = state.line_mut()?;
+        let view = state.runs_view_mut()?;
         match id {
-            CommandId::NextChart => line.chart = line.chart.beside(&FigureId::of(&line.case), true),
-            CommandId::PreviousChart => {
-                line.chart = line.chart.beside(&FigureId::of(&line.case), false);
-            }
-            CommandId::NextSeries => next_series(line, true),
-            CommandId::PreviousSeries => next_series(line, false),
+            CommandId::NextChart => view.chart = view.chart.beside(&view.figures, true),
+            CommandId::PreviousChart => view.chart = view.chart.beside(&view.figures, false),
+            CommandId::NextSeries => next_series(state, true),
+            CommandId::PreviousSeries => next_series(state, false),
             CommandId::Freeze => return Some(freeze(state)),
             CommandId::Limits => return Some(limits(state)),
             CommandId::Curves => state.overlay = Some(Overlay::Curves { cursor: 0 }),
             CommandId::Difference => return Some(curves::difference(state)),
             CommandId::Copy => return Some(copy(state)),
             CommandId::Statistics => {
-                let table = chart::statistics::table(&plots::viewed(line, line.chart));
+                let on = state.charted()?;
+                let table = chart::statistics::table(&plots::viewed(on, on.view.chart));
                 return Some(pages::open_table(state, "statistics", &table));
             }
-            CommandId::Write => return Some(write(line, &stem, glyphs)),
+            CommandId::Write => return Some(write(state.charted()?, &stem, glyphs)),
             _ => match (instant_step(id), plot_verb(id)) {
-                (Some((way, parts)), _) if line.chart.figure().axis == FigureAxis::Space => {
-                    move_instant(line, way, parts);
+                (Some((way, parts)), _) if view.chart.figure().axis == FigureAxis::Space => {
+                    move_instant(state, way, parts);
                 }
                 (_, verb) => {
                     let size = (area.width.into(), area.height.into());
-                    act(line, verb?, size, glyphs);
+                    act(state, verb?, size, glyphs);
                 }
             },
         }
@@ -134,38 +133,47 @@ impl Pane for ChartsPane {
 
     fn view(&self, painter: &mut Painter, area: Rect) {
         let state = painter.state;
-        let Some(line) = state.line() else {
+        let Some(on) = state.charted() else {
             return;
         };
-        let parts = layout::charts(area, &FigureId::of(&line.case), line.chart);
+        let parts = layout::charts(area, &on.view.figures, on.view.chart);
         let all = parts.charts.len() > 1;
         if !all {
-            chart_tabs(painter, parts.tabs, line);
+            chart_tabs(painter, parts.tabs, on);
         }
         for (id, place) in &parts.charts {
-            let mut chart = plots::viewed(line, *id);
+            let mut chart = plots::viewed(on, *id);
             chart.ends = true;
-            if all && *id == line.chart && state.focus() == PaneId::Charts {
+            if all && *id == on.view.chart && state.focus() == PaneId::Charts {
                 chart.title = format!("> {} <", chart.title);
             }
             if !chart.is_empty() {
                 let (glyphs, theme) = (painter.glyphs(), painter.theme);
-                line.views[id.index()].draw(&chart, *place, painter.buf, glyphs, theme);
+                on.view.views[id.index()].draw(&chart, *place, painter.buf, glyphs, theme);
             } else if *id == FigureId::Study {
                 let words = "`V` computes what the case states along its studies.";
                 painter.titled(*place, &chart.title, words);
             } else {
-                painter.titled(*place, &chart.title, &nothing_yet(line));
+                painter.titled(
+                    *place,
+                    &chart.title,
+                    &nothing_yet(on, state.number_of(PaneId::Runs)),
+                );
             }
         }
-        readout(painter, parts.readout, line);
+        readout(painter, parts.readout, on);
     }
 }
 
 /// All, then one series after the other, then all again.
-fn next_series(line: &mut LineView, forward: bool) {
-    let count = plots::curve_count(line, line.chart);
-    line.series = match (line.series, forward) {
+fn next_series(state: &mut AppState, forward: bool) {
+    let count = state
+        .charted()
+        .map_or(0, |on| plots::curve_count(on, on.view.chart));
+    let Some(view) = state.runs_view_mut() else {
+        return;
+    };
+    view.series = match (view.series, forward) {
         (None, true) => (count > 0).then_some(0),
         (None, false) => count.checked_sub(1),
         (Some(i), true) => (i + 1 < count).then_some(i + 1),
@@ -188,54 +196,61 @@ fn against_time(id: FigureId) -> bool {
     id.figure().axis == FigureAxis::Time
 }
 
-fn act(line: &mut LineView, verb: PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
-    let base = plots::chart(line, line.chart);
-    let mut view = std::mem::take(&mut line.views[line.chart.index()]);
-    if against_time(line.chart) {
-        view.set_cursor(line.instant);
+fn act(state: &mut AppState, verb: PlotVerb, size: (usize, usize), glyphs: chart::Glyphs) {
+    let Some(base) = state.charted().map(|on| plots::chart(on, on.view.chart)) else {
+        return;
+    };
+    let Some(view) = state.runs_view_mut() else {
+        return;
+    };
+    let mut plot = std::mem::take(&mut view.views[view.chart.index()]);
+    if against_time(view.chart) {
+        plot.set_cursor(view.instant);
     }
-    let frame = chart::frame(&view.chart(&base), size.0, size.1, glyphs);
-    view.act(verb, &base, frame);
-    if against_time(line.chart) {
-        line.instant = view.cursor();
+    let frame = chart::frame(&plot.chart(&base), size.0, size.1, glyphs);
+    plot.act(verb, &base, frame);
+    if against_time(view.chart) {
+        view.instant = plot.cursor();
     }
     if verb == PlotVerb::Fit {
-        line.instant = None;
-        view.set_cursor(None);
+        view.instant = None;
+        plot.set_cursor(None);
     }
-    line.views[line.chart.index()] = view;
-    share_instant(line);
+    view.views[view.chart.index()] = plot;
+    share_instant(view);
 }
 
 /// The views of the charts against time all show the same instant.
-fn share_instant(line: &mut LineView) {
+fn share_instant(view: &mut RunsView) {
     for figure in FIGURES.iter().filter(|f| f.axis == FigureAxis::Time) {
-        line.views[figure.id.index()].set_cursor(line.instant);
+        view.views[figure.id.index()].set_cursor(view.instant);
     }
 }
 
-fn move_instant(line: &mut LineView, way: f64, parts: f64) {
-    let Some((low, high)): Option<chart::AxisRange> = plots::time_range(line) else {
+fn move_instant(state: &mut AppState, way: f64, parts: f64) {
+    let range: Option<chart::AxisRange> = state.charted().and_then(plots::time_range);
+    let (Some((low, high)), Some(view)) = (range, state.runs_view_mut()) else {
         return;
     };
-    let from = line.instant.unwrap_or(if way > 0.0 { low } else { high });
+    let from = view.instant.unwrap_or(if way > 0.0 { low } else { high });
     let high = high.max(low);
-    line.instant = Some((from + way * (high - low) / parts).clamp(low, high));
-    share_instant(line);
+    view.instant = Some((from + way * (high - low) / parts).clamp(low, high));
+    share_instant(view);
 }
 
 /// All charts are held still together, so that they show the same instant.
 fn freeze(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(on) = state.charted() else {
         return Vec::new();
     };
-    let frozen = line.views.iter().any(PlotPane::is_frozen);
-    for Figure { id, .. } in FIGURES {
-        let base = plots::chart(line, id);
-        let frame = chart::PlotFrame::default();
-        let view = &mut line.views[id.index()];
-        if view.is_frozen() == frozen {
-            view.act(PlotVerb::Freeze, &base, frame);
+    let frozen = on.view.views.iter().any(PlotPane::is_frozen);
+    let bases = FIGURES.map(|figure| plots::chart(on, figure.id));
+    let Some(view) = state.runs_view_mut() else {
+        return Vec::new();
+    };
+    for (plot, base) in view.views.iter_mut().zip(&bases) {
+        if plot.is_frozen() == frozen {
+            plot.act(PlotVerb::Freeze, base, chart::PlotFrame::default());
         }
     }
     info(
@@ -249,18 +264,18 @@ fn freeze(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// What the cursor reads, one entry a series.
-fn readout_words(line: &LineView, id: FigureId) -> Vec<String> {
-    let base = plots::chart(line, id);
-    let read = line.views[id.index()].readout(&base);
+fn readout_words(on: Charted<'_>, id: FigureId) -> Vec<String> {
+    let base = plots::chart(on, id);
+    let read = on.view.views[id.index()].readout(&base);
     read.into_iter().map(|r| r.words(&base.x.unit)).collect()
 }
 
 fn copy(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(on) = state.charted() else {
         return Vec::new();
     };
-    let words = readout_words(line, line.chart);
-    let chart = plots::viewed(line, line.chart);
+    let words = readout_words(on, on.view.chart);
+    let chart = plots::viewed(on, on.view.chart);
     match chart.cursor {
         Some(at) if !words.is_empty() => {
             let head = format!(
@@ -279,10 +294,10 @@ fn copy(state: &mut AppState) -> Vec<Effect> {
 }
 
 /// The chart as text, and a map also as numbers.
-fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
-    let shown = plots::viewed(line, line.chart);
+fn write(on: Charted<'_>, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
+    let shown = plots::viewed(on, on.view.chart);
     let text = chart::draw(&shown, TEXT_WIDTH, 30, glyphs).to_text();
-    let name = line.chart.figure().title.to_lowercase();
+    let name = on.view.chart.figure().title.to_lowercase();
     let path = |end: &str| PathBuf::from(format!("{stem}-{name}.{end}"));
     let mut effects = export::write(path("txt"), Some(text), "The chart");
     let csv = shown.map.as_ref().map(GridMap::csv);
@@ -292,43 +307,44 @@ fn write(line: &LineView, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
 
 /// Shows limits and published values, or leaves them out.
 fn limits(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    line.without_limits = !line.without_limits;
-    let words = match line.without_limits {
+    view.without_limits = !view.without_limits;
+    let words = match view.without_limits {
         true => "Limits and published values are left out. `t` shows them.",
         false => "Limits and published values are shown where the case states them.",
     };
     info(state, words)
 }
 
-fn chart_tabs(painter: &mut Painter, tabs: Rect, line: &LineView) {
-    let figures = FigureId::of(&line.case);
-    let selected = figures.iter().position(|id| *id == line.chart);
+fn chart_tabs(painter: &mut Painter, tabs: Rect, on: Charted<'_>) {
+    let figures = &on.view.figures;
+    let selected = figures.iter().position(|id| *id == on.view.chart);
     let titles = figures.iter().map(|id| id.figure().title);
     let rest = painter.tabs(tabs, titles, selected);
-    if line.views.iter().any(PlotPane::is_frozen) {
+    if on.view.views.iter().any(PlotPane::is_frozen) {
         right(painter.buf, rest, "frozen", painter.theme.warning());
     }
 }
 
-fn nothing_yet(line: &LineView) -> String {
-    match (&line.live.failure, plots::runs_shown(line)) {
+fn nothing_yet(on: Charted<'_>, runs: usize) -> String {
+    match (&on.view.live.failure, plots::runs_shown(on)) {
         (Some(why), _) => format!("The last solve gave nothing: {why}"),
-        (None, 0) => "No run is shown. `3` goes to the runs, space shows one.".to_owned(),
+        (None, 0) if on.view.runs.is_empty() => "There is no run yet. `R` computes one.".to_owned(),
+        (None, 0) => format!("No run is shown. `{runs}` goes to the runs, space shows one."),
         (None, _) => "Nothing to draw yet.".to_owned(),
     }
 }
 
 /// The position of the cursor and every value there, as many lines as the area has.
-fn readout(painter: &mut Painter, area: Rect, line: &LineView) {
+fn readout(painter: &mut Painter, area: Rect, on: Charted<'_>) {
     let mut words = Vec::new();
-    let mut at = line.instant.map(|t| format!("t = {t:.1} s"));
+    let mut at = on.view.instant.map(|t| format!("t = {t:.1} s"));
     // Without a cursor there is nothing to read, and no chart to make for it.
-    if line.views[line.chart.index()].cursor().is_some() {
-        let chart = plots::viewed(line, line.chart);
-        words = readout_words(line, line.chart);
+    if on.view.views[on.view.chart.index()].cursor().is_some() {
+        let chart = plots::viewed(on, on.view.chart);
+        words = readout_words(on, on.view.chart);
         let read = chart.cursor.filter(|_| !words.is_empty());
         at = read.map(|x| number::si(x, &chart.x.unit)).or(at);
     }

@@ -44,7 +44,7 @@ impl Pane for NodesPane {
             id,
             CommandId::Write | CommandId::Sort | CommandId::NextTable | CommandId::PreviousTable
         );
-        let Some((_, run, _)) = state.line()?.reported() else {
+        let Some((_, run, _)) = state.line()?.runs_view.reported() else {
             return of_table.then_some("There is no finished run. `R` runs the case.");
         };
         let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
@@ -61,7 +61,7 @@ impl Pane for NodesPane {
             CommandId::NextTable => next_table(line, true),
             CommandId::PreviousTable => next_table(line, false),
             CommandId::Write => {
-                let (_, run, _) = line.reported()?;
+                let (_, run, _) = line.runs_view.reported()?;
                 let table = line.line_table.or_nodes(&run);
                 let path = PathBuf::from(format!("{}-{}.csv", editor.stem(), table.name()));
                 return Some(export::write_made(TextOf::Line(table, run), path));
@@ -80,7 +80,7 @@ impl Pane for NodesPane {
         let Some(line) = painter.state.line() else {
             return;
         };
-        let Some((_, run, _)) = line.reported() else {
+        let Some((_, run, _)) = line.runs_view.reported() else {
             return painter.paragraph(area, "There is no finished run yet. `R` runs the case.");
         };
         let part = Part::Line(line.line_table.or_nodes(&run));
@@ -92,7 +92,7 @@ impl Pane for NodesPane {
 }
 
 fn next_table(line: &mut LineView, forward: bool) {
-    if let Some((_, run, _)) = line.reported() {
+    if let Some((_, run, _)) = line.runs_view.reported() {
         line.line_table = line.line_table.or_nodes(&run).beside(&run, forward);
         line.nodes_pane = TablePane::default();
     }

@@ -37,8 +37,8 @@ impl Pane for ReportPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let line = state.line()?;
-        let none = line.report.is_none() && line.report_asked.is_none();
+        let view = state.runs_view()?;
+        let none = view.report.is_none() && view.report_asked.is_none();
         (id == CommandId::Write && none)
             .then_some("There is no finished run to report on. `R` runs the case.")
     }
@@ -46,47 +46,47 @@ impl Pane for ReportPane {
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
         let page = layout::pane_area(state, PaneId::Report).map_or(0, text_rows);
-        let (line, editor) = state.document.as_mut()?.line_and_editor()?;
-        let across = &mut line.report_scroll.1;
+        let (view, editor) = state.document.as_mut()?.runs_and_editor()?;
+        let across = &mut view.report_scroll.1;
         match id {
             CommandId::Write => {
                 let beside = format!("{}-report.txt", editor.stem());
-                let dir = line.reported().and_then(|(_, _, dir)| dir);
+                let dir = view.reported().and_then(|(_, _, dir)| dir);
                 let path = dir.map_or_else(|| PathBuf::from(beside), |dir| dir.join("report.txt"));
-                let text = line.report.as_ref().map(|(_, text)| text.clone());
+                let text = view.report.as_ref().map(|(_, text)| text.clone());
                 return Some(export::write(path, text, "The report"));
             }
             CommandId::ScrollRight => *across = moved(*across, SIDEWAYS, LAST_COLUMN),
             CommandId::ScrollLeft => *across = moved(*across, -SIDEWAYS, LAST_COLUMN),
             _ => {
-                let report = line.report.as_ref();
+                let report = view.report.as_ref();
                 let lines = report.map_or(0, |(_, text)| text.lines().count());
                 // The last line is at the foot of the pane at most.
                 let last = lines.saturating_sub(page);
-                line.report_scroll.0 = moved(line.report_scroll.0.min(last), by?, last + 1);
+                view.report_scroll.0 = moved(view.report_scroll.0.min(last), by?, last + 1);
             }
         }
         Some(Vec::new())
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        let Some(line) = painter.state.line() else {
+        let Some(view) = painter.state.runs_view() else {
             return;
         };
-        let Some((name, report)) = &line.report else {
-            let words = match line.report_asked {
+        let Some((name, report)) = &view.report else {
+            let words = match view.report_asked {
                 Some(_) => "The report is being made.",
                 None => "There is no finished run to report on yet. `R` runs the case.",
             };
             return painter.paragraph(area, words);
         };
         let [head, below] = below_head(area);
-        let words = match line.report_asked {
+        let words = match view.report_asked {
             Some(_) => format!("Report on {name}, older than the run: a newer one is being made."),
             None => format!("Report on {name}; `w` saves it."),
         };
         painter.text(head, &words, painter.theme.strong());
-        let (down, across) = line.report_scroll;
+        let (down, across) = view.report_scroll;
         let last = report.lines().count().saturating_sub(text_rows(area));
         let down = down.min(last);
         let plain = painter.theme.plain();

@@ -110,7 +110,7 @@ pub fn band(painter: &mut Painter, area: Rect) {
 /// What the results are of, when not of the inputs as they are.
 fn staleness(state: &AppState) -> Option<&'static str> {
     let (line, editor) = (state.line()?, state.editor()?);
-    let live = &line.live;
+    let live = &line.runs_view.live;
     if let Some(coarse) = &live.coarse {
         let of_inputs = coarse.text == editor.text && editor.pending.is_empty();
         return Some(match (of_inputs, live.ticket.is_some()) {
@@ -149,6 +149,7 @@ fn title(painter: &mut Painter, head: Rect, line: &LineView) {
     let style = painter.theme.head();
     painter.text(span(head, 2, head.width), " results ", style);
     let against = line
+        .runs_view
         .against
         .as_ref()
         .map(|(name, _)| format!(" against {name} "));

@@ -1,4 +1,4 @@
-//! The runs of a line case: a table of what differs among them, their results, their cost.
+//! The runs of what is open: a table of what differs among them, their results, their cost.
 
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -10,7 +10,9 @@ use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
 use crate::tui::run_cells::{cell, head, live_cell};
 use crate::tui::state::overlay::RunText;
-use crate::tui::state::{AppState, JobState, LineView, RunColumn, RunEntry, RunList, RunStatus};
+use crate::tui::state::{
+    AppState, Charted, JobState, RunColumn, RunEntry, RunList, RunStatus, RunsView,
+};
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::{column_plot, pages, results, resume, run_table, runs};
 use crate::tui::view::layout;
@@ -40,6 +42,22 @@ const COMMANDS: &[Command] = &[
     command::DOWN,
 ];
 
+/// What is done to the run under the cursor.
+const OF_RUN: [CommandId; 12] = [
+    CommandId::ShowAlone,
+    CommandId::Select,
+    CommandId::Mark,
+    CommandId::Compare,
+    CommandId::HoldAgainst,
+    CommandId::Delete,
+    CommandId::TagRuns,
+    CommandId::NameRun,
+    CommandId::RunCase,
+    CommandId::Resume,
+    CommandId::RunAgain,
+    CommandId::NoteRun,
+];
+
 pub(super) struct RunsPane;
 
 impl Pane for RunsPane {
@@ -47,11 +65,29 @@ impl Pane for RunsPane {
         about("Runs", "Go to the runs", &[COMMANDS, LIST, WIDE])
     }
 
+    fn commands(&self, state: &AppState) -> Vec<Command> {
+        let mut all = self.about().commands.concat();
+        let has_live = state.runs_view().is_none_or(|view| view.runs.has_live());
+        all.retain(|command| has_live || command.id != CommandId::SelectNone);
+        all
+    }
+
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let run = state.line()?.current_run();
-        let any_marked = || state.line().is_some_and(|line| line.runs.any_marked());
+        let view = state.runs_view()?;
+        let run = view.current_run();
+        if !view.runs.has_live() {
+            if run.is_none() && OF_RUN.contains(&id) {
+                return Some("There is no run yet; `R` computes one.");
+            }
+            if id == CommandId::Resume {
+                return Some(
+                    "Runs of systems are resumed by `seacable run --resume DIR`; `X` computes one again.",
+                );
+            }
+        }
+        let any_marked = || state.runs_view().is_some_and(|view| view.runs.any_marked());
         match id {
-            CommandId::PlotColumns => column_plot::why_not(&state.line()?.runs),
+            CommandId::PlotColumns => column_plot::why_not(&state.runs_view()?.runs),
             CommandId::Delete if any_marked() => None,
             CommandId::Delete => match run {
                 None => Some("The live run is in memory only; there is nothing to delete."),
@@ -64,8 +100,7 @@ impl Pane for RunsPane {
                 Some(run) => why_not_stored(Some(run)),
             },
             CommandId::SelectNone => {
-                let line = state.line()?;
-                let alone = !line.live.hidden && line.runs.on_charts().next().is_none();
+                let alone = !view.live.hidden && view.runs.on_charts().next().is_none();
                 (alone && !any_marked()).then_some("The live run is shown alone already.")
             }
             CommandId::TagRuns if any_marked() => None,
@@ -81,10 +116,10 @@ impl Pane for RunsPane {
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         let by = step(state, id);
-        let line = state.line_mut()?;
+        let view = state.runs_view_mut()?;
         match id {
             CommandId::ShowAlone => return Some(runs::show_alone(state)),
-            CommandId::Select => return Some(runs::select(line)),
+            CommandId::Select => return Some(runs::select(view)),
             CommandId::Resume => return Some(resume::ask(state)),
             CommandId::HoldAgainst => return Some(results::hold_run(state)),
             CommandId::Compare => return Some(pages::compare(state)),
@@ -97,39 +132,40 @@ impl Pane for RunsPane {
             CommandId::NoteRun => return Some(run_table::ask_text(state, RunText::Note)),
             CommandId::RunCase => return Some(run_table::read_case(state, RunCaseUse::Edit)),
             CommandId::RunAgain => return Some(run_table::read_case(state, RunCaseUse::RunAgain)),
-            CommandId::Filter => line.runs.filter.typing = true,
+            CommandId::Filter => view.runs.filter.typing = true,
             CommandId::PlotColumns => return Some(column_plot::open(state)),
             CommandId::Sort | CommandId::SortAround => {
                 run_table::sort(state, id == CommandId::SortAround);
                 show_sorted(state);
             }
             CommandId::ScrollRight => {
-                let last = line.runs.shown_columns().len().saturating_sub(2);
-                line.runs.scroll = (line.runs.scroll + 1).min(last);
+                let last = view.runs.shown_columns().len().saturating_sub(2);
+                view.runs.scroll = (view.runs.scroll + 1).min(last);
             }
-            CommandId::ScrollLeft => line.runs.scroll = line.runs.scroll.saturating_sub(1),
-            _ => line.runs.cursor = moved(line.runs.cursor, by?, line.runs.lines()),
+            CommandId::ScrollLeft => view.runs.scroll = view.runs.scroll.saturating_sub(1),
+            _ => view.runs.cursor = moved(view.runs.cursor, by?, view.runs.lines()),
         }
         Some(Vec::new())
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
         let state = painter.state;
-        let Some(line) = state.line() else {
+        let Some(on) = state.charted() else {
             return;
         };
-        let area = filter_line(painter, area, &line.runs);
+        let view = on.view;
+        let area = filter_line(painter, area, &view.runs);
         let [heads, list] = below_head(area);
-        let rows = rows_in_sight(line, list.height);
-        let table = TableView::new(line, &rows, area.width);
+        let rows = rows_in_sight(view, list.height);
+        let table = TableView::new(on, &rows, area.width);
         let strong = painter.theme.strong();
         table.line(painter, heads, strong, 0);
         let focused = state.focus() == PaneId::Runs;
         for (place, (number, y)) in rows.into_iter().zip(list.top()..).enumerate() {
             let at = Rect::new(list.x, y, list.width, 1);
-            let style = painter.line_style(number == line.runs.cursor && focused);
+            let style = painter.line_style(number == view.runs.cursor && focused);
             painter.buf.set_style(at, style);
-            let run = run_of(line, number);
+            let run = run_of(view, number);
             let style = run.map_or(style, |run| run_style(painter, run, style));
             table.line(painter, at, style, place + 1);
         }
@@ -137,40 +173,48 @@ impl Pane for RunsPane {
 }
 
 /// The lines of the table around its cursor, as many as there is room for.
-fn rows_in_sight(line: &LineView, height: u16) -> Vec<usize> {
-    let first = first_line(line.runs.cursor, line.runs.lines(), height.into());
-    (first..line.runs.lines()).take(height.into()).collect()
+fn rows_in_sight(view: &RunsView, height: u16) -> Vec<usize> {
+    let first = first_line(view.runs.cursor, view.runs.lines(), height.into());
+    (first..view.runs.lines()).take(height.into()).collect()
 }
 
 /// Scrolls the table sideways until the column that sorts it is in sight.
 fn show_sorted(state: &mut AppState) {
     let area = layout::pane_area(state, PaneId::Runs).unwrap_or_default();
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return;
     };
-    let column = line.runs.sort.map(|(column, _)| column);
-    let columns = line.runs.shown_columns();
+    let column = view.runs.sort.map(|(column, _)| column);
+    let columns = view.runs.shown_columns();
     // The first column is always there.
     let place = column.and_then(|column| columns.iter().position(|shown| *shown == column));
     let furthest = place.map_or(0, |place| place.saturating_sub(1));
-    line.runs.scroll = line.runs.scroll.min(furthest);
-    let rows = rows_in_sight(line, area.height.saturating_sub(1));
-    while line.runs.scroll < furthest && !is_in_sight(line, &rows, area.width, column) {
-        line.runs.scroll += 1;
+    view.runs.scroll = view.runs.scroll.min(furthest);
+    let rows = rows_in_sight(view, area.height.saturating_sub(1));
+    let seen = |state: &AppState| {
+        let on = state.charted();
+        on.is_none_or(|on| {
+            on.view.runs.scroll >= furthest || is_in_sight(on, &rows, area.width, column)
+        })
+    };
+    while !seen(state) {
+        if let Some(view) = state.runs_view_mut() {
+            view.runs.scroll += 1;
+        }
     }
 }
 
 /// Whether a column is seen, and not cut.
-fn is_in_sight(line: &LineView, rows: &[usize], room: u16, column: Option<RunColumn>) -> bool {
-    let seen = TableView::new(line, rows, room).columns;
+fn is_in_sight(on: Charted<'_>, rows: &[usize], room: u16, column: Option<RunColumn>) -> bool {
+    let seen = TableView::new(on, rows, room).columns;
     let mut whole = seen.iter().filter(|seen| seen.width >= seen.widest());
     whole.any(|seen| Some(seen.column) == column)
 }
 
 /// The run of a line of the table; nothing for the live run.
-fn run_of(line: &LineView, number: usize) -> Option<&RunEntry> {
-    let at = *line.runs.rows().get(number.checked_sub(1)?)?;
-    line.runs.all().get(at)
+fn run_of(view: &RunsView, number: usize) -> Option<&RunEntry> {
+    let at = *view.runs.rows().get(view.runs.row_of(number)?)?;
+    view.runs.all().get(at)
 }
 
 fn run_style(painter: &Painter, run: &RunEntry, style: Style) -> Style {
@@ -219,14 +263,14 @@ struct ColumnView {
 }
 
 impl ColumnView {
-    fn new(line: &LineView, rows: &[usize], column: RunColumn) -> Self {
-        let cells = rows.iter().map(|number| match run_of(line, *number) {
-            Some(run) => cell(&line.runs, run, column),
-            None => live_cell(line, column),
+    fn new(on: Charted<'_>, rows: &[usize], column: RunColumn) -> Self {
+        let cells = rows.iter().map(|number| match run_of(on.view, *number) {
+            Some(run) => cell(&on.view.runs, run, column),
+            None => live_cell(on, column),
         });
         let mut view = Self {
             column,
-            cells: std::iter::once(head(&line.runs, column))
+            cells: std::iter::once(head(&on.view.runs, column))
                 .chain(cells)
                 .collect(),
             width: 0,
@@ -246,18 +290,18 @@ impl ColumnView {
 
 impl TableView {
     /// The name of the run always, then what fits to the right of what is hidden.
-    fn new(line: &LineView, rows: &[usize], room: u16) -> Self {
-        let mut all = line.runs.shown_columns().iter().copied();
+    fn new(on: Charted<'_>, rows: &[usize], room: u16) -> Self {
+        let mut all = on.view.runs.shown_columns().iter().copied();
         let name = all.next();
         let mut columns = Vec::new();
         let mut used = 0;
-        for column in name.into_iter().chain(all.skip(line.runs.scroll)) {
+        for column in name.into_iter().chain(all.skip(on.view.runs.scroll)) {
             // The last column may be cut, but not to nothing.
             let left = room.saturating_sub(used);
             if left < 4 {
                 break;
             }
-            let mut view = ColumnView::new(line, rows, column);
+            let mut view = ColumnView::new(on, rows, column);
             let width = view.width;
             if left < width && width > 12 && used > 0 && left < 8 {
                 break;

@@ -3,12 +3,14 @@
 
 use std::path::PathBuf;
 
+use super::case_list::Filter;
 use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
 use super::parts::{Part, PartKey, PartOf, PartRequest, Parts};
 use super::reading::{FileOfText, Reading};
 use super::ropeway::RopewayView;
+use super::runs_view::{Charted, RunsView};
 use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
@@ -53,6 +55,15 @@ impl DocumentContent {
             Self::Ropeway(_) => FileType::Ropeway,
             Self::Ship(_) => FileType::Ship,
             Self::System(_) => FileType::System,
+        }
+    }
+
+    /// The runs, to be changed, where it has any.
+    fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
+        match self {
+            Self::Line(line) => Some(&mut line.runs_view),
+            Self::System(system) if system.is_in_motion() => Some(&mut system.runs_view),
+            _ => None,
         }
     }
 
@@ -135,6 +146,43 @@ impl Document {
         }
     }
 
+    /// Its runs, where it has any.
+    #[must_use]
+    pub fn runs_view(&self) -> Option<&RunsView> {
+        match &self.content {
+            DocumentContent::Line(line) => Some(&line.runs_view),
+            DocumentContent::System(system) if system.is_in_motion() => Some(&system.runs_view),
+            _ => None,
+        }
+    }
+
+    /// Its runs, to be changed.
+    pub fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
+        self.content.runs_view_mut()
+    }
+
+    /// Its runs, to be changed, and its text.
+    pub fn runs_and_editor(&mut self) -> Option<(&mut RunsView, &ParameterEditor)> {
+        Some((self.content.runs_view_mut()?, &self.editor))
+    }
+
+    /// What its charts are drawn from.
+    #[must_use]
+    pub fn charted(&self) -> Option<Charted<'_>> {
+        match &self.content {
+            DocumentContent::Line(line) => Some(Charted {
+                view: &line.runs_view,
+                case: Some(&line.case),
+                checks: &line.checks.rows,
+            }),
+            _ => self.runs_view().map(|view| Charted {
+                view,
+                case: None,
+                checks: &[],
+            }),
+        }
+    }
+
     /// The line case, to be changed, and its text.
     pub fn line_and_editor(&mut self) -> Option<(&mut LineView, &ParameterEditor)> {
         match &mut self.content {
@@ -143,12 +191,28 @@ impl Document {
         }
     }
 
+    /// The filter of the list that its pane shows, runs or fields; its cursor; and how many lines pass.
+    pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
+        let Self {
+            content,
+            editor,
+            pane,
+            ..
+        } = self;
+        if let (PaneId::Runs, Some(view)) = (*pane, content.runs_view_mut()) {
+            let lines = view.runs.lines();
+            return (&mut view.runs.filter, &mut view.runs.cursor, lines);
+        }
+        let lines = editor.fields().count();
+        (&mut editor.filter, &mut editor.field, lines)
+    }
+
     /// What a part of the screen is of now; nothing where there is no such part.
     #[must_use]
     pub fn part_key(&self, part: Part) -> Option<PartKey> {
         let of = match (&self.content, part) {
             (DocumentContent::Line(line), Part::Line(_)) => {
-                let (name, run, _) = line.reported()?;
+                let (name, run, _) = line.runs_view.reported()?;
                 PartOf::Run(name, run)
             }
             (DocumentContent::Line(_), _) | (_, Part::Line(_)) => return None,
@@ -189,6 +253,10 @@ impl Document {
     /// Takes a newer text with all that was read from it.
     pub fn take(&mut self, read: Reading) {
         self.content.kind_mut().renew(read.content);
+        let info = self.kind().info();
+        if !info.panes.contains(&self.pane) {
+            self.pane = info.first;
+        }
         self.parts.outdate();
         self.editor.text = read.text;
         self.editor.rows = read.rows;

@@ -1,9 +1,14 @@
 //! Jobs that run, wait or have ended.
 
+use std::borrow::Cow;
 use std::collections::VecDeque;
+use std::sync::atomic::AtomicBool;
 
-use crate::run::job::Request;
-use crate::run::{Progress, ResumedRun};
+use crate::case::stand_alone;
+use crate::run::event::JobEvent;
+use crate::run::job::{self, Request};
+use crate::run::{Progress, ResumedRun, Run, RunInfo};
+use crate::system::motion::job::{self as system_job, SystemRequest};
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
 pub type JobNumber = u64;
@@ -69,15 +74,70 @@ pub struct JobLine {
     pub progress: Progress,
 }
 
+/// What a job computes.
+#[derive(Debug, Clone)]
+pub enum JobRequest {
+    /// A run of a line case, from its start or from where an earlier run is resumed.
+    Line(Box<Request>, Option<Box<ResumedRun>>),
+    /// A run of a system of lines in time.
+    System(Box<SystemRequest>),
+}
+
+impl JobRequest {
+    /// File name of its case.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        match self {
+            Self::Line(request, _) => &request.file,
+            Self::System(request) => &request.file,
+        }
+    }
+
+    /// Its text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Line(request, _) => &request.text,
+            Self::System(request) => &request.text,
+        }
+    }
+
+    /// The content of `run.toml` while it is computed.
+    #[must_use]
+    pub fn initial_info(&self) -> RunInfo {
+        match self {
+            Self::Line(request, _) => request.initial_info(),
+            Self::System(request) => request.initial_info(),
+        }
+    }
+
+    /// The text that is stored with its run.
+    #[must_use]
+    pub fn stored_text(&self) -> Cow<'_, str> {
+        match self {
+            Self::Line(request, _) => stand_alone(&request.text, &request.case),
+            Self::System(request) => Cow::Borrowed(&request.text),
+        }
+    }
+
+    /// Computes it. Does not send [`JobEvent::Finished`]: the run is returned.
+    pub fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
+        match self {
+            Self::Line(request, from) => {
+                job::execute_from(request, from.as_deref(), cancel, events)
+            }
+            Self::System(request) => system_job::execute(request, None, cancel, events),
+        }
+    }
+}
+
 /// A request that waits for its turn.
 #[derive(Debug, Clone)]
 pub struct QueuedRequest {
     /// Number of its job.
     pub ticket: JobNumber,
     /// What to compute.
-    pub request: Box<Request>,
-    /// Where it is resumed from.
-    pub from: Option<Box<ResumedRun>>,
+    pub request: JobRequest,
 }
 
 /// All jobs of the session, oldest first.

@@ -1,75 +1,23 @@
 //! A line case that is open: its live solve, its runs, and what the panes show.
 
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::curves::{RunCurves, RunEntry};
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
-use super::jobs::JobNumber;
 use super::modes::ModesView;
-use super::report::ReportRequest;
-use super::run_list::RunList;
+use super::runs_view::RunsView;
 use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
-use crate::report::figures::{FIGURES, FigureId};
+use crate::report::figures::FigureId;
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::tui::command::{Command, CommandId, LINE};
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::StudyOf;
 use crate::tui::pane::PaneId;
-use crate::tui::plot_pane::PlotPane;
 use crate::tui::table_pane::TablePane;
-
-/// The re-solve after an edit.
-#[derive(Debug, Clone, Default)]
-pub struct LiveSolve {
-    /// The job that computes now.
-    pub ticket: Option<JobNumber>,
-    /// Its curves so far.
-    pub going: Option<RunCurves>,
-    /// The text that `going` computes.
-    pub going_text: String,
-    /// The coarse answer, until the full solve is complete.
-    pub coarse: Option<CoarseAnswer>,
-    /// The last complete curves, dimmed while `going` is incomplete.
-    pub done: Option<RunCurves>,
-    /// The text that `done` computed.
-    pub done_text: String,
-    /// Where it was kept on disk, if the user did.
-    pub kept: Option<PathBuf>,
-    /// Why the last one failed.
-    pub failure: Option<String>,
-    /// Taken off the charts while other runs are shown alone.
-    pub hidden: bool,
-}
-
-impl LiveSolve {
-    /// Why the last complete solve cannot be stored as a run.
-    fn why_not_kept(&self) -> Option<&'static str> {
-        if self.kept.is_some() {
-            Some("The live run is already kept.")
-        } else if self.ticket.is_some() {
-            Some("The live run is still being computed; it can be kept when it is complete.")
-        } else if self.done.as_ref().is_none_or(|done| done.run.is_none()) {
-            Some("There is no live run to keep.")
-        } else {
-            None
-        }
-    }
-}
-
-/// What a coarse solve gave: it is shown, and never stored, compared or reported.
-#[derive(Debug, Clone)]
-pub struct CoarseAnswer {
-    /// Its curves.
-    pub curves: RunCurves,
-    /// The text that it computed.
-    pub text: String,
-}
 
 /// A study that computes behind the screen.
 #[derive(Debug, Clone)]
@@ -111,34 +59,14 @@ pub enum PlannedWork {
 pub struct LineView {
     /// What the text says.
     pub case: Case,
-    /// The chart shown.
-    pub chart: FigureId,
-    /// Zoom, cursor and marks of each chart.
-    pub views: [PlotPane; FIGURES.len()],
-    /// The joint or component shown alone; absent: all, or the last one when several runs are shown.
-    pub series: Option<usize>,
-    /// Curves that are not drawn: chart and name.
-    pub hidden_curves: Vec<(FigureId, String)>,
-    /// Whether curves against time are drawn less those of the run held against.
-    pub differences: bool,
-    /// Whether charts leave out limits and published values.
-    pub without_limits: bool,
-    /// The instant that all charts show \[s\]; absent: the newest.
-    pub instant: Option<f64>,
-    /// The re-solve after an edit.
-    pub live: LiveSolve,
+    /// Its runs, and what the panes show of them.
+    pub runs_view: RunsView,
     /// The results beside the inputs.
     pub results: Vec<QuantityId>,
-    /// The run that they are held against, and its name.
-    pub against: Option<(String, Arc<Run>)>,
-    /// The directory of a run that will be held against when it is read.
-    pub hold: Option<PathBuf>,
     /// A study that computes.
     pub study: Option<RunningStudy>,
     /// Cursor among all results.
     pub result: usize,
-    /// Runs of the case.
-    pub runs: RunList,
     /// The variants of the case, of the text that is named there.
     pub plan: VariantPlan,
     /// True while the variants of a newer text are worked out.
@@ -155,37 +83,19 @@ pub struct LineView {
     pub nodes_pane: TablePane,
     /// Natural modes.
     pub modes: ModesView,
-    /// The report shown: name of the run and text.
-    pub report: Option<(String, String)>,
-    /// What it is the report of.
-    pub report_of: Option<ReportRequest>,
-    /// The report that is being made.
-    pub report_asked: Option<ReportRequest>,
-    /// First line and column shown of the report.
-    pub report_scroll: (usize, usize),
 }
 
 impl LineView {
     /// A case as read, before its first solve.
     #[must_use]
     pub fn new(case: Case) -> Self {
-        let charts = FigureId::of(&case);
+        let runs_view = RunsView::new(FigureId::of(&case), true);
         Self {
-            chart: charts.first().copied().unwrap_or(FigureId::Shape),
+            runs_view,
             case,
-            views: Default::default(),
-            series: None,
-            hidden_curves: Vec::new(),
-            differences: false,
-            without_limits: false,
-            instant: None,
-            live: LiveSolve::default(),
             results: Vec::new(),
-            against: None,
-            hold: None,
             study: None,
             result: 0,
-            runs: RunList::empty(),
             plan: VariantPlan::default(),
             planning: false,
             planned: None,
@@ -194,35 +104,7 @@ impl LineView {
             line_table: LineTable::default(),
             nodes_pane: TablePane::default(),
             modes: ModesView::default(),
-            report: None,
-            report_of: None,
-            report_asked: None,
-            report_scroll: (0, 0),
         }
-    }
-
-    /// The run under the cursor; nothing for the live solve.
-    #[must_use]
-    pub fn current_run(&self) -> Option<&RunEntry> {
-        self.runs.current()
-    }
-
-    /// The run that tables and report show: the one under the cursor of the list, else the live solve.
-    #[must_use]
-    pub fn reported(&self) -> Option<(String, Arc<Run>, Option<PathBuf>)> {
-        if let Some(entry) = self.current_run()
-            && let Some(run) = &entry.curves.run
-        {
-            return Some((entry.id.clone(), Arc::clone(run), entry.dir.clone()));
-        }
-        let run = self.live.done.as_ref()?.run.clone()?;
-        Some(("live".to_owned(), run, self.live.kept.clone()))
-    }
-
-    /// Takes all runs off the charts.
-    pub fn hide_runs(&mut self) {
-        self.live.hidden = true;
-        self.runs.hide_all();
     }
 
     /// The runs that the validation table of this text is made from, by their points.
@@ -240,9 +122,9 @@ impl LineView {
 
     /// The newest complete run of exactly this text.
     fn complete_run(&self, text: TextDigest) -> Option<Arc<Run>> {
-        let live = self.live.done.as_ref();
-        let live = live.filter(|_| TextDigest::of(&self.live.done_text) == text);
-        let entries = self.runs.all().iter().rev();
+        let live = self.runs_view.live.done.as_ref();
+        let live = live.filter(|_| TextDigest::of(&self.runs_view.live.done_text) == text);
+        let entries = self.runs_view.runs.all().iter().rev();
         let curves = entries
             .filter(|entry| entry.text == text)
             .map(|entry| &entry.curves);
@@ -298,7 +180,7 @@ impl DocumentKind for LineView {
                     && case.published_curve.is_empty(),
                 "This case states no published values to compare with.",
             ),
-            CommandId::Keep => self.live.why_not_kept(),
+            CommandId::Keep => self.runs_view.live.why_not_kept(),
             CommandId::Trials => when(
                 case.trial.is_empty(),
                 "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
@@ -312,6 +194,7 @@ impl DocumentKind for LineView {
             return;
         };
         self.case = newer.case;
+        self.runs_view.set_figures(newer.runs_view.figures);
     }
 
     fn checks(&self) -> Option<&ValidationTable> {

@@ -16,6 +16,7 @@ pub mod reading;
 pub mod report;
 pub mod ropeway;
 pub mod run_list;
+pub mod runs_view;
 pub mod section;
 pub mod ship;
 pub mod system;
@@ -27,13 +28,14 @@ pub use case_list::{CaseEntry, CaseList, Filter};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Document, DocumentContent};
 pub use document_kind::DocumentKind;
-pub use jobs::{JobLine, JobNumber, JobPurpose, JobState, Jobs, QueuedRequest};
+pub use jobs::{JobLine, JobNumber, JobPurpose, JobRequest, JobState, Jobs, QueuedRequest};
 pub use line::LineView;
 pub use overlay::{Overlay, PromptPurpose, Question};
 pub use parameter_editor::{Editing, KeptRange, ParameterEditor};
 pub use reading::{FileOfText, Reading};
 pub use ropeway::RopewayView;
 pub use run_list::{RunColumn, RunList};
+pub use runs_view::{Charted, RunsView};
 pub use section::SectionView;
 pub use ship::ShipView;
 pub use system::SystemView;
@@ -135,11 +137,35 @@ impl AppState {
         self.document.as_mut()?.line_mut()
     }
 
+    /// The runs of what is open.
+    #[must_use]
+    pub fn runs_view(&self) -> Option<&RunsView> {
+        self.document.as_ref()?.runs_view()
+    }
+
+    /// The runs of what is open, to be changed.
+    pub fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
+        self.document.as_mut()?.runs_view_mut()
+    }
+
+    /// What the charts of what is open are drawn from.
+    #[must_use]
+    pub fn charted(&self) -> Option<Charted<'_>> {
+        self.document.as_ref()?.charted()
+    }
+
     /// The panes of what is open, in the order of their numbers.
     #[must_use]
     pub fn panes(&self) -> &'static [PaneId] {
         let document = self.document.as_ref();
         document.map_or(&[], |document| document.kind().info().panes)
+    }
+
+    /// The key of a pane of what is open.
+    #[must_use]
+    pub fn number_of(&self, pane: PaneId) -> usize {
+        let place = self.panes().iter().position(|other| *other == pane);
+        place.map_or(0, |place| place + 1)
     }
 
     /// The text and fields of what is open.
@@ -156,18 +182,7 @@ impl AppState {
     /// The filter of the list that is open, runs, fields or cases; its cursor; and how many lines pass.
     pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
         match &mut self.document {
-            Some(Document {
-                pane: PaneId::Runs,
-                content: DocumentContent::Line(line),
-                ..
-            }) => {
-                let lines = line.runs.lines();
-                (&mut line.runs.filter, &mut line.runs.cursor, lines)
-            }
-            Some(Document { editor, .. }) => {
-                let lines = editor.fields().count();
-                (&mut editor.filter, &mut editor.field, lines)
-            }
+            Some(document) => document.filter_mut(),
             None => {
                 let lines = self.cases.shown().count();
                 (&mut self.cases.filter, &mut self.cases.cursor, lines)

@@ -5,8 +5,10 @@ use std::sync::Arc;
 
 use super::document::DocumentContent;
 
+use crate::kinds::FileType;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
+use crate::report::system::motion;
 use crate::run::Run;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::line_tables::LineTable;
@@ -35,6 +37,10 @@ impl ReportRequest {
     /// The report.
     #[must_use]
     pub fn text(&self) -> String {
+        if FileType::of_text(&self.run.case_text) == FileType::System {
+            let report = motion::stored_report(&self.run, Glyphs::Braille);
+            return report.unwrap_or_else(|all| facade::first(&all, &self.file));
+        }
         match facade::parse(&self.run.case_text, &self.file) {
             Ok(case) => {
                 let own = || reference::rows_of_run(&self.run, &case);

@@ -76,7 +76,9 @@ pub struct RunList {
     filtered_by: String,
     /// The columns of the table; whether an input differs takes a look at all runs.
     shown_columns: Vec<RunColumn>,
-    /// Cursor in the table; 0 is the live run.
+    /// Whether the first line of the table is the live run.
+    has_live: bool,
+    /// Cursor in the table; 0 is the live run, where there is one.
     pub cursor: usize,
     /// The filter: words and conditions.
     pub filter: Filter,
@@ -99,12 +101,21 @@ impl Index<usize> for RunList {
 }
 
 impl RunList {
-    /// A list without runs, with the columns that every table has.
+    /// A list without runs, with the columns that every table has; `has_live` where a live run is its first line.
     #[must_use]
-    pub fn empty() -> Self {
-        let mut list = Self::default();
+    pub fn empty(has_live: bool) -> Self {
+        let mut list = Self {
+            has_live,
+            ..Self::default()
+        };
         list.arrange();
         list
+    }
+
+    /// Whether the first line of the table is the live run.
+    #[must_use]
+    pub const fn has_live(&self) -> bool {
+        self.has_live
     }
 
     /// All runs, the oldest first.
@@ -134,7 +145,13 @@ impl RunList {
     /// How many lines the table has, the live run among them.
     #[must_use]
     pub fn lines(&self) -> usize {
-        self.rows.len() + 1
+        self.rows.len() + usize::from(self.has_live)
+    }
+
+    /// The row of a line of the table; nothing for the live run.
+    #[must_use]
+    pub fn row_of(&self, line: usize) -> Option<usize> {
+        line.checked_sub(usize::from(self.has_live))
     }
 
     /// The run under the cursor; nothing for the live run.
@@ -144,7 +161,7 @@ impl RunList {
     }
 
     fn current_place(&self) -> Option<usize> {
-        self.rows.get(self.cursor.checked_sub(1)?).copied()
+        self.rows.get(self.row_of(self.cursor)?).copied()
     }
 
     /// The run under the cursor, to be changed, but for its directory.
@@ -250,7 +267,7 @@ impl RunList {
         self.arrange();
         let newest = self.entries.len().checked_sub(1);
         let row = self.rows.iter().position(|at| Some(*at) == newest);
-        self.cursor = row.map_or(0, |row| row + 1);
+        self.cursor = row.map_or(0, |row| row + usize::from(self.has_live));
     }
 
     /// Brings places, charts and table in step with the runs, the filter and the order. The cursor stays on its run.
@@ -298,8 +315,8 @@ impl RunList {
         }
         let row = self.rows.iter().position(|at| Some(*at) == under);
         self.cursor = match row {
-            Some(row) => row + 1,
-            None => self.cursor.min(self.rows.len()),
+            Some(row) => row + usize::from(self.has_live),
+            None => self.cursor.min(self.lines().saturating_sub(1)),
         };
     }
 

@@ -5,13 +5,16 @@ use std::sync::Arc;
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
+use super::runs_view::RunsView;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::report::chart::Glyphs;
+use crate::report::figures::FigureId;
 use crate::report::system as views;
 use crate::system::analysis::analyses::Analyses;
+use crate::system::motion::channels::quantities;
 use crate::system::{SolvedSystem, validation};
-use crate::tui::command::{Command, REPORTED};
+use crate::tui::command::{Command, MOVING, REPORTED};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
@@ -26,6 +29,8 @@ pub struct SystemView {
     pub checks: ValidationTable,
     /// The view shown: from above, from the side, obliquely.
     pub view: usize,
+    /// Its runs in time, and what the panes show of them.
+    pub runs_view: RunsView,
 }
 
 impl SystemView {
@@ -33,11 +38,18 @@ impl SystemView {
     #[must_use]
     pub fn new(solved: SolvedSystem) -> Self {
         Self {
+            runs_view: RunsView::new(figures(&solved), false),
             solved: Arc::new(solved),
             analyses: None,
             checks: ValidationTable::default(),
             view: 0,
         }
+    }
+
+    /// Whether its file has it computed in time.
+    #[must_use]
+    pub fn is_in_motion(&self) -> bool {
+        self.solved.file.solver.is_some()
     }
 
     /// How many views there are.
@@ -49,18 +61,34 @@ impl SystemView {
     }
 }
 
+/// The panes of a system that is computed in time; the first [`AT_REST`] are those of one at rest.
+const IN_MOTION: [PaneId; 8] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Charts,
+    PaneId::Runs,
+    PaneId::Report,
+    PaneId::Jobs,
+];
+const AT_REST: usize = 4;
+
+/// The charts of the runs of a system.
+fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
+    FigureId::of_system(&quantities(&solved.network))
+}
+
 impl DocumentKind for SystemView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
             name: "system of lines",
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
-            panes: &[
-                PaneId::Inputs,
-                PaneId::System,
-                PaneId::Tables,
-                PaneId::Validation,
-            ],
+            panes: match self.is_in_motion() {
+                true => &IN_MOTION,
+                false => &IN_MOTION[..AT_REST],
+            },
             first: PaneId::System,
             tabs: &[
                 "Lines",
@@ -85,13 +113,17 @@ impl DocumentKind for SystemView {
     }
 
     fn commands(&self) -> &'static [Command] {
-        REPORTED
+        match self.is_in_motion() {
+            true => MOVING,
+            false => REPORTED,
+        }
     }
 
     fn renew(&mut self, newer: DocumentContent) {
         let DocumentContent::System(newer) = newer else {
             return;
         };
+        self.runs_view.set_figures(newer.runs_view.figures);
         self.solved = newer.solved;
         self.analyses = newer.analyses;
         self.checks = newer.checks;

@@ -10,7 +10,9 @@ use crate::tui::state::{AppState, Overlay, RunList};
 
 /// Shows the first result against the first input that differs.
 pub fn open(state: &mut AppState) -> Vec<Effect> {
-    let pair = state.line().and_then(|line| ColumnPair::first(&line.runs));
+    let pair = state
+        .runs_view()
+        .and_then(|view| ColumnPair::first(&view.runs));
     state.overlay = pair.map(Overlay::Columns);
     Vec::new()
 }
@@ -24,10 +26,10 @@ pub fn why_not(runs: &RunList) -> Option<&'static str> {
 
 /// Keys while the chart is shown.
 pub(super) fn key(state: &mut AppState, pair: ColumnPair, key: KeyPress) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
-    let runs = &line.runs;
+    let runs = &view.runs;
     let mut effects = Vec::new();
     let pair = match key {
         KeyPress::Esc | KeyPress::Char('q' | 'p') => return effects,

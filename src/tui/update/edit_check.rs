@@ -189,8 +189,10 @@ fn checking(state: &AppState) -> bool {
 }
 
 fn reporting(state: &AppState) -> bool {
-    let line = state.line().filter(|_| state.focus() == PaneId::Report);
-    line.is_some_and(|line| line.report_asked.is_some())
+    let view = state
+        .runs_view()
+        .filter(|_| state.focus() == PaneId::Report);
+    view.is_some_and(|view| view.report_asked.is_some())
 }
 
 /// Whether a key or a paste waits: it is meant for the text with the edits before it, or writes what is being made.
@@ -228,8 +230,8 @@ fn waits(state: &AppState, msg: &Msg) -> bool {
 fn is_filtering(state: &AppState) -> bool {
     match &state.document {
         Some(document) if document.pane == PaneId::Runs => {
-            let line = document.line();
-            line.is_some_and(|line| line.runs.filter.typing)
+            let view = document.runs_view();
+            view.is_some_and(|view| view.runs.filter.typing)
         }
         Some(document) => document.editor.filter.typing,
         None => false,

@@ -19,40 +19,41 @@ pub fn write(path: PathBuf, text: Option<String>, what: &'static str) -> Vec<Eff
         .collect()
 }
 
-/// Asks for the report of the chosen run of a line case where it is seen, one report after the other.
+/// Asks for the report of the chosen run where it is seen, one report after the other.
 pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
     let document = state.document.as_mut()?;
     if document.pane != PaneId::Report {
         return None;
     }
-    let (line, editor) = document.line_and_editor()?;
-    let Some((name, run, _)) = line.reported() else {
-        line.report = None;
+    let Some((name, run, _)) = document.runs_view()?.reported() else {
+        document.runs_view_mut()?.report = None;
         return None;
     };
-    let edited = run.case_text == editor.text;
+    let line = document.line();
+    let line = line.filter(|_| run.case_text == document.editor.text);
+    // Its validation table is that of the runs as they are now.
+    let open = line.is_some_and(|line| line.checking.is_open());
     let wanted = ReportRequest {
         name,
         run,
-        file: editor.file.clone(),
-        checks: edited.then(|| line.checks.rows.clone()),
+        file: document.editor.file.clone(),
+        checks: line.map(|line| line.checks.rows.clone()),
     };
-    // Its validation table is that of the runs as they are now.
-    let open = line.checking.is_open() && edited;
-    if open || line.report_asked.is_some() || line.report_of.as_ref() == Some(&wanted) {
+    let view = document.runs_view_mut()?;
+    if open || view.report_asked.is_some() || view.report_of.as_ref() == Some(&wanted) {
         return None;
     }
-    line.report_asked = Some(wanted.clone());
+    view.report_asked = Some(wanted.clone());
     Some(Effect::MakeReport(Box::new(wanted)))
 }
 
 /// A report is there.
 pub(super) fn reported(state: &mut AppState, of: &ReportRequest, text: String) -> Vec<Effect> {
-    if let Some(line) = state.line_mut()
-        && line.report_asked.as_ref() == Some(of)
+    if let Some(view) = state.runs_view_mut()
+        && view.report_asked.as_ref() == Some(of)
     {
-        line.report = Some((of.name.clone(), text));
-        line.report_of = line.report_asked.take();
+        view.report = Some((of.name.clone(), text));
+        view.report_of = view.report_asked.take();
     }
     Vec::new()
 }

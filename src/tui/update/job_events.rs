@@ -7,7 +7,8 @@ use super::runs;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::tui::msg::Effect;
-use crate::tui::state::line::CoarseAnswer;
+use crate::tui::pane::PaneId;
+use crate::tui::state::runs_view::CoarseAnswer;
 use crate::tui::state::{
     AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
 };
@@ -45,7 +46,7 @@ pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) ->
                 curves.push(*frame);
             }
         }
-        JobEvent::Checkpoint(_) => {}
+        JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
         JobEvent::Estimating => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress.estimating = true;
@@ -79,11 +80,11 @@ pub(super) fn recorded(state: &mut AppState, ticket: JobNumber, later: &RunCurve
 /// A coarse run ahead of the live solve; dropped where that is not waited for any more.
 pub(super) fn coarse(state: &mut AppState, ticket: JobNumber, run: Arc<Run>) -> Vec<Effect> {
     if is_live(state, ticket)
-        && let Some(line) = state.line_mut()
+        && let Some(view) = state.runs_view_mut()
     {
-        line.live.coarse = Some(CoarseAnswer {
+        view.live.coarse = Some(CoarseAnswer {
             curves: RunCurves::whole(run),
-            text: line.live.going_text.clone(),
+            text: view.live.going_text.clone(),
         });
     }
     Vec::new()
@@ -92,13 +93,13 @@ pub(super) fn coarse(state: &mut AppState, ticket: JobNumber, run: Arc<Run>) -> 
 /// Whether a job is the live solve of what is open.
 fn is_live(state: &AppState, ticket: JobNumber) -> bool {
     state
-        .line()
-        .is_some_and(|line| line.live.ticket == Some(ticket))
+        .runs_view()
+        .is_some_and(|view| view.live.ticket == Some(ticket))
 }
 
 fn curves(state: &mut AppState, ticket: JobNumber, live: bool) -> Option<&mut RunCurves> {
     if live {
-        return state.line_mut()?.live.going.as_mut();
+        return state.runs_view_mut()?.live.going.as_mut();
     }
     Some(&mut slot(state, ticket)?.curves)
 }
@@ -137,11 +138,11 @@ fn finished(state: &mut AppState, ticket: JobNumber, run: Arc<Run>, live: bool) 
 
 fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
     let document = state.document.as_mut();
-    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+    let Some((view, editor)) = document.and_then(Document::runs_and_editor) else {
         return;
     };
-    let of_file = line.live.going_text == editor.saved;
-    let live = &mut line.live;
+    let of_file = view.live.going_text == editor.saved;
+    let live = &mut view.live;
     live.ticket = None;
     live.going = None;
     match new {
@@ -149,8 +150,8 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
         JobState::Cancelled => live.failure = Some("cancelled".to_owned()),
         _ => {
             live.coarse = None;
-            if line.against.is_none() && *new == JobState::Done && of_file {
-                line.against = Some(("the file's".to_owned(), Arc::clone(&run)));
+            if view.against.is_none() && *new == JobState::Done && of_file {
+                view.against = Some(("the file's".to_owned(), Arc::clone(&run)));
             }
             live.done = Some(RunCurves::whole(run));
             live.done_text = std::mem::take(&mut live.going_text);
@@ -165,15 +166,24 @@ fn live_finished(state: &mut AppState, run: Arc<Run>, new: &JobState) {
 
 fn said_done(state: &mut AppState, ticket: JobNumber) {
     let left = state.jobs.open();
+    let line = state.line().is_some();
+    let [charts, validation, report] =
+        [PaneId::Charts, PaneId::Validation, PaneId::Report].map(|pane| state.number_of(pane));
     let Some(slot) = slot(state, ticket) else {
         return;
     };
+    let id = &slot.id;
+    let run = slot.curves.run.as_ref();
+    let happened = run.map_or(&[][..], |run| &run.info.happened);
+    let events: String = happened.iter().map(|event| format!(" {event}.")).collect();
     let text = match left {
-        0 => format!(
-            "{} is done. `4` shows the validation table, `5` the report.",
-            slot.id
-        ),
-        _ => format!("{} is done; {left} runs to go.", slot.id),
+        0 if line => {
+            format!(
+                "{id} is done. `{validation}` shows the validation table, `{report}` the report."
+            )
+        }
+        0 => format!("{id} is done.{events} `{charts}` shows its curves, `{report}` the report."),
+        _ => format!("{id} is done; {left} runs to go."),
     };
     state.say(Severity::Info, text);
 }
@@ -200,11 +210,11 @@ pub(super) fn failed(state: &mut AppState, ticket: JobNumber, reason: String) ->
     }
     set_state(state, ticket, JobState::Failed(reason.clone()));
     if is_live(state, ticket)
-        && let Some(line) = state.line_mut()
+        && let Some(view) = state.runs_view_mut()
     {
-        line.live.ticket = None;
-        line.live.going = None;
-        line.live.failure = Some(reason.clone());
+        view.live.ticket = None;
+        view.live.going = None;
+        view.live.failure = Some(reason.clone());
     }
     state.say(Severity::Error, reason);
     let mut effects = start_waiting(state);

@@ -1,17 +1,19 @@
 //! Jobs: the live re-solve, runs asked for; starting and cancelling them.
 
+use std::sync::Arc;
+
 use super::notice::info;
 use super::trials;
 use crate::case::{Case, StudyPoint, TextDigest};
-use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
+use crate::system::motion::job::SystemRequest;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Document, JobLine, JobNumber, JobPurpose, JobState, ParameterEditor, QueuedRequest,
-    RunCurves, RunEntry, RunStatus,
+    AppState, Document, DocumentContent, JobLine, JobNumber, JobPurpose, JobRequest, JobState,
+    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunStatus, SystemView,
 };
 
 /// Solves the edited case in the background; the newest wins.
@@ -29,7 +31,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
         line.case.clone(),
         "live",
     );
-    let live = &mut line.live;
+    let live = &mut line.runs_view.live;
     live.going = Some(RunCurves::default());
     live.going_text.clone_from(&editor.text);
     live.failure = None;
@@ -50,8 +52,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     );
     effects.push(Effect::Start {
         ticket,
-        request: Box::new(request),
-        from: None,
+        request: JobRequest::Line(Box::new(request), None),
         store: false,
     });
     effects
@@ -100,28 +101,62 @@ pub(super) fn overrides(editor: &ParameterEditor) -> Vec<String> {
     }
 }
 
-/// Runs the edited case, and stores the run.
+/// Runs the edited case or system, and stores the run.
 pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
-    let document = state.document.as_mut();
-    let Some((line, editor)) = document.and_then(Document::line_and_editor) else {
+    if !enqueue_edited(state) {
         return Vec::new();
-    };
-    // The same curves twice would only hide each other.
-    line.hide_runs();
-    let (text, rows, case) = (editor.text.clone(), editor.rows.clone(), line.case.clone());
-    enqueue(state, (&text, &rows), case, None, true);
+    }
     let effects = start_newest(state);
-    info(
-        state,
-        "The run has begun; it is stored under runs/. `2` shows its curves, `6` the jobs.",
+    let words = format!(
+        "The run has begun; it is stored under runs/. `{}` shows its curves, `{}` the jobs.",
+        state.number_of(PaneId::Charts),
+        state.number_of(PaneId::Jobs)
     );
+    info(state, words);
     effects
+}
+
+/// Puts a run of the edited text at the end of the queue; tells whether there is anything to run.
+fn enqueue_edited(state: &mut AppState) -> bool {
+    let Some(document) = state.document.as_mut() else {
+        return false;
+    };
+    if let Some(view) = document.runs_view_mut() {
+        // The same curves twice would only hide each other.
+        view.hide_runs();
+    }
+    let editor = &document.editor;
+    match &document.content {
+        DocumentContent::Line(line) => {
+            let (text, rows, case) = (editor.text.clone(), editor.rows.clone(), line.case.clone());
+            enqueue(state, (&text, &rows), case, None, true);
+        }
+        DocumentContent::System(system) => {
+            let Some(request) = system_request(editor, system) else {
+                return false;
+            };
+            let request = JobRequest::System(Box::new(request));
+            queue(state, request, String::new(), None, true);
+        }
+        _ => return false,
+    }
+    true
+}
+
+/// The run in time of the edited system.
+fn system_request(editor: &ParameterEditor, system: &SystemView) -> Option<SystemRequest> {
+    let solved = Arc::clone(&system.solved);
+    let request = SystemRequest::new(solved, &editor.text, editor.file.clone(), overrides(editor));
+    request.map(|request| SystemRequest {
+        id: editor.stem().to_owned(),
+        ..request
+    })
 }
 
 /// Puts the cursor on the newest run, and starts what waits.
 pub(super) fn start_newest(state: &mut AppState) -> Vec<Effect> {
-    if let Some(line) = state.line_mut() {
-        line.runs.go_to_newest();
+    if let Some(view) = state.runs_view_mut() {
+        view.runs.go_to_newest();
     }
     start_waiting(state)
 }
@@ -142,43 +177,43 @@ pub(super) fn enqueue(
         .as_ref()
         .map_or_else(String::new, |at| facade::at_label(&line.case, at));
     let request = request(editor, text, rows, case, editor.stem());
-    queue(state, request, None, label, at, shown);
+    let request = JobRequest::Line(Box::new(request), None);
+    queue(state, request, label, at, shown);
 }
 
 /// Puts a run at the end of the queue, and in the list of runs, which is to be arranged after the last.
 pub(super) fn queue(
     state: &mut AppState,
-    request: Request,
-    from: Option<ResumedRun>,
+    request: JobRequest,
     label: String,
     at: Option<StudyPoint>,
     shown: bool,
 ) {
     let ticket = state.jobs.ticket();
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return;
     };
-    let method = method_name(request.case.solver.method).to_owned();
-    let stem = request.file.trim_end_matches(".toml");
+    let info = request.initial_info();
+    let method = info.settings.method;
+    let stem = request.file().trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    line.runs.push(RunEntry {
+    view.runs.push(RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
         at,
-        duration_s: request.case.solver.duration_s,
+        duration_s: info.settings.duration_s,
         shown,
-        ..RunEntry::session(TextDigest::of(&request.text), method)
+        ..RunEntry::session(TextDigest::of(request.text()), method)
     });
     state
         .jobs
         .lines
         .push(job_line(ticket, name, JobPurpose::Run, JobState::Queued));
-    state.jobs.waiting.push_back(QueuedRequest {
-        ticket,
-        request: Box::new(request),
-        from: from.map(Box::new),
-    });
+    state
+        .jobs
+        .waiting
+        .push_back(QueuedRequest { ticket, request });
 }
 
 /// The parts that say something, joined.
@@ -195,16 +230,11 @@ pub(super) fn start_waiting(state: &mut AppState) -> Vec<Effect> {
         let Some(next) = state.jobs.waiting.pop_front() else {
             break;
         };
-        let QueuedRequest {
-            ticket,
-            request,
-            from,
-        } = next;
+        let QueuedRequest { ticket, request } = next;
         set_state(state, ticket, JobState::Running);
         effects.push(Effect::Start {
             ticket,
             request,
-            from,
             store: true,
         });
     }
@@ -219,8 +249,8 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         .lines
         .get(cursor)
         .filter(|l| state.focus() == PaneId::Jobs && l.state.is_open());
-    let in_runs = state.line().and_then(|line| {
-        let ticket = line.current_run()?.ticket?;
+    let in_runs = state.runs_view().and_then(|view| {
+        let ticket = view.current_run()?.ticket?;
         let line = state.jobs.lines.iter().find(|l| l.ticket == ticket)?;
         (state.focus() == PaneId::Runs && line.state.is_open()).then_some(line)
     });
@@ -273,7 +303,7 @@ pub(super) fn set_state(state: &mut AppState, ticket: JobNumber, new: JobState) 
 
 pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEntry> {
     state
-        .line_mut()?
+        .runs_view_mut()?
         .runs
         .newest_mut(|run| run.ticket == Some(ticket))
 }

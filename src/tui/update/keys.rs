@@ -72,7 +72,7 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
 fn filter_runs(state: &mut AppState) {
     let focused = state.focus() == PaneId::Runs;
     if let Some(line) = state.line_mut().filter(|_| focused) {
-        line.runs.filter_rows();
+        line.runs_view.runs.filter_rows();
     }
 }
 

@@ -32,7 +32,6 @@ pub use overlay::{palette_matches, run_command};
 
 use super::msg::{Effect, Msg};
 use super::state::AppState;
-use crate::report::figures::FigureId;
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
@@ -42,13 +41,6 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     };
     while let Some(msg) = edit_check::released(state) {
         effects.extend(on(state, msg));
-    }
-    if let Some(line) = state.line_mut() {
-        // An edit may take away the chart that was shown.
-        let figures = FigureId::of(&line.case);
-        if !figures.contains(&line.chart) {
-            line.chart = figures.first().copied().unwrap_or(line.chart);
-        }
     }
     effects.extend(modes::follow(state));
     effects.extend(runs::plan(state));

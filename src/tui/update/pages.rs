@@ -22,14 +22,14 @@ fn width(state: &AppState) -> usize {
 /// Compares the marked runs; where only one is chosen, with the run held against or the live one.
 pub fn compare(state: &mut AppState) -> Vec<Effect> {
     let width = width(state);
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
-    let chosen = line.runs.chosen();
+    let chosen = view.runs.chosen();
     let mut runs: Vec<ComparedRun> = chosen.iter().filter_map(|run| of_entry(run)).collect();
     if runs.len() == 1 {
-        let against = line.against.as_ref().map(|(_, run)| run);
-        if let Some(run) = against.or_else(|| solved_run(line)) {
+        let against = view.against.as_ref().map(|(_, run)| run);
+        if let Some(run) = against.or_else(|| solved_run(view)) {
             runs.insert(0, ComparedRun::Memory(Arc::clone(run)));
         }
     }
@@ -57,9 +57,9 @@ fn of_entry(run: &RunEntry) -> Option<ComparedRun> {
 /// Why runs cannot be compared now.
 #[must_use]
 pub fn why_not_compared(state: &AppState) -> Option<&'static str> {
-    let line = state.line()?;
-    let chosen = line.runs.chosen().len();
-    let other = line.against.is_some() || solved_run(line).is_some();
+    let view = state.runs_view()?;
+    let chosen = view.runs.chosen().len();
+    let other = view.against.is_some() || solved_run(view).is_some();
     match (chosen, other) {
         (0, _) => Some("Two runs are compared, or more: `m` marks them."),
         (1, false) => Some("There is no other run to compare this one with; `m` marks several."),

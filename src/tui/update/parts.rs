@@ -17,7 +17,7 @@ pub fn of_pane(document: &Document, pane: PaneId) -> Option<Part> {
         PaneId::Tables => Some(Part::Tab(document.tab)),
         PaneId::Nodes => {
             let line = document.line()?;
-            let (_, run, _) = line.reported()?;
+            let (_, run, _) = line.runs_view.reported()?;
             Some(Part::Line(line.line_table.or_nodes(&run)))
         }
         _ => None,

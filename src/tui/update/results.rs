@@ -41,7 +41,9 @@ pub fn why_no_result(state: &AppState) -> Option<&'static str> {
 /// Why the results cannot be held.
 #[must_use]
 pub fn why_not_held(state: &AppState) -> Option<&'static str> {
-    let coarse = state.line().is_some_and(|line| line.live.coarse.is_some());
+    let coarse = state
+        .line()
+        .is_some_and(|line| line.runs_view.live.coarse.is_some());
     let words = "These results are coarse; they can be held when the full solve is complete.";
     why_no_result(state).or(coarse.then_some(words))
 }
@@ -65,13 +67,13 @@ pub fn main_ones(state: &mut AppState) {
 
 /// Holds the results as they are now.
 pub fn hold_live(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    let Some(run) = solved_run(line).cloned() else {
+    let Some(run) = solved_run(view).cloned() else {
         return info(state, "There is no complete result to hold yet.");
     };
-    line.against = Some(("the results held".to_owned(), run));
+    view.against = Some(("the results held".to_owned(), run));
     info(
         state,
         "Held: later results are shown with their difference from these.",
@@ -80,17 +82,17 @@ pub fn hold_live(state: &mut AppState) -> Vec<Effect> {
 
 /// Holds the run under the cursor of the table, which is read where it is not yet.
 pub fn hold_run(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    let Some(entry) = line.runs.current() else {
+    let Some(entry) = view.runs.current() else {
         return hold_live(state);
     };
     let name = entry.title();
     match &entry.curves.run {
         Some(run) => {
-            line.against = Some((name.clone(), run.clone()));
-            line.hold = None;
+            view.against = Some((name.clone(), run.clone()));
+            view.hold = None;
             info(
                 state,
                 format!("The results beside the inputs are held against {name}."),
@@ -98,7 +100,7 @@ pub fn hold_run(state: &mut AppState) -> Vec<Effect> {
         }
         None => {
             let effects = super::runs::load(entry);
-            line.hold.clone_from(&entry.dir);
+            view.hold.clone_from(&entry.dir);
             effects
         }
     }

@@ -9,14 +9,14 @@ use super::notice::info;
 use crate::run::ResumedRun;
 use crate::run::job::Request;
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, JobState, Overlay, PromptPurpose, RunStatus};
+use crate::tui::state::{AppState, JobRequest, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
-    let Some((slot, dir)) = line.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
+    let Some((slot, dir)) = view.current_run().and_then(|s| Some((s, s.dir.clone()?))) else {
         return Vec::new();
     };
     let end = slot.duration_s;
@@ -66,14 +66,15 @@ pub(super) fn found(
             return Vec::new();
         }
     };
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    line.hide_runs();
+    view.hide_runs();
     request.id = request.file.trim_end_matches(".toml").to_owned();
     let label = format!("to {until} s");
     let time = from.as_ref().map_or(0.0, |from| from.checkpoint.time());
-    queue(state, request, from, label, None, true);
+    let request = JobRequest::Line(Box::new(request), from.map(Box::new));
+    queue(state, request, label, None, true);
     let effects = start_newest(state);
     info(
         state,

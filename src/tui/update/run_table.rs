@@ -7,33 +7,36 @@ use tui_input::Input;
 use super::edit;
 use super::jobs::{queue, start_newest};
 use super::notice::{info, warn};
-use crate::case::Case;
 use crate::run::job::Request;
+use crate::system::motion::job::SystemRequest;
 use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
 use crate::tui::state::overlay::RunText;
-use crate::tui::state::{AppState, Overlay, PromptPurpose, Question, RunEntry, RunStatus};
+use crate::tui::state::{
+    AppState, DocumentContent, JobRequest, Overlay, ParameterEditor, PromptPurpose, Question,
+    RunEntry, RunStatus,
+};
 
 /// Marks the run under the cursor for what is done to several, or takes the mark off.
 pub fn mark(state: &mut AppState) {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return;
     };
-    line.runs.turn_mark();
-    line.runs.cursor = (line.runs.cursor + 1).min(line.runs.lines() - 1);
+    view.runs.turn_mark();
+    view.runs.cursor = (view.runs.cursor + 1).min(view.runs.lines().saturating_sub(1));
 }
 
 /// Marks all runs of the table, or takes all marks off where there are any.
 pub fn mark_all(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    let any = line.runs.any_marked();
-    let rows = line.runs.rows().to_vec();
+    let any = view.runs.any_marked();
+    let rows = view.runs.rows().to_vec();
     let mut at = 0;
     let mut rows_in_order = rows.clone();
     rows_in_order.sort_unstable();
-    line.runs.change_all(|run| {
+    view.runs.change_all(|run| {
         run.marked = !any && rows_in_order.binary_search(&at).is_ok();
         at += 1;
     });
@@ -46,10 +49,10 @@ pub fn mark_all(state: &mut AppState) -> Vec<Effect> {
 
 /// Asks whether the marked runs, or the one under the cursor, are to be deleted.
 pub fn ask_to_delete(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
-    let chosen = line.runs.chosen();
+    let chosen = view.runs.chosen();
     let dirs: Vec<PathBuf> = chosen
         .iter()
         .filter(|run| why_not_deleted(run).is_none())
@@ -84,12 +87,12 @@ pub fn why_not_deleted(run: &RunEntry) -> Option<&'static str> {
 
 /// Asks for a name, tags or a note of the run under the cursor; tags go to all that are marked.
 pub fn ask_text(state: &mut AppState, what: RunText) -> Vec<Effect> {
-    let Some(line) = state.line() else {
+    let Some(view) = state.runs_view() else {
         return Vec::new();
     };
     let chosen = match what {
-        RunText::Tags => line.runs.chosen(),
-        _ => line.runs.current().into_iter().collect(),
+        RunText::Tags => view.runs.chosen(),
+        _ => view.runs.current().into_iter().collect(),
     };
     let Some(first) = chosen.first() else {
         return Vec::new();
@@ -126,12 +129,12 @@ pub(super) fn take_text(
     dirs: &[PathBuf],
     typed: &str,
 ) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
     let mut effects = Vec::new();
     for dir in dirs {
-        if let Some(run) = line.runs.in_dir_mut(dir) {
+        if let Some(run) = view.runs.in_dir_mut(dir) {
             match what {
                 RunText::Name => typed.clone_into(&mut run.notes.name),
                 RunText::Tags => run.notes.set_tags(typed),
@@ -140,13 +143,13 @@ pub(super) fn take_text(
             effects.push(Effect::WriteNotes(dir.clone(), run.notes.clone()));
         }
     }
-    line.runs.arrange();
+    view.runs.arrange();
     effects
 }
 
 /// Asks for the exact case of the run under the cursor.
 pub fn read_case(state: &AppState, wanted: RunCaseUse) -> Vec<Effect> {
-    let run = state.line().and_then(|line| line.runs.current());
+    let run = state.runs_view().and_then(|view| view.runs.current());
     let dir = run.and_then(|run| run.dir.clone());
     let (Some(dir), Some(editor)) = (dir, state.editor()) else {
         return Vec::new();
@@ -163,9 +166,9 @@ pub(super) fn exact_case(
     state: &mut AppState,
     dir: &Path,
     wanted: RunCaseUse,
-    read: Result<(String, Box<Case>), String>,
+    read: Result<(String, DocumentContent), String>,
 ) -> Vec<Effect> {
-    let (text, case) = match read {
+    let (text, content) = match read {
         Ok(read) => read,
         Err(why) => return warn(state, why),
     };
@@ -186,15 +189,11 @@ pub(super) fn exact_case(
             edit::replace(state, text, said)
         }
         RunCaseUse::RunAgain => {
-            let request = Request {
-                case: *case,
-                file: editor.file.clone(),
-                id: editor.stem().to_owned(),
-                overrides: Vec::new(),
-                text,
+            let Some(request) = request_again(editor, text, content) else {
+                return warn(state, format!("{name} is no run of what is open."));
             };
             let label = format!("again {name}");
-            queue(state, request, None, label, None, false);
+            queue(state, request, label, None, false);
             let effects = start_newest(state);
             info(
                 state,
@@ -205,22 +204,51 @@ pub(super) fn exact_case(
     }
 }
 
+/// A run of the exact text of an earlier one.
+fn request_again(
+    editor: &ParameterEditor,
+    text: String,
+    content: DocumentContent,
+) -> Option<JobRequest> {
+    let (file, id) = (editor.file.clone(), editor.stem().to_owned());
+    match content {
+        DocumentContent::Line(line) => {
+            let request = Request {
+                case: line.case,
+                file,
+                id,
+                overrides: Vec::new(),
+                text,
+            };
+            Some(JobRequest::Line(Box::new(request), None))
+        }
+        DocumentContent::System(system) => {
+            let request = SystemRequest::new(system.solved, &text, file, Vec::new())?;
+            Some(JobRequest::System(Box::new(SystemRequest {
+                id,
+                ..request
+            })))
+        }
+        _ => None,
+    }
+}
+
 /// Sorts the table by the next column, or the other way round.
 pub fn sort(state: &mut AppState, around: bool) {
-    if let Some(line) = state.line_mut() {
+    if let Some(view) = state.runs_view_mut() {
         if around {
-            line.runs.sort_around();
+            view.runs.sort_around();
         } else {
-            line.runs.sort_next();
+            view.runs.sort_next();
         }
     }
 }
 
 /// Drops the marks and shows the live run alone.
 pub fn live_only(state: &mut AppState) {
-    if let Some(line) = state.line_mut() {
-        line.hide_runs();
-        line.live.hidden = false;
-        line.runs.change_all(|run| run.marked = false);
+    if let Some(view) = state.runs_view_mut() {
+        view.hide_runs();
+        view.live.hidden = false;
+        view.runs.change_all(|run| run.marked = false);
     }
 }

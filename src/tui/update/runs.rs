@@ -5,62 +5,63 @@ use std::sync::Arc;
 
 use super::motion::moved;
 use super::notice::info;
-use crate::case::TextDigest;
+use crate::case::{ChannelQuantity, TextDigest};
 use crate::run::Run;
 use crate::run::index::SyncProgress;
 use crate::study::results::main_results;
+use crate::system::network::Network;
 use crate::tui::facade;
 use crate::tui::msg::{Effect, RunsFound};
 use crate::tui::state::line::PlannedWork;
 use crate::tui::state::{
-    AppState, Document, JobNumber, JobState, LineView, RunCurves, RunEntry, RunOrigin, RunStatus,
-    Severity, VariantPlan,
+    AppState, Document, DocumentContent, JobNumber, JobState, RunCurves, RunEntry, RunOrigin,
+    RunStatus, RunsView, Severity, VariantPlan,
 };
 
 /// Stores the live run.
 pub(super) fn keep(state: &AppState) -> Vec<Effect> {
-    let done = state.line().and_then(|line| line.live.done.as_ref());
+    let done = state.runs_view().and_then(|view| view.live.done.as_ref());
     let run = done.and_then(|done| done.run.clone());
     run.map(Effect::KeepRun).into_iter().collect()
 }
 
 /// Shows the run under the cursor alone.
 pub fn show_alone(state: &mut AppState) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    line.hide_runs();
+    view.hide_runs();
     let mut effects = Vec::new();
-    let name = match line.runs.current_mut() {
+    let name = match view.runs.current_mut() {
         Some(entry) => {
             entry.shown = true;
             effects = load(entry);
             entry.title()
         }
         None => {
-            line.live.hidden = false;
+            view.live.hidden = false;
             "the live run".to_owned()
         }
     };
-    line.runs.arrange();
+    view.runs.arrange();
     info(state, format!("Charts and report now show {name}."));
     effects
 }
 
 /// Shows the run under the cursor beside the others, or takes it off.
-pub fn select(line: &mut LineView) -> Vec<Effect> {
+pub fn select(view: &mut RunsView) -> Vec<Effect> {
     let mut effects = Vec::new();
-    match line.runs.current_mut() {
+    match view.runs.current_mut() {
         Some(entry) => {
             entry.shown = !entry.shown;
             if entry.shown {
                 effects = load(entry);
             }
         }
-        None => line.live.hidden = !line.live.hidden,
+        None => view.live.hidden = !view.live.hidden,
     }
-    line.runs.arrange();
-    line.runs.cursor = moved(line.runs.cursor, 1, line.runs.lines());
+    view.runs.arrange();
+    view.runs.cursor = moved(view.runs.cursor, 1, view.runs.lines());
     effects
 }
 
@@ -76,25 +77,25 @@ pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
 }
 
 pub(super) fn stored(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
     // The index may have been quicker.
-    line.runs
+    view.runs
         .retain(|run| run.ticket.is_some() || run.dir.as_ref() != Some(&dir));
-    if let Some(entry) = line.runs.newest_mut(|run| run.ticket == Some(ticket)) {
+    if let Some(entry) = view.runs.newest_mut(|run| run.ticket == Some(ticket)) {
         if let Some(name) = dir.file_name() {
             entry.id = name.to_string_lossy().into_owned();
         }
         entry.dir = Some(dir);
     }
-    line.runs.arrange();
+    view.runs.arrange();
     vec![Effect::RefreshRuns]
 }
 
 pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effect> {
-    if let Some(line) = state.line_mut() {
-        line.live.kept = Some(dir.to_owned());
+    if let Some(view) = state.runs_view_mut() {
+        view.live.kept = Some(dir.to_owned());
         let info = &run.info;
         let mut entry =
             RunEntry::session(TextDigest::of(&run.case_text), info.settings.method.clone());
@@ -109,30 +110,45 @@ pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effec
         entry.kind = RunOrigin::Stored;
         entry.dir = Some(dir.to_owned());
         entry.curves = RunCurves::whole(run);
-        line.runs.extend([entry]);
+        view.runs.extend([entry]);
     }
     info(state, format!("Kept in {}.", dir.display()));
     vec![Effect::RefreshRuns]
 }
 
-/// Asks for the stored runs of a line case, and of those beside it.
+/// Asks for the stored runs of what is open, and of those beside it.
 pub(super) fn list(state: &AppState) -> Option<Effect> {
-    let (line, editor) = (state.line()?, state.editor()?);
-    let mut files = vec![editor.file.clone()];
-    files.extend(line.case.case.beside.iter().flatten().cloned());
-    let results = main_results(&line.case);
-    Some(Effect::ListRuns {
-        files,
-        results: results.iter().map(ToString::to_string).collect(),
-    })
+    let document = state.document.as_ref()?;
+    let mut files = vec![document.editor.file.clone()];
+    let results = match &document.content {
+        DocumentContent::Line(line) => {
+            files.extend(line.case.case.beside.iter().flatten().cloned());
+            let main = main_results(&line.case);
+            main.iter().map(ToString::to_string).collect()
+        }
+        DocumentContent::System(system) if system.is_in_motion() => {
+            main_channels(&system.solved.network)
+        }
+        _ => return None,
+    };
+    Some(Effect::ListRuns { files, results })
+}
+
+/// The results of a system that the table of runs shows: the greatest tensions at both ends of its first lines.
+fn main_channels(network: &Network) -> Vec<String> {
+    const LINES: usize = 3;
+    let lines = network.lines.iter().take(LINES);
+    let both = lines.flat_map(|line| ["a", "b"].map(|end| format!("{}|{end}", line.name)));
+    both.map(|place| format!("{}.max", ChannelQuantity::Tension.at(place)))
+        .collect()
 }
 
 /// What the index says: stored runs join the list, change or leave it; those that the validation table needs are read.
 pub(super) fn listed(state: &mut AppState, found: RunsFound) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
-    let runs = &mut line.runs;
+    let runs = &mut view.runs;
     if let Some(columns) = found.columns {
         runs.take_columns(columns);
     }
@@ -165,8 +181,8 @@ pub(super) fn listed(state: &mut AppState, found: RunsFound) -> Vec<Effect> {
 
 /// How far the index is.
 pub(super) fn indexing(state: &mut AppState, progress: SyncProgress) -> Vec<Effect> {
-    if let Some(line) = state.line_mut() {
-        line.runs.indexing = (progress.done < progress.all).then_some(progress);
+    if let Some(view) = state.runs_view_mut() {
+        view.runs.indexing = (progress.done < progress.all).then_some(progress);
     }
     Vec::new()
 }
@@ -184,7 +200,7 @@ pub(super) fn load_needed(state: &mut AppState) -> Vec<Effect> {
     for variant in line.plan.of_published_values() {
         let done = RunStatus::Job(JobState::Done);
         let of = |run: &RunEntry| run.text == variant.digest && run.state == done;
-        if let Some(run) = line.runs.newest_mut(of) {
+        if let Some(run) = line.runs_view.runs.newest_mut(of) {
             if let Some(at) = &variant.at {
                 run.label = facade::at_label(&line.case, at);
             }
@@ -233,11 +249,11 @@ pub(super) fn planned(state: &mut AppState, plan: VariantPlan) -> Vec<Effect> {
 }
 
 pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, String>) -> Vec<Effect> {
-    let Some(line) = state.line_mut() else {
+    let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };
     let mut problem = None;
-    if let Some(entry) = line.runs.in_dir_mut(dir) {
+    if let Some(entry) = view.runs.in_dir_mut(dir) {
         match run {
             Ok(run) => entry.curves = RunCurves::whole(run),
             Err(why) => {
@@ -247,13 +263,13 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
             }
         }
     }
-    line.runs.arrange();
-    if line.hold.as_deref() == Some(dir)
-        && let Some(entry) = line.runs.in_dir(dir)
+    view.runs.arrange();
+    if view.hold.as_deref() == Some(dir)
+        && let Some(entry) = view.runs.in_dir(dir)
         && let Some(run) = entry.curves.run.clone()
     {
-        line.against = Some((entry.title(), run));
-        line.hold = None;
+        view.against = Some((entry.title(), run));
+        view.hold = None;
     }
     if let Some(why) = problem {
         state.say(Severity::Error, why);
@@ -263,13 +279,13 @@ pub(super) fn read(state: &mut AppState, dir: &Path, run: Result<Arc<Run>, Strin
 }
 
 pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
-    let (Some(line), false) = (state.line_mut(), dirs.is_empty()) else {
+    let (Some(view), false) = (state.runs_view_mut(), dirs.is_empty()) else {
         return Vec::new();
     };
     let gone = |dir: &Option<PathBuf>| dir.as_ref().is_some_and(|dir| dirs.contains(dir));
-    line.runs.retain(|run| !gone(&run.dir));
-    if gone(&line.live.kept) {
-        line.live.kept = None;
+    view.runs.retain(|run| !gone(&run.dir));
+    if gone(&view.live.kept) {
+        view.live.kept = None;
     }
     check(state);
     let words = match dirs {

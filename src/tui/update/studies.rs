@@ -41,7 +41,7 @@ pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
         return Vec::new();
     };
     let wanted: Vec<Variant> = line.plan.of_study(&study.name).cloned().collect();
-    line.hide_runs();
+    line.runs_view.hide_runs();
     let effects = variants(state, wanted, true);
     if let Some(document) = &mut state.document {
         document.pane = PaneId::Charts;
@@ -88,7 +88,7 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
             break;
         };
         let same = |run: &RunEntry| run.text == variant.digest && usable(run);
-        if let Some(slot) = line.runs.newest_mut(same) {
+        if let Some(slot) = line.runs_view.runs.newest_mut(same) {
             slot.at.clone_from(&variant.at);
             if let Some(at) = &variant.at {
                 slot.label = facade::at_label(&line.case, at);
@@ -97,7 +97,7 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
             effects.extend(runs::load(slot));
             continue;
         }
-        let live = &line.live;
+        let live = &line.runs_view.live;
         let is_live = live.done_text == variant.text || live.going_text == variant.text;
         if variant.at.is_none() && !shown && is_live {
             continue;
@@ -112,7 +112,7 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
         );
     }
     if let Some(line) = state.line_mut() {
-        line.runs.arrange();
+        line.runs_view.runs.arrange();
     }
     effects.extend(start_waiting(state));
     runs::check(state);

@@ -13,8 +13,8 @@ use crate::study::vary::{Variation, VariationError, VariedKey};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{
-    AppState, Document, KeptRange, Overlay, ParameterEditor, Question, RunEntry, Severity,
-    VariedRuns,
+    AppState, Document, JobRequest, KeptRange, Overlay, ParameterEditor, Question, RunEntry,
+    Severity, VariedRuns,
 };
 
 /// More runs than this are asked about first.
@@ -278,7 +278,7 @@ pub(super) fn begun(state: &mut AppState, found: VariedRuns) -> Vec<Effect> {
     }
     document.pane = PaneId::Runs;
     if let Some(line) = state.line_mut() {
-        line.hide_runs();
+        line.runs_view.hide_runs();
     }
     let mut effects = vec![Effect::RefreshRuns];
     let mut queued = Queued::default();
@@ -289,9 +289,9 @@ pub(super) fn begun(state: &mut AppState, found: VariedRuns) -> Vec<Effect> {
         }
     }
     if let Some(line) = state.line_mut() {
-        line.runs.arrange();
+        line.runs_view.runs.arrange();
         if queued.begun > 0 {
-            line.runs.go_to_newest();
+            line.runs_view.runs.go_to_newest();
         }
     }
     effects.extend(jobs::start_waiting(state));
@@ -312,7 +312,7 @@ fn show_or_queue(
     let Some((line, editor)) = state.document.as_mut().and_then(Document::line_and_editor) else {
         return Vec::new();
     };
-    if let Some(run) = line.runs.newest_mut(same) {
+    if let Some(run) = line.runs_view.runs.newest_mut(same) {
         queued.there += 1;
         run.label = label;
         run.shown = true;
@@ -320,7 +320,8 @@ fn show_or_queue(
     }
     queued.begun += 1;
     editor.stem().clone_into(&mut request.id);
-    jobs::queue(state, request, None, label, None, true);
+    let request = JobRequest::Line(Box::new(request), None);
+    jobs::queue(state, request, label, None, true);
     Vec::new()
 }
 

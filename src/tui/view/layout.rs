@@ -207,6 +207,12 @@ fn file_panes(
     } else {
         (1, 1)
     };
+    if matches!(
+        focus,
+        PaneId::Charts | PaneId::Runs | PaneId::Report | PaneId::Jobs
+    ) {
+        return run_panes(left, right, focus);
+    }
     let [upper, lower] =
         Layout::vertical([Constraint::Fill(shares.0), Constraint::Fill(shares.1)]).areas(right);
     let below = if focus == PaneId::Validation {
@@ -215,6 +221,23 @@ fn file_panes(
         PaneId::Tables
     };
     vec![(PaneId::Inputs, left), (drawing, upper), (below, lower)]
+}
+
+/// The panes of the runs of a system, beside its inputs.
+fn run_panes(left: Rect, right: Rect, focus: PaneId) -> Vec<(PaneId, Rect)> {
+    if focus == PaneId::Report {
+        return vec![(PaneId::Inputs, left), (focus, right)];
+    }
+    let [charts, list] = Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
+    let listed = match focus {
+        PaneId::Jobs => focus,
+        _ => PaneId::Runs,
+    };
+    vec![
+        (PaneId::Inputs, left),
+        (PaneId::Charts, charts),
+        (listed, list),
+    ]
 }
 
 /// Where a cross-section is drawn.
@@ -305,13 +328,11 @@ pub fn pane_area(state: &AppState, id: PaneId) -> Option<Rect> {
 /// Where the chosen chart is drawn.
 #[must_use]
 pub fn chart_area(state: &AppState) -> Rect {
-    let (Some(line), Some(pane)) = (state.line(), pane_area(state, PaneId::Charts)) else {
+    let (Some(view), Some(pane)) = (state.runs_view(), pane_area(state, PaneId::Charts)) else {
         return Rect::default();
     };
-    let mut charts = charts(pane, &FigureId::of(&line.case), line.chart)
-        .charts
-        .into_iter();
+    let mut charts = charts(pane, &view.figures, view.chart).charts.into_iter();
     charts
-        .find(|(kind, _)| *kind == line.chart)
+        .find(|(kind, _)| *kind == view.chart)
         .map_or_else(Rect::default, |(_, area)| area)
 }

@@ -248,10 +248,10 @@ impl Painter<'_> {
 
     /// The curves of the chart with their markers, beside what is left of the chart.
     fn curves(&mut self, screen: Rect, cursor: usize) {
-        let Some(line) = self.state.line() else {
+        let Some(on) = self.state.charted() else {
             return;
         };
-        let chart = plots::chart(line, line.chart);
+        let chart = plots::chart(on, on.view.chart);
         let widest = chart.series.iter().map(|series| series.label.width());
         let width = u16::try_from(widest.max().unwrap_or(0)).unwrap_or(u16::MAX);
         let height = u16::try_from(chart.series.len() + 3).unwrap_or(u16::MAX);
@@ -276,18 +276,18 @@ impl Painter<'_> {
 
     /// A column of the table of runs against another, over the whole screen.
     fn columns(&mut self, screen: Rect, pair: &ColumnPair) {
-        let Some(line) = self.state.line() else {
+        let Some(view) = self.state.runs_view() else {
             return;
         };
-        let title = pair.title(&line.runs);
+        let title = pair.title(&view.runs);
         let area = self.boxed(screen, (screen.width, screen.height), &title);
         let [chart, foot] =
             Layout::vertical([Constraint::Min(0), Constraint::Length(1)]).areas(area);
-        self.chart(&pair.chart(&line.runs), chart);
+        self.chart(&pair.chart(&view.runs), chart);
         let words = format!(
             "{} of {} runs   ] [ what is up   }} {{ along   g G log   w write   esc close",
-            pair.count(&line.runs),
-            line.runs.rows().len()
+            pair.count(&view.runs),
+            view.runs.rows().len()
         );
         self.text(foot, &words, self.theme.faint());
     }

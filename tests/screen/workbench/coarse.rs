@@ -50,10 +50,24 @@ fn coarse_results_are_marked_until_the_full_ones_are_there() {
 #[test]
 fn coarse_results_are_neither_held_nor_kept_nor_reported() {
     let (mut desk, ..) = answered_coarsely();
-    let before = desk.state.line().unwrap().against.clone().unwrap();
+    let before = desk
+        .state
+        .line()
+        .unwrap()
+        .runs_view
+        .against
+        .clone()
+        .unwrap();
     desk.keys("v");
     assert!(said(&desk).contains("coarse"), "{}", said(&desk));
-    let after = desk.state.line().unwrap().against.clone().unwrap();
+    let after = desk
+        .state
+        .line()
+        .unwrap()
+        .runs_view
+        .against
+        .clone()
+        .unwrap();
     assert!(Arc::ptr_eq(&before.1, &after.1));
     desk.keys("K");
     assert!(
@@ -62,8 +76,16 @@ fn coarse_results_are_neither_held_nor_kept_nor_reported() {
         said(&desk)
     );
     let line = desk.state.line().unwrap();
-    let solved = line.live.done.as_ref().unwrap().run.as_ref().unwrap();
-    assert!(Arc::ptr_eq(&line.reported().unwrap().1, solved));
+    let solved = line
+        .runs_view
+        .live
+        .done
+        .as_ref()
+        .unwrap()
+        .run
+        .as_ref()
+        .unwrap();
+    assert!(Arc::ptr_eq(&line.runs_view.reported().unwrap().1, solved));
 }
 
 #[test]
@@ -75,7 +97,7 @@ fn a_later_edit_makes_them_older_than_the_inputs() {
     // The answer to the earlier edit comes too late.
     let late = Arc::new(coarse(&request));
     desk.tell(Msg::Coarse(ticket, late));
-    let live = &desk.state.line().unwrap().live;
+    let live = &desk.state.line().unwrap().runs_view.live;
     assert_ne!(live.coarse.as_ref().unwrap().text, live.going_text);
 }
 

@@ -19,7 +19,7 @@ fn with_runs() -> Desk {
     desk.type_text(&SPEEDS.join(", "));
     desk.keys("enter");
     desk.finish_jobs();
-    let runs = desk.state.line().unwrap().runs.all().to_vec();
+    let runs = desk.state.line().unwrap().runs_view.runs.all().to_vec();
     let changed: Vec<_> = (1..)
         .zip(runs)
         .map(|(number, mut run)| {
@@ -59,7 +59,9 @@ fn with_runs() -> Desk {
 fn pair(desk: &Desk) -> (RunColumn, RunColumn) {
     match &desk.state.overlay {
         Some(Overlay::Columns(pair)) => {
-            let [x, y] = pair.columns(&desk.state.line().unwrap().runs).unwrap();
+            let [x, y] = pair
+                .columns(&desk.state.line().unwrap().runs_view.runs)
+                .unwrap();
             (x, y)
         }
         other => panic!("{other:?}"),
@@ -108,7 +110,7 @@ fn chart_and_values_are_written_in_the_order_along_x() {
 fn the_columns_stay_when_the_table_has_others() {
     let mut desk = with_runs();
     desk.keys("p ]");
-    let runs = desk.state.line().unwrap().runs.clone();
+    let runs = desk.state.line().unwrap().runs_view.runs.clone();
     let (mut columns, title) = (runs.columns.clone(), title(&desk));
     columns.results.swap(0, 1);
     let before = InputColumn {
@@ -129,7 +131,7 @@ fn the_columns_stay_when_the_table_has_others() {
 
 fn title(desk: &Desk) -> String {
     match &desk.state.overlay {
-        Some(Overlay::Columns(pair)) => pair.title(&desk.state.line().unwrap().runs),
+        Some(Overlay::Columns(pair)) => pair.title(&desk.state.line().unwrap().runs_view.runs),
         other => panic!("{other:?}"),
     }
 }
@@ -138,16 +140,23 @@ fn title(desk: &Desk) -> String {
 fn sorting_scrolls_to_its_column() {
     let mut desk = with_runs();
     desk.keys("3");
-    let columns = desk.state.line().unwrap().runs.shown_columns().to_vec();
+    let columns = desk
+        .state
+        .line()
+        .unwrap()
+        .runs_view
+        .runs
+        .shown_columns()
+        .to_vec();
     for column in columns {
         desk.keys("o");
-        let sort = desk.state.line().unwrap().runs.sort;
+        let sort = desk.state.line().unwrap().runs_view.runs.sort;
         assert_eq!(sort, Some((column, false)));
         let text = desk.screen();
         assert!(text.contains(" ^"), "{column:?}\n{text}");
     }
     desk.keys("o");
-    let runs = &desk.state.line().unwrap().runs;
+    let runs = &desk.state.line().unwrap().runs_view.runs;
     assert_eq!((runs.sort, runs.scroll), (None, 0));
 }
 

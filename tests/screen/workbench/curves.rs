@@ -15,7 +15,7 @@ fn each_curve_is_hidden_and_shown_again() {
     desk.keys("j space esc");
     let visible = |desk: &Desk| -> Vec<bool> {
         let line = desk.state.line().unwrap();
-        let chart = plots::viewed(line, line.chart);
+        let chart = plots::viewed(desk.state.charted().unwrap(), line.runs_view.chart);
         chart.series.iter().map(|series| series.visible).collect()
     };
     assert_eq!(visible(&desk), [true, false, true]);
@@ -38,7 +38,7 @@ fn a_hidden_curve_stays_hidden_beside_a_later_run() {
     let mut desk = Desk::with_case(SMALL);
     desk.keys("2 c j space esc 1 j j right 2");
     let line = desk.state.line().unwrap();
-    let chart = plots::viewed(line, line.chart);
+    let chart = plots::viewed(desk.state.charted().unwrap(), line.runs_view.chart);
     let hidden = chart.series.iter().filter(|series| !series.visible);
     let hidden: Vec<&str> = hidden.map(|series| series.label.as_str()).collect();
     assert!(!hidden.is_empty() && hidden.iter().all(|name| name.starts_with("chain|rope")));
@@ -48,7 +48,7 @@ fn a_hidden_curve_stays_hidden_beside_a_later_run() {
 fn curves_are_drawn_less_those_of_the_run_held() {
     let mut desk = Desk::with_case(SMALL);
     let line = desk.state.line_mut().unwrap();
-    let held = line.against.as_mut().unwrap();
+    let held = line.runs_view.against.as_mut().unwrap();
     let mut other = (*held.1).clone();
     for value in &mut other.history.channels[1].values {
         *value -= 5e4;
@@ -61,13 +61,16 @@ fn curves_are_drawn_less_those_of_the_run_held() {
         said(&desk)
     );
     let line = desk.state.line().unwrap();
-    let chart = plots::viewed(line, line.chart);
+    let chart = plots::viewed(desk.state.charted().unwrap(), line.runs_view.chart);
     let last = |i: usize| chart.series[i].points.last().unwrap().1;
     assert_eq!([last(0), last(1), last(2)], [0.0, 5e4, 0.0]);
     snapshot("tui_difference_80x24", &desk);
     desk.keys("d");
     let line = desk.state.line().unwrap();
-    assert!(plots::viewed(line, line.chart).series[0].points[60].1 > 1e6);
+    assert!(
+        plots::viewed(desk.state.charted().unwrap(), line.runs_view.chart).series[0].points[60].1
+            > 1e6
+    );
     // Not of shapes.
     desk.keys("] ] d");
     assert!(

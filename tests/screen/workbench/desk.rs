@@ -18,7 +18,7 @@ use seacable::run::{
 use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
 use seacable::tui::state::{
-    CaseEntry, DocumentContent, JobNumber, LineView, VariantPlan, VariedRuns,
+    CaseEntry, DocumentContent, JobNumber, JobRequest, LineView, VariantPlan, VariedRuns,
 };
 use seacable::tui::terminal::capabilities::Capabilities;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
@@ -167,7 +167,9 @@ impl Desk {
         let mut started = Vec::new();
         self.asked.retain(|effect| match effect {
             Effect::Start {
-                ticket, request, ..
+                ticket,
+                request: JobRequest::Line(request, _),
+                ..
             } => {
                 started.push((*ticket, (**request).clone()));
                 false
@@ -351,6 +353,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
             overrides: request.overrides.clone(),
             failure: (state == RunState::Failed).then(|| "step 7 did not converge.".to_owned()),
             warnings: Vec::new(),
+            happened: Vec::new(),
             settings: Settings {
                 method: "alpha".to_owned(),
                 duration_s: 600.0,

@@ -98,7 +98,7 @@ fn the_report_of_an_edited_case_marks_its_inputs_and_judges_no_published_value()
     desk.keys("R");
     desk.finish_jobs();
     desk.keys("5");
-    let (_, report) = desk.state.line().unwrap().report.clone().unwrap();
+    let (_, report) = desk.state.line().unwrap().runs_view.report.clone().unwrap();
     assert!(report.contains("payload.drag_area_m2: yours"), "{report}");
     assert!(
         !report.contains("payload.drag_area_m2 (calibrated)"),

@@ -20,6 +20,7 @@ mod ropeway;
 mod section;
 mod ship;
 mod system;
+mod system_runs;
 mod umbilical;
 mod vary;
 
@@ -174,7 +175,10 @@ fn the_newest_solve_wins_and_the_old_curve_stays_dimmed_until_it_lands() {
         Box::new(JobEvent::Finished(Box::new(whole))),
     ));
     let open = desk.state.line().unwrap();
-    assert!(open.live.going.is_none() && open.live.done_text == desk.state.editor().unwrap().text);
+    assert!(
+        open.runs_view.live.going.is_none()
+            && open.runs_view.live.done_text == desk.state.editor().unwrap().text
+    );
 }
 
 #[test]
@@ -187,7 +191,7 @@ fn a_run_is_stored_validated_and_reported() {
     )));
     desk.finish_jobs();
     let open = desk.state.line().unwrap();
-    assert_eq!(open.runs.len(), 1);
+    assert_eq!(open.runs_view.runs.len(), 1);
     assert_eq!(open.checks.rows.len(), 2);
     desk.keys("5 w");
     let written = desk.asked.iter().find_map(|e| match e {
@@ -223,22 +227,27 @@ fn runs_can_be_overlaid_shown_alone_and_deleted_after_a_question() {
     desk.keys("S");
     desk.finish_jobs();
     desk.keys("3 g space");
-    assert!(!desk.state.line().unwrap().live.hidden);
+    assert!(!desk.state.line().unwrap().runs_view.live.hidden);
     desk.keys("enter");
     let open = desk.state.line().unwrap();
-    assert!(open.live.hidden && open.runs[0].shown && !open.runs[1].shown);
+    assert!(
+        open.runs_view.live.hidden && open.runs_view.runs[0].shown && !open.runs_view.runs[1].shown
+    );
     desk.keys("d");
     snapshot("tui_delete_80x24", &desk);
     desk.keys("esc");
     assert!(!has(&desk, |e| matches!(e, Effect::DeleteRuns(_))));
     desk.keys("d d");
-    let dir = desk.state.line().unwrap().runs[0].dir.clone().unwrap();
+    let dir = desk.state.line().unwrap().runs_view.runs[0]
+        .dir
+        .clone()
+        .unwrap();
     assert!(has(
         &desk,
         |e| matches!(e, Effect::DeleteRuns(d) if *d == [dir.clone()])
     ));
     desk.tell(Msg::RunsDeleted(vec![dir]));
-    assert_eq!(desk.state.line().unwrap().runs.len(), 1);
+    assert_eq!(desk.state.line().unwrap().runs_view.runs.len(), 1);
 }
 
 #[test]
@@ -406,7 +415,7 @@ fn the_report_scrolls_to_its_last_page_and_back() {
     desk.keys("5");
     let first = desk.screen();
     desk.keys("G");
-    let (_, report) = desk.state.line().unwrap().report.clone().unwrap();
+    let (_, report) = desk.state.line().unwrap().runs_view.report.clone().unwrap();
     let rows: Vec<String> = desk.screen().lines().take(22).map(str::to_owned).collect();
     let last = report.lines().last().unwrap();
     // Head, tabs, the name of the report, 19 lines of it, and the line of messages.
@@ -501,11 +510,11 @@ fn the_charts_share_one_instant() {
     let mut desk = Desk::with_case(LARGE);
     desk.keys("2 l pgdn");
     let open = desk.state.line().unwrap();
-    let at = open.instant.unwrap();
+    let at = open.runs_view.instant.unwrap();
     assert!((300.0..420.0).contains(&at), "{at}");
     assert!(desk.screen().contains("line at 400 s"));
     desk.keys("0");
-    assert_eq!(desk.state.line().unwrap().instant, None);
+    assert_eq!(desk.state.line().unwrap().runs_view.instant, None);
 }
 
 #[test]

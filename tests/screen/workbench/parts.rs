@@ -65,7 +65,12 @@ fn tabs_and_views_of_models_show_what_was_answered_and_nothing_else() {
             for (i, pane) in panes.iter().enumerate() {
                 desk.keys(&(i + 1).to_string());
                 let tabs = match pane {
-                    PaneId::Inputs | PaneId::Validation => continue,
+                    PaneId::Inputs
+                    | PaneId::Validation
+                    | PaneId::Charts
+                    | PaneId::Runs
+                    | PaneId::Report
+                    | PaneId::Jobs => continue,
                     PaneId::Tables => desk.state.document.as_ref().unwrap().tables.len(),
                     _ => 1,
                 };

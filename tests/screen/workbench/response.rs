@@ -44,7 +44,7 @@ fn cable(size: (u16, u16)) -> Desk {
 fn show(desk: &mut Desk, kind: FigureId) {
     desk.keys("2");
     for _ in 0..seacable::report::figures::FIGURES.len() {
-        if desk.state.line().unwrap().chart == kind {
+        if desk.state.line().unwrap().runs_view.chart == kind {
             return;
         }
         desk.keys("]");

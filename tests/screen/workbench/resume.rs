@@ -63,6 +63,6 @@ fn a_stored_run_is_resumed_from_the_list() {
     let started = desk.started();
     assert_eq!(started.len(), 1);
     assert_eq!(started[0].1.case.solver.duration_s, 4.0);
-    let runs = &desk.state.line().unwrap().runs;
+    let runs = &desk.state.line().unwrap().runs_view.runs;
     assert_eq!(runs.all().last().map(|r| r.label.as_str()), Some("to 4 s"));
 }

@@ -44,8 +44,8 @@ fn a_range_in_a_field_runs_the_case_at_each_value() {
     assert_eq!(desk.state.focus(), PaneId::Runs);
     snapshot("tui_range_runs_80x24", &desk);
     let line = desk.state.line().unwrap();
-    assert_eq!(line.runs.on_charts().count(), 4);
-    assert!(line.live.hidden);
+    assert_eq!(line.runs_view.runs.on_charts().count(), 4);
+    assert!(line.runs_view.live.hidden);
 }
 
 #[test]
@@ -59,8 +59,8 @@ fn runs_that_are_there_are_shown_again() {
     desk.finish_jobs();
     let line = desk.state.line().unwrap();
     let done = |run: &&_| state_of(run) == RunStatus::Job(JobState::Done);
-    assert_eq!(line.runs.all().iter().filter(done).count(), 3);
-    assert_eq!(line.runs.on_charts().count(), 2);
+    assert_eq!(line.runs_view.runs.all().iter().filter(done).count(), 3);
+    assert_eq!(line.runs_view.runs.on_charts().count(), 2);
     begin(&mut desk, "0.4, 0.6");
     desk.keys("enter");
     assert!(said(&desk).contains("are there already"), "{}", said(&desk));

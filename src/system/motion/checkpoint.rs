@@ -1,0 +1,151 @@
+//! The state of a run in time after an accepted step, complete enough to be resumed to the same bits.
+
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::job::SystemRequest;
+use super::march::Marching;
+use super::method::MethodState;
+use super::recorder::RecorderState;
+use super::system_state::SystemState;
+use crate::case::{TextDigest, kind};
+use crate::dynamics::MarchProgress;
+use crate::run::store::{self, StoreError};
+use crate::run::{RunInfo, RunState};
+use crate::system::SystemFile;
+
+/// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SystemCheckpoint {
+    /// Digest of the text that was computed.
+    pub text: String,
+    /// Interval of the rows of the history \[s\].
+    pub interval_s: f64,
+    /// What happened to the lines so far, in words.
+    pub happened: Vec<String>,
+    /// Position of the march.
+    pub place: MarchProgress,
+    /// The method.
+    pub method: MethodState,
+    /// What is recorded so far.
+    pub recorder: RecorderState,
+    /// The lines, points and bodies.
+    pub state: SystemState,
+}
+
+/// A stored run of a system to be resumed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ResumedSystem {
+    /// Its state.
+    pub checkpoint: SystemCheckpoint,
+    /// The run directory, with the history up to there and perhaps beyond.
+    pub dir: PathBuf,
+}
+
+impl SystemCheckpoint {
+    /// The state of a march of a text with this digest.
+    pub(super) fn of(march: &Marching, text: &str, interval_s: f64) -> Self {
+        Self {
+            text: text.to_owned(),
+            interval_s,
+            happened: march.happened.clone(),
+            place: march.place,
+            method: march.method.method_state(),
+            recorder: march.recorder.state(),
+            state: march.state.clone(),
+        }
+    }
+
+    /// Checks that it is one of this system: sizes agree.
+    pub(super) fn check(&self, state: &SystemState, channels: usize) -> Result<(), String> {
+        let sizes = |state: &SystemState| -> Vec<usize> {
+            let parts = state
+                .parts()
+                .flat_map(|p| [p.x.len(), p.v.len(), p.a.len()]);
+            parts
+                .chain([state.bases.len(), state.attached.len()])
+                .collect()
+        };
+        let jerk: Vec<usize> = self.method.jerk.iter().map(Vec::len).collect();
+        let nodes: Vec<usize> = state.parts().map(|part| part.x.len()).collect();
+        let agrees = sizes(&self.state) == sizes(state)
+            && (jerk.is_empty() || jerk == nodes)
+            && self.state.velocities.len() == state.velocities.len()
+            && self.recorder.fits(channels)
+            && self.place.is_possible();
+        agrees
+            .then_some(())
+            .ok_or_else(|| "its checkpoint.toml does not belong to this system".to_owned())
+    }
+}
+
+/// The digest of a text, as checkpoints name it.
+pub(super) fn digest(text: &str) -> String {
+    format!("{:016x}", TextDigest::of(text).0)
+}
+
+/// The request of a stored run of a system, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped
+/// before it wrote one, which is computed from its start.
+///
+/// # Errors
+/// Why the run cannot be resumed.
+pub fn resume_request(
+    dir: &Path,
+    until: Option<f64>,
+) -> Result<(SystemRequest, Option<ResumedSystem>), String> {
+    let info = store::read_info(dir).map_err(|e| e.to_string())?;
+    if store::is_locked(dir) {
+        return Err(format!(
+            "{} is still being computed by another program; it can be resumed once that has ended.",
+            dir.display()
+        ));
+    }
+    let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
+    let from = match read(dir) {
+        Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
+        found => Some(found.map_err(|e| e.to_string())?),
+    };
+    if from
+        .as_ref()
+        .is_some_and(|from| from.checkpoint.text != digest(&text))
+    {
+        return Err(format!(
+            "{} cannot be resumed: its case.toml was changed since; undo the change, or compute it anew.",
+            dir.display()
+        ));
+    }
+    let first =
+        |all: &[crate::case::Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
+    let mut overrides = info.overrides.clone();
+    if let Some(until) = until {
+        let value = format!("{until:?}");
+        text = kind::set::<SystemFile>(&text, "solver.duration_s", &value)
+            .map_err(|all| first(&all))?;
+        overrides.push(format!("solver.duration_s={value}"));
+    }
+    let solved = kind::parse::<SystemFile>(&text, &info.case_file).map_err(|all| first(&all))?;
+    let request = SystemRequest::new(solved.into(), &text, info.case_file.clone(), overrides);
+    let request = request.ok_or("its case.toml has no table `[solver]`")?;
+    if let Some(from) = &from {
+        check_end(&info, request.motion.duration_s, &from.checkpoint)?;
+    }
+    Ok((request, from))
+}
+
+/// Checks that there is anything left to compute.
+fn check_end(info: &RunInfo, duration: f64, checkpoint: &SystemCheckpoint) -> Result<(), String> {
+    let finished = info.state == RunState::Done && duration <= info.settings.duration_s;
+    let time = checkpoint.recorder.time();
+    if finished || duration < time {
+        let at = info.settings.duration_s.max(time);
+        return Err(format!("The run is at {at} s already; name a later time."));
+    }
+    Ok(())
+}
+
+fn read(dir: &Path) -> Result<ResumedSystem, StoreError> {
+    let checkpoint = store::checkpoint(dir)?;
+    let dir = dir.to_owned();
+    Ok(ResumedSystem { checkpoint, dir })
+}

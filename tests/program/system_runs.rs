@@ -1,0 +1,175 @@
+//! Runs of systems of lines in time: stored, reported, compared, listed.
+
+use std::fs;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use assert_cmd::Command;
+use predicates::prelude::PredicateBooleanExt;
+use predicates::str::contains;
+use seacable::run::index::RunIndex;
+use seacable::run::{RunState, store};
+
+const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
+
+fn seacable(dir: &Path, words: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("seacable").unwrap();
+    command.current_dir(dir).env("NO_COLOR", "1").args(words);
+    command
+}
+
+/// A directory with the bridle, short and coarse.
+fn folder() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().unwrap();
+    let short = BRIDLE
+        .replace("segments = 40", "segments = 16")
+        .replace("duration_s = 60.0", "duration_s = 4.0");
+    fs::write(dir.path().join("bridle.toml"), short).unwrap();
+    dir
+}
+
+#[test]
+fn a_run_of_a_system_is_stored_like_that_of_a_line() {
+    let dir = folder();
+    let breaks = [
+        "--set",
+        "lines.left.break_at_m=50",
+        "--set",
+        "lines.left.break_s=2",
+    ];
+    seacable(dir.path(), &[&["run", "bridle.toml"], &breaks[..]].concat())
+        .assert()
+        .success()
+        .stdout(contains("runs/bridle-").and(contains("line left breaks")));
+    let root = dir.path().join("runs");
+    let stored = store::list(&root).unwrap();
+    let run = store::read(&stored[0].dir).unwrap();
+    assert_eq!(run.info.state, RunState::Done);
+    assert_eq!(run.info.warnings, Vec::<String>::new());
+    assert_eq!(run.info.overrides.len(), 2);
+    assert_eq!(run.info.happened.len(), 1);
+    assert!(run.info.work.steps > 0 && run.info.settings.nodes > 20);
+    assert_eq!(run.history.time.len(), 41);
+    let greatest = run.quantity("tension_n[upper|b].max").unwrap();
+    let channel = run.history.channel("tension_n[upper|b]").unwrap();
+    assert_eq!(greatest.value.to_bits(), channel.peak.0.to_bits());
+    assert!(greatest.time_error.is_some() && greatest.mesh_error.unwrap() > 0.0);
+    assert!(
+        run.quantity("energy_drift_percent.final")
+            .unwrap()
+            .value
+            .abs()
+            < 2.0
+    );
+    assert!(run.case_text.contains("break_at_m = 50"));
+
+    let mut index = RunIndex::open(&root, None).unwrap();
+    index.sync(&AtomicBool::new(false), &mut |_| {}).unwrap();
+    let rows = index.rows(&["bridle.toml".to_owned()], 0).unwrap();
+    assert_eq!(rows.changed.len(), 1);
+    assert_eq!(rows.changed[0].method, "alpha");
+}
+
+#[test]
+fn runs_of_systems_are_reported_and_compared() {
+    let dir = folder();
+    for (name, set) in [
+        ("a", "points.clump.mass_kg=500"),
+        ("b", "points.clump.mass_kg=700"),
+    ] {
+        seacable(
+            dir.path(),
+            &["run", "bridle.toml", "--out", name, "--set", set],
+        )
+        .assert()
+        .success();
+    }
+    seacable(dir.path(), &["report", "a"])
+        .assert()
+        .success()
+        .stdout(
+            contains("implicit generalized-alpha")
+                .and(contains("Tension at ends A"))
+                .and(contains("z_m[clump]"))
+                .and(contains("points.clump.mass_kg"))
+                .and(contains("Newton iterations")),
+        );
+    seacable(dir.path(), &["report", "b", "--against", "a"])
+        .assert()
+        .success();
+    seacable(dir.path(), &["compare", "a", "b"])
+        .assert()
+        .success()
+        .stdout(
+            contains("points.clump.mass_kg")
+                .and(contains("tension_n[upper|b].max"))
+                .and(contains("cannot be read").not()),
+        );
+}
+
+/// A run that is continued to a later time has the rows and results of one that was never stopped, to the last bit: with a line that
+/// breaks before, and one that is let go after.
+#[test]
+fn a_resumed_run_is_that_of_one_never_stopped() {
+    let dir = folder();
+    let events = [
+        "lines.left.break_at_m=50",
+        "lines.left.break_s=1.5",
+        "lines.right.release_b_s=3.2",
+    ];
+    let set: Vec<&str> = events.iter().flat_map(|set| ["--set", set]).collect();
+    let run = |words: &[&str]| {
+        seacable(dir.path(), &[words, &set].concat())
+            .assert()
+            .success();
+    };
+    run(&["run", "bridle.toml", "--out", "whole"]);
+    run(&[
+        "run",
+        "bridle.toml",
+        "--out",
+        "first",
+        "--set",
+        "solver.duration_s=2.5",
+    ]);
+    let resume = [
+        "run", "--resume", "first", "--until", "4", "--out", "second",
+    ];
+    seacable(dir.path(), &resume).assert().success();
+    let read =
+        |name: &str, file: &str| fs::read_to_string(dir.path().join(name).join(file)).unwrap();
+    for file in ["history.csv", "summary.csv", "channels.csv", "errors.csv"] {
+        assert!(read("whole", file) == read("second", file), "{file}");
+    }
+    let happened = |name: &str| store::read_info(&dir.path().join(name)).unwrap().happened;
+    assert_eq!(happened("second"), happened("whole"));
+    assert_eq!(happened("second").len(), 2);
+    seacable(dir.path(), &["run", "--resume", "whole"])
+        .assert()
+        .code(2)
+        .stderr(contains("is at 4 s already"));
+}
+
+/// What the solver cannot bring to its end is kept, with time, place and reason.
+#[test]
+fn a_run_that_fails_keeps_what_it_had() {
+    let dir = folder();
+    let words = [
+        "run",
+        "bridle.toml",
+        "--out",
+        "a",
+        "--set",
+        "solver.position_tolerance_m=1e-300",
+    ];
+    seacable(dir.path(), &words)
+        .assert()
+        .code(1)
+        .stderr(contains("The run failed: at t = ").and(contains("node")));
+    let run = store::read(&dir.path().join("a")).unwrap();
+    assert_eq!(run.info.state, RunState::Failed);
+    seacable(dir.path(), &["report", "a"])
+        .assert()
+        .success()
+        .stdout(contains("FAILED: at t = "));
+}
