@@ -20,14 +20,14 @@ pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow
             None => Ok(&run.history),
         },
     };
-    rows_of(solved, history, run.map_or(&[], |run| &run.companions))
+    rows_of(solved, &history, run.map_or(&[], |run| &run.companions))
 }
 
 /// The same for the history of a run, or why there is none, and those of its companions.
 #[must_use]
 pub fn rows_of(
     solved: &SolvedSystem,
-    history: Result<&History, String>,
+    history: &Result<&History, String>,
     companions: &[History],
 ) -> Vec<ValidationRow> {
     let file = &solved.file;

@@ -176,7 +176,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow], glyphs: Glyphs)
         Some(why) => Err(format!("The run ended early: {why}.")),
         None => Ok(&run.history),
     };
-    let rows = validation::rows_of(solved, history, &[]);
+    let rows = validation::rows_of(solved, &history, &[]);
     if !rows.is_empty() {
         page.heading("Published values");
         page.block(&text::validation(&rows));

@@ -30,7 +30,6 @@ pub struct MethodState {
 
 /// One of the methods.
 #[derive(Debug, Clone)]
-#[expect(clippy::large_enum_variant, reason = "there is one in a run")]
 pub enum Method {
     /// Generalized-alpha.
     Alpha(SystemAlpha),

@@ -165,7 +165,7 @@ mod tests {
         let loads = WaveLoads::new(&flow, &sea, &Pose::default());
         for t in [0.0, 7.0, 31.0] {
             // 2 a² D each, and the beat with the mean of both: -1.
-            let expected = 2.0 * 2.25 - 4.0 + 2.0 * 1.5 * -1.0 * f64::cos(0.1 * t);
+            let expected = 2.0 * 2.25 - 4.0 - 2.0 * 1.5 * f64::cos(0.1 * t);
             assert!((loads.at(t)[0] - expected).abs() < 1e-12);
         }
         assert!(uncovered(&flow, &sea, 0.0).is_none());
