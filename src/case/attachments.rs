@@ -10,6 +10,7 @@ use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, Case, EndKind, MotionName};
+use super::shipped;
 use super::tree::TomlNode;
 use crate::physics::sea::DEGREES;
 
@@ -94,7 +95,12 @@ impl FileSource<'_> {
     ) -> Result<String, Diagnostic> {
         let beside = self.folder.join(name);
         if !files.contains_key(name) {
-            let read = std::fs::read_to_string(&beside).map_err(|error| {
+            let with_program = |error| {
+                let text = shipped::beside(self.file, name);
+                text.map(str::to_owned).ok_or(error)
+            };
+            let read = std::fs::read_to_string(&beside).or_else(with_program);
+            let read = read.map_err(|error| {
                 let span = self.root.find(key).map_or(0..0, |node| node.span.clone());
                 let problem = format!("{} cannot be read: {error}", beside.display());
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";

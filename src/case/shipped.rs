@@ -165,6 +165,17 @@ pub fn of_title(text: &str) -> Option<&'static str> {
     Some(shipped)
 }
 
+/// A table that comes with the program beside one of its files: the file by its path below `cases`, the table as it names it.
+#[must_use]
+pub fn beside(file: &str, name: &str) -> Option<&'static str> {
+    let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
+    all.find(|(path, _)| *path == file)?;
+    let (folder, _) = file.rsplit_once('/')?;
+    let wanted = format!("{folder}/{name}");
+    let (_, text) = BESIDE.iter().find(|(path, _)| *path == wanted)?;
+    Some(text)
+}
+
 /// The line of a text that gives its title.
 fn title(text: &str) -> Option<&str> {
     let mut lines = text.lines().map(str::trim);
