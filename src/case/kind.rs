@@ -41,10 +41,7 @@ pub fn load<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Dia
     let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
     let file = path.display().to_string();
     let (root, content) = with_its_files::<K>(&text, &file)?;
-    let whole_text = match content.files() {
-        Some(files) => with_files(&text, files).into_owned(),
-        None => text.clone(),
-    };
+    let whole_text = whole(&text, &content);
     let computed = computed(content, &root, &text, &file)?;
     Ok(LoadedFile {
         text,
@@ -62,6 +59,24 @@ pub fn load<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Dia
 pub fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
     let (root, content) = with_its_files::<K>(text, file)?;
     computed(content, &root, text, file)
+}
+
+/// A text with the files that it names, so that it can be edited and read anywhere; `file` is where it stands.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once.
+pub fn whole_text<K: FileKind>(text: &str, file: &str) -> Result<String, Vec<Diagnostic>> {
+    let (_, content) = with_its_files::<K>(text, file)?;
+    Ok(whole(text, &content))
+}
+
+fn whole<K: FileKind>(text: &str, content: &K) -> String {
+    let files = content.files();
+    files.map_or_else(
+        || text.to_owned(),
+        |files| with_files(text, files).into_owned(),
+    )
 }
 
 /// What a text without errors says, with the files that it names.

@@ -56,7 +56,8 @@ pub(super) fn validation(
             (statics.ship.ship.title, rows)
         }
         FileType::System => {
-            let text = &kind::set_all::<SystemFile>(text, set).map_err(&wrong)?;
+            let whole = kind::whole_text::<SystemFile>(text, name).map_err(&wrong)?;
+            let text = &kind::set_all::<SystemFile>(&whole, set).map_err(&wrong)?;
             let solved = kind::parse::<SystemFile>(text, name).map_err(wrong)?;
             let run = in_time(&solved, cancel)?;
             let mut rows = system::validation::rows(&solved, run.as_ref());

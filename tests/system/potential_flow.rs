@@ -258,3 +258,14 @@ fn a_platform_answers_in_time_as_in_the_frequency_domain() {
         }
     }
 }
+
+#[test]
+fn a_system_with_files_can_be_edited_anywhere() {
+    let text = include_str!("../../cases/systems/volturnus_in_waves.toml");
+    let at = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/systems/test.toml");
+    let edits = [("seabed.depth_m", "201.0")];
+    assert!(kind::set_all::<SystemFile>(text, &edits).is_err());
+    let whole = kind::whole_text::<SystemFile>(text, at).unwrap();
+    let edited = kind::set_all::<SystemFile>(&whole, &edits).unwrap();
+    assert!(edited.contains("depth_m = 201.0"));
+}
