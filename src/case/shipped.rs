@@ -165,9 +165,11 @@ pub fn of_title(text: &str) -> Option<&'static str> {
     Some(shipped)
 }
 
-/// A table that comes with the program beside one of its files: the file by its path below `cases`, the table as it names it.
+/// A table that comes with the program beside one of its files: the file by its path, below `cases` or with it, the table as it
+/// names it.
 #[must_use]
 pub fn beside(file: &str, name: &str) -> Option<&'static str> {
+    let file = file.strip_prefix("cases/").unwrap_or(file);
     let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
     all.find(|(path, _)| *path == file)?;
     let (folder, _) = file.rsplit_once('/')?;
@@ -190,8 +192,20 @@ mod tests {
         path::{Path, PathBuf},
     };
 
-    use super::{BY_KIND, Shipped};
+    use super::{BY_KIND, Shipped, beside};
     use crate::kinds::FileType;
+
+    #[test]
+    fn tables_are_found_beside_the_files_that_name_them_alone() {
+        for file in [
+            "systems/volturnus_in_waves.toml",
+            "cases/systems/volturnus_in_waves.toml",
+        ] {
+            assert!(beside(file, "volturnus_data/semi.1").is_some());
+            assert!(beside(file, "volturnus_data/other.1").is_none());
+        }
+        assert!(beside("systems/mine.toml", "volturnus_data/semi.1").is_none());
+    }
 
     #[test]
     fn the_lists_are_the_folder() {
