@@ -9,6 +9,21 @@ use super::{Checkpoint, ResumedRun, RunInfo, RunState};
 use crate::case::{self, Case, Diagnostic, Method};
 use crate::kinds::FileType;
 
+/// What a stored run says of itself, once nobody computes it.
+///
+/// # Errors
+/// It cannot be read, or another program computes it.
+pub(crate) fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
+    let info = store::read_info(dir).map_err(|e| e.to_string())?;
+    if store::is_locked(dir) {
+        return Err(format!(
+            "{} is still being computed by another program; it can be resumed once that has ended.",
+            dir.display()
+        ));
+    }
+    Ok(info)
+}
+
 /// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped before it
 /// wrote one, which is computed from its start.
 ///
@@ -18,13 +33,7 @@ pub fn resume_request(
     dir: &Path,
     until: Option<f64>,
 ) -> Result<(Request, Option<ResumedRun>), String> {
-    let info = store::read_info(dir).map_err(|e| e.to_string())?;
-    if store::is_locked(dir) {
-        return Err(format!(
-            "{} is still being computed by another program; it can be resumed once that has ended.",
-            dir.display()
-        ));
-    }
+    let info = info_of_ended(dir)?;
     let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
     if FileType::of_text(&text) == FileType::System {
         return Err(format!(

@@ -12,7 +12,7 @@ use super::system_state::SystemState;
 use crate::case::{TextDigest, kind};
 use crate::dynamics::MarchProgress;
 use crate::run::store::{self, StoreError};
-use crate::run::{RunInfo, RunState};
+use crate::run::{RunInfo, RunState, info_of_ended};
 use crate::system::SystemFile;
 
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
@@ -94,13 +94,7 @@ pub fn resume_request(
     dir: &Path,
     until: Option<f64>,
 ) -> Result<(SystemRequest, Option<ResumedSystem>), String> {
-    let info = store::read_info(dir).map_err(|e| e.to_string())?;
-    if store::is_locked(dir) {
-        return Err(format!(
-            "{} is still being computed by another program; it can be resumed once that has ended.",
-            dir.display()
-        ));
-    }
+    let info = info_of_ended(dir)?;
     let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
     let from = match read(dir) {
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
