@@ -53,22 +53,21 @@ impl PotentialFlow {
         };
         let carried = |name: &Option<String>| {
             let name = name.as_ref()?;
-            let text = &file.files.get(name)?.text;
-            Some((text.clone(), name.clone()))
+            Some((file.files.get(name)?.text.as_str(), name.clone()))
         };
-        let files = [
+        let names = [
             &body.radiation_file,
             &body.excitation_file,
             &body.drift_file,
-        ]
-        .map(carried);
+        ];
+        let files = names.map(carried);
         if files.iter().all(Option::is_none) {
             return Ok(None);
         }
         let [radiation, excitation, drift] = files;
-        let radiation = radiation.map(|(text, name)| wamit::radiation(&text, &name, &scales));
-        let excitation = excitation.map(|(text, name)| wamit::excitation(&text, &name, &scales));
-        let drift = drift.map(|(text, name)| wamit::drift(&text, &name, &scales));
+        let radiation = radiation.map(|(text, name)| wamit::radiation(text, &name, &scales));
+        let excitation = excitation.map(|(text, name)| wamit::excitation(text, &name, &scales));
+        let drift = drift.map(|(text, name)| wamit::drift(text, &name, &scales));
         Ok(Some(Self {
             radiation: radiation.transpose()?,
             excitation: excitation.transpose()?,
