@@ -80,6 +80,23 @@ impl<T> Grid<T> {
             share: (turned - last) / gap,
         })
     }
+
+    /// The value at a heading and a frequency within the table, `mixed` between its neighbours; nothing where no heading covers it.
+    fn at(&self, heading: f64, omega: f64, mixed: impl Fn(&T, &T, f64) -> T) -> Option<T> {
+        let between = self.around(heading)?;
+        let highest = self.omega.len() - 1;
+        let row = |k: usize| {
+            let values = &self.values[k];
+            // The last value as it stands, which mixing would miss by a rounding.
+            if omega >= self.omega[highest] {
+                return mixed(&values[highest], &values[highest], 0.0);
+            }
+            let i = interval(&self.omega, omega);
+            mixed(&values[i], &values[i + 1], share(&self.omega, i, omega))
+        };
+        let (from, to) = (row(between.from), row(between.to));
+        Some(mixed(&from, &to, between.share))
+    }
 }
 
 /// Loads of the first order per wave amplitude \[N/m, N\] over frequency and heading.
@@ -117,24 +134,16 @@ impl ExcitationTable {
     /// frequency, none above the highest.
     #[must_use]
     pub fn at(&self, heading: f64, omega: f64) -> Vector6<Complex<f64>> {
-        let Some(between) = self.0.around(heading) else {
-            return Vector6::zeros();
+        let (low, high) = self.span();
+        let none = Vector6::zeros();
+        if omega > high {
+            return none;
+        }
+        let mixed = |a: &Vector6<Complex<f64>>, b: &Vector6<Complex<f64>>, share: f64| {
+            a + (b - a) * Complex::from(share)
         };
-        let row = |k: usize| {
-            let values = &self.0.values[k];
-            let (low, high) = self.span();
-            if omega > high {
-                return Vector6::zeros();
-            }
-            if omega <= low || values.len() == 1 {
-                return values[0];
-            }
-            let i = interval(&self.0.omega, omega);
-            let part = share(&self.0.omega, i, omega);
-            values[i] + (values[i + 1] - values[i]) * Complex::from(part)
-        };
-        let (from, to) = (row(between.from), row(between.to));
-        from + (to - from) * Complex::from(between.share)
+        let found = self.0.at(heading, omega.max(low), mixed);
+        found.unwrap_or(none)
     }
 }
 
@@ -163,23 +172,14 @@ impl DriftTable {
     /// the highest, where waves are reflected.
     #[must_use]
     pub fn at(&self, heading: f64, omega: f64) -> [f64; 3] {
-        let Some(between) = self.0.around(heading) else {
-            return [0.0; 3];
-        };
         let grid = &self.0.omega;
-        let row = |k: usize| {
-            let values = &self.0.values[k];
-            if omega < grid[0] {
-                return [0.0; 3];
-            }
-            if omega >= grid[grid.len() - 1] {
-                return values[grid.len() - 1];
-            }
-            let i = interval(grid, omega);
-            let part = share(grid, i, omega);
-            [0, 1, 2].map(|axis| mix(values[i][axis], values[i + 1][axis], part))
+        if omega < grid[0] {
+            return [0.0; 3];
+        }
+        let mixed = |a: &[f64; 3], b: &[f64; 3], share: f64| {
+            [0, 1, 2].map(|axis| mix(a[axis], b[axis], share))
         };
-        let (from, to) = (row(between.from), row(between.to));
-        [0, 1, 2].map(|axis| mix(from[axis], to[axis], between.share))
+        let found = self.0.at(heading, omega.min(grid[grid.len() - 1]), mixed);
+        found.unwrap_or_default()
     }
 }
