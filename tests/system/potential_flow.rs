@@ -9,6 +9,8 @@ use seacable::system::body_loads::body_loads;
 use seacable::system::line_at_rest::LinePhysics;
 use seacable::system::motion::body_equation::MovingBody;
 use seacable::system::motion::run::{MotionRun, run};
+use seacable::system::potential_flow::RadiationTable;
+use seacable::system::potential_flow::retardation::Retardation;
 use seacable::system::stiffness::of_body;
 
 use crate::motion::{moved, refused};
@@ -110,6 +112,41 @@ fn in_wave(period: f64) -> MotionRun {
         solver(period * 30.0, period / 100.0, period / 50.0),
         files()
     ))
+}
+
+#[test]
+fn a_hemisphere_comes_back_as_it_was() {
+    let table = hemisphere_table();
+    let made = Retardation::new(&table);
+    assert!(made.error < 0.01, "{}", made.error);
+    // One half at infinite frequency, from the finite ones.
+    let infinite = made.at_infinity[(2, 2)] / displaced();
+    assert!((infinite / 0.5 - 1.0).abs() < 1e-3, "{infinite}");
+    for (w, row) in table.omega.iter().zip(&HULME) {
+        let found = made.transformed_back(*w).0[(2, 2)] / displaced();
+        assert!(
+            (found / row.1 - 1.0).abs() < 0.01,
+            "{}: {found} {}",
+            row.0,
+            row.1
+        );
+    }
+}
+
+/// Its added mass and damping, without that at infinite frequency.
+fn hemisphere_table() -> RadiationTable {
+    let heave = |value: f64| {
+        let mut matrix = Matrix6::zeros();
+        matrix[(2, 2)] = value * displaced();
+        matrix
+    };
+    RadiationTable {
+        omega: HULME.iter().map(omega).collect(),
+        added: HULME.iter().map(|row| heave(row.1)).collect(),
+        damping: HULME.iter().map(|row| heave(row.2 * omega(row))).collect(),
+        at_zero: None,
+        at_infinity: None,
+    }
 }
 
 #[test]
