@@ -138,6 +138,25 @@ impl EndMotion {
         }
         (far, fast)
     }
+
+    /// The same whatever part of it a run sees: of harmonics of one period by their amplitude, of a table over all of it, of a sum
+    /// of harmonics `sqrt(8 m0)` and `sqrt(8 m2)` by its spectral moments.
+    #[must_use]
+    pub fn scale(&self) -> (f64, f64) {
+        match &self.course {
+            MotionPath::Still => (0.0, 0.0),
+            MotionPath::Harmonic(swing) => {
+                let far = swing.amplitude.norm();
+                (far, swing.omega * far)
+            }
+            MotionPath::Table(spline) => self.extent(spline.span().1),
+            MotionPath::Piecewise(path) => self.extent(path.span().1),
+            MotionPath::Sum(harmonics) => {
+                let moments = harmonics.moments();
+                ((8.0 * moments.m0).sqrt(), (8.0 * moments.m2).sqrt())
+            }
+        }
+    }
 }
 
 impl HarmonicMotion {

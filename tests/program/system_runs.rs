@@ -2,15 +2,22 @@
 
 use std::fs;
 use std::path::Path;
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use assert_cmd::Command;
 use predicates::prelude::PredicateBooleanExt;
 use predicates::str::contains;
+use seacable::case::kind;
 use seacable::run::index::RunIndex;
-use seacable::run::{RunState, store};
+use seacable::run::job::JobEvent;
+use seacable::run::store::{RunLocation, RunWriter};
+use seacable::run::{Run, RunState, store};
+use seacable::system::SystemFile;
+use seacable::system::motion::checkpoint::{ResumedSystem, resume_request};
+use seacable::system::motion::job::{SystemRequest, execute};
 
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
+const PLATFORM: &str = include_str!("../../cases/systems/volturnus_in_waves.toml");
 
 fn seacable(dir: &Path, words: &[&str]) -> Command {
     let mut command = Command::cargo_bin("seacable").unwrap();
@@ -148,6 +155,64 @@ fn a_resumed_run_is_that_of_one_never_stopped() {
         .assert()
         .code(2)
         .stderr(contains("is at 4 s already"));
+}
+
+/// The bridle or the platform in waves, coarse and without error estimates, with these keys of the solver.
+fn request(text: &str, solver: &str) -> SystemRequest {
+    let solver = format!("[solver]\nerror_estimate = false\n{solver}\n[output]");
+    let (before, rest) = text.split_once("[solver]").unwrap();
+    let (_, after) = rest.split_once("[output]").unwrap();
+    let text = format!("{before}{solver}{after}");
+    let text = text
+        .replace("segments = 40", "segments = 16")
+        .replace("segments = 50", "segments = 10");
+    let at = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/systems/short.toml");
+    let solved = kind::parse::<SystemFile>(&text, at).unwrap();
+    SystemRequest::new(solved.into(), &text, "short.toml".to_owned(), Vec::new()).unwrap()
+}
+
+/// Computes a request into a directory, and stops it at a time.
+fn computed(request: &SystemRequest, from: Option<&ResumedSystem>, dir: &Path, stop: f64) -> Run {
+    let place = RunLocation::Exactly(dir.to_owned());
+    let mut writer = RunWriter::begin(&place, request.initial_info(), &request.text).unwrap();
+    let cancel = AtomicBool::new(false);
+    let run = execute(request, from, &cancel, &mut |event| {
+        if matches!(&event, JobEvent::Frame(frame) if frame.time >= stop) {
+            cancel.store(true, Ordering::Relaxed);
+        }
+        writer.event(&event).unwrap();
+    });
+    writer.finish(&run).unwrap();
+    run
+}
+
+/// Resumes a stored run and holds it against one that was never stopped.
+fn assert_resumes_to(whole: &SystemRequest, first: &Path, until: Option<f64>) {
+    let place = tempfile::tempdir().unwrap();
+    let whole = computed(whole, None, &place.path().join("whole"), f64::INFINITY);
+    let (request, from) = resume_request(first, until).unwrap();
+    assert!(from.is_some());
+    let second = place.path().join("second");
+    let resumed = computed(&request, from.as_ref(), &second, f64::INFINITY);
+    assert_eq!(resumed.info.state, RunState::Done);
+    assert!(resumed.history == whole.history && resumed.summary == whole.summary);
+    assert_eq!(resumed.info.work.steps, whole.info.work.steps);
+}
+
+/// The tolerance is so small that errors set the steps.
+#[test]
+fn a_run_resumed_up_to_a_later_end_is_that_of_a_longer_one() {
+    let until = |end: f64| format!("duration_s = {end:?}\nstep_tolerance = 1e-8");
+    for text in [BRIDLE, PLATFORM] {
+        let place = tempfile::tempdir().unwrap();
+        let dir = place.path().join("first");
+        let first = request(text, &until(3.0));
+        assert_eq!(
+            computed(&first, None, &dir, f64::INFINITY).info.state,
+            RunState::Done
+        );
+        assert_resumes_to(&request(text, &until(7.5)), &dir, Some(7.5));
+    }
 }
 
 /// What the solver cannot bring to its end is kept, with time, place and reason.

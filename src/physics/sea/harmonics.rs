@@ -2,7 +2,7 @@
 
 use nalgebra::Complex;
 
-use super::Component;
+use super::{Component, Moments};
 use crate::numerics::V3;
 
 /// One harmonic along three axes: `cosine cos(omega t) + sine sin(omega t)`.
@@ -95,6 +95,18 @@ impl Harmonics {
         shares.iter().find(reaches).map(|s| s.0)
     }
 
+    /// Spectral moments of the displacement along all axes together, of an endless record.
+    #[must_use]
+    pub fn moments(&self) -> Moments {
+        let mut sum = Moments::default();
+        for term in &self.terms {
+            let energy = 0.5 * (term.cosine.norm_squared() + term.sine.norm_squared());
+            sum.m0 += energy;
+            sum.m2 += energy * term.omega * term.omega;
+        }
+        sum
+    }
+
     /// Root mean square displacement along x, y, z \[m\] of an endless record (no two terms of one axis of the same
     /// frequency).
     #[must_use]
@@ -121,6 +133,9 @@ mod tests {
         };
         let motion = Harmonics::along_axes(&[record(0), record(1), record(2)]);
         assert!((motion.rms() - V3::from(rms)).norm() < 1e-12);
+        let all = Moments::of(&[record(0), record(1), record(2)].concat());
+        let moments = motion.moments();
+        assert!((moments.m0 - all.m0).abs() < 1e-12 && (moments.m2 - all.m2).abs() < 1e-12);
         let (t, h) = (31.0, 1e-4);
         let (before, now, after) = (motion.at(t - h), motion.at(t), motion.at(t + h));
         assert!(((after.0 - before.0) / (2.0 * h) - now.1).norm() < 1e-7);

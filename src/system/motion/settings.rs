@@ -66,7 +66,7 @@ impl MotionSettings {
     /// The errors allowed in a step, where steps vary.
     #[must_use]
     pub fn limits(&self, system: &MovingSystem) -> Option<ErrorLimits> {
-        let (distance, speed) = motion_scale(system, self.duration_s);
+        let (distance, speed) = motion_scale(system);
         self.step_tolerance.map(|tolerance| ErrorLimits {
             position: tolerance * distance,
             velocity: 2.0 * tolerance * speed,
@@ -134,8 +134,9 @@ fn bounce_period(scene: &Scene) -> f64 {
 }
 
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
-/// nothing but prescribed motion and waves disturb a system at rest, of [`RESPONSE`] times that motion and that of the surface.
-fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
+/// nothing but prescribed motion and waves disturb a system at rest, of [`RESPONSE`] times that motion and that of the surface. It is the
+/// same for every duration, so that a run resumed up to a later end takes the steps of one that is as long.
+fn motion_scale(system: &MovingSystem) -> (f64, f64) {
     let network = &system.network;
     let lengths = network.lines.iter().map(Line::length);
     let length = lengths.fold(1.0, f64::max);
@@ -144,8 +145,8 @@ fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
     if network.lines.iter().any(has_release) {
         return (length, speed);
     }
-    let extent = |motion: &EndMotion, arm: f64| {
-        let (far, fast) = motion.extent(duration);
+    let scale = |motion: &EndMotion, arm: f64| {
+        let (far, fast) = motion.scale();
         (far * arm, fast * arm)
     };
     let points = network
@@ -155,9 +156,9 @@ fn motion_scale(system: &MovingSystem, duration: f64) -> (f64, f64) {
     let turns = network.bodies.iter().zip(&system.arms);
     let turns = turns.filter_map(|(body, arm)| Some((body.motion.as_ref()?, *arm)));
     let surface = surface(system);
-    let moved = points.chain(&surface).map(|motion| extent(motion, 1.0));
+    let moved = points.chain(&surface).map(|motion| scale(motion, 1.0));
     let turned =
-        turns.flat_map(|(motion, arm)| [extent(&motion.place, 1.0), extent(&motion.angles, arm)]);
+        turns.flat_map(|(motion, arm)| [scale(&motion.place, 1.0), scale(&motion.angles, arm)]);
     let (far, fast) = moved
         .chain(turned)
         .fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
