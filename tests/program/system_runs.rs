@@ -215,6 +215,22 @@ fn a_run_resumed_up_to_a_later_end_is_that_of_a_longer_one() {
     }
 }
 
+#[test]
+fn a_stopped_run_resumes_to_the_same_bits() {
+    for (text, solver, stop) in [
+        (PLATFORM, "duration_s = 8.0\ntime_step_s = 0.1", 4.0),
+        (BRIDLE, "duration_s = 2.0\nmethod = \"rk4\"", 1.0),
+    ] {
+        let place = tempfile::tempdir().unwrap();
+        let dir = place.path().join("first");
+        let request = request(text, solver);
+        let stopped = computed(&request, None, &dir, stop);
+        assert_eq!(stopped.info.state, RunState::Cancelled);
+        assert!(stopped.history.time.len() > 3);
+        assert_resumes_to(&request, &dir, None);
+    }
+}
+
 /// What the solver cannot bring to its end is kept, with time, place and reason.
 #[test]
 fn a_run_that_fails_keeps_what_it_had() {
