@@ -9,7 +9,7 @@ use crate::ship::motion::rao_file::{self, HeadingRao};
 use crate::system::model::{BodyInputs, SystemFile};
 use crate::system::motion::PoseMotion;
 
-/// Share of the waves' energy beyond the periods of a table that is told to the user.
+/// Share of the waves' energy beyond the periods of a table above which a warning says so.
 pub const MUCH_BEYOND: f64 = 0.02;
 
 /// The motion of a body by its responses.

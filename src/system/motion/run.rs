@@ -142,7 +142,7 @@ pub(super) fn run_stored(
 /// Share of the energy that may be missing without a warning.
 const NOTABLE_DRIFT: f64 = 0.02;
 
-/// Difference of the damping transformed back, by its greatest value, above which it is told to the user.
+/// Difference of the damping transformed back, by its greatest value, above which a warning says so.
 const COARSE_MEMORY: f64 = 0.01;
 
 /// Warnings of retardation functions that are not those of their damping.

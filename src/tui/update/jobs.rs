@@ -116,7 +116,7 @@ pub(super) fn run(state: &mut AppState) -> Vec<Effect> {
     effects
 }
 
-/// Puts a run of the edited text at the end of the queue; tells whether there is anything to run.
+/// Puts a run of the edited text at the end of the queue; says whether there is anything to run.
 fn enqueue_edited(state: &mut AppState) -> bool {
     let Some(document) = state.document.as_mut() else {
         return false;
