@@ -15,6 +15,7 @@ use seacable::system::stiffness::of_body;
 
 use crate::motion::{moved, refused};
 use crate::waves::{SOFT, solver, swing};
+use crate::{HEAD, solved};
 
 const RADIUS: f64 = 10.0;
 const DENSITY: f64 = 1025.0;
@@ -220,6 +221,15 @@ fn files_that_do_not_fit_are_refused() {
     assert!(absent.contains("cannot be read"), "{absent}");
     let bad = with("", "", &files().replace("0 3 3", "0 3 9"));
     assert!(bad.contains("h.1") && bad.contains("no mode"), "{bad}");
+}
+
+#[test]
+fn loads_by_waves_without_waves_are_said_to_have_no_effect() {
+    let body = hemisphere("excitation_file = \"h.3\"", "");
+    let system = solved(&format!("{HEAD}{body}{}", files()));
+    let warnings = seacable::report::system::tables::warnings(&system);
+    let said = "Body ball: excitation_file has no effect without [[waves]].";
+    assert_eq!(warnings, [said]);
 }
 
 /// The shipped platform in one regular wave, without viscous damping, on lines whose inertia is nothing beside it.

@@ -4,7 +4,6 @@ use crate::case::WaterSurface;
 use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::scene::steep_waves;
-use crate::system::SolvedSystem;
 use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
@@ -13,6 +12,7 @@ use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
 use crate::system::network::Held;
 use crate::system::potential_flow::wave_loads::energy_above;
 use crate::system::stability::Stability;
+use crate::system::{SolvedSystem, SystemFile};
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
@@ -158,11 +158,11 @@ fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
     found
 }
 
-/// Waves that nothing is computed in, that break, or that a table of responses does not cover.
+/// Waves that nothing is computed in, that break, that a table of responses does not cover, or that are missing.
 fn on_waves(solved: &SolvedSystem) -> Vec<String> {
     let file = &solved.file;
     let Some(sea) = &solved.network.sea else {
-        return Vec::new();
+        return loads_without_waves(file);
     };
     let mut found = Vec::new();
     if file.solver.is_none() {
@@ -193,6 +193,23 @@ fn on_waves(solved: &SolvedSystem) -> Vec<String> {
             found.push(format!(
                 "Body {name}: {:.0} % of the energy of the waves lies beyond the periods of its responses; the last ones hold there.",
                 100.0 * found_beyond.energy_beyond
+            ));
+        }
+    }
+    found
+}
+
+/// Files of loads by waves, of which there are none.
+fn loads_without_waves(file: &SystemFile) -> Vec<String> {
+    let mut found = Vec::new();
+    for (name, body) in &file.bodies {
+        let named = [
+            ("excitation_file", &body.excitation_file),
+            ("drift_file", &body.drift_file),
+        ];
+        for (key, _) in named.iter().filter(|(_, file)| file.is_some()) {
+            found.push(format!(
+                "Body {name}: {key} has no effect without [[waves]]."
             ));
         }
     }
