@@ -40,9 +40,9 @@ use super::state::{JobNumber, JobRequest, RunCurves, Severity, VariantPlan, Vari
 use crate::background::lower_priority;
 use crate::modes;
 use crate::report::table::Table;
+use crate::run::coarse;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter};
-use crate::run::{coarse, resume_request};
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -373,7 +373,7 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             return warning(kept, "The choice cannot be remembered");
         }
         Effect::PrepareResume(dir, until) => {
-            let found = resume_request(&dir, Some(until)).map(Box::new);
+            let found = JobRequest::resumed(&dir, until);
             Msg::ResumeReady(dir, until, found)
         }
         Effect::DeleteRuns(dirs) => return delete_runs(dirs),

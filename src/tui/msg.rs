@@ -19,10 +19,10 @@ use super::state::{
 use crate::case::{Case, QuantityId};
 use crate::modes::LineModes;
 use crate::report::chart::Glyphs;
+use crate::run::Run;
 use crate::run::index::{RunColumns, SyncProgress};
-use crate::run::job::{JobEvent, Request};
+use crate::run::job::JobEvent;
 use crate::run::store::RunNotes;
-use crate::run::{ResumedRun, Run};
 use crate::ship::DynamicAnalysis;
 use crate::study::points::BaseCase;
 use crate::study::vary::Variation;
@@ -45,11 +45,7 @@ pub enum Msg {
     /// How far trials are.
     TrialProgress(JobNumber, Box<TrialProgress>),
     /// How a stored run is resumed up to a later end \[s\], or why it does not.
-    ResumeReady(
-        PathBuf,
-        f64,
-        Result<Box<(Request, Option<ResumedRun>)>, String>,
-    ),
+    ResumeReady(PathBuf, f64, Result<JobRequest, String>),
     /// A coarse run ahead of that of a job.
     Coarse(JobNumber, Arc<Run>),
     /// What a job has recorded since it was last asked.

@@ -2,12 +2,13 @@
 
 use std::borrow::Cow;
 use std::collections::VecDeque;
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use crate::case::stand_alone;
 use crate::run::event::JobEvent;
 use crate::run::job::{self, Request};
-use crate::run::{Progress, ResumedRun, Run, RunInfo};
+use crate::run::{Progress, ResumedRun, Run, RunInfo, resume_request};
 use crate::system::motion::job::{self as system_job, SystemRequest};
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
@@ -84,6 +85,25 @@ pub enum JobRequest {
 }
 
 impl JobRequest {
+    /// The stored run in this directory, resumed up to a later end \[s\].
+    ///
+    /// # Errors
+    /// Why it cannot be resumed.
+    pub fn resumed(dir: &Path, until: f64) -> Result<Self, String> {
+        let (mut request, from) = resume_request(dir, Some(until))?;
+        request.id = stem(&request.file);
+        Ok(Self::Line(Box::new(request), from.map(Box::new)))
+    }
+
+    /// The time that it begins at \[s\].
+    #[must_use]
+    pub fn begins_at(&self) -> f64 {
+        match self {
+            Self::Line(_, from) => from.as_ref().map_or(0.0, |from| from.checkpoint.time()),
+            Self::System(_) => 0.0,
+        }
+    }
+
     /// File name of its case.
     #[must_use]
     pub fn file(&self) -> &str {
@@ -129,6 +149,11 @@ impl JobRequest {
             Self::System(request) => system_job::execute(request, None, cancel, events),
         }
     }
+}
+
+/// What its runs are named after.
+fn stem(file: &str) -> String {
+    file.trim_end_matches(".toml").to_owned()
 }
 
 /// A request that waits for its turn.

@@ -6,8 +6,6 @@ use tui_input::Input;
 
 use super::jobs::{queue, start_newest};
 use super::notice::info;
-use crate::run::ResumedRun;
-use crate::run::job::Request;
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, JobRequest, JobState, Overlay, PromptPurpose, RunStatus};
 
@@ -53,10 +51,10 @@ pub(super) fn found(
     state: &mut AppState,
     dir: PathBuf,
     until: f64,
-    found: Result<Box<(Request, Option<ResumedRun>)>, String>,
+    found: Result<JobRequest, String>,
 ) -> Vec<Effect> {
-    let (mut request, from) = match found {
-        Ok(found) => *found,
+    let request = match found {
+        Ok(request) => request,
         Err(words) => {
             state.overlay = Some(Overlay::Prompt {
                 purpose: PromptPurpose::Resume(dir),
@@ -70,11 +68,8 @@ pub(super) fn found(
         return Vec::new();
     };
     view.hide_runs();
-    request.id = request.file.trim_end_matches(".toml").to_owned();
-    let label = format!("to {until} s");
-    let time = from.as_ref().map_or(0.0, |from| from.checkpoint.time());
-    let request = JobRequest::Line(Box::new(request), from.map(Box::new));
-    queue(state, request, label, None, true);
+    let time = request.begins_at();
+    queue(state, request, format!("to {until} s"), None, true);
     let effects = start_newest(state);
     info(
         state,

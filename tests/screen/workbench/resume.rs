@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case;
 use seacable::run::job::{self, Request};
-use seacable::run::resume_request;
 use seacable::run::store::{RunLocation, RunWriter};
+use seacable::tui::state::JobRequest;
 use seacable::tui::{Effect, Msg};
 
 use super::desk::Desk;
@@ -58,7 +58,7 @@ fn a_stored_run_is_resumed_from_the_list() {
         writer.event(&event).unwrap();
     });
     writer.finish(&run).unwrap();
-    let onward = resume_request(&dir, Some(4.0)).map(Box::new);
+    let onward = JobRequest::resumed(&dir, 4.0);
     desk.tell(Msg::ResumeReady(dir, 4.0, onward));
     let started = desk.started();
     assert_eq!(started.len(), 1);
