@@ -44,6 +44,12 @@ pub struct ResumedSystem {
 }
 
 impl SystemCheckpoint {
+    /// Time of the state \[s\].
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.recorder.time()
+    }
+
     /// The state of a march of a text with this digest.
     pub(super) fn of(march: &Marching, text: &str, interval_s: f64) -> Self {
         Self {
@@ -130,7 +136,7 @@ pub fn resume_request(
 /// Checks that there is anything left to compute.
 fn check_end(info: &RunInfo, duration: f64, checkpoint: &SystemCheckpoint) -> Result<(), String> {
     let finished = info.state == RunState::Done && duration <= info.settings.duration_s;
-    let time = checkpoint.recorder.time();
+    let time = checkpoint.time();
     if finished || duration < time {
         let at = info.settings.duration_s.max(time);
         return Err(format!("The run is at {at} s already; name a later time."));

@@ -75,15 +75,8 @@ impl Pane for RunsPane {
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let view = state.runs_view()?;
         let run = view.current_run();
-        if !view.runs.has_live() {
-            if run.is_none() && OF_RUN.contains(&id) {
-                return Some("There is no run yet; `R` computes one.");
-            }
-            if id == CommandId::Resume {
-                return Some(
-                    "Runs of systems are resumed by `seacable run --resume DIR`; `X` computes one again.",
-                );
-            }
+        if !view.runs.has_live() && run.is_none() && OF_RUN.contains(&id) {
+            return Some("There is no run yet; `R` computes one.");
         }
         let any_marked = || state.runs_view().is_some_and(|view| view.runs.any_marked());
         match id {

@@ -6,9 +6,12 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use crate::case::stand_alone;
+use crate::kinds::FileType;
 use crate::run::event::JobEvent;
 use crate::run::job::{self, Request};
+use crate::run::store;
 use crate::run::{Progress, ResumedRun, Run, RunInfo, resume_request};
+use crate::system::motion::checkpoint::{self, ResumedSystem};
 use crate::system::motion::job::{self as system_job, SystemRequest};
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
@@ -80,8 +83,8 @@ pub struct JobLine {
 pub enum JobRequest {
     /// A run of a line case, from its start or from where an earlier run is resumed.
     Line(Box<Request>, Option<Box<ResumedRun>>),
-    /// A run of a system of lines in time.
-    System(Box<SystemRequest>),
+    /// The same of a system of lines in time.
+    System(Box<SystemRequest>, Option<Box<ResumedSystem>>),
 }
 
 impl JobRequest {
@@ -90,6 +93,11 @@ impl JobRequest {
     /// # Errors
     /// Why it cannot be resumed.
     pub fn resumed(dir: &Path, until: f64) -> Result<Self, String> {
+        if FileType::of(&dir.join(store::CASE)) == FileType::System {
+            let (mut request, from) = checkpoint::resume_request(dir, Some(until))?;
+            request.id = stem(&request.file);
+            return Ok(Self::System(Box::new(request), from.map(Box::new)));
+        }
         let (mut request, from) = resume_request(dir, Some(until))?;
         request.id = stem(&request.file);
         Ok(Self::Line(Box::new(request), from.map(Box::new)))
@@ -100,7 +108,7 @@ impl JobRequest {
     pub fn begins_at(&self) -> f64 {
         match self {
             Self::Line(_, from) => from.as_ref().map_or(0.0, |from| from.checkpoint.time()),
-            Self::System(_) => 0.0,
+            Self::System(_, from) => from.as_ref().map_or(0.0, |from| from.checkpoint.time()),
         }
     }
 
@@ -109,7 +117,7 @@ impl JobRequest {
     pub fn file(&self) -> &str {
         match self {
             Self::Line(request, _) => &request.file,
-            Self::System(request) => &request.file,
+            Self::System(request, _) => &request.file,
         }
     }
 
@@ -118,7 +126,7 @@ impl JobRequest {
     pub fn text(&self) -> &str {
         match self {
             Self::Line(request, _) => &request.text,
-            Self::System(request) => &request.text,
+            Self::System(request, _) => &request.text,
         }
     }
 
@@ -127,7 +135,7 @@ impl JobRequest {
     pub fn initial_info(&self) -> RunInfo {
         match self {
             Self::Line(request, _) => request.initial_info(),
-            Self::System(request) => request.initial_info(),
+            Self::System(request, _) => request.initial_info(),
         }
     }
 
@@ -136,7 +144,7 @@ impl JobRequest {
     pub fn stored_text(&self) -> Cow<'_, str> {
         match self {
             Self::Line(request, _) => stand_alone(&request.text, &request.case),
-            Self::System(request) => Cow::Borrowed(&request.text),
+            Self::System(request, _) => Cow::Borrowed(&request.text),
         }
     }
 
@@ -146,7 +154,9 @@ impl JobRequest {
             Self::Line(request, from) => {
                 job::execute_from(request, from.as_deref(), cancel, events)
             }
-            Self::System(request) => system_job::execute(request, None, cancel, events),
+            Self::System(request, from) => {
+                system_job::execute(request, from.as_deref(), cancel, events)
+            }
         }
     }
 }

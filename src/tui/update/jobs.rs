@@ -135,7 +135,7 @@ fn enqueue_edited(state: &mut AppState) -> bool {
             let Some(request) = system_request(editor, system) else {
                 return false;
             };
-            let request = JobRequest::System(Box::new(request));
+            let request = JobRequest::System(Box::new(request), None);
             queue(state, request, String::new(), None, true);
         }
         _ => return false,

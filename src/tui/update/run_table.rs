@@ -224,10 +224,8 @@ fn request_again(
         }
         DocumentContent::System(system) => {
             let request = SystemRequest::new(system.solved, &text, file, Vec::new())?;
-            Some(JobRequest::System(Box::new(SystemRequest {
-                id,
-                ..request
-            })))
+            let request = SystemRequest { id, ..request };
+            Some(JobRequest::System(Box::new(request), None))
         }
         _ => None,
     }

@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case::kind;
 use seacable::run::job::JobEvent;
+use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Cost, RunState};
 use seacable::system::SystemFile;
 use seacable::tui::msg::FileRead;
@@ -146,12 +147,48 @@ fn two_runs_are_compared_and_reported() {
         "{}",
         desk.screen()
     );
-    desk.keys("6 c");
+}
+
+/// A stored run goes on to a later end, as one of a line case.
+#[test]
+fn a_stored_run_is_resumed_from_the_list() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("short");
+    let mut desk = Desk::with_moving_system(SMALL, &text());
+    desk.keys("R");
+    let (ticket, request) = desk.begun().remove(0);
+    let exactly = RunLocation::Exactly(dir.clone());
+    let mut writer =
+        RunWriter::begin(&exactly, request.initial_info(), &request.stored_text()).unwrap();
+    let run = request.execute(&AtomicBool::new(false), &mut |event| {
+        writer.event(&event).unwrap();
+    });
+    writer.finish(&run).unwrap();
+    desk.tell(Msg::Stored(ticket, dir.clone()));
+    let event = JobEvent::Finished(Box::new(run));
+    desk.tell(Msg::Job(ticket, Box::new(event)));
+    desk.keys("6 G c ctrl+u");
+    desk.type_text("8");
+    desk.asked.clear();
+    desk.keys("enter");
     assert!(
-        said(&desk).contains("seacable run --resume DIR"),
-        "{}",
-        said(&desk)
+        matches!(&desk.asked[..], [Effect::PrepareResume(from, until)] if *from == dir && *until == 8.0)
     );
+    desk.tell(Msg::ResumeReady(
+        dir.clone(),
+        8.0,
+        JobRequest::resumed(&dir, 8.0),
+    ));
+    assert!(said(&desk).contains("is resumed from "), "{}", said(&desk));
+    desk.compute(f64::INFINITY, true);
+    let runs = &desk.state.runs_view().unwrap().runs;
+    let last = runs.all().last().unwrap();
+    assert_eq!(last.label, "to 8 s");
+    let resumed = last.curves.run.as_ref().unwrap();
+    assert_eq!(resumed.info.state, RunState::Done);
+    assert_eq!(resumed.history.time.len(), 81);
+    let again = JobRequest::resumed(&dir, 3.0);
+    assert!(again.unwrap_err().contains("is at 6 s already"));
 }
 
 #[test]
