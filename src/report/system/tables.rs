@@ -43,7 +43,7 @@ pub fn summary(solved: &SolvedSystem) -> String {
     ) + &in_motion(solved)
 }
 
-/// Whether the file has a run in time, which the screen does not compute.
+/// The run in time that begins here, in a sentence; nothing where the file has none.
 fn in_motion(solved: &SolvedSystem) -> String {
     solved
         .file
