@@ -85,13 +85,29 @@ impl BlockEnvelope {
             r[i] = lu.solve(&right);
             self.pivots[i] = lu;
         }
+        self.substitute_back(r);
+        Ok(())
+    }
+
+    /// Solves for another right-hand side with the factors of the matrix solved last.
+    pub fn solve_again(&self, r: &mut [V3]) {
+        for i in 0..self.first.len() {
+            let mut right = r[i];
+            for (k, block) in (self.first[i]..i).zip(&self.lower[self.start[i]..]) {
+                right = minus_applied(right, block, &r[k]);
+            }
+            r[i] = self.pivots[i].solve(&right);
+        }
+        self.substitute_back(r);
+    }
+
+    fn substitute_back(&self, r: &mut [V3]) {
         for i in (0..self.first.len()).rev() {
             let found = r[i];
             for (k, block) in (self.first[i]..i).zip(&self.upper[self.start[i]..]) {
                 r[k] = minus_applied(r[k], block, &found);
             }
         }
-        Ok(())
     }
 
     /// How many pivots of the matrix solved last were negative.
@@ -155,8 +171,11 @@ mod tests {
             let right = DVector::from_iterator(3 * n, x.iter().flatten().copied());
             let expected = dense.lu().solve(&right).unwrap();
             matrix.solve(&mut x).unwrap();
+            let mut again: Vec<V3> = (0..n).map(|i| V3::new(i as f64, 1.0, -2.0)).collect();
+            matrix.solve_again(&mut again);
             for (k, value) in expected.iter().enumerate() {
                 prop_assert!((x[k / 3][k % 3] - value).abs() < 1e-12);
+                prop_assert!((again[k / 3][k % 3] - value).abs() < 1e-12);
             }
         }
     }

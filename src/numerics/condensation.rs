@@ -137,10 +137,20 @@ impl Condensation {
     /// The displacements of the nodes between for those of the first and last in `x`, with the loads condensed last: the linear
     /// response of the matrix condensed last.
     pub fn respond(&self, x: &mut [V3]) {
+        self.respond_as::<true>(x);
+    }
+
+    /// The same without these loads.
+    pub fn respond_unloaded(&self, x: &mut [V3]) {
+        self.respond_as::<false>(x);
+    }
+
+    fn respond_as<const LOADED: bool>(&self, x: &mut [V3]) {
         let first = x[0];
         for (k, row) in self.rows.iter().enumerate().rev() {
             let node = k + 1;
-            let mut here = minus_applied(row.load, &row.first, &first);
+            let load = if LOADED { row.load } else { V3::zeros() };
+            let mut here = minus_applied(load, &row.first, &first);
             here = minus_applied(here, &row.near, &x[node + 1]);
             if let Some(far) = x.get(node + 2) {
                 here = minus_applied(here, &row.far, far);
@@ -296,6 +306,13 @@ mod tests {
             for (k, value) in expected.iter().enumerate() {
                 assert!((x[k / 3][k % 3] - value).abs() < 1e-12);
             }
+            // Without the loads: as if none had been condensed.
+            let mut unloaded = x.clone();
+            condensation.respond_unloaded(&mut unloaded);
+            let mut bare = Condensation::new(n);
+            bare.condense(&m).unwrap();
+            bare.respond(&mut x);
+            assert_eq!(unloaded, x);
         }
     }
 
