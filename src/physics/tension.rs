@@ -23,6 +23,8 @@ pub struct AxialConstants {
     pub rod: bool,
     /// The law its elastic tension follows, by its number among those of the line; absent: EA times strain.
     pub law: Option<u16>,
+    /// Rate of the unstretched length by that length \[1/s\]: of a segment that is paid out.
+    pub growth: f64,
 }
 
 /// Where a segment is and how it moves.
@@ -87,6 +89,19 @@ impl AxialConstants {
             inverse: 1.0 / length,
             rod: false,
             law: None,
+            growth: 0.0,
+        }
+    }
+
+    /// The same with another unstretched length \[m\], which grows at a rate \[m/s\].
+    #[must_use]
+    pub fn of_length(self, length: f64, rate: f64) -> Self {
+        let inverse = 1.0 / length;
+        Self {
+            length,
+            inverse,
+            growth: rate * inverse,
+            ..self
         }
     }
 

@@ -71,7 +71,7 @@ pub(super) trait Element {
     fn add_water_drag_power(&self, _at: At<'_>, _power: &mut f64) {}
 
     /// Adds the rate `v' (dM/dt) v / 2` of the kinetic energy of its added mass as that grows \[W\], which is the power of no
-    /// force.
+    /// force, and the energy that comes in with material that is paid out.
     fn add_growth(&self, _at: At<'_>, _power: &mut f64) {}
 
     /// Adds its force on the first or last node, less the inertia it adds there \[N\].

@@ -13,6 +13,7 @@ mod bed;
 mod bed_end;
 mod body_contact;
 mod body_loads;
+mod fed_end;
 mod flexure;
 mod rigid_payload;
 mod traveller;
@@ -26,6 +27,7 @@ pub use bed::BedContact;
 pub(super) use bed::HalfSegment;
 pub use body_contact::{BearingBody, BodyContact};
 use body_loads::BodyLoads;
+pub use fed_end::{DrumPull, FedEnd, PaidOut};
 pub use flexure::Flexure;
 pub(super) use flexure::clamps_without_effect;
 pub use rigid_payload::RigidPayload;
@@ -45,6 +47,8 @@ pub struct Elements {
     pub traveller: Option<TravellingBody>,
     /// A payload that rotates about the last node of the line.
     pub rigid_payload: Option<RigidPayload>,
+    /// Ends A and B where the line is paid out.
+    pub fed_ends: [Option<FedEnd>; 2],
 }
 
 impl Elements {
@@ -65,6 +69,7 @@ impl Elements {
             flexure: Flexure::of_case(case, &line.segments),
             traveller: TravellingBody::of_case(case),
             rigid_payload,
+            fed_ends: [None, None],
         }
     }
 
@@ -74,7 +79,7 @@ impl Elements {
         fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
             element.as_ref().map(|element| element as &dyn Element)
         }
-        let list: [Option<&dyn Element>; 7] = [
+        let list: [Option<&dyn Element>; 9] = [
             some(&self.bed),
             some(&self.body_contact),
             Some(&WaterLoads),
@@ -82,6 +87,8 @@ impl Elements {
             some(&self.traveller),
             Some(&BodyLoads),
             some(&self.rigid_payload),
+            some(&self.fed_ends[0]),
+            some(&self.fed_ends[1]),
         ];
         list.into_iter().flatten()
     }

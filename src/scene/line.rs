@@ -94,15 +94,20 @@ impl LumpedLine {
         held(0)..self.nodes() - held(1)
     }
 
-    /// The chord of segment i.
+    /// The chord of segment i. What opens it is its material: where more of it is paid out, its nodes part without stretching it.
     #[inline(always)]
     #[must_use]
     pub fn chord(&self, i: usize, state: &State) -> Chord {
-        Chord::new(
+        let axial = &self.segments[i].axial;
+        let mut chord = Chord::new(
             (&state.x[i], &state.x[i + 1]),
             (&state.v[i], &state.v[i + 1]),
-            self.segments[i].axial.length,
-        )
+            axial.length,
+        );
+        if axial.growth != 0.0 {
+            chord.opening -= chord.tangent * (chord.length * axial.growth);
+        }
+        chord
     }
 
     /// Length for drag \[m\], stretched if taut unless the case says otherwise, and 1 / chord length if it grows with the chord, else 0.
@@ -120,6 +125,13 @@ impl LumpedLine {
     #[inline(always)]
     pub(super) fn drag(&self, i: usize, chord: &Chord, state: &State) -> Drag<Two> {
         self.submerged_drag(i, chord, state, self.wet(i, state).as_ref())
+    }
+
+    /// Drag on the whole of segment i \[N\].
+    #[must_use]
+    pub fn drag_on(&self, i: usize, chord: &Chord, state: &State) -> V3 {
+        let [first, second] = self.drag(i, chord, state).forces();
+        first + second
     }
 
     /// The same with known submerged fractions.

@@ -47,7 +47,9 @@ mod waves;
 
 pub use build::build;
 pub(crate) use build::current as current_profile;
-pub use elements::{BedContact, Elements, Flexure, RigidPayload, TravellingBody};
+pub use elements::{
+    BedContact, DrumPull, Elements, FedEnd, Flexure, PaidOut, RigidPayload, TravellingBody,
+};
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;
 pub use event::{SceneChange, SceneEvent};

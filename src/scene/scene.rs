@@ -105,7 +105,8 @@ impl Scene {
     }
 
     /// Friction springs of the bed at these positions, without force; none without them.
-    pub(super) fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
+    #[must_use]
+    pub fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
         let bed = self.elements.bed.as_ref();
         bed.map_or_else(Vec::new, |bed| bed.grips_at(nodes))
     }

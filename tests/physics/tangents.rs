@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use seacable::numerics::{BlockBand, V3};
-use seacable::scene::{self, Scene};
+use seacable::scene::{self, PaidOut, Scene};
 use seacable::solve::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, Residual, State, StaticSearch,
 };
@@ -436,5 +436,127 @@ fn leaves_no_residual(scene: &Scene) {
             "node {i}: {}",
             r[i].norm()
         );
+    }
+}
+
+/// A line paid out at an end, with a length, a rate and an acceleration beside those of its mesh.
+fn paid_out(end: usize, change: [f64; 3]) -> (Scene, PaidOut) {
+    let mut scene = line("1.2");
+    scene.feed(end);
+    let mesh = scene.fed_end(end).unwrap().now().length;
+    let now = PaidOut {
+        length: mesh * 1.1 + change[0],
+        rate: 0.7 + change[1],
+        acceleration: -0.4 + change[2],
+    };
+    scene.pay_out(end, now);
+    (scene, now)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+
+    #[test]
+    fn tangent_of_a_line_that_is_paid_out(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        end in 0usize..2,
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let c = Factors { mass, damping, stiffness };
+        let (scene, _) = paid_out(end, [0.0; 3]);
+        let state = state(&scene, &numbers, 0.15, 0.05);
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+        // What the length itself changes: of the residuals of both nodes, and of its own equation.
+        let h = 1e-6;
+        let n = scene.nodes();
+        let at = |scene: &Scene, state: &State| {
+            let mut r = vec![V3::zeros(); n];
+            scene.residual(0.0, state, &mut r);
+            let (drum, _) = scene.drum(end, 0.0, state, c).unwrap();
+            (r, drum)
+        };
+        let shifted = |sign: f64| {
+            let by = [stiffness, damping, mass].map(|factor| sign * h * factor);
+            at(&paid_out(end, by).0, &state)
+        };
+        let ((up, up_drum), (down, down_drum)) = (shifted(1.0), shifted(-1.0));
+        let (drum, of_nodes) = scene.drum(end, 0.0, &state, c).unwrap();
+        let nodes = scene.fed_end(end).unwrap().nodes(&scene.line);
+        let size = of_nodes.iter().map(V3::amax).fold(1.0, f64::max);
+        for (node, of) in nodes.into_iter().zip(of_nodes) {
+            let difference = (up[node] - down[node]) / (2.0 * h);
+            prop_assert!((of - difference).amax() < 1e-5 * size, "{of} {difference}");
+        }
+        let by_length = (up_drum.residual - down_drum.residual) / (2.0 * h);
+        prop_assert!((drum.by_length - by_length).abs() < 1e-5 * size, "{} {by_length}", drum.by_length);
+        let pull = (up_drum.pull - down_drum.pull) / (2.0 * h);
+        prop_assert!((drum.pull_by_length - pull).amax() < 1e-5 * size);
+        for (node, (by, of_pull)) in nodes.into_iter().zip([
+            (drum.by_end, -drum.pull_by_neighbour),
+            (drum.by_neighbour, drum.pull_by_neighbour),
+        ]) {
+            for axis in 0..3 {
+                let moved = |sign: f64| {
+                    let mut moved = state.clone();
+                    moved.x[node][axis] += sign * h * stiffness;
+                    moved.v[node][axis] += sign * h * damping;
+                    moved.a[node][axis] += sign * h * mass;
+                    at(&scene, &moved).1
+                };
+                let (up, down) = (moved(1.0), moved(-1.0));
+                let difference = (up.residual - down.residual) / (2.0 * h);
+                prop_assert!((by[axis] - difference).abs() < 1e-5 * size, "{} {difference}", by[axis]);
+                let pull = (up.pull - down.pull) / (2.0 * h);
+                prop_assert!((of_pull.column(axis) - pull).amax() < 1e-5 * size);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_paid_out_is_all_there() {
+    for end in [0, 1] {
+        let whole = line("1.2");
+        let mut scene = whole.clone();
+        scene.feed(end);
+        let mesh = scene.fed_end(end).unwrap().now().length;
+        let out = 0.37 * mesh;
+        let now = PaidOut {
+            length: mesh + out,
+            ..PaidOut::default()
+        };
+        scene.pay_out(end, now);
+        let sums = |scene: &Scene| {
+            let line = &scene.line;
+            let length: f64 = line.segments.iter().map(|s| s.axial.length).sum();
+            (
+                length,
+                line.mass.iter().sum::<f64>(),
+                line.weight.iter().sum::<f64>(),
+            )
+        };
+        let (before, after) = (sums(&whole), sums(&scene));
+        let section = whole.line.segments[end * (whole.line.segments.len() - 1)];
+        let per_length = |half: f64| 2.0 * half / mesh;
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+        assert!(close(after.0, before.0 + out));
+        assert!(close(
+            after.1,
+            before.1 + per_length(section.half_mass) * out
+        ));
+        assert!(close(
+            after.2,
+            before.2 + per_length(section.half_weight) * out
+        ));
+        scene.pay_out(
+            end,
+            PaidOut {
+                length: mesh,
+                ..PaidOut::default()
+            },
+        );
+        assert!(close(sums(&scene).1, before.1));
     }
 }
