@@ -63,22 +63,7 @@ pub fn build(
         ..Network::default()
     };
     let sea = sea_of(file);
-    for (name, body) in &file.bodies {
-        let spins_about = given.rods.contains_key(name).then(V3::x);
-        let built = self::body(name, body, &network);
-        // Its files were read with the system.
-        let response = sea.as_ref().map(|sea| wave_response(file, body, sea));
-        let response = response.and_then(Result::ok).flatten();
-        let flow = PotentialFlow::of(file, body).ok().flatten();
-        let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
-        network.bodies.push(Body {
-            spins_about,
-            motion: response.map(|found| found.motion).or(built.motion),
-            added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
-            potential_flow: flow.map(Arc::new),
-            ..built
-        });
-    }
+    network.bodies = bodies((given, file), &network, sea.as_ref());
     network.sea = sea;
     let gauge = file.waves.iter().find_map(|waves| waves.gauge_m);
     network.gauge = gauge.map_or_else(V3::zeros, |[x, y]| V3::new(x, y, 0.0));
@@ -101,6 +86,31 @@ pub fn build(
         builder.point(name, 0.0, V3::zeros());
     }
     Ok(builder.network)
+}
+
+/// The bodies of a file, in these waves; `file` has its rods written out as bodies.
+fn bodies(
+    (given, file): (&SystemFile, &SystemFile),
+    network: &Network,
+    sea: Option<&Sea>,
+) -> Vec<Body> {
+    let built = file.bodies.iter().map(|(name, body)| {
+        let spins_about = given.rods.contains_key(name).then(V3::x);
+        let built = self::body(name, body, network);
+        // Its files were read with the system.
+        let response = sea.map(|sea| wave_response(file, body, sea));
+        let response = response.and_then(Result::ok).flatten();
+        let flow = PotentialFlow::of(file, body).ok().flatten();
+        let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
+        Body {
+            spins_about,
+            motion: response.map(|found| found.motion).or(built.motion),
+            added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
+            potential_flow: flow.map(Arc::new),
+            ..built
+        }
+    });
+    built.collect()
 }
 
 /// The waves of a system; nothing without any.
