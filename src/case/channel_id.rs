@@ -84,6 +84,8 @@ channel_quantities! {
     LandingSpeed: "landing_speed_m_per_s", "m/s", "speed", "Landing speed";
     /// Height of the waves above still water over the gauge \[m\].
     WaveElevation: "wave_elevation_m", "m", "elevation", "Height of the waves";
+    /// Unstretched length of a line that is paid out, or that a point slides along \[m\].
+    Length: "length_m", "m", "length", "Unstretched length";
     /// Energy of the whole line and what hangs on it \[J\].
     Energy: "energy_j", "J", "energy", "Energy";
     /// Lm: mean of the past tension of a rope with dynamic stiffness \[% of the breaking load\].

@@ -46,7 +46,7 @@ impl<'a> ChannelReading<'a> {
                 _ => Some(scene.end_b_velocity(state).norm()),
             },
             Q::Tilt => Some(scene.tilt(state).to_degrees()),
-            Q::Roll | Q::Pitch | Q::Yaw => None,
+            Q::Roll | Q::Pitch | Q::Yaw | Q::Length => None,
             Q::Arc => scene.traveller_arc(self.time),
             Q::ForceX => self.end_force(site).map(|f| f[0]),
             Q::ForceY => self.end_force(site).map(|f| f[1]),

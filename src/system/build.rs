@@ -11,6 +11,7 @@ use super::model::{
     SystemFile,
 };
 use super::motion::inputs::{body_motion, point_motion};
+use super::motion::payout::payouts;
 use super::motion::responses::wave_response;
 use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
@@ -85,7 +86,9 @@ pub fn build(
     {
         builder.point(name, 0.0, V3::zeros());
     }
-    Ok(builder.network)
+    let mut network = builder.network;
+    network.payouts = payouts(file, &network);
+    Ok(network)
 }
 
 /// The bodies of a file, in these waves; `file` has its rods written out as bodies.

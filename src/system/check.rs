@@ -5,7 +5,7 @@ use super::model::{
     BodyKeys, BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys,
     SystemKeys,
 };
-use super::motion::check as motion;
+use super::motion::{check as motion, check_payout};
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
@@ -55,6 +55,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));
     found.extend(motion::motion(keys));
+    found.extend(check_payout::payouts(keys));
     found.extend(ageing(keys));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)

@@ -69,6 +69,12 @@ impl DiscretisedLine {
         })))
     }
 
+    /// The case that states it.
+    #[must_use]
+    pub fn case(&self) -> &Case {
+        &self.case
+    }
+
     /// The line at rest between two places, from the solution before if there is one.
     ///
     /// # Errors

@@ -4,7 +4,8 @@ mod motion;
 
 use std::collections::BTreeMap;
 
-pub use motion::{MotionInputs, MotionMethod, MotionOutput};
+pub use motion::{MotionInputs, MotionMethod, MotionOutput, PayoutInputs, SlidingInputs, WhichEnd};
+pub(crate) use motion::{PayoutKeys, SlidingKeys};
 
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
@@ -43,6 +44,10 @@ table! {
         points: BTreeMap<String, PointInputs>, required;
         /// The lines, from one point to another.
         lines: Vec<LineInputs>, required;
+        /// Lines that are paid out or hauled in, in motion.
+        payouts: Vec<PayoutInputs>;
+        /// Points that slide along lines, in motion.
+        sliding_points: Vec<SlidingInputs>;
         /// Offset curves to work out with the system.
         offset_curves: Vec<OffsetCurveInputs>;
         /// Watch circles to work out with the system.

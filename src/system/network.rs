@@ -7,6 +7,7 @@ use nalgebra::Matrix6;
 use super::discretised::DiscretisedLine;
 use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
+use super::motion::payout::Payout;
 use super::pose::Pose;
 use super::potential_flow::PotentialFlow;
 use crate::numerics::{M3, V3};
@@ -38,6 +39,8 @@ pub struct Network {
     pub bodies: Vec<Body>,
     /// Lines.
     pub lines: Vec<Line>,
+    /// What of them is paid out or slides, in motion.
+    pub payouts: Vec<Payout>,
 }
 
 /// A point that lines end at.

@@ -199,6 +199,8 @@ fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
         joints,
         bases: vec![UnitQuaternion::identity()],
         attached: Vec::new(),
+        paid: Vec::new(),
+        added: Vec::new(),
     };
     (system, state)
 }

@@ -77,6 +77,8 @@ pub enum FigureId {
     Pitch,
     /// Yaw, likewise.
     Yaw,
+    /// Unstretched length of lines that are paid out against time.
+    Length,
 }
 
 /// What a figure is drawn over.
@@ -229,7 +231,7 @@ use FigureId as Id;
 
 /// The figures, in the order in which the screen shows them.
 #[rustfmt::skip] // a table: one figure an entry
-pub const FIGURES: [Figure; 29] = [
+pub const FIGURES: [Figure; 30] = [
     figure(Id::Tensions, "Tensions", Time, tensions)
         .when(|c| c.dynamic).at_places(Quantity::Tension).also_in_systems(Quantity::Tension).in_report(1),
     figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
@@ -281,6 +283,7 @@ pub const FIGURES: [Figure; 29] = [
     figure(Id::Roll, "Roll", Time, |d| against_time(d.runs, Quantity::Roll)).only_in_systems(Quantity::Roll),
     figure(Id::Pitch, "Pitch", Time, |d| against_time(d.runs, Quantity::Pitch)).only_in_systems(Quantity::Pitch),
     figure(Id::Yaw, "Yaw", Time, |d| against_time(d.runs, Quantity::Yaw)).only_in_systems(Quantity::Yaw),
+    figure(Id::Length, "Paid out", Time, |d| against_time(d.runs, Quantity::Length)).only_in_systems(Quantity::Length),
 ];
 
 impl FigureId {

@@ -183,7 +183,7 @@ impl SystemAlpha {
     /// Whether the displacement just made turns a segment taut or slack. The rate of convergence, measured where no tension has a
     /// kink, predicts nothing there: with it an iteration stopped with the whole tension of the segment out of balance.
     fn passes_kink(&self, system: &MovingSystem) -> bool {
-        let lines = system.scenes.iter().zip(&self.between.lines).enumerate();
+        let lines = system.lines(&self.between).enumerate();
         let mut passes = lines.map(|(number, (scene, line))| {
             let d = self.border.displacements(number);
             scene.line.turns_taut_or_slack(d, line)
@@ -196,7 +196,7 @@ impl SystemAlpha {
         if transverse <= self.tolerance {
             return moved;
         }
-        let lines = system.scenes.iter().zip(&self.between.lines).enumerate();
+        let lines = system.lines(&self.between).enumerate();
         let along = lines
             .map(|(number, (scene, line))| {
                 scene.force_norm_displacement(self.border.displacements(number), line)
@@ -245,7 +245,8 @@ impl SystemAlpha {
         }
         let alpha_f = self.scheme.alpha_f;
         let snaps = |line: usize| {
-            system.scenes[line].snap_acceleration(&self.between.lines[line], &self.end.lines[line])
+            let scene = system.scene(line, &self.end);
+            scene.snap_acceleration(&self.between.lines[line], &self.end.lines[line])
         };
         let snap = (0..system.scenes.len()).map(snaps).fold(0.0, f64::max);
         ratio.sqrt().max(snap * alpha_f * h / limits.velocity)
@@ -265,9 +266,10 @@ impl SystemAlpha {
         system.update_wave_kinematics(t + h, &mut self.end);
         let alpha_f = self.scheme.alpha_f;
         if alpha_f > 0.0 {
-            let lines = state.lines.iter().zip(&mut self.end.lines);
-            for (scene, (before, end)) in system.scenes.iter().zip(lines) {
-                scene.correct_chord_lengths(alpha_f, before, end);
+            for (number, before) in state.lines.iter().enumerate() {
+                let SystemState { lines, paid, .. } = &mut self.end;
+                let scene = system.scene_among(number, paid);
+                scene.correct_chord_lengths(alpha_f, before, &mut lines[number]);
             }
         }
         state.copy_from(&self.end);

@@ -6,6 +6,7 @@
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::{Follows, Role};
 use super::moving_system::MovingSystem;
+use super::payout_border::{self, BorderedLines, DrivenPayout, driven};
 use super::point_loads::point_load;
 use super::pose_motion::BodyMotion;
 use super::system_state::SystemState;
@@ -31,6 +32,8 @@ pub struct Border {
     own: Vec<V3>,
     /// Greatest residual of an inner node of the lines \[N\].
     of_lines: f64,
+    /// The lengths of lines that are unknowns.
+    driven: Vec<DrivenPayout>,
 }
 
 /// How an end of a line moves with a body.
@@ -119,7 +122,20 @@ impl Border {
             joints: vec![V3::zeros(); state.joints.x.len()],
             own: vec![V3::zeros(); unknowns],
             of_lines: 0.0,
+            driven: driven(system, state),
         }
+    }
+
+    /// Solves for the lengths of lines that are unknowns, and takes what follows from the displacements found without them.
+    fn drives(&mut self, system: &MovingSystem, t: f64, state: &SystemState, c: Factors) {
+        let work = BorderedLines {
+            tangents: &self.tangents,
+            condensations: &mut self.condensations,
+            matrix: &self.matrix,
+            rows: &mut self.rows,
+        };
+        let found = (self.lines.as_mut_slice(), self.joints.as_mut_slice());
+        payout_border::solve((system, state), (t, c), &mut self.driven, work, found);
     }
 
     /// The free bodies.
@@ -173,7 +189,13 @@ impl Border {
                 node: system.offset(self.lines.len()) + joint.unwrap_or_default(),
             });
         }
-        self.back(system, state);
+        back(
+            (system, state),
+            &self.rows,
+            &self.condensations,
+            (&mut self.lines, &mut self.joints),
+        );
+        self.drives(system, t, state, c);
         Ok(())
     }
 
@@ -210,7 +232,7 @@ impl Border {
         state: &SystemState,
         (line, c): (usize, Factors),
     ) -> Result<(), usize> {
-        let scene = &system.scenes[line];
+        let scene = system.scene(line, state);
         let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
         scene.linearise(t, &state.lines[line], c, r, tangent);
         let last = r.len() - 1;
@@ -309,6 +331,8 @@ impl Border {
                 Role::Released(line, end) if state.attached[line][end] != joint => {
                     *self.matrix.block(row, row) += M3::identity();
                 }
+                // Solved for apart.
+                Role::Payout(_) => *self.matrix.block(row, row) += M3::identity(),
                 _ => {}
             }
         }
@@ -342,28 +366,60 @@ impl Border {
             }
         }
     }
+}
 
-    /// From the unknowns to the displacements of all nodes.
-    fn back(&mut self, system: &MovingSystem, state: &SystemState) {
-        for (joint, out) in self.joints.iter_mut().enumerate() {
-            *out = system
-                .joints
-                .row(joint)
-                .map_or_else(V3::zeros, |row| self.rows[row]);
+/// From the unknowns to the displacements of all nodes: of the joints, and of the lines that border on unknowns.
+fn back(
+    (system, state): (&MovingSystem, &SystemState),
+    rows: &[V3],
+    condensations: &[Condensation],
+    (lines, joints): (&mut [Vec<V3>], &mut [V3]),
+) {
+    for (joint, out) in joints.iter_mut().enumerate() {
+        let row = system.joints.row(joint);
+        *out = row.map_or_else(V3::zeros, |row| rows[row]);
+    }
+    for (line, x) in lines.iter_mut().enumerate() {
+        if system.is_plain(state, line) {
+            continue;
         }
-        for line in 0..self.lines.len() {
-            if system.is_plain(state, line) {
-                continue;
+        set_ends((system, state), rows, line, x);
+        condensations[line].respond(x);
+    }
+}
+
+/// The displacements of the ends of a line.
+pub(super) fn set_ends(
+    (system, state): (&MovingSystem, &SystemState),
+    rows: &[V3],
+    line: usize,
+    x: &mut [V3],
+) {
+    let last = x.len() - 1;
+    for (node, joint) in [0, last].into_iter().zip(state.attached[line]) {
+        x[node] = match end(system, state, joint) {
+            End::Nothing => V3::zeros(),
+            End::Point(row) => rows[row],
+            End::Body(arm) => rows[arm.origin] + arm.by_turn * rows[arm.rotation],
+        };
+    }
+}
+
+/// Adds forces on the ends of a line to the rows of what they are at.
+pub(super) fn add_to_rows(
+    (system, state): (&MovingSystem, &SystemState),
+    line: usize,
+    left: &[V3; 2],
+    rows: &mut [V3],
+) {
+    for (left, joint) in left.iter().zip(state.attached[line]) {
+        match end(system, state, joint) {
+            End::Nothing => {}
+            End::Point(row) => rows[row] += left,
+            End::Body(arm) => {
+                rows[arm.origin] += left;
+                rows[arm.rotation] += arm.lever * left;
             }
-            let last = self.lines[line].len() - 1;
-            let ends = state.attached[line].map(|joint| match end(system, state, joint) {
-                End::Nothing => V3::zeros(),
-                End::Point(row) => self.rows[row],
-                End::Body(arm) => self.rows[arm.origin] + arm.by_turn * self.rows[arm.rotation],
-            });
-            let x = &mut self.lines[line];
-            (x[0], x[last]) = (ends[0], ends[1]);
-            self.condensations[line].respond(x);
         }
     }
 }

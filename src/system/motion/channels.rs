@@ -18,6 +18,8 @@ enum Source {
     Angle(usize, usize),
     /// Height of the waves over the gauge.
     Elevation,
+    /// Unstretched length of a line that is paid out, by its number among those.
+    Length(usize),
 }
 
 /// The channels of a system and where they are read.
@@ -66,6 +68,10 @@ impl Channels {
             let id = ChannelQuantity::WaveElevation.at("gauge");
             channels.add(id, Source::Elevation);
         }
+        for (number, paid) in system.paid.iter().enumerate() {
+            let name = system.network.lines[paid.line].name.as_str();
+            channels.add(ChannelQuantity::Length.at(name), Source::Length(number));
+        }
         channels
     }
 
@@ -84,17 +90,27 @@ impl Channels {
     pub fn read(&self, system: &MovingSystem, t: f64, state: &SystemState, values: &mut Vec<f64>) {
         let network = &system.network;
         values.clear();
-        values.extend(self.sources.iter().map(|source| match *source {
-            Source::Tension(line, end) => {
-                let (scene, line) = (&system.scenes[line], &state.lines[line]);
-                scene.tension_at(end * (line.x.len() - 1), line)
+        values.extend(self.sources.iter().map(|source| {
+            match *source {
+                Source::Tension(line, end) => {
+                    let (scene, line) = (system.scene(line, state), &state.lines[line]);
+                    scene.tension_at(end * (line.x.len() - 1), line)
+                }
+                Source::Place(joint, axis) => state.joints.x[joint][axis],
+                Source::Elevation => {
+                    let sea = network.sea.as_ref();
+                    sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
+                }
+                Source::Length(number) => state.paid[number]
+                    .line
+                    .segments
+                    .iter()
+                    .map(|segment| segment.axial.length)
+                    .sum(),
+                Source::Angle(body, axis) => {
+                    system.body(state, body).pose.angles()[axis].to_degrees()
+                }
             }
-            Source::Place(joint, axis) => state.joints.x[joint][axis],
-            Source::Elevation => {
-                let sea = network.sea.as_ref();
-                sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
-            }
-            Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
         }));
     }
 }
@@ -128,5 +144,6 @@ pub fn quantities(network: &Network) -> Vec<ChannelQuantity> {
             .is_some()
             .then_some(ChannelQuantity::WaveElevation),
     );
+    all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
     all
 }

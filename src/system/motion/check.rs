@@ -113,7 +113,7 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
 }
 
 /// A table of motion with times that do not increase from 0 to the end, or columns of another length.
-fn motion_table(
+pub(super) fn motion_table(
     times: &Key<'_, Vec<f64>>,
     columns: &[&Key<'_, Vec<f64>>],
     until: Option<f64>,

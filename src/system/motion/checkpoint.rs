@@ -43,6 +43,9 @@ pub struct ResumedSystem {
     pub dir: PathBuf,
 }
 
+/// Segments that a line is paid out by at most.
+const MOST_ADDED: i64 = 1_000_000;
+
 impl SystemCheckpoint {
     /// Time of the state \[s\].
     #[must_use]
@@ -61,6 +64,18 @@ impl SystemCheckpoint {
             recorder: march.recorder.state(),
             state: march.state.clone(),
         }
+    }
+
+    /// Checks that lines are paid out in it as in this system: their number, and segments that a line may have.
+    pub(super) fn check_added(&self, state: &SystemState) -> Result<(), String> {
+        let added = self.state.added.iter().flatten();
+        let agrees = self.state.added.len() == state.added.len()
+            && self.state.lines.len() == state.lines.len()
+            && added.clone().all(|added| added.abs() < MOST_ADDED)
+            && added.sum::<i64>() == self.state.nodes() - state.nodes();
+        agrees
+            .then_some(())
+            .ok_or_else(|| "its checkpoint.toml does not belong to this system".to_owned())
     }
 
     /// Checks that it is one of this system: sizes agree.

@@ -10,6 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
+use super::payout_border::drives;
 use super::point_loads::point_load;
 use super::system_state::SystemState;
 use crate::numerics::V3;
@@ -31,7 +32,7 @@ pub struct Energy {
 #[must_use]
 pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &SystemState) -> Energy {
     let mut sum = Energy::default();
-    for (scene, line) in system.scenes.iter().zip(&state.lines) {
+    for (scene, line) in system.lines(state) {
         let rates = scene.energy_rates(t, line);
         sum.stored += rates.energy;
         sum.power_in += rates.supplied + rates.growth;
@@ -47,6 +48,11 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
             sum.lost += load.lost;
         }
+    }
+    for drive in drives(system, t, state) {
+        sum.stored += drive.stored;
+        sum.power_in += drive.power_in;
+        sum.lost += drive.lost;
     }
     for body in bodies {
         sum.stored += body.kinetic_energy(&system.body(state, body.number));

@@ -21,6 +21,8 @@ pub enum Role {
     Free(usize),
     /// Where an end of a line goes that is let go: the line, and which end.
     Released(usize, usize),
+    /// A length of line that passes an end or a point, its first coordinate \[m\]: its number in the network.
+    Payout(usize),
 }
 
 /// The joints in their order.
@@ -34,6 +36,8 @@ pub struct Joints {
     pub bodies: Vec<usize>,
     /// The joint of each end of each line that may be let go.
     pub released: Vec<[Option<usize>; 2]>,
+    /// The joint of each payout of the network.
+    pub payouts: Vec<usize>,
     /// The joints that follow the equation of motion.
     pub free: Range<usize>,
     /// The row of each joint among the unknowns; the joints before `free` have none.
@@ -60,7 +64,18 @@ impl Joints {
         for (number, _) in bodies().filter(|(_, body)| !body.free) {
             list.body(number);
         }
+        let mut payouts = vec![0; network.payouts.len()];
+        let mut pass = |roles: &mut Vec<Role>, free: bool| {
+            for (number, payout) in network.payouts.iter().enumerate() {
+                if payout.drive.is_free() == free {
+                    payouts[number] = roles.len();
+                    roles.push(Role::Payout(number));
+                }
+            }
+        };
+        pass(&mut list.roles, false);
         let held = list.roles.len();
+        pass(&mut list.roles, true);
         for (number, _) in points().filter(|(_, p)| free(&p.held)) {
             list.points.insert(number, list.roles.len());
             list.roles.push(Role::Free(number));
@@ -83,6 +98,7 @@ impl Joints {
             points: list.points.into_values().collect(),
             bodies: list.bodies.into_values().collect(),
             released,
+            payouts,
             free: held..count,
             rows: Vec::new(),
             envelope: Vec::new(),

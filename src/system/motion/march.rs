@@ -6,7 +6,8 @@ use std::time::{Duration, Instant};
 use super::body_equation::MovingBody;
 use super::breaks;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
-use super::method::Method;
+use super::mesh_of_ends::{EndMesh, Remesh};
+use super::method::{Method, MethodState};
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, Recorder};
 use super::release::{Release, by_tension, by_time};
@@ -36,6 +37,15 @@ pub(super) struct Marching {
     pub(super) place: MarchProgress,
     /// What happened to the lines, in words.
     pub(super) happened: Vec<String>,
+    settings: MotionSettings,
+}
+
+/// Why a march stops on its way.
+enum Pause {
+    /// An end is let go.
+    Release(Release),
+    /// The mesh at an end that is paid out is no longer good.
+    Mesh(EndMesh),
 }
 
 /// What a march that is stored needs: the digest of its text, and the checkpoint from where it is resumed.
@@ -150,6 +160,7 @@ impl Marching {
             },
             place: MarchProgress::default(),
             happened: Vec::new(),
+            settings: settings.clone(),
             system,
             state,
             method,
@@ -171,7 +182,8 @@ impl Marching {
             }
             let event = events.peek().map_or(f64::INFINITY, |event| event.time);
             match self.advance(next.min(event), cancel, rows) {
-                Ok(Some(event)) => self.release(event, rows),
+                Ok(Some(Pause::Release(event))) => self.release(event, rows),
+                Ok(Some(Pause::Mesh(end))) => self.remesh(end, rows)?,
                 Ok(None) => {}
                 Err(end) => {
                     if matches!(end, EarlyEnd::Cancelled) {
@@ -195,6 +207,12 @@ impl Marching {
     /// Continues from the checkpoint of a stored run; its rows are recorded and sent again.
     fn resume(&mut self, from: &ResumedSystem, rows: &mut RowSender<'_>) -> Result<(), String> {
         let stored = &from.checkpoint;
+        let remeshed = stored.state.added != self.state.added;
+        if remeshed {
+            stored.check_added(&self.state)?;
+            self.system.mesh_as(&stored.state.added, &mut self.state)?;
+            self.state.size_as(&stored.state);
+        }
         stored.check(&self.state, self.recorder.channels().len())?;
         if stored.interval_s.to_bits() != self.recorder.interval().to_bits() {
             return Err("the interval of its history is another one".to_owned());
@@ -208,9 +226,9 @@ impl Marching {
         .map_err(|why| why.to_string())?;
         self.recorder.restore(&stored.recorder);
         self.state.restore(&stored.state);
-        self.system.free_released_ends(&self.state);
-        self.system.update_wave_kinematics(span.1, &mut self.state);
-        self.method.restore(&stored.method, &self.state);
+        self.system.free_released_ends(&mut self.state);
+        self.system.pay_out(&mut self.state);
+        self.renew_method(span.1, &stored.method);
         self.place = stored.place;
         self.happened.clone_from(&stored.happened);
         Ok(())
@@ -233,13 +251,14 @@ impl Marching {
         until: f64,
         cancel: &AtomicBool,
         rows: &mut RowSender<'_>,
-    ) -> Result<Option<Release>, EarlyEnd> {
+    ) -> Result<Option<Pause>, EarlyEnd> {
         let (system, bodies, recorder) = (&self.system, &self.bodies, &mut self.recorder);
         let mut pulled = None;
         let mut sink = |instant: AcceptedStep<'_, SystemState>| {
             let send = &mut |time, values: &[f64]| rows.send(instant.steps, time, values);
             recorder.accept(system, bodies, (instant.time, instant.state), send);
-            pulled = by_tension(system, instant.state, instant.time);
+            let release = by_tension(system, instant.state, instant.time).map(Pause::Release);
+            pulled = release.or_else(|| system.end_mesh(instant.state).map(Pause::Mesh));
             match pulled.is_some() || cancel.load(Ordering::Relaxed) {
                 true => Progressing::Stop,
                 false => Progressing::Continue,
@@ -266,6 +285,37 @@ impl Marching {
         self.recorder
             .jump(&self.system, &self.bodies, (event.time, &self.state), last);
         self.happened.push(in_time(&self.system, event));
+    }
+
+    /// Parts or joins the segment of an end that is paid out.
+    fn remesh(&mut self, end: EndMesh, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
+        let t = self.recorder.reached();
+        let (number, at, need) = end;
+        let line = self.system.paid[number].line;
+        if need == Remesh::Stop {
+            return Err(EarlyEnd::Failed(format!(
+                "at t = {t:.6} s nothing is left of line {} to pass its end {}: a section, a clump or its other end is there; let it run a shorter way, or begin with a longer line",
+                self.system.network.lines[line].name,
+                ["A", "B"][at]
+            )));
+        }
+        let mut kept = self.method.method_state();
+        self.system
+            .remesh(end, t, &mut self.state, &mut kept)
+            .map_err(EarlyEnd::Failed)?;
+        self.renew_method(t, &kept);
+        let steps = self.place.steps;
+        let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
+        self.recorder
+            .jump(&self.system, &self.bodies, (t, &self.state), last);
+        Ok(())
+    }
+
+    /// The method for lines of another number of nodes.
+    fn renew_method(&mut self, t: f64, kept: &MethodState) {
+        self.system.update_wave_kinematics(t, &mut self.state);
+        self.method = Method::new(&self.settings, &self.system, &self.state);
+        self.method.restore(kept, &self.state);
     }
 
     fn work(&self) -> MotionWork {

@@ -5,6 +5,8 @@ use std::ops::Range;
 use super::body_equation::BodyWater;
 use super::body_flow::{self, BodyFlow};
 use super::joints::{Joints, Role};
+use super::mesh_of_ends::PaidLine;
+use super::payout::PaidEnd;
 use super::pose_motion::BodyMotion;
 use super::start::turn_bases;
 use super::system_state::SystemState;
@@ -12,7 +14,7 @@ use super::wave_stations;
 use crate::numerics::V3;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
-use crate::system::network::Network;
+use crate::system::network::{Held, Network};
 
 /// A system in motion.
 #[derive(Debug, Clone)]
@@ -29,6 +31,21 @@ pub struct MovingSystem {
     pub stations: Vec<Range<usize>>,
     /// Potential flow around the bodies that have coefficients.
     pub flows: Vec<BodyFlow>,
+    /// The lines that are paid out.
+    pub paid: Vec<PaidLine>,
+    /// What passes their ends, in the order of the network's.
+    pub payouts: Vec<MovingPayout>,
+}
+
+/// A payout in motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MovingPayout {
+    /// The length that passes, a joint of one coordinate.
+    pub joint: usize,
+    /// The force that holds it at rest \[N\]; nothing while the system is brought to rest.
+    pub holding: Option<f64>,
+    /// Height of its end at time zero \[m\].
+    height: f64,
 }
 
 impl MovingSystem {
@@ -53,9 +70,12 @@ impl MovingSystem {
                     scene.line.ends[end] = EndCondition::Free;
                 }
             }
-            if let Some(sea) = &network.sea {
-                let water = (network.density, network.gravity);
-                scene.line.put_into_waves(sea, water);
+            put_into_waves(&network, scene);
+        }
+        let paid = paid_lines(&network);
+        for line in &paid {
+            for end in (0..2).filter(|end| line.ends[*end].is_some()) {
+                scenes[line.line].feed(end);
             }
         }
         let mut arms = vec![1.0_f64; network.bodies.len()];
@@ -64,14 +84,77 @@ impl MovingSystem {
                 arms[*body] = arms[*body].max(at.norm());
             }
         }
-        Self {
+        let mut system = Self {
             stations: wave_stations::ranges(&network.bodies, network.sea.is_some()),
             flows,
+            paid,
+            payouts: Vec::new(),
             network,
             scenes,
             joints,
             arms,
+        };
+        system.payouts = system.moving_payouts();
+        system
+    }
+
+    /// The payouts, not yet held.
+    fn moving_payouts(&self) -> Vec<MovingPayout> {
+        let payouts = self.network.payouts.iter().enumerate();
+        let moving = payouts.map(|(number, payout)| MovingPayout {
+            joint: self.joints.payouts[number],
+            holding: None,
+            height: payout
+                .ends
+                .first()
+                .map_or(0.0, |paid| self.place_at_start(paid.line, paid.end).z),
+        });
+        moving.collect()
+    }
+
+    /// Place of a prescribed end of a line at time zero \[m\].
+    fn place_at_start(&self, line: usize, end: usize) -> V3 {
+        let line = &self.network.lines[line];
+        let point = &self.network.points[[line.from, line.to][end]];
+        match point.held {
+            Held::At(place) => point
+                .motion
+                .as_ref()
+                .map_or(place, |motion| motion.at(0.0).0),
+            Held::On(body, at) => {
+                let body = &self.network.bodies[body];
+                let pose = body
+                    .motion
+                    .as_ref()
+                    .map_or(body.pose, |motion| motion.at(0.0).pose);
+                pose.origin + pose.arm(&at)
+            }
+            Held::Free(_) => V3::zeros(),
         }
+    }
+
+    /// A line as it is in a state.
+    #[must_use]
+    pub fn scene<'a>(&'a self, line: usize, state: &'a SystemState) -> &'a Scene {
+        self.scene_among(line, &state.paid)
+    }
+
+    /// A line as it is among those of a state that are paid out.
+    #[must_use]
+    pub fn scene_among<'a>(&'a self, line: usize, paid: &'a [Scene]) -> &'a Scene {
+        let known = self.paid.iter().position(|paid| paid.line == line);
+        known
+            .and_then(|number| paid.get(number))
+            .unwrap_or(&self.scenes[line])
+    }
+
+    /// All lines as they are in a state.
+    pub fn lines<'a>(
+        &'a self,
+        state: &'a SystemState,
+    ) -> impl Iterator<Item = (&'a Scene, &'a State)> {
+        let lines = state.lines.iter().enumerate();
+        lines.map(move |(number, line)| (self.scene(number, state), line))
     }
 
     /// The nodes of a part that follow the equation of motion; the parts are the lines, then the joints.
@@ -117,6 +200,7 @@ impl MovingSystem {
                 let end = ["A", "B"][*end];
                 format!("end {end} of line {}", self.network.lines[*line].name)
             }
+            Some(Role::Payout(number)) => self.payout_name(*number),
             _ => {
                 let point = self.joints.points.iter().position(|joint| *joint == rest);
                 point.map_or_else(String::new, |point| {
@@ -147,6 +231,34 @@ impl MovingSystem {
                 _ => {}
             }
         }
+        self.prescribe_payouts(t, state);
+    }
+
+    /// Sets the lengths that are prescribed, after the ends whose heave they may follow.
+    fn prescribe_payouts(&self, t: f64, state: &mut SystemState) {
+        for (payout, moving) in self.network.payouts.iter().zip(&self.payouts) {
+            let (Some(mut now), Some(paid)) = (payout.drive.prescribed(t), payout.ends.first())
+            else {
+                continue;
+            };
+            let joints = &mut state.joints;
+            if payout.heave != 0.0 {
+                let end = state.attached[paid.line][paid.end];
+                let rise = joints.x[end].z - moving.height;
+                let heave = [rise, joints.v[end].z, joints.a[end].z];
+                now = std::array::from_fn(|k| now[k] + payout.heave * heave[k]);
+            }
+            let [x, v, a] = now.map(|value| V3::new(value, 0.0, 0.0));
+            set(joints, moving.joint, (x, v, a));
+        }
+    }
+
+    /// What a payout is called.
+    #[must_use]
+    pub fn payout_name(&self, number: usize) -> String {
+        let ends = self.network.payouts[number].ends.iter();
+        let lines = ends.map(|paid| self.network.lines[paid.line].name.as_str());
+        format!("payout of {}", lines.collect::<Vec<_>>().join(" and "))
     }
 
     /// Sets what follows the unknowns: points on free bodies, and the ends of the lines.
@@ -167,14 +279,27 @@ impl MovingSystem {
                 line.a[node] = state.joints.a[joint];
             }
         }
+        self.pay_out(state);
     }
 
-    /// Whether an end of a line is prescribed, so that it borders on no unknown.
+    /// Whether the ends of a line are prescribed and the length of it too, so that it borders on no unknown.
     #[must_use]
     pub fn is_plain(&self, state: &SystemState, line: usize) -> bool {
         let ends = state.attached[line];
         ends.into_iter()
             .all(|joint| self.joints.follows(joint) == super::joints::Follows::Nothing)
+            && !self.is_driven(line)
+    }
+
+    /// Whether the length of a line is an unknown.
+    fn is_driven(&self, line: usize) -> bool {
+        let free = self
+            .network
+            .payouts
+            .iter()
+            .filter(|payout| payout.drive.is_free());
+        free.flat_map(|payout| &payout.ends)
+            .any(|paid| paid.line == line)
     }
 
     /// The water around a body.
@@ -195,6 +320,42 @@ impl MovingSystem {
     }
 }
 
+/// Puts a line into the waves of a system.
+pub(super) fn put_into_waves(network: &Network, scene: &mut Scene) {
+    if let Some(sea) = &network.sea {
+        scene
+            .line
+            .put_into_waves(sea, (network.density, network.gravity));
+    }
+}
+
+/// The lines of a network that are paid out, as they are at rest.
+fn paid_lines(network: &Network) -> Vec<PaidLine> {
+    let mut paid: Vec<PaidLine> = Vec::new();
+    for (number, payout) in network.payouts.iter().enumerate() {
+        for PaidEnd { line, end, sign } in &payout.ends {
+            let known = paid.iter().position(|paid| paid.line == *line);
+            let case = network.lines[*line]
+                .discretised
+                .as_ref()
+                .map(|line| line.case());
+            let Some(case) = case else {
+                continue;
+            };
+            let known = known.unwrap_or_else(|| {
+                paid.push(PaidLine {
+                    line: *line,
+                    ends: [None, None],
+                    case: case.clone(),
+                });
+                paid.len() - 1
+            });
+            paid[known].ends[*end] = Some((number, *sign));
+        }
+    }
+    paid
+}
+
 /// Writes position, velocity and acceleration of a joint.
 fn set(joints: &mut State, joint: usize, (x, v, a): (V3, V3, V3)) {
     (joints.x[joint], joints.v[joint], joints.a[joint]) = (x, v, a);
@@ -206,7 +367,9 @@ impl Marched<SystemState> for MovingSystem {
     }
 
     fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
-        for (scene, line) in self.scenes.iter().zip(&mut state.lines) {
+        let SystemState { lines, paid, .. } = state;
+        for (number, line) in lines.iter_mut().enumerate() {
+            let scene = self.scene_among(number, paid);
             Kinematics::update_wave_kinematics(scene, t, line);
         }
         if let Some(sea) = &self.network.sea {
@@ -217,7 +380,9 @@ impl Marched<SystemState> for MovingSystem {
 
     /// The rotation vectors of the bodies count from here.
     fn commit(&self, t: f64, dt: f64, state: &mut SystemState) {
-        for (scene, line) in self.scenes.iter().zip(&mut state.lines) {
+        let SystemState { lines, paid, .. } = &mut *state;
+        for (number, line) in lines.iter_mut().enumerate() {
+            let scene = self.scene_among(number, paid);
             Hysteresis::commit(scene, t, dt, line);
         }
         turn_bases(self, state);

@@ -33,7 +33,7 @@ pub fn by_tension(system: &MovingSystem, state: &SystemState, time: f64) -> Opti
     let pulled = |(line, end, limit): (usize, usize, Option<f64>)| {
         let limit = limit?;
         let held = system.joints.released[line][end] != Some(state.attached[line][end]);
-        let (scene, here) = (&system.scenes[line], &state.lines[line]);
+        let (scene, here) = (system.scene(line, state), &state.lines[line]);
         let tension = scene.tension_at(end * (here.x.len() - 1), here);
         (held && tension >= limit).then_some(Release { time, line, end })
     };
@@ -61,13 +61,22 @@ impl MovingSystem {
     }
 
     /// Frees the ends that were let go in an earlier run.
-    pub fn free_released_ends(&mut self, state: &SystemState) {
-        for (line, scene) in self.scenes.iter_mut().enumerate() {
-            for (end, condition) in scene.line.ends.iter_mut().enumerate() {
+    pub fn free_released_ends(&mut self, state: &mut SystemState) {
+        for line in 0..self.scenes.len() {
+            for end in 0..2 {
                 if self.joints.released[line][end] == Some(state.attached[line][end]) {
-                    *condition = EndCondition::Free;
+                    self.free_end(line, end, state);
                 }
             }
+        }
+    }
+
+    /// An end that nothing prescribes any more.
+    fn free_end(&mut self, line: usize, end: usize, state: &mut SystemState) {
+        self.scenes[line].line.ends[end] = EndCondition::Free;
+        let paid = self.paid.iter().position(|paid| paid.line == line);
+        if let Some(scene) = paid.and_then(|number| state.paid.get_mut(number)) {
+            scene.line.ends[end] = EndCondition::Free;
         }
     }
 
@@ -86,6 +95,6 @@ impl MovingSystem {
         joints.v[joint] = joints.v[from];
         joints.a[joint] = joints.a[from];
         state.attached[line][end] = joint;
-        self.scenes[line].line.ends[end] = EndCondition::Free;
+        self.free_end(line, end, state);
     }
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
 use crate::dynamics::ErrorLimits;
 use crate::numerics::V3;
@@ -105,7 +106,34 @@ const EXPLICIT_SHARE: f64 = 0.45;
 /// The longest stable step of the lines by themselves \[s\]; what is at their ends makes it longer.
 fn explicit_limit(system: &MovingSystem) -> f64 {
     let limits = system.scenes.iter().map(|scene| scene.explicit_limit().0);
-    limits.fold(f64::INFINITY, f64::min)
+    let limit = limits.fold(f64::INFINITY, f64::min);
+    match system.paid.is_empty() {
+        true => limit,
+        // The segment at an end becomes shorter than those of the mesh.
+        false => SHORTEST * limit.min(explicit_limit_of_drives(system)),
+    }
+}
+
+/// The same of winches, and of points that slide: as oscillators on the segments beside them, and by the slope of drive and friction.
+fn explicit_limit_of_drives(system: &MovingSystem) -> f64 {
+    let mut limit = f64::INFINITY;
+    for payout in &system.network.payouts {
+        let segments = payout.ends.iter().map(|paid| {
+            let segments = &system.scenes[paid.line].line.segments;
+            &segments[paid.end * (segments.len() - 1)]
+        });
+        let (mass, stiffness) = segments.fold((0.0, 0.0), |(mass, stiffness), segment| {
+            (
+                mass + segment.half_mass,
+                stiffness + segment.axial.stiffness(),
+            )
+        });
+        if let Some((own, slope)) = payout.drive.mass_and_slope() {
+            let mass = mass + own;
+            limit = limit.min((mass / stiffness).sqrt()).min(mass / slope);
+        }
+    }
+    limit
 }
 
 /// The longest step that sees what is prescribed; error control shortens it where it must.

@@ -5,6 +5,7 @@ use super::border::Border;
 use super::breaks;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
+use super::payout_border::holding;
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
@@ -60,13 +61,16 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
     let (network, placement, lines) = divided_at_rest(&file, parts, solved)?;
-    let (system, mut state) = at_rest(network, &placement, &lines);
+    let (mut system, mut state) = at_rest(network, &placement, &lines);
     system.prescribe(0.0, &mut state);
     still(&mut state);
     system.follow(&mut state);
     let iterations = settle(&system, &mut state).map_err(|error| refused(&system, &error))?;
     system.prescribe(0.0, &mut state);
     system.follow(&mut state);
+    for (payout, force) in holding(&system, &state).into_iter().enumerate() {
+        system.payouts[payout].holding = Some(force);
+    }
     Ok(Start {
         system,
         state,
@@ -156,7 +160,7 @@ fn at_rest(
     let joints = &system.joints;
     let place = |(joint, role): (usize, &Role)| match role {
         Role::Origin(body) => placement.bodies[*body].origin,
-        Role::Rotation(_) | Role::Released(..) => V3::zeros(),
+        Role::Rotation(_) | Role::Released(..) | Role::Payout(_) => V3::zeros(),
         _ => {
             let point = joints.points.iter().position(|known| *known == joint);
             point.map_or_else(V3::zeros, |point| placement.points[point])
@@ -174,6 +178,12 @@ fn at_rest(
         joints: State::at_rest(places),
         bases: bases.collect(),
         attached: system.network.lines.iter().map(ends).collect(),
+        paid: system
+            .paid
+            .iter()
+            .map(|paid| system.scenes[paid.line].clone())
+            .collect(),
+        added: vec![[0; 2]; system.paid.len()],
     };
     (system, state)
 }

@@ -8,6 +8,7 @@ use super::joints::Joints;
 use super::pose_motion::BodyMotion;
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
+use crate::scene::Scene;
 use crate::solve::State;
 use crate::system::pose::Pose;
 
@@ -31,6 +32,12 @@ pub struct SystemState {
     pub flow_loads: Vec<FlowLoad>,
     /// Past velocities of these bodies.
     pub velocities: Vec<VelocityHistory>,
+    /// The lines that are paid out, as they are now.
+    #[serde(skip)]
+    pub paid: Vec<Scene>,
+    /// Segments that each of them has more at ends A and B than at rest.
+    #[serde(default)]
+    pub added: Vec<[i64; 2]>,
 }
 
 impl SystemState {
@@ -45,6 +52,14 @@ impl SystemState {
         self.body_flow.clone_from(&other.body_flow);
         self.flow_loads.copy_from_slice(&other.flow_loads);
         self.velocities.clone_from_slice(&other.velocities);
+        self.pay_out_as(other);
+    }
+
+    /// Sets the lines that are paid out as in another state.
+    fn pay_out_as(&mut self, other: &Self) {
+        for (line, other) in self.paid.iter_mut().zip(&other.paid) {
+            line.pay_out_as(other);
+        }
     }
 
     /// Copies histories, bases and what is attached to what.
@@ -64,6 +79,19 @@ impl SystemState {
         self.bases.clone_from(&stored.bases);
         self.attached.clone_from(&stored.attached);
         self.velocities.clone_from(&stored.velocities);
+        self.added.clone_from(&stored.added);
+    }
+
+    /// Takes the nodes of lines that are paid out from another state, whose numbers of nodes differ.
+    pub fn size_as(&mut self, other: &Self) {
+        self.lines.clone_from(&other.lines);
+        self.added.clone_from(&other.added);
+    }
+
+    /// Number of the nodes of all lines.
+    #[must_use]
+    pub fn nodes(&self) -> i64 {
+        self.lines.iter().map(|line| line.x.len() as i64).sum()
     }
 
     /// The lines, then the joints.

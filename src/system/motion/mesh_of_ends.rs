@@ -1,0 +1,279 @@
+//! The mesh at ends that are paid out: only their segment grows or shrinks; where it is too long it is parted, where too short joined
+//! with the next.
+//!
+//! A new node is where it is in balance with the load of its halves, and moves as the material there does: with the chord d of the segment
+//! of length l, parted into s next to the end and h beyond, the load p per length across and along, the node is
+//! `h s / 2 (p_along / EA + p_across / T)` off the chord. Tensions at the end and beyond then change by what hangs between, as in
+//! the undivided line, and no wave runs along it.
+
+use super::method::MethodState;
+use super::moving_system::{MovingSystem, put_into_waves};
+use super::system_state::SystemState;
+use crate::case::Case;
+use crate::numerics::V3;
+use crate::scene::{self, PaidOut, Scene};
+use crate::solve::State;
+
+/// Lengths of the end segment by those of the mesh, beyond which it is parted or joined with the next; apart far enough for a line that
+/// runs to and fro.
+const LONGEST: f64 = 1.6;
+pub(super) const SHORTEST: f64 = 0.4;
+/// The length below which nothing is left to haul in.
+const NOTHING: f64 = 0.05;
+/// Greatest distance of a new node from the chord, by the length of the mesh.
+const ASIDE: f64 = 0.1;
+
+/// A line that is paid out.
+#[derive(Debug, Clone)]
+pub struct PaidLine {
+    /// Which line.
+    pub line: usize,
+    /// What passes its ends A and B: the payout, and the sign of its length here.
+    pub ends: [Option<(usize, f64)>; 2],
+    /// The line as it is at rest.
+    pub case: Case,
+}
+
+/// What the mesh of an end needs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Remesh {
+    /// Its segment is too long.
+    Part,
+    /// It is too short.
+    Join,
+    /// Nothing is left of its section, or of the line.
+    Stop,
+}
+
+/// An end of a line that is paid out, by the number among those lines, and what its mesh needs.
+pub(super) type EndMesh = (usize, usize, Remesh);
+
+impl MovingSystem {
+    /// The line with so many segments more at ends A and B than it has at rest, to be paid out from there.
+    ///
+    /// # Errors
+    /// Why it cannot be built.
+    pub fn meshed(&self, paid: &PaidLine, added: [i64; 2]) -> Result<Scene, String> {
+        let mut case = paid.case.clone();
+        for (end, added) in added.into_iter().enumerate() {
+            let last = end * (case.line.len() - 1);
+            let section = &mut case.line[last];
+            let segments = section.segments.saturating_add_signed(added as isize);
+            section.length_m *= segments as f64 / section.segments as f64;
+            section.segments = segments;
+        }
+        let mut scene = scene::build(&case, 1).map_err(|why| why.to_string())?;
+        scene
+            .line
+            .ends
+            .clone_from(&self.scenes[paid.line].line.ends);
+        put_into_waves(&self.network, &mut scene);
+        for end in (0..2).filter(|end| paid.ends[*end].is_some()) {
+            scene.feed(end);
+        }
+        Ok(scene)
+    }
+
+    /// What is paid out at an end of a line in this state.
+    #[must_use]
+    pub fn paid_out(&self, number: usize, end: usize, state: &SystemState) -> PaidOut {
+        let paid = &self.paid[number];
+        let Some((payout, sign)) = paid.ends[end] else {
+            return PaidOut::default();
+        };
+        let joint = self.payouts[payout].joint;
+        let mesh = self.mesh_length(number, end);
+        let joints = &state.joints;
+        let added = state.added[number][end] as f64;
+        let length = mesh * (1.0 - added) + sign * joints.x[joint].x;
+        PaidOut {
+            // A trial of an iteration may leave nothing.
+            length: length.max(0.5 * NOTHING * mesh),
+            rate: sign * joints.v[joint].x,
+            acceleration: sign * joints.a[joint].x,
+        }
+    }
+
+    /// Length of the segments of the mesh at an end \[m\].
+    fn mesh_length(&self, number: usize, end: usize) -> f64 {
+        let sections = &self.paid[number].case.line;
+        let section = &sections[end * (sections.len() - 1)];
+        section.length_m / section.segments as f64
+    }
+
+    /// Sets the end segments of all lines that are paid out.
+    pub fn pay_out(&self, state: &mut SystemState) {
+        for (number, paid) in self.paid.iter().enumerate() {
+            for end in (0..2).filter(|end| paid.ends[*end].is_some()) {
+                let now = self.paid_out(number, end, state);
+                state.paid[number].pay_out(end, now);
+            }
+        }
+    }
+
+    /// The first end whose segment is too long or too short.
+    #[must_use]
+    pub(super) fn end_mesh(&self, state: &SystemState) -> Option<EndMesh> {
+        let ends = (0..self.paid.len()).flat_map(|number| [(number, 0), (number, 1)]);
+        let mut paid = ends.filter(|(number, end)| self.paid[*number].ends[*end].is_some());
+        paid.find_map(|(number, end)| {
+            let share = self.paid_out(number, end, state).length / self.mesh_length(number, end);
+            let need = match share {
+                _ if share > LONGEST => Remesh::Part,
+                _ if share < SHORTEST && self.can_join(number, end, state) => Remesh::Join,
+                _ if share < NOTHING => Remesh::Stop,
+                _ => return None,
+            };
+            Some((number, end, need))
+        })
+    }
+
+    /// Whether the section at an end has another segment besides that of the end.
+    fn can_join(&self, number: usize, end: usize, state: &SystemState) -> bool {
+        let sections = &self.paid[number].case.line;
+        let one = sections.len() == 1;
+        let section = &sections[end * (sections.len() - 1)];
+        let [a, b] = state.added[number];
+        let added = if one { a + b } else { [a, b][end] };
+        section.segments.saturating_add_signed(added as isize) > if one { 2 } else { 1 }
+    }
+
+    /// Parts or joins the segment of an end, in the system, the state and what the method keeps.
+    ///
+    /// # Errors
+    /// Why the line cannot be built.
+    pub(super) fn remesh(
+        &mut self,
+        (number, end, need): EndMesh,
+        t: f64,
+        state: &mut SystemState,
+        method: &mut MethodState,
+    ) -> Result<(), String> {
+        let line = self.paid[number].line;
+        let nodes = state.lines[line].x.len();
+        let parts = need == Remesh::Part;
+        let placed = parts.then(|| self.new_node(number, end, t, state));
+        state.added[number][end] += if parts { 1 } else { -1 };
+        let scene = self.meshed(&self.paid[number], state.added[number])?;
+        // The node that comes or goes, and the segment at the end.
+        let node = if end == 0 {
+            1
+        } else {
+            nodes - 1 - usize::from(!parts)
+        };
+        let segment = end * (nodes - 2);
+        let own = &mut state.lines[line];
+        match placed {
+            Some([x, v, a]) => {
+                own.x.insert(node, x);
+                own.v.insert(node, v);
+                own.a.insert(node, a);
+            }
+            None => {
+                for list in [&mut own.x, &mut own.v, &mut own.a] {
+                    list.remove(node);
+                }
+            }
+        }
+        change_history(own, &scene, (node, segment), parts);
+        if let Some(jerk) = method.jerk.get_mut(line) {
+            if parts {
+                let beside = if end == 0 { jerk[1] } else { jerk[nodes - 2] };
+                jerk.insert(node, beside);
+            } else {
+                jerk.remove(node);
+            }
+        }
+        state.paid[number] = scene.clone();
+        self.scenes[line] = scene;
+        self.follow(state);
+        Ok(())
+    }
+
+    /// Meshes the lines as a stored state has them.
+    ///
+    /// # Errors
+    /// Why a line cannot be built.
+    pub fn mesh_as(&mut self, stored: &[[i64; 2]], state: &mut SystemState) -> Result<(), String> {
+        for (number, added) in stored.iter().enumerate().take(self.paid.len()) {
+            let scene = self.meshed(&self.paid[number], *added)?;
+            state.paid[number] = scene.clone();
+            let line = self.paid[number].line;
+            self.scenes[line] = scene;
+        }
+        Ok(())
+    }
+
+    /// Place, velocity and acceleration of the node that parts an end segment.
+    fn new_node(&self, number: usize, end: usize, t: f64, state: &SystemState) -> [V3; 3] {
+        let line = self.paid[number].line;
+        let (scene, own) = (self.scene(line, state), &state.lines[line]);
+        let out = self.paid_out(number, end, state);
+        let (l, mesh) = (out.length, self.mesh_length(number, end));
+        let last = own.x.len() - 1;
+        let [f, g] = [[0, 1], [last, last - 1]][end];
+        let i = end * (scene.line.segments.len() - 1);
+        let far = mesh / l;
+        let (d, w) = (own.x[f] - own.x[g], own.v[f] - own.v[g]);
+        let aside = {
+            let chord = scene.line.chord(i, own);
+            let tension = scene.line.pull(i, &chord, t, own);
+            let segment = &scene.line.segments[i];
+            let mean = (own.a[f] + own.a[g]) * 0.5;
+            let load = scene.line.drag_on(i, &chord, own)
+                - V3::z() * (2.0 * segment.half_weight)
+                - mean * (2.0 * segment.half_mass);
+            let along = chord.tangent * chord.tangent.dot(&load);
+            let stiff = tension.by_length * l;
+            let moved = |by: V3, force: f64| if force > 0.0 { by / force } else { V3::zeros() };
+            let off = moved(along, stiff) + moved(load - along, tension.value);
+            let off = off * (0.5 * mesh * (l - mesh) / l);
+            off * (ASIDE * mesh / off.norm().max(ASIDE * mesh))
+        };
+        let grows = out.rate / l;
+        let turns = out.acceleration / l;
+        [
+            own.x[g] + d * far + aside,
+            own.v[g] + (w - d * grows) * far,
+            own.a[g]
+                + (own.a[f] - own.a[g] - w * (2.0 * grows) + d * (2.0 * grows * grows - turns))
+                    * far,
+        ]
+    }
+}
+
+/// Gives a new node and segment the history of the end segment, or takes that of those that go.
+fn change_history(own: &mut State, scene: &Scene, (node, segment): (usize, usize), parts: bool) {
+    fn change<T: Copy>(list: &mut Vec<T>, at: usize, new: Option<T>) {
+        match new {
+            _ if list.is_empty() => {}
+            Some(new) => list.insert(at, new),
+            None => {
+                list.remove(at);
+            }
+        }
+    }
+    let of = |list: &[f64]| parts.then(|| list.get(segment).copied().unwrap_or_default());
+    let corrected = of(&own.chord_correction);
+    change(&mut own.chord_correction, segment, corrected);
+    let extrapolated = of(&own.extrapolated_tension);
+    change(&mut own.extrapolated_tension, segment, extrapolated);
+    let memory = &mut own.memory;
+    let drag = parts.then(|| {
+        memory
+            .drag_coefficients
+            .get(segment)
+            .copied()
+            .unwrap_or_default()
+    });
+    change(&mut memory.drag_coefficients, segment, drag);
+    let rope = parts.then(|| memory.ropes.get(segment).copied().unwrap_or_default());
+    change(&mut memory.ropes, segment, rope);
+    if !memory.grips.is_empty() {
+        let grip = parts.then(|| scene.grips_at(&own.x)[node]);
+        change(&mut memory.grips, node, grip);
+    }
+    if let Some(flow) = own.wave_flow.get(node).copied() {
+        change(&mut own.wave_flow, node, parts.then_some(flow));
+    }
+}

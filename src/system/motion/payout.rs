@@ -1,0 +1,298 @@
+//! Lines that are paid out, and points that slide along them: what drives the length that passes.
+
+use std::f64::consts::PI;
+
+use crate::numerics::V3;
+use crate::numerics::spline::Spline;
+use crate::physics::EndMotion;
+use crate::physics::motion::MotionPath;
+use crate::system::model::{PayoutInputs, SlidingInputs, SystemFile};
+use crate::system::network::Network;
+
+/// Line that passes an end of it, or from one line through a point into another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Payout {
+    /// The ends it passes, and its sign there: 1 where the line grows.
+    pub ends: Vec<PaidEnd>,
+    /// What drives it.
+    pub drive: Drive,
+    /// Share of the heave of its end that is paid out besides \[-\].
+    pub heave: f64,
+}
+
+/// An end of a line that another length of it comes out of at every time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PaidEnd {
+    /// The line.
+    pub line: usize,
+    /// Which end: 0 for A, 1 for B.
+    pub end: usize,
+    /// 1 where the line grows with the length that passes, -1 where it shrinks.
+    pub sign: f64,
+}
+
+/// What drives a payout.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Drive {
+    /// A rate from a time to another, growing and falling over a ramp.
+    Rate(RateCourse),
+    /// A table, growing in over a ramp.
+    Table(EndMotion),
+    /// A winch.
+    Winch(Winch),
+    /// Nothing but the line and friction: a point slides along it.
+    Slide(Friction),
+}
+
+/// A rate from a time to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RateCourse {
+    rate: f64,
+    start: f64,
+    stop: f64,
+    ramp: f64,
+}
+
+/// A winch: a drum that turns against its drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Winch {
+    /// Moment of inertia of drum and drive by the square of the radius \[kg\].
+    pub mass: f64,
+    /// Least and greatest force of the drive \[N\].
+    limits: [f64; 2],
+    /// Rate at which the drive has the least force \[m/s\], and its slope there \[N s/m\].
+    rate: f64,
+    slope: f64,
+    /// Greatest rate either way \[m/s\], beyond which it brakes.
+    fastest: Option<f64>,
+    /// Time over which it is let go \[s\].
+    pub ramp: f64,
+}
+
+/// Friction of a point on a line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction {
+    /// That which does not depend on the tension \[N\].
+    pub constant: f64,
+    /// By the force of the line across the point \[-\].
+    pub coefficient: f64,
+    /// Time over which it is let go \[s\].
+    pub ramp: f64,
+}
+
+/// Share of its rate by which the load slows a winch that hauls in, or drives one that pays out, from nothing to its greatest tension.
+const SLIP: f64 = 0.02;
+/// The same of the brake at the greatest rate, at twice the tension that is kept.
+const BRAKE_SLIP: f64 = 1e-3;
+/// Least rate that slip is counted by \[m/s\].
+const LEAST_RATE: f64 = 0.1;
+/// Speed at which friction is full but for 30 % \[m/s\]: below it a point creeps.
+const CREEP: f64 = 1e-3;
+
+impl RateCourse {
+    /// Length paid out \[m\] at time t \[s\], its rate and the rate of that.
+    #[must_use]
+    pub fn at(&self, t: f64) -> [f64; 3] {
+        let since = |begin: f64| {
+            let (tau, ramp) = (t - begin, self.ramp);
+            let turn = PI / ramp;
+            if tau <= 0.0 {
+                [0.0; 3]
+            } else if tau >= ramp {
+                [tau - 0.5 * ramp, 1.0, 0.0]
+            } else {
+                let (sin, cos) = (turn * tau).sin_cos();
+                [
+                    0.5 * (tau - sin / turn),
+                    0.5 * (1.0 - cos),
+                    0.5 * turn * sin,
+                ]
+            }
+        };
+        let (on, off) = (since(self.start), since(self.stop));
+        std::array::from_fn(|k| self.rate * (on[k] - off[k]))
+    }
+}
+
+impl Winch {
+    /// Force of the drive against paying out \[N\] at a rate \[m/s\], and its slope \[N s/m\].
+    #[must_use]
+    pub fn force(&self, rate: f64) -> (f64, f64) {
+        let [least, greatest] = self.limits;
+        let driven = least + self.slope * (rate - self.rate);
+        let (mut force, mut slope) = if driven >= greatest {
+            (greatest, 0.0)
+        } else if driven <= least {
+            (least, 0.0)
+        } else {
+            (driven, self.slope)
+        };
+        if let Some(fastest) = self.fastest
+            && rate.abs() > fastest
+        {
+            let brake = greatest / (BRAKE_SLIP * fastest);
+            force += brake * (rate - fastest.copysign(rate));
+            slope += brake;
+        }
+        (force, slope)
+    }
+}
+
+impl Friction {
+    /// Friction by that of full sliding at a rate \[m/s\], from -1 to 1, and its slope \[s/m\].
+    #[must_use]
+    pub fn share(rate: f64) -> (f64, f64) {
+        let root = rate.hypot(CREEP);
+        (rate / root, CREEP * CREEP / root.powi(3))
+    }
+}
+
+impl Drive {
+    /// Whether the length that passes is an unknown.
+    #[must_use]
+    pub fn is_free(&self) -> bool {
+        matches!(self, Self::Winch(_) | Self::Slide(_))
+    }
+
+    /// Mass of the drum \[kg\] and greatest slope of its force by the rate \[N s/m\], where the length is an unknown; friction that
+    /// depends on the tension counts by none.
+    #[must_use]
+    pub fn mass_and_slope(&self) -> Option<(f64, f64)> {
+        match self {
+            Self::Winch(winch) => {
+                let brake = winch
+                    .fastest
+                    .map_or(0.0, |fastest| winch.limits[1] / (BRAKE_SLIP * fastest));
+                Some((winch.mass, winch.slope.max(brake)))
+            }
+            Self::Slide(friction) => Some((0.0, friction.constant / CREEP)),
+            Self::Rate(_) | Self::Table(_) => None,
+        }
+    }
+
+    /// Time over which it is let go \[s\].
+    #[must_use]
+    pub fn ramp(&self) -> f64 {
+        match self {
+            Self::Winch(winch) => winch.ramp,
+            Self::Slide(friction) => friction.ramp,
+            Self::Rate(course) => course.ramp,
+            Self::Table(motion) => motion.ramp,
+        }
+    }
+
+    /// What of the force that held it at rest still acts at time t \[s\], from 1 down to 0.
+    #[must_use]
+    pub fn held(&self, t: f64) -> f64 {
+        let share = (t / self.ramp()).clamp(0.0, 1.0);
+        0.5 * (1.0 + (PI * share).cos())
+    }
+
+    /// Length, rate and the rate of that at time t \[s\] where they are prescribed by themselves.
+    #[must_use]
+    pub fn prescribed(&self, t: f64) -> Option<[f64; 3]> {
+        match self {
+            Self::Rate(course) => Some(course.at(t)),
+            Self::Table(motion) => {
+                let (x, v, a) = motion.at(t);
+                Some([x.x, v.x, a.x])
+            }
+            Self::Winch(_) | Self::Slide(_) => None,
+        }
+    }
+}
+
+/// The payouts that a file states; what they lack was refused with the file.
+#[must_use]
+pub fn payouts(file: &SystemFile, network: &Network) -> Vec<Payout> {
+    let paid = file.payouts.iter().filter_map(|given| {
+        let line = network.line(&given.line)?;
+        let end = PaidEnd {
+            line,
+            end: given.end.index(),
+            sign: 1.0,
+        };
+        Some(Payout {
+            ends: vec![end],
+            drive: drive(given)?,
+            heave: given.heave_compensation.unwrap_or(0.0),
+        })
+    });
+    let slid = file.sliding_points.iter().filter_map(|given| {
+        Some(Payout {
+            ends: sliding_ends(given, network)?,
+            drive: Drive::Slide(Friction {
+                constant: given.friction_n,
+                coefficient: given.friction,
+                ramp: given.ramp_s,
+            }),
+            heave: 0.0,
+        })
+    });
+    paid.chain(slid).collect()
+}
+
+/// The ends of both lines at a point that slides.
+fn sliding_ends(given: &SlidingInputs, network: &Network) -> Option<Vec<PaidEnd>> {
+    let point = network.point(&given.point)?;
+    let end = |name: &str, sign: f64| {
+        let line = network.line(name)?;
+        let ends = [network.lines[line].from, network.lines[line].to];
+        let end = ends.iter().position(|known| *known == point)?;
+        Some(PaidEnd { line, end, sign })
+    };
+    Some(vec![end(&given.line, -1.0)?, end(&given.other, 1.0)?])
+}
+
+fn drive(given: &PayoutInputs) -> Option<Drive> {
+    if let Some(tension) = given.tension_n {
+        return Some(Drive::Winch(Winch {
+            mass: given.drum_mass_kg,
+            limits: [tension; 2],
+            rate: 0.0,
+            slope: 0.0,
+            fastest: given.greatest_rate_m_per_s,
+            ramp: given.ramp_s,
+        }));
+    }
+    if let Some(rate) = given.rate_m_per_s {
+        if let Some(tension) = given.greatest_tension_n {
+            let slip = SLIP * rate.abs().max(LEAST_RATE);
+            return Some(Drive::Winch(Winch {
+                mass: given.drum_mass_kg,
+                limits: [0.0, tension],
+                rate: rate - slip,
+                slope: tension / slip,
+                fastest: None,
+                ramp: given.ramp_s,
+            }));
+        }
+        return Some(Drive::Rate(RateCourse {
+            rate,
+            start: given.start_s,
+            stop: given.stop_s.unwrap_or(f64::INFINITY),
+            ramp: given.ramp_s,
+        }));
+    }
+    if given.table_time_s.is_empty() {
+        // The heave alone.
+        return Some(Drive::Rate(RateCourse {
+            rate: 0.0,
+            start: 0.0,
+            stop: f64::INFINITY,
+            ramp: given.ramp_s,
+        }));
+    }
+    let row = |(time, out): (&f64, &f64)| (*time, V3::new(*out, 0.0, 0.0));
+    let rows: Vec<(f64, V3)> = given
+        .table_time_s
+        .iter()
+        .zip(&given.table_m)
+        .map(row)
+        .collect();
+    Some(Drive::Table(EndMotion {
+        position: V3::zeros(),
+        course: MotionPath::Table(Spline::through(&rows).ok()?),
+        ramp: given.ramp_s,
+    }))
+}
