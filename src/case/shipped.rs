@@ -138,6 +138,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/shared_line.toml"),
     shipped!("systems/single_chain.toml"),
     shipped!("systems/slack_chain.toml"),
+    shipped!("systems/sliding_cargo.toml"),
     shipped!("systems/three_chains.toml"),
     shipped!("systems/tripod.toml"),
     shipped!("systems/two_floaters.toml"),
@@ -145,6 +146,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/volturnus_free.toml"),
     shipped!("systems/volturnus_in_waves.toml"),
     shipped!("systems/w_shape.toml"),
+    shipped!("systems/winch_lowering.toml"),
 ];
 
 /// The files that come with the program, by kind.

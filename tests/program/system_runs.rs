@@ -18,6 +18,8 @@ use seacable::system::motion::job::{SystemRequest, execute};
 
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
 const PLATFORM: &str = include_str!("../../cases/systems/volturnus_in_waves.toml");
+/// Its ends are meshed anew on the way.
+const CARGO: &str = include_str!("../../cases/systems/sliding_cargo.toml");
 
 fn seacable(dir: &Path, words: &[&str]) -> Command {
     let mut command = Command::cargo_bin("seacable").unwrap();
@@ -220,6 +222,7 @@ fn a_stopped_run_resumes_to_the_same_bits() {
     for (text, solver, stop) in [
         (PLATFORM, "duration_s = 8.0\ntime_step_s = 0.1", 4.0),
         (BRIDLE, "duration_s = 2.0\nmethod = \"rk4\"", 1.0),
+        (CARGO, "duration_s = 12.0", 9.0),
     ] {
         let place = tempfile::tempdir().unwrap();
         let dir = place.path().join("first");
