@@ -97,6 +97,8 @@ impl FileKind for SystemFile {
         ));
         rows.extend(lister.named("rods", "rod"));
         rows.extend(lister.named("materials", "material"));
+        rows.extend(lister.named("payouts", "payout"));
+        rows.extend(lister.named("sliding_points", "sliding point"));
         rows.extend(lister.named("goals", "goal"));
         rows.extend(lister.named("offset_curves", "offset curve"));
         rows.extend(lister.named("watch_circles", "watch circle"));
