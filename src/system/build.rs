@@ -209,6 +209,7 @@ impl Builder<'_> {
                 added_mass: given.added_mass_kg,
                 drag_area: given.drag_area_m2,
                 load: V3::from(given.load_n),
+                friction: given.bed_friction,
                 start: place,
             }),
         }

@@ -240,6 +240,7 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.load_n.if_given(problem, remedy));
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
+        found.extend(point.bed_friction.if_given(problem, remedy));
     }
     found
 }

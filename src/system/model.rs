@@ -144,6 +144,8 @@ table! {
         drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6), matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
+        /// Friction on the bed, by the push of the bed; in motion.
+        bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FREE;
         /// Amplitudes of its motion along x, y, z.
         amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters MOVED;
         /// Period of its motion: one, or one along each of x, y, z.
@@ -176,6 +178,7 @@ impl PointInputs {
             added_mass_kg: 0.0,
             drag_area_m2: 0.0,
             load_n: [0.0; 3],
+            bed_friction: 0.0,
             amplitude_m: [0.0; 3],
             period_s: None,
             phase_deg: [0.0; 3],

@@ -80,6 +80,8 @@ pub struct FreePoint {
     pub drag_area: f64,
     /// Steady load \[N\].
     pub load: V3,
+    /// Friction on the bed in motion \[-\].
+    pub friction: f64,
     /// Where the search begins \[m\], if that is given.
     pub start: Option<V3>,
 }

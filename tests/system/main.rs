@@ -8,6 +8,7 @@ mod bodies;
 mod closed_forms;
 mod discretised;
 mod motion;
+mod on_bed;
 mod payout;
 mod potential_flow;
 mod published;

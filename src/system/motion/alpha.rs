@@ -4,6 +4,7 @@ use super::body_equation::MovingBody;
 use super::border::{Border, accelerate};
 use super::method::MethodState;
 use super::moving_system::MovingSystem;
+use super::point_loads::landing_acceleration;
 use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
@@ -249,7 +250,17 @@ impl SystemAlpha {
             scene.snap_acceleration(&self.between.lines[line], &self.end.lines[line])
         };
         let snap = (0..system.scenes.len()).map(snaps).fold(0.0, f64::max);
-        ratio.sqrt().max(snap * alpha_f * h / limits.velocity)
+        let jolt = snap.max(self.landing_acceleration(system));
+        ratio.sqrt().max(jolt * alpha_f * h / limits.velocity)
+    }
+
+    /// The greatest acceleration at which the bed stops a free point that this step brought onto it unseen \[m/s²\].
+    fn landing_acceleration(&self, system: &MovingSystem) -> f64 {
+        let landings = system.free_points().map(|(joint, point)| {
+            let (between, end) = (&self.between.joints.x[joint], &self.end.joints.x[joint]);
+            landing_acceleration(&system.network, point, between, end)
+        });
+        landings.fold(0.0, f64::max)
     }
 
     /// Accepts the end state, its accelerations shifted to the end of the step.

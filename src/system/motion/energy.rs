@@ -11,7 +11,7 @@ use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::drives;
-use super::point_loads::point_load;
+use super::point_loads::{Around, point_load};
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::Factors;
@@ -43,8 +43,8 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             && let Held::Free(point) = &system.network.points[number].held
         {
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
-            let waves = state.joints.wave_flow.get(joint);
-            let load = point_load(&system.network, point, (x, v), waves);
+            let around = Around::of(&state.joints, joint);
+            let load = point_load(&system.network, point, (x, v), around);
             sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
             sum.lost += load.lost;
         }

@@ -7,14 +7,16 @@ use super::body_flow::{self, BodyFlow};
 use super::joints::{Joints, Role};
 use super::mesh_of_ends::PaidLine;
 use super::payout::PaidEnd;
+use super::point_loads::{anchor, drag_anchor};
 use super::pose_motion::BodyMotion;
 use super::start::turn_bases;
 use super::system_state::SystemState;
 use super::wave_stations;
 use crate::numerics::V3;
+use crate::physics::FrictionAnchor;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
-use crate::system::network::{Held, Network};
+use crate::system::network::{FreePoint, Held, Network};
 
 /// A system in motion.
 #[derive(Debug, Clone)]
@@ -302,6 +304,49 @@ impl MovingSystem {
             .any(|paid| paid.line == line)
     }
 
+    /// The free points, with their joints.
+    pub(super) fn free_points(&self) -> impl Iterator<Item = (usize, &FreePoint)> {
+        self.joints
+            .free
+            .clone()
+            .filter_map(|joint| match self.joints.roles[joint] {
+                Role::Free(number) => match &self.network.points[number].held {
+                    Held::Free(point) => Some((joint, point)),
+                    _ => None,
+                },
+                _ => None,
+            })
+    }
+
+    /// Anchors of the friction of free points on the bed, one a joint; none where no point has friction.
+    #[must_use]
+    pub fn anchors(&self, joints: &State) -> Vec<FrictionAnchor> {
+        if self.free_points().all(|(_, point)| point.friction == 0.0) {
+            return Vec::new();
+        }
+        let mut all = vec![anchor(&FreePoint::default(), &V3::zeros()); joints.x.len()];
+        for (joint, point) in self.free_points() {
+            all[joint] = anchor(point, &joints.x[joint]);
+        }
+        all
+    }
+
+    /// Drags the anchors of points that slide on the bed.
+    fn drag_anchors(&self, state: &mut SystemState) {
+        let State { x, v, memory, .. } = &mut state.joints;
+        if memory.grips.is_empty() {
+            return;
+        }
+        for (joint, point) in self.free_points() {
+            drag_anchor(
+                &self.network,
+                point,
+                (&x[joint], &v[joint]),
+                &mut memory.grips[joint],
+            );
+        }
+    }
+
     /// The water around a body.
     #[must_use]
     pub fn water_around<'a>(&self, state: &'a SystemState, body: usize) -> BodyWater<'a> {
@@ -385,6 +430,7 @@ impl Marched<SystemState> for MovingSystem {
             let scene = self.scene_among(number, paid);
             Hysteresis::commit(scene, t, dt, line);
         }
+        self.drag_anchors(state);
         turn_bases(self, state);
         body_flow::commit(self, t, state);
     }

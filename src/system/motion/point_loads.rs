@@ -1,8 +1,11 @@
 //! The forces on a free point in motion, lines apart, and their derivatives.
 
 use crate::numerics::{M3, V3};
-use crate::physics::CurrentProfile;
+use crate::physics::bed_friction::{Friction, FrictionContact, FrictionModel};
+use crate::physics::bed_reaction::BedReaction;
 use crate::physics::sea::WaterMotion;
+use crate::physics::{CurrentProfile, FrictionAnchor};
+use crate::solve::State;
 use crate::system::network::{FreePoint, Network};
 
 /// How far the bed gives way under the weight of a point that lies on it \[m\].
@@ -34,12 +37,29 @@ struct Immersion {
     by_place: V3,
 }
 
-/// The load on a point at a place and with a velocity, in waves if there are any.
+/// What surrounds a point: waves, and the anchor about which friction of the bed acts, where there are any.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Around<'a> {
+    pub(super) waves: Option<&'a WaterMotion>,
+    pub(super) grip: Option<&'a FrictionAnchor>,
+}
+
+impl<'a> Around<'a> {
+    /// Of a joint.
+    pub(super) fn of(joints: &'a State, joint: usize) -> Self {
+        Self {
+            waves: joints.wave_flow.get(joint),
+            grip: joints.memory.grips.get(joint),
+        }
+    }
+}
+
+/// The load on a point at a place and with a velocity.
 pub(super) fn point_load(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
-    waves: Option<&WaterMotion>,
+    Around { waves, grip }: Around<'_>,
 ) -> PointLoad {
     let mut load = PointLoad::default();
     let surface = waves.map_or(0.0, |flow| flow.elevation_at(x));
@@ -53,7 +73,7 @@ pub(super) fn point_load(
     load.by_position += V3::z() * immersion.by_place.transpose() * point.buoyancy;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
     drag(network, point, (x, v), waves, &immersion, &mut load);
-    bed(network, point, (x, v), &mut load);
+    bed(network, point, (x, v), grip, &mut load);
     if let Some(flow) = waves {
         // What the rising surface lifts is put in by the waves.
         load.lost -= point.buoyancy * share * (flow.elevation_rate + slope.dot(v));
@@ -145,25 +165,120 @@ fn drag(
     load.lost -= force.dot(v);
 }
 
-/// The bed: a spring and a damper.
-fn bed(network: &Network, point: &FreePoint, (x, v): (&V3, &V3), load: &mut PointLoad) {
+/// The push of the bed on a point: a spring and a damper, whose part is held between minus and plus that of the spring, so that the push
+/// grows from nothing where a point lands at speed, and does not pull where it leaves.
+fn push(bed: f64, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
+    let (stiffness, damping) = springs(point);
+    let (elastic, viscous) = (stiffness * (bed - x.z), -damping * v.z);
+    let (force, by_height, by_speed) = if elastic <= 0.0 || viscous < -elastic {
+        (0.0, 0.0, 0.0)
+    } else if viscous > elastic {
+        (2.0 * elastic, -2.0 * stiffness, 0.0)
+    } else {
+        (elastic + viscous, -stiffness, -damping)
+    };
+    BedReaction {
+        force,
+        by_height,
+        by_speed,
+    }
+}
+
+/// Stiffness \[N/m\] and damping \[N s/m\] of the bed under a point.
+fn springs(point: &FreePoint) -> (f64, f64) {
+    let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
+    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
+    (stiffness, damping)
+}
+
+/// The bed under a point, with friction about its anchor.
+fn bed(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    grip: Option<&FrictionAnchor>,
+    load: &mut PointLoad,
+) {
     let Some(bed) = network.bed_z.filter(|bed| x.z < *bed) else {
         return;
     };
-    let depth = bed - x.z;
-    let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
-    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
-    let push = stiffness * depth - damping * v.z;
-    load.energy += 0.5 * stiffness * depth * depth;
-    if push <= 0.0 {
-        // The bed does not pull: what its spring holds is lost.
-        load.lost += stiffness * depth * v.z;
-        return;
+    let push = push(bed, point, (x, v));
+    let elastic = springs(point).0 * (bed - x.z);
+    load.energy += 0.5 * elastic * (bed - x.z);
+    load.force.z += push.force;
+    load.by_position[(2, 2)] += push.by_height;
+    load.by_velocity[(2, 2)] += push.by_speed;
+    load.lost += (elastic - push.force) * v.z;
+    if let Some(grip) = grip.filter(|_| point.friction > 0.0) {
+        let held = friction(point).grip(&contact(&push, (x, v)), grip);
+        load.force += held.force;
+        load.by_position += held.by_position;
+        load.by_velocity += held.by_velocity;
+        load.lost -= held.force.dot(v);
     }
-    load.force.z += push;
-    load.by_position[(2, 2)] -= stiffness;
-    load.by_velocity[(2, 2)] -= damping;
-    load.lost += damping * v.z * v.z;
+}
+
+fn friction(point: &FreePoint) -> Friction {
+    Friction {
+        axial: point.friction,
+        lateral: point.friction,
+        law: FrictionModel::ElasticPlastic(0.0),
+    }
+}
+
+fn contact<'a>(push: &'a BedReaction, (x, v): (&'a V3, &'a V3)) -> FrictionContact<'a> {
+    FrictionContact {
+        normal: &UP,
+        push,
+        x,
+        v,
+    }
+}
+
+/// Normal of the bed.
+const UP: V3 = V3::new(0.0, 0.0, 1.0);
+
+/// An anchor without force where a point is.
+pub(super) fn anchor(point: &FreePoint, x: &V3) -> FrictionAnchor {
+    let (stiffness, damping) = springs(point);
+    FrictionAnchor {
+        at: *x,
+        along: V3::x(),
+        stiffness,
+        damping,
+        laid: false,
+    }
+}
+
+/// The anchor after an accepted step: dragged along where the point slides, beneath it where it is off the bed.
+pub(super) fn drag_anchor(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    grip: &mut FrictionAnchor,
+) {
+    let push = network
+        .bed_z
+        .map_or_else(BedReaction::default, |bed| push(bed, point, (x, v)));
+    let hold = (grip.stiffness, grip.damping);
+    *grip = friction(point).slide_grip(&contact(&push, (x, v)), grip, hold, &V3::x());
+}
+
+/// The acceleration at which the bed stops a point that a step brought onto it unseen: off the bed where the forces balanced, below it
+/// at the end \[m/s²\].
+pub(super) fn landing_acceleration(
+    network: &Network,
+    point: &FreePoint,
+    between: &V3,
+    end: &V3,
+) -> f64 {
+    let Some(bed) = network
+        .bed_z
+        .filter(|bed| between.z >= *bed && end.z < *bed)
+    else {
+        return 0.0;
+    };
+    springs(point).0 * (bed - end.z) / point.moving_mass.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -204,18 +319,36 @@ mod tests {
             added_mass: 300.0,
             drag_area: 1.3,
             load: V3::new(10.0, -20.0, 30.0),
+            friction: 0.4,
             start: None,
         };
         let v = V3::new(0.4, -0.9, 0.3);
         let flow = waves(&mut Random::new(1, 0));
-        for waves in [None, Some(&flow)] {
-            for z in [-50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
+        // About an anchor that holds, one that is dragged, and none.
+        let anchors = [0.0, 1e-4, 0.3].map(|off| {
+            let mut anchor = anchor(&point, &V3::new(1.0 - off, 2.0 + off, 0.0));
+            anchor.damping *= if off < 0.2 { 1e-4 } else { 1.0 };
+            anchor
+        });
+        let grips = [
+            None,
+            Some(&anchors[0]),
+            Some(&anchors[1]),
+            Some(&anchors[2]),
+        ];
+        for (waves, grip) in grips
+            .map(|grip| (None, grip))
+            .into_iter()
+            .chain([(Some(&flow), None)])
+        {
+            for z in [-50.1, -50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
                 let x = V3::new(1.0, 2.0, z);
-                let load = point_load(&network, &point, (&x, &v), waves);
+                let around = Around { waves, grip };
+                let load = point_load(&network, &point, (&x, &v), around);
                 let h = 1e-6;
                 for k in 0..3 {
                     let step = V3::ith(k, h);
-                    let at = |x: V3, v: V3| point_load(&network, &point, (&x, &v), waves);
+                    let at = |x: V3, v: V3| point_load(&network, &point, (&x, &v), around);
                     let (ahead, behind) = (at(x + step, v), at(x - step, v));
                     let by_x = (ahead.force - behind.force) / (2.0 * h);
                     let by_v = (at(x, v + step).force - at(x, v - step).force) / (2.0 * h);
@@ -225,7 +358,7 @@ mod tests {
                     assert!(
                         (by_v - load.by_velocity.column(k)).norm() < 1e-4 * (1.0 + by_v.norm())
                     );
-                    if waves.is_none() {
+                    if waves.is_none() && grip.is_none() {
                         let still = at(x, V3::zeros()).force[k];
                         let slope = (ahead.energy - behind.energy) / (2.0 * h);
                         assert!(

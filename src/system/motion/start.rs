@@ -68,6 +68,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let iterations = settle(&system, &mut state).map_err(|error| refused(&system, &error))?;
     system.prescribe(0.0, &mut state);
     system.follow(&mut state);
+    state.joints.memory.grips = system.anchors(&state.joints);
     for (payout, force) in holding(&system, &state).into_iter().enumerate() {
         system.payouts[payout].holding = Some(force);
     }

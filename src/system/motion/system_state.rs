@@ -67,6 +67,7 @@ impl SystemState {
         for (line, other) in self.lines.iter_mut().zip(&other.lines) {
             line.memory.copy_from(&other.memory);
         }
+        self.joints.memory.copy_from(&other.joints.memory);
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
         self.velocities.clone_from_slice(&other.velocities);

@@ -1,0 +1,63 @@
+//! Free points that land on the bed and slide along it.
+
+use seacable::system::motion::run::MotionRun;
+
+use crate::motion::{channel, moved};
+
+/// A block on the bed under a side load of 1 kN, held by a stay until 1 s.
+fn block(friction: f64) -> MotionRun {
+    moved(&format!(
+        "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n[seabed]\ndepth_m = 20.0\n\
+         [materials.wire]\nmass_kg_per_m = 0.1\ndiameter_m = 0.01\nea_n = 1e6\naxial_damping_n_s = 1e3\n\
+         [points.post]\nkind = \"fixed\"\nposition_m = [-30.0, 0.0, -20.0]\n\
+         [points.block]\nkind = \"free\"\nposition_m = [0.0, 0.0, -20.0]\nmass_kg = 500.0\nload_n = [1000.0, 0.0, 0.0]\nbed_friction = {friction:?}\n\
+         [[lines]]\nname = \"stay\"\nfrom = \"post\"\nto = \"block\"\nmaterial = \"wire\"\nlength_m = 30.0\nsegments = 10\nrelease_b_s = 1.0\n\
+         [solver]\nduration_s = 5.0\nerror_estimate = false\n[output]\ninterval_s = 0.25\n"
+    ))
+}
+
+#[test]
+fn a_block_stays_where_friction_holds_it() {
+    let run = block(0.3);
+    let x = channel(&run, "x_m[block]");
+    // The bed gives way along itself as much as under the weight: a millimetre by 5 kN.
+    let given = x[x.len() - 1] - x[0];
+    assert!((given - 0.2e-3).abs() < 0.02e-3, "{given}");
+    assert!(run.balance.relative_drift() < 0.02, "{:?}", run.balance);
+}
+
+#[test]
+fn a_block_slides_where_friction_does_not_hold_it() {
+    for friction in [0.0, 0.1] {
+        let run = block(friction);
+        let x = channel(&run, "x_m[block]");
+        let acceleration = (1000.0 - friction * 5000.0) / 500.0;
+        for (x_now, time) in x.iter().zip(&run.history.time) {
+            let since = (time - 1.0).max(0.0);
+            let expected = 0.5 * acceleration * since * since;
+            let off = x_now - x[0] - expected;
+            assert!(
+                off.abs() < 5e-3 * expected.max(1.0),
+                "{friction} {time}: {off}"
+            );
+        }
+        assert!(run.balance.relative_drift() < 0.01, "{:?}", run.balance);
+    }
+}
+
+#[test]
+fn a_clump_that_lands_loses_no_energy_unseen() {
+    // Let go four metres above the bed, it lands within a step of the line that is let go with it.
+    let run = moved(
+        "[environment]\nwater_density_kg_per_m3 = 0.0\n[seabed]\ndepth_m = 24.0\n\
+         [materials.wire]\nmass_kg_per_m = 10.0\ndiameter_m = 0.03\nea_n = 5e7\naxial_damping_n_s = 1e4\n\
+         [points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n\
+         [points.clump]\nkind = \"free\"\nmass_kg = 2000.0\n\
+         [[lines]]\nname = \"wire\"\nfrom = \"clump\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 20.0\nsegments = 10\nrelease_a_s = 0.5\n\
+         [solver]\nduration_s = 4.0\nerror_estimate = false\n[output]\ninterval_s = 0.25\n",
+    );
+    let z = channel(&run, "z_m[clump]");
+    assert!((z[z.len() - 1] + 24.001).abs() < 1e-4, "{:?}", z.last());
+    assert!(run.balance.relative_drift() < 0.01, "{:?}", run.balance);
+    assert!(run.warnings.is_empty(), "{:?}", run.warnings);
+}
