@@ -139,11 +139,12 @@ impl Hysteresis for Scene {
 
 impl MidstepBalance for Scene {
     fn correct_chord_lengths(&self, fraction: f64, before: &State, end: &mut State) {
-        self.line.chord_corrections(fraction, before, end);
+        self.line
+            .chord_corrections(fraction, (&self.line, before), end);
     }
 
     fn snap_acceleration(&self, between: &State, end: &State) -> f64 {
-        self.line.acceleration_by_snaps(between, end)
+        self.line.acceleration_by_snaps((&self.line, between), end)
     }
 }
 

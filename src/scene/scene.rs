@@ -88,6 +88,15 @@ impl Scene {
         self.elements.bed.as_ref().map(|bed| &bed.seabed)
     }
 
+    /// What a step aside from a place leads too far into the bed \[m\]: beyond its surface, or beyond the place where that is in it.
+    #[must_use]
+    pub fn lift_to_bed(&self, place: &V3, aside: &V3) -> V3 {
+        self.seabed().map_or_else(V3::zeros, |bed| {
+            let least = bed.height(place).min(0.0);
+            bed.normal() * (least - bed.height(&(place + aside))).max(0.0)
+        })
+    }
+
     /// Contact area of node i with the bed \[m²\].
     pub(super) fn footprint(&self, i: usize) -> f64 {
         self.elements

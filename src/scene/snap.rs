@@ -5,13 +5,20 @@ use crate::numerics::V3;
 use crate::solve::State;
 
 impl LumpedLine {
-    /// The greatest acceleration \[m/s²\] that segments which are slack at `between` and taut at `end` give a node there.
-    pub(super) fn acceleration_by_snaps(&self, between: &State, end: &State) -> f64 {
+    /// The greatest acceleration \[m/s²\] that segments which are slack in a state between and taut at the end give a node there. Between,
+    /// the line is another where it is paid out.
+    #[must_use]
+    pub(crate) fn acceleration_by_snaps(
+        &self,
+        (line, between): (&Self, &State),
+        end: &State,
+    ) -> f64 {
         let mut jolt = 0.0_f64;
         for (i, segment) in self.segments.iter().enumerate() {
-            let unstretched = segment.axial.length * segment.axial.length;
-            let taut = |s: &State| (s.x[i + 1] - s.x[i]).norm_squared() > unstretched;
-            if taut(end) && !taut(between) && !segment.axial.rod {
+            let taut = |line: &Self, s: &State| {
+                (s.x[i + 1] - s.x[i]).norm_squared() > line.segments[i].axial.length.powi(2)
+            };
+            if taut(self, end) && !taut(line, between) && !segment.axial.rod {
                 let stretch = (end.x[i + 1] - end.x[i]).norm() - segment.axial.length;
                 let pull = segment.axial.ea * stretch / segment.axial.length;
                 jolt = jolt.max(pull / self.mass[i].min(self.mass[i + 1]));
@@ -20,15 +27,19 @@ impl LumpedLine {
         jolt
     }
 
-    /// Whether the displacements `-d` that led to this state turned a segment taut or slack: the derivative of its tension jumps there.
+    /// Whether the displacements `-d` that led to this state, and lengths paid out at the ends with them, turned a segment taut or slack: the
+    /// derivative of its tension jumps there.
     #[must_use]
-    pub(crate) fn turns_taut_or_slack(&self, d: &[V3], state: &State) -> bool {
+    pub(crate) fn turns_taut_or_slack(&self, d: &[V3], out: [f64; 2], state: &State) -> bool {
+        let last = self.segments.len() - 1;
         self.segments.iter().enumerate().any(|(i, segment)| {
-            let unstretched = segment.axial.length * segment.axial.length;
+            let length = segment.axial.length;
+            let ends = [(0, out[0]), (last, out[1])].into_iter();
+            let longer: f64 = ends.filter(|(end, _)| *end == i).map(|(_, d)| d).sum();
             let chord = state.x[i + 1] - state.x[i];
             let before = chord + (d[i + 1] - d[i]);
-            !segment.axial.rod
-                && (chord.norm_squared() > unstretched) != (before.norm_squared() > unstretched)
+            let taut = |chord: &V3, length: f64| chord.norm_squared() > length * length;
+            !segment.axial.rod && taut(&chord, length) != taut(&before, length + longer)
         })
     }
 }

@@ -184,6 +184,7 @@ impl Scene {
         rates.energy += payload.map_or(0.0, |payload| payload.surface_energy(line, state));
         if let Some(bed) = &self.elements.bed {
             rates.energy += bed.energy(state);
+            rates.growth += self.growth_on_bed(bed, state);
         }
         let mut by_water = 0.0;
         for element in self.elements.iter() {

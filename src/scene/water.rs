@@ -38,6 +38,12 @@ pub struct Water {
 }
 
 impl Water {
+    /// Potential of the buoyancy lost by the dry part of segment i, by gravity \[J s²/m\].
+    fn lost_by(&self, i: usize, state: &State) -> f64 {
+        let heights = [i, i + 1].map(|node| state.x[node].z);
+        2.0 * self.displaced[i] * submergence::lost_buoyancy(self.radius[i], heights).energy
+    }
+
     /// The water around these segments and bodies.
     #[must_use]
     pub fn around(
@@ -277,17 +283,20 @@ impl LumpedLine {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return 0.0;
         };
-        let of_segment = |i: usize| {
-            let heights = [i, i + 1].map(|node| state.x[node].z);
-            2.0 * water.displaced[i] * submergence::lost_buoyancy(water.radius[i], heights).energy
-        };
-        let segments: f64 = (0..self.segments.len()).map(of_segment).sum();
+        let segments = 0..self.segments.len();
+        let segments: f64 = segments.map(|i| water.lost_by(i, state)).sum();
         let numbered = self.bodies.iter().enumerate();
         let bodies = numbered.map(|(number, hung)| {
             let radius = water.radius_of_body(number);
             water.by_bodies[number] * submergence::sphere_lost_energy(radius, state.x[hung.node].z)
         });
         water.gravity * (segments + bodies.sum::<f64>())
+    }
+
+    /// The same of segment i alone.
+    pub(super) fn surface_energy_of(&self, i: usize, state: &State) -> f64 {
+        let crossed = self.water.as_ref().filter(|w| w.crossed);
+        crossed.map_or(0.0, |water| water.gravity * water.lost_by(i, state))
     }
 
     /// Writes the wave kinematics at the nodes at time t \[s\] into the state; nothing without waves.

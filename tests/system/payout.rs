@@ -1,6 +1,7 @@
 //! Lines that are paid out, and points that slide along them: closed forms, balances, order of convergence, refusals.
 
 use seacable::numerics::V3;
+use seacable::system::SystemFile;
 use seacable::system::motion::run::MotionRun;
 
 use crate::motion::{channel, moved, refused};
@@ -381,7 +382,7 @@ fn a_winch_that_hauls_in_everything_says_so() {
         line("wire", "winch", "mass", 20.0, 10),
         solver(20.0, None, 0.5),
     );
-    let system = seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "t").unwrap();
+    let system = seacable::case::kind::parse::<SystemFile>(&text, "t").unwrap();
     let given = system.file.solver.clone().unwrap();
     let stop = std::sync::atomic::AtomicBool::new(false);
     let run = seacable::system::motion::run::run(&system, &given, &stop, &mut |_| {}).unwrap();
@@ -391,6 +392,216 @@ fn a_winch_that_hauls_in_everything_says_so() {
         "{why}"
     );
     assert!(run.history.time.len() > 10);
+}
+
+/// A wire from a fixed winch to a fixed anchor, of these segments, and what is said of its ends and its payout.
+fn stretched(anchor: [f64; 3], length: f64, segments: usize, ea: f64, more: &str) -> MotionRun {
+    moved(&format!(
+        "{DRY}{}{}{}{}{more}",
+        wire(10.0, 3e4).replace("6e7", &format!("{ea:?}")),
+        fixed("winch", [0.0, 0.0, 0.0]),
+        fixed("anchor", anchor),
+        line("wire", "winch", "anchor", length, segments),
+    ))
+}
+
+fn greatest(run: &MotionRun, name: &str) -> f64 {
+    let found = run
+        .channels
+        .iter()
+        .find(|channel| channel.id.to_string() == name);
+    found.unwrap().summary.greatest.0
+}
+
+#[test]
+fn a_clump_stays_where_it_hangs_as_its_section_grows() {
+    let sections = "[[lines]]\nname = \"wire\"\nfrom = \"winch\"\nto = \"mass\"\nsegments = 20\n\
+        [[lines.sections]]\nmaterial = \"wire\"\nlength_m = 20.0\nclump_kg = 500.0\n\
+        [[lines.sections]]\nmaterial = \"wire\"\nlength_m = 20.0\n";
+    let run = moved(&format!(
+        "{DRY}{}{}[points.mass]\nkind = \"free\"\nmass_kg = 2000.0\n{sections}\
+         [[payouts]]\nline = \"wire\"\nrate_m_per_s = 0.5\nramp_s = 4.0\n{}",
+        wire(10.0, 3e4),
+        fixed("winch", [0.0, 0.0, 0.0]),
+        solver(20.0, None, 0.5),
+    ));
+    let (upper, lower, ea) = (29.0, 20.0, 6e7);
+    let (mass, clump, wire) = (2000.0 * GRAVITY, 500.0 * GRAVITY, 10.0 * GRAVITY);
+    let length = upper + lower;
+    let stretch = (mass * length + clump * upper + 0.5 * wire * length * length) / ea;
+    let z = channel(&run, "z_m[mass]").last().unwrap();
+    assert!(
+        (z + length + stretch).abs() < 5e-6,
+        "{}",
+        z + length + stretch
+    );
+    assert!(run.balance.relative_drift() < 1e-5, "{:?}", run.balance);
+}
+
+/// The brake is so steep that what it takes on is a displacement far below Newton's tolerance.
+#[test]
+fn a_winch_hauls_at_its_greatest_rate_until_it_has_its_tension() {
+    let payout = "[[payouts]]\nline = \"wire\"\ntension_n = 1.2e5\ngreatest_rate_m_per_s = 0.1\ndrum_mass_kg = 100.0\n";
+    let solver =
+        "[solver]\nduration_s = 20.0\nerror_estimate = false\n[output]\ninterval_s = 0.1\n";
+    let run = stretched(
+        [0.0, 0.0, -100.0],
+        101.0,
+        20,
+        6e7,
+        &format!("{payout}{solver}"),
+    );
+    let lengths = channel(&run, "length_m[wire]");
+    for pair in lengths[20..110].windows(2) {
+        let rate = (pair[1] - pair[0]) / 0.1;
+        assert!((rate / -0.1 - 1.0).abs() < 2e-3, "{rate}");
+    }
+    let pull = *channel(&run, "tension_n[wire|a]").last().unwrap();
+    assert!((pull / 1.2e5 - 1.0).abs() < 1e-3, "{pull}");
+    assert!(run.balance.relative_drift() < 2e-3, "{:?}", run.balance);
+    assert!(run.work.steps < 10_000, "{}", run.work.steps);
+}
+
+/// The force of the drive is flat, steep and flat again: an iteration stops at the corner between.
+#[test]
+fn an_iteration_stops_where_the_force_of_a_winch_has_a_corner() {
+    let text = |payout: &str| {
+        format!(
+            "[system]\ntitle = \"test\"\n{DRY}{}{}{}{}[[payouts]]\nline = \"wire\"\n{payout}\n{}",
+            wire(10.0, 3e4),
+            fixed("winch", [0.0, 0.0, 0.0]),
+            fixed("anchor", [0.0, 0.0, -100.0]),
+            line("wire", "winch", "anchor", 99.8, 20),
+            solver(1.0, None, 0.5),
+        )
+    };
+    let towards = |payout: &str, from: f64, to: f64| {
+        let parsed = seacable::case::kind::parse::<SystemFile>(&text(payout), "t");
+        parsed.unwrap().network.payouts[0].drive.towards(from, to)
+    };
+    let gives_way = "rate_m_per_s = 0.5\ngreatest_tension_n = 2e5";
+    let kept = "tension_n = 2e5\ngreatest_rate_m_per_s = 0.3";
+    for (payout, from, to, reached) in [
+        (gives_way, 0.0, 2.0, 0.49),
+        (gives_way, 2.0, 0.0, 0.5),
+        (gives_way, 0.495, 0.497, 0.497),
+        (kept, 0.0, 2.0, 0.3),
+        (kept, 2.0, -2.0, 0.3),
+        (kept, 0.2, -2.0, -0.3),
+        ("rate_m_per_s = 0.5", 0.0, 2.0, 2.0),
+    ] {
+        let found = towards(payout, from, to);
+        assert!(
+            (found - reached).abs() < 1e-6,
+            "{payout} {from} {to}: {found}"
+        );
+    }
+}
+
+#[test]
+fn an_end_that_runs_fast_is_followed_segment_by_segment() {
+    for (rate, length, segments) in [(20.0, 40.0, 100), (-20.0, 200.0, 400)] {
+        let run = moved(&format!(
+            "{DRY}{}{}[points.mass]\nkind = \"free\"\nmass_kg = 2000.0\n{}\
+             [[payouts]]\nline = \"wire\"\nrate_m_per_s = {rate:?}\nramp_s = 8.0\n\
+             [solver]\nduration_s = 8.0\nerror_estimate = false\n",
+            wire(10.0, 3e4),
+            fixed("winch", [0.0, 0.0, 0.0]),
+            line("wire", "winch", "mass", length, segments),
+        ));
+        let paid = channel(&run, "length_m[wire]").last().unwrap() - length;
+        assert!((paid - 4.0 * rate).abs() < 1e-9, "{paid}");
+        // At rest 44 kN at most, and the mass is moved at up to 4 m/s².
+        assert!(greatest(&run, "tension_n[wire|a]") < 7e4);
+        assert!(run.balance.relative_drift() < 1e-4, "{:?}", run.balance);
+        assert!(run.work.steps < 10_000, "{}", run.work.steps);
+    }
+}
+
+#[test]
+fn a_stiff_line_that_hangs_slack_is_parted_without_a_jerk() {
+    let more = "[[payouts]]\nline = \"wire\"\nrate_m_per_s = 1.0\nramp_s = 2.0\n\
+                [solver]\nduration_s = 12.0\nerror_estimate = false\n";
+    let run = stretched([100.0, 0.0, -20.0], 102.0, 10, 1e9, more);
+    let pull = channel(&run, "tension_n[wire|a]");
+    assert!(greatest(&run, "tension_n[wire|a]") <= pull[0] * 1.001);
+    assert!(run.balance.relative_drift() < 2e-3, "{:?}", run.balance);
+}
+
+/// Its tension is read with the correction of chords that turn: a segment that grows is as taut between as at the end of a step.
+#[test]
+fn a_line_that_grows_while_it_swings_has_the_tension_of_one_that_does_not() {
+    let run = |rate: f64| {
+        moved(&format!(
+            "{DRY}{}[points.winch]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\namplitude_m = [6.0, 0.0, 0.0]\nperiod_s = 10.0\nramp_s = 5.0\n\
+             [points.mass]\nkind = \"free\"\nmass_kg = 200.0\n{}\
+             [[payouts]]\nline = \"wire\"\nrate_m_per_s = {rate:?}\nramp_s = 2.0\n\
+             [solver]\nduration_s = 15.0\ntime_step_s = 0.1\nerror_estimate = false\n",
+            wire(10.0, 1e5).replace("6e7", "4e8"),
+            line("wire", "winch", "mass", 60.0, 20),
+        ))
+    };
+    let [grows, stays] = [0.1, 1e-9].map(|rate| greatest(&run(rate), "tension_n[wire|a]"));
+    assert!((grows / stays - 1.0).abs() < 0.05, "{grows} {stays}");
+}
+
+/// On a bed so soft that its springs have a share of the energy.
+fn laid(bed: &str, payout: &str, duration: f64, to: [f64; 3], length: f64) -> MotionRun {
+    moved(&format!(
+        "[seabed]\ndepth_m = 50.0\n{bed}\n\
+         [materials.wire]\nmass_kg_per_m = 30.0\ndiameter_m = 0.06\nea_n = 6e7\naxial_damping_n_s = 3e4\n{}{}{}\
+         [[payouts]]\nline = \"wire\"\n{payout}\n[solver]\nduration_s = {duration:?}\nerror_estimate = false\n",
+        fixed("winch", [0.0, 0.0, -50.0]),
+        fixed("far", to),
+        line("wire", "winch", "far", length, (length / 4.0) as usize),
+    ))
+}
+
+#[test]
+fn a_line_that_lies_on_the_bed_is_parted_on_it() {
+    for friction in ["", "friction = 0.5"] {
+        let bed = format!("damping_n_s_per_m3 = 1e4\n{friction}");
+        let payout = "rate_m_per_s = 1.0\nramp_s = 2.0";
+        let run = laid(&bed, payout, 20.0, [150.0, 0.0, -5.0], 160.0);
+        let pull = channel(&run, "tension_n[wire|a]");
+        assert!(greatest(&run, "tension_n[wire|a]") <= pull[0] * 1.001);
+        assert!(run.balance.relative_drift() < 1e-3, "{:?}", run.balance);
+    }
+}
+
+#[test]
+fn what_bears_on_the_bed_and_floats_brings_its_energy_with_it() {
+    let bed = "stiffness_n_per_m3 = 1e3\ndamping_n_s_per_m3 = 1e2";
+    let payout = "rate_m_per_s = 0.5\nramp_s = 2.0";
+    let run = laid(bed, payout, 3.0, [40.0, 0.0, -50.0], 41.0);
+    assert!(run.balance.relative_drift() < 5e-4, "{:?}", run.balance);
+    let hose = "[materials.hose]\nmass_kg_per_m = 60.0\ndiameter_m = 0.4\nea_n = 1e7\naxial_damping_n_s = 1e5\ndrag_normal = 1.0\n";
+    let run = moved(&format!(
+        "[environment]\nwater_surface = \"crossed\"\n{hose}{}{}{}[[payouts]]\nline = \"wire\"\nrate_m_per_s = 0.2\n\
+         [solver]\nduration_s = 10.0\nerror_estimate = false\n",
+        fixed("reel", [0.0, 0.0, -0.05]),
+        fixed("end", [40.0, 0.0, -0.05]),
+        line("wire", "reel", "end", 41.0, 10).replace("\"wire\"\nlength", "\"hose\"\nlength"),
+    ));
+    assert!(run.balance.relative_drift() < 1e-3, "{:?}", run.balance);
+}
+
+#[test]
+fn energy_that_remeshing_takes_asks_for_more_segments() {
+    // Heavy rubber on a mesh so coarse that a node more hangs metres lower.
+    let rubber = "[materials.wire]\nmass_kg_per_m = 144.0\ndiameter_m = 0.21\nea_n = 6e5\naxial_damping_ratio = 0.3\n";
+    let run = moved(&format!(
+        "{rubber}{}{}[points.bead]\nkind = \"free\"\nmass_kg = 200.0\n{}{}\
+         [[sliding_points]]\npoint = \"bead\"\nline = \"one\"\nother = \"two\"\n\
+         [solver]\nduration_s = 3.0\nerror_estimate = false\n",
+        fixed("left", [0.0, 0.0, -30.0]),
+        fixed("right", [290.0, 0.0, -120.0]),
+        line("one", "left", "bead", 100.0, 14),
+        line("two", "bead", "right", 275.0, 8),
+    ));
+    let about = |warning: &&String| warning.contains("energy");
+    let warning = run.warnings.iter().find(about).unwrap();
+    assert!(warning.contains("more `segments`"), "{warning}");
 }
 
 #[test]
@@ -435,6 +646,15 @@ fn what_cannot_be_paid_out_is_refused() {
         (
             "[[payouts]]\nline = \"wire\"\ntable_time_s = [0.0, 5.0]\ntable_m = [1.0, 2.0]\n",
             "begins with 1 m",
+        ),
+        (
+            "[[payouts]]\nline = \"wire\"\nrate_m_per_s = 1.0\nstart_s = 8.0\nstop_s = 2.0\n",
+            "before the start at 8 s",
+        ),
+        (
+            "[[sliding_points]]\npoint = \"mass\"\nline = \"wire\"\nother = \"stay\"\n\
+             [[sliding_points]]\npoint = \"mass\"\nline = \"wire\"\nother = \"stay\"\n",
+            "another sliding point passes",
         ),
         (
             "[[sliding_points]]\npoint = \"winch\"\nline = \"wire\"\nother = \"stay\"\n",

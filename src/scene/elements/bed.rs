@@ -346,15 +346,14 @@ impl BedContact {
 
     /// Energy of the normal springs \[J\].
     pub(in crate::scene) fn energy(&self, state: &State) -> f64 {
-        let mut energy = 0.0;
-        for (x, area) in state.x.iter().zip(&self.footprint) {
-            let depth = -self.height(x);
-            if depth <= 0.0 {
-                continue;
-            }
-            energy += 0.5 * self.seabed.stiffness * area * depth.powi(2);
-        }
-        energy
+        let nodes = state.x.iter().zip(&self.footprint);
+        nodes.map(|(x, area)| self.energy_under(x, *area)).sum()
+    }
+
+    /// The same under a node on this area \[m²\].
+    pub(super) fn energy_under(&self, x: &V3, area: f64) -> f64 {
+        let depth = (-self.height(x)).max(0.0);
+        0.5 * self.seabed.stiffness * area * depth.powi(2)
     }
 
     /// The first of these nodes that needs more than the friction there is: line pushed back along a slope, which slides.

@@ -18,6 +18,7 @@
 //! which is the pull at the drum, negative. They follow from the kinetic energy of the segment by Hamilton's principle for systems
 //! of changing mass (McIver 1973, doi 10.1007/BF01535285).
 
+use super::bed::BedContact;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::physics::tension::Chord;
 use crate::scene::element::{At, Element};
@@ -323,6 +324,7 @@ impl Element for FedEnd {
         *power += q / l * (stored - tension * motion.chord.length);
         let weight = self.weight_per_length();
         *power += q * weight * (state.x[f].z + state.x[g].z);
+        *power += q / l * line.surface_energy_of(i, state);
         let share = q / self.whole.axial.length;
         for node in [f, g] {
             let v = &state.v[node];
@@ -430,6 +432,20 @@ impl Scene {
         let fed = self.fed_end(end)?;
         let at = self.at(t, state);
         Some((fed.drum_pull(at, c), fed.by_length(at, c)))
+    }
+
+    /// Energy that the springs of the bed gain as more line bears on them \[W\]: the power of no force.
+    pub(in crate::scene) fn growth_on_bed(&self, bed: &BedContact, state: &State) -> f64 {
+        let fed = self.elements.fed_ends.iter().flatten();
+        fed.map(|fed| {
+            let grows = 0.5 * fed.now.rate * fed.whole.bearing_width;
+            let nodes = fed.nodes(&self.line).map(|node| &state.x[node]);
+            nodes
+                .map(|x| bed.energy_under(x, grows))
+                .iter()
+                .sum::<f64>()
+        })
+        .sum()
     }
 
     /// The pull at the drum in an accepted state, negative, for the balance of energy \[N\].

@@ -4,12 +4,13 @@ use super::body_equation::MovingBody;
 use super::border::{Border, accelerate};
 use super::method::MethodState;
 use super::moving_system::MovingSystem;
+use super::payout_border::correct_drives;
 use super::point_loads::landing_acceleration;
 use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{Convergence, Factors, Marched, MidstepBalance, NewtonError, Residual};
+use crate::solve::{Convergence, Factors, Marched, NewtonError, Residual};
 
 /// Iterations without progress after which a step is halved.
 const STAGNATION_LIMIT: usize = 6;
@@ -169,7 +170,8 @@ impl SystemAlpha {
             self.apply(system, c);
             let reached = convergence.is_reached(moved);
             self.rate = convergence.rate();
-            if reached && (moved <= self.tolerance || !self.passes_kink(system)) {
+            let smooth = reached && (moved <= self.tolerance || !self.passes_kink(system));
+            if smooth && self.border.missed_by_drives(system, c) <= self.tolerance {
                 return Ok(());
             }
         }
@@ -185,9 +187,11 @@ impl SystemAlpha {
     /// kink, predicts nothing there: with it an iteration stopped with the whole tension of the segment out of balance.
     fn passes_kink(&self, system: &MovingSystem) -> bool {
         let lines = system.lines(&self.between).enumerate();
+        let joints = self.border.displacements(system.scenes.len());
         let mut passes = lines.map(|(number, (scene, line))| {
             let d = self.border.displacements(number);
-            scene.line.turns_taut_or_slack(d, line)
+            let out = system.paid_out_by(number, joints);
+            scene.line.turns_taut_or_slack(d, out, line)
         });
         passes.any(|passes| passes)
     }
@@ -246,8 +250,9 @@ impl SystemAlpha {
         }
         let alpha_f = self.scheme.alpha_f;
         let snaps = |line: usize| {
-            let scene = system.scene(line, &self.end);
-            scene.snap_acceleration(&self.between.lines[line], &self.end.lines[line])
+            let (between, end) = (&self.between, &self.end);
+            let at = |state| &system.scene(line, state).line;
+            at(end).acceleration_by_snaps((at(between), &between.lines[line]), &end.lines[line])
         };
         let snap = (0..system.scenes.len()).map(snaps).fold(0.0, f64::max);
         let jolt = snap.max(self.landing_acceleration(system));
@@ -277,11 +282,12 @@ impl SystemAlpha {
         system.update_wave_kinematics(t + h, &mut self.end);
         let alpha_f = self.scheme.alpha_f;
         if alpha_f > 0.0 {
-            for (number, before) in state.lines.iter().enumerate() {
+            for (number, (scene, before)) in system.lines(state).enumerate() {
                 let SystemState { lines, paid, .. } = &mut self.end;
-                let scene = system.scene_among(number, paid);
-                scene.correct_chord_lengths(alpha_f, before, &mut lines[number]);
+                let line = &system.scene_among(number, paid).line;
+                line.chord_corrections(alpha_f, (&scene.line, before), &mut lines[number]);
             }
+            correct_drives(system, alpha_f, (state, &self.between), &mut self.end);
         }
         state.copy_from(&self.end);
     }
@@ -306,6 +312,7 @@ impl Stepper<MovingSystem, SystemState> for SystemAlpha {
         self.extrapolate_to_end(system, dt, state);
         let limits = self.limits;
         let error = limits.map_or(0.0, |limits| self.error_ratio(system, dt, &limits));
+        let error = error.max(system.passes(state, &self.end));
         if reject && error > 1.0 {
             return Err(StepError::Inaccurate(error));
         }

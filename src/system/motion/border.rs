@@ -138,6 +138,13 @@ impl Border {
         payout_border::solve((system, state), (t, c), &mut self.driven, work, found);
     }
 
+    /// The greatest of what the displacement just found misses of winches and points that slide \[m\]: see [`DrivenPayout::missed`].
+    #[must_use]
+    pub fn missed_by_drives(&self, system: &MovingSystem, c: Factors) -> f64 {
+        let driven = self.driven.iter();
+        driven.map(|one| one.missed(system, c)).fold(0.0, f64::max)
+    }
+
     /// The free bodies.
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {

@@ -17,6 +17,7 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(lost);
         found.extend(drives(payout));
         found.extend(without_effect(payout));
+        found.extend(stops_first(payout));
         let until = keys.solver.as_ref().and_then(|s| s.duration_s.value());
         found.extend(motion_table(
             &payout.table_time_s,
@@ -30,8 +31,9 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
             found.extend(used_before(keys, number));
         }
     }
-    for (_, sliding) in &keys.sliding_points {
+    for (number, (_, sliding)) in keys.sliding_points.iter().enumerate() {
         found.extend(slides(keys, sliding));
+        found.extend(slid_before(keys, number));
     }
     found
 }
@@ -74,6 +76,15 @@ fn drives(payout: &PayoutKeys<'_>) -> Option<Finding> {
             Some(payout.place.finding(problem, "leave one of them out"))
         }
     }
+}
+
+/// A rate that stops before it sets in.
+fn stops_first(payout: &PayoutKeys<'_>) -> Option<Finding> {
+    let (start, stop) = (payout.start_s.value()?, payout.stop_s.value()?);
+    (stop < start).then(|| {
+        let problem = format!("is before the start at {start} s");
+        payout.stop_s.finding(problem, "let it stop later")
+    })
 }
 
 /// A table without lengths, or one that begins with a length paid out.
@@ -223,10 +234,7 @@ fn used_before(keys: &SystemKeys<'_>, number: usize) -> Option<Finding> {
     let here = (payout.line.get()?, payout.end.value()?);
     let before = keys.payouts[..number].iter();
     let twice = before.filter_map(|(_, other)| Some((other.line.get()?, other.end.value()?)));
-    let slid = keys.sliding_points.iter().flat_map(|(_, sliding)| {
-        let ends = [&sliding.line, &sliding.other].map(|name| end_at(keys, name, &sliding.point));
-        ends.into_iter().flatten()
-    });
+    let slid = (0..keys.sliding_points.len()).flat_map(|number| slid_ends(keys, number));
     let taken = twice.chain(slid).any(|other| other == here);
     let remedy = "give every end one payout";
     taken.then(|| {
@@ -250,6 +258,25 @@ fn end_at<'a>(
         _ => return None,
     };
     Some((line.name.get()?, end))
+}
+
+/// The ends that pass a point.
+fn slid_ends<'a>(keys: &'a SystemKeys<'_>, number: usize) -> Vec<(&'a String, WhichEnd)> {
+    let (_, sliding) = &keys.sliding_points[number];
+    let ends = [&sliding.line, &sliding.other].map(|name| end_at(keys, name, &sliding.point));
+    ends.into_iter().flatten().collect()
+}
+
+/// A sliding point whose lines another slides along at the same ends.
+fn slid_before(keys: &SystemKeys<'_>, number: usize) -> Option<Finding> {
+    let here = slid_ends(keys, number);
+    let mut before = (0..number).flat_map(|other| slid_ends(keys, other));
+    let taken = before.any(|end| here.contains(&end));
+    let (_, sliding) = &keys.sliding_points[number];
+    taken.then(|| {
+        let problem = "passes an end of a line that another sliding point passes already";
+        sliding.place.finding(problem, "give every end one of them")
+    })
 }
 
 /// A sliding point that is not between its two lines, or is held.

@@ -93,6 +93,7 @@ impl SystemCheckpoint {
         let agrees = sizes(&self.state) == sizes(state)
             && (jerk.is_empty() || jerk == nodes)
             && self.state.velocities.len() == state.velocities.len()
+            && self.state.drive_excess.len() == state.drive_excess.len()
             && self.recorder.fits(channels)
             && self.place.is_possible();
         agrees

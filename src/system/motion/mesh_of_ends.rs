@@ -20,8 +20,12 @@ const LONGEST: f64 = 1.6;
 pub(super) const SHORTEST: f64 = 0.4;
 /// The length below which nothing is left to haul in.
 const NOTHING: f64 = 0.05;
+/// Share of its length by which an end segment may change in a step.
+const CHANGE: f64 = 0.3;
 /// Greatest distance of a new node from the chord, by the length of the mesh.
 const ASIDE: f64 = 0.1;
+/// Newton iterations for its sag, more than it needs from there.
+const SAG_ITERATIONS: usize = 8;
 
 /// A line that is paid out.
 #[derive(Debug, Clone)]
@@ -55,12 +59,24 @@ impl MovingSystem {
     /// Why it cannot be built.
     pub fn meshed(&self, paid: &PaidLine, added: [i64; 2]) -> Result<Scene, String> {
         let mut case = paid.case.clone();
+        // A line of one section may pass as a whole from one end to the other.
+        let [a, b] = added;
+        let added = if case.line.len() == 1 {
+            [a + b, 0]
+        } else {
+            [a, b]
+        };
         for (end, added) in added.into_iter().enumerate() {
             let last = end * (case.line.len() - 1);
             let section = &mut case.line[last];
             let segments = section.segments.saturating_add_signed(added as isize);
             section.length_m *= segments as f64 / section.segments as f64;
             section.segments = segments;
+            // What hangs on the section hangs at its end towards B.
+            let hung = case.clumps.iter_mut();
+            for clump in hung.filter(|clump| clump.section == section.name) {
+                clump.at_m = section.length_m;
+            }
         }
         let mut scene = scene::build(&case, 1).map_err(|why| why.to_string())?;
         scene
@@ -94,6 +110,17 @@ impl MovingSystem {
         }
     }
 
+    /// What displacements of the joints pay out at the ends of a line \[m\].
+    pub(super) fn paid_out_by(&self, line: usize, joints: &[V3]) -> [f64; 2] {
+        let paid = self.paid.iter().find(|paid| paid.line == line);
+        let ends = paid.map_or([None; 2], |paid| paid.ends);
+        ends.map(|end| {
+            end.map_or(0.0, |(payout, sign)| {
+                sign * joints[self.payouts[payout].joint].x
+            })
+        })
+    }
+
     /// Length of the segments of the mesh at an end \[m\].
     fn mesh_length(&self, number: usize, end: usize) -> f64 {
         let sections = &self.paid[number].case.line;
@@ -111,12 +138,27 @@ impl MovingSystem {
         }
     }
 
+    /// The ends that are paid out, by the number of their line among those.
+    fn paid_ends(&self) -> impl Iterator<Item = (usize, usize)> {
+        let ends = (0..self.paid.len()).flat_map(|number| [(number, 0), (number, 1)]);
+        ends.filter(|(number, end)| self.paid[*number].ends[*end].is_some())
+    }
+
+    /// By how much the end segments change between two states, by what a step may: cubed, as errors of steps grow.
+    #[must_use]
+    pub(super) fn passes(&self, from: &SystemState, to: &SystemState) -> f64 {
+        let shares = self.paid_ends().map(|(number, end)| {
+            let length = |state: &SystemState| self.paid_out(number, end, state).length;
+            let (before, after) = (length(from), length(to));
+            (after - before).abs() / (CHANGE * before.min(after))
+        });
+        shares.fold(0.0, f64::max).powi(3)
+    }
+
     /// The first end whose segment is too long or too short.
     #[must_use]
     pub(super) fn end_mesh(&self, state: &SystemState) -> Option<EndMesh> {
-        let ends = (0..self.paid.len()).flat_map(|number| [(number, 0), (number, 1)]);
-        let mut paid = ends.filter(|(number, end)| self.paid[*number].ends[*end].is_some());
-        paid.find_map(|(number, end)| {
+        self.paid_ends().find_map(|(number, end)| {
             let share = self.paid_out(number, end, state).length / self.mesh_length(number, end);
             let need = match share {
                 _ if share > LONGEST => Remesh::Part,
@@ -153,6 +195,7 @@ impl MovingSystem {
         let nodes = state.lines[line].x.len();
         let parts = need == Remesh::Part;
         let placed = parts.then(|| self.new_node(number, end, t, state));
+        let far = self.mesh_length(number, end) / self.paid_out(number, end, state).length;
         state.added[number][end] += if parts { 1 } else { -1 };
         let scene = self.meshed(&self.paid[number], state.added[number])?;
         // The node that comes or goes, and the segment at the end.
@@ -175,6 +218,8 @@ impl MovingSystem {
                 }
             }
         }
+        let share = if parts { [1.0 - far, far] } else { [1.0; 2] };
+        change_corrections(&mut own.chord_correction, end, (segment, share), parts);
         change_history(own, &scene, (node, segment), parts);
         if let Some(jerk) = method.jerk.get_mut(line) {
             if parts {
@@ -215,30 +260,71 @@ impl MovingSystem {
         let i = end * (scene.line.segments.len() - 1);
         let far = mesh / l;
         let (d, w) = (own.x[f] - own.x[g], own.v[f] - own.v[g]);
-        let aside = {
-            let chord = scene.line.chord(i, own);
-            let tension = scene.line.pull(i, &chord, t, own);
-            let segment = &scene.line.segments[i];
-            let mean = (own.a[f] + own.a[g]) * 0.5;
-            let load = scene.line.drag_on(i, &chord, own)
-                - V3::z() * (2.0 * segment.half_weight)
-                - mean * (2.0 * segment.half_mass);
-            let along = chord.tangent * chord.tangent.dot(&load);
-            let stiff = tension.by_length * l;
-            let moved = |by: V3, force: f64| if force > 0.0 { by / force } else { V3::zeros() };
-            let off = moved(along, stiff) + moved(load - along, tension.value);
-            let off = off * (0.5 * mesh * (l - mesh) / l);
-            off * (ASIDE * mesh / off.norm().max(ASIDE * mesh))
-        };
+        let chord = scene.line.chord(i, own);
+        let tension = scene.line.pull(i, &chord, t, own);
+        let segment = &scene.line.segments[i];
+        let mean = (own.a[f] + own.a[g]) * 0.5;
+        let load = scene.line.drag_on(i, &chord, own)
+            - V3::z() * (2.0 * segment.half_weight)
+            - mean * (2.0 * segment.half_mass);
+        let moment = load * (0.5 * mesh * (l - mesh) / l);
+        let off = aside(
+            &chord.tangent,
+            &moment,
+            (tension.value, tension.by_length * l),
+            mesh * (l - mesh),
+        );
+        let aside = off * (ASIDE * mesh / off.norm().max(ASIDE * mesh));
         let grows = out.rate / l;
         let turns = out.acceleration / l;
+        let on_chord = own.x[g] + d * far;
         [
-            own.x[g] + d * far + aside,
+            on_chord + aside + scene.lift_to_bed(&on_chord, &aside),
             own.v[g] + (w - d * grows) * far,
             own.a[g]
                 + (own.a[f] - own.a[g] - w * (2.0 * grows) + d * (2.0 * grows * grows - turns))
                     * far,
         ]
+    }
+}
+
+/// How far off its chord a segment of this tension and stiffness EA \[N\] is in balance where it is parted \[m\], by the moment of the load on it
+/// \[N m\] and the product of its parts h s. Across, `T a + EA a³ / 2 h s = M`: the parts are longer than the chord by `a² (1/h + 1/s) / 2`,
+/// which stretches them. Where it is slack it stays on its chord: what falls does so in motion.
+fn aside(tangent: &V3, moment: &V3, (tension, stiff): (f64, f64), parts: f64) -> V3 {
+    if tension <= 0.0 || stiff <= 0.0 {
+        return V3::zeros();
+    }
+    let along = tangent * tangent.dot(moment);
+    let across = moment - along;
+    let (load, cubic) = (across.norm(), 0.5 * stiff / parts);
+    let mut off = (load / tension).min((load / cubic).cbrt());
+    for _ in 0..SAG_ITERATIONS {
+        let square = cubic * off * off;
+        off = (load + 2.0 * square * off) / (tension + 3.0 * square);
+    }
+    along / stiff + across * (off / load.max(f64::MIN_POSITIVE))
+}
+
+/// Divides the excess of the chord of the end segment by these shares of its length, at the end and beyond; or adds up those of two that
+/// are joined.
+fn change_corrections(
+    list: &mut Vec<f64>,
+    end: usize,
+    (segment, share): (usize, [f64; 2]),
+    parts: bool,
+) {
+    if list.is_empty() {
+        return;
+    }
+    if parts {
+        list.insert(segment, list[segment]);
+        let [near, beyond] = [[segment, segment + 1], [segment + 1, segment]][end];
+        list[near] *= share[0];
+        list[beyond] *= share[1];
+    } else {
+        let joined = list.remove(segment);
+        list[[segment, segment.wrapping_sub(1)][end]] += joined;
     }
 }
 
@@ -254,8 +340,6 @@ fn change_history(own: &mut State, scene: &Scene, (node, segment): (usize, usize
         }
     }
     let of = |list: &[f64]| parts.then(|| list.get(segment).copied().unwrap_or_default());
-    let corrected = of(&own.chord_correction);
-    change(&mut own.chord_correction, segment, corrected);
     let extrapolated = of(&own.extrapolated_tension);
     change(&mut own.extrapolated_tension, segment, extrapolated);
     let memory = &mut own.memory;

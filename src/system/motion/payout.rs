@@ -86,6 +86,8 @@ const SLIP: f64 = 0.02;
 const BRAKE_SLIP: f64 = 1e-3;
 /// Least rate that slip is counted by \[m/s\].
 const LEAST_RATE: f64 = 0.1;
+/// By how much an iteration passes a corner of a force, by its rate.
+const CORNER: f64 = 1e-6;
 /// Speed at which friction is full but for 30 % \[m/s\]: below it a point creeps.
 const CREEP: f64 = 1e-3;
 
@@ -136,6 +138,18 @@ impl Winch {
         }
         (force, slope)
     }
+
+    /// The rates at which its force has a corner \[m/s\].
+    fn corners(&self) -> [Option<f64>; 4] {
+        let [least, greatest] = self.limits;
+        let driven = (self.slope > 0.0).then(|| (greatest - least) / self.slope);
+        [
+            driven.map(|_| self.rate),
+            driven.map(|slip| self.rate + slip),
+            self.fastest,
+            self.fastest.map(|fastest| -fastest),
+        ]
+    }
 }
 
 impl Friction {
@@ -168,6 +182,26 @@ impl Drive {
             Self::Slide(friction) => Some((0.0, friction.constant / CREEP)),
             Self::Rate(_) | Self::Table(_) => None,
         }
+    }
+
+    /// How far an iteration may go from a rate towards another \[m/s\]: just beyond the first corner of the force between. From a flat piece on
+    /// one side of a steep one Newton's method goes to the flat piece on the other side, and back.
+    #[must_use]
+    pub fn towards(&self, from: f64, to: f64) -> f64 {
+        let corner = match self {
+            Self::Winch(winch) => {
+                let corners = winch.corners().into_iter().flatten();
+                let beyond = corners.map(|corner| {
+                    corner + (CORNER * corner.abs().max(LEAST_RATE)).copysign(to - from)
+                });
+                beyond
+                    .filter(|rate| (rate - from) * (to - rate) > 0.0)
+                    .min_by(|one, other| (one - from).abs().total_cmp(&(other - from).abs()))
+            }
+            Self::Slide(_) => (from * to < 0.0 && from.abs() > CORNER * CREEP).then_some(0.0),
+            Self::Rate(_) | Self::Table(_) => None,
+        };
+        corner.unwrap_or(to)
     }
 
     /// Time over which it is let go \[s\].

@@ -25,6 +25,8 @@ pub(super) struct DrivenPayout {
     /// Row of the small system: coefficients, and right-hand side.
     row: Vec<f64>,
     right: f64,
+    /// Whether the displacement was cut short.
+    cut: bool,
 }
 
 /// The equation of the length, linearised.
@@ -39,6 +41,13 @@ struct Equation {
     /// Friction, and the force of the drive of a winch \[N\].
     friction: f64,
     drive: f64,
+    /// Friction of full sliding \[N\].
+    full: f64,
+    /// The rate \[m/s\] at which these are, and their slope by it \[N s/m\].
+    rate: f64,
+    slope: f64,
+    /// Stiffness of the segments beside it \[N/m\].
+    stiffness: f64,
 }
 
 /// No derivatives.
@@ -77,6 +86,7 @@ pub(super) fn driven(system: &MovingSystem, state: &SystemState) -> Vec<DrivenPa
         equation: Equation::default(),
         row: vec![0.0; free.len()],
         right: 0.0,
+        cut: false,
     };
     free.iter().map(of).collect()
 }
@@ -104,6 +114,9 @@ pub(super) fn solve(
         driven[k].right = driven[k].equation.residual - driven[k].along(at, lines);
     }
     eliminate(driven);
+    for one in driven.iter_mut() {
+        one.stop_at_corner(at.0, c);
+    }
     for one in driven.iter() {
         let p = one.right;
         let mine = one.lines.iter().chain(std::iter::once(&one.joints));
@@ -144,24 +157,42 @@ pub(super) fn drives(
         let equation = Equation::of((system, state), number, (t, FORCES));
         let joint = system.joints.payouts[number];
         let q = state.joints.v[joint].x;
-        let mass = match &payout.drive {
-            Drive::Winch(winch) => winch.mass,
-            _ => 0.0,
-        };
         let ends = payout.ends.iter().map(|PaidEnd { line, end, sign }| {
             let scene = system.scene(*line, state);
             sign * scene.drum_now(*end, t, &state.lines[*line])
         });
         let of_lines: f64 = ends.sum();
         let held = system.payouts[number].holding.unwrap_or(0.0) * payout.drive.held(t);
-        let lost = equation.friction * q;
+        let force = equation.force() - state.drive_excess[number];
+        let (mass, drive, friction) = match &payout.drive {
+            Drive::Winch(winch) => (winch.mass, force, 0.0),
+            _ => (0.0, 0.0, force),
+        };
         Energy {
             stored: 0.5 * mass * q * q,
             // The drum and what drives it, which the equation leaves of the pull of the line.
-            power_in: q * (held - equation.drive - of_lines),
-            lost,
+            power_in: q * (held - drive - of_lines),
+            lost: q * friction,
         }
     })
+}
+
+/// Finds by how much the forces of drives and friction at the end of a step exceed those that mix with the ones before to what the
+/// balance between had: they are steep, and the rate at the end is off that of the balance by a share of its change.
+pub(super) fn correct_drives(
+    system: &MovingSystem,
+    share: f64,
+    (before, between): (&SystemState, &SystemState),
+    end: &mut SystemState,
+) {
+    for (number, payout) in system.network.payouts.iter().enumerate() {
+        if payout.drive.is_free() {
+            let law = |state| Equation::of((system, state), number, (0.0, FORCES)).force();
+            let known = law(before) - before.drive_excess[number];
+            let carried = (law(between) - share * known) / (1.0 - share);
+            end.drive_excess[number] = law(end) - carried;
+        }
+    }
 }
 
 /// Gaussian elimination with pivots by size; the right-hand sides become the solution.
@@ -192,6 +223,11 @@ fn eliminate(rows: &mut [DrivenPayout]) {
 }
 
 impl Equation {
+    /// Force of drive and friction \[N\].
+    fn force(&self) -> f64 {
+        self.drive + self.friction
+    }
+
     /// The pulls of its ends, and what drives it.
     fn of(
         (system, state): (&MovingSystem, &SystemState),
@@ -206,6 +242,8 @@ impl Equation {
             let Some((drum, of_nodes)) = scene.drum(*end, t, &state.lines[*line], c) else {
                 continue;
             };
+            let segments = &scene.line.segments;
+            equation.stiffness += segments[end * (segments.len() - 1)].axial.stiffness();
             equation.residual += sign * drum.residual;
             equation.by_length += drum.by_length;
             equation.by_nodes[k] = [drum.by_end, drum.by_neighbour].map(|by| by * *sign);
@@ -217,10 +255,11 @@ impl Equation {
         }
         let joint = system.joints.payouts[number];
         let (rate, acceleration) = (state.joints.v[joint].x, state.joints.a[joint].x);
+        equation.rate = rate;
         match &payout.drive {
             Drive::Winch(winch) => {
                 let (force, slope) = winch.force(rate);
-                equation.drive = force;
+                (equation.drive, equation.slope) = (force, slope);
                 equation.residual += winch.mass * acceleration + force;
                 equation.by_length += winch.mass * c.mass + slope * c.damping;
             }
@@ -238,6 +277,7 @@ impl Equation {
         let (size, coefficient) = (force.norm(), friction.coefficient);
         let (share, slope) = Friction::share(rate);
         let full = friction.constant + coefficient * size;
+        (self.full, self.slope) = (full, full * slope);
         self.friction = full * share;
         self.residual += self.friction;
         self.by_length += full * slope * c.damping;
@@ -254,6 +294,34 @@ impl Equation {
 }
 
 impl DrivenPayout {
+    /// Cuts the displacement short where the force of the drive has a corner on its way.
+    fn stop_at_corner(&mut self, system: &MovingSystem, c: Factors) {
+        let (from, wanted) = (self.equation.rate, self.right);
+        let to = from - wanted * c.damping;
+        let reached = system.network.payouts[self.number].drive.towards(from, to);
+        self.cut = reached != to;
+        if self.cut {
+            self.right = wanted * (reached - from) / (to - from);
+        }
+    }
+
+    /// Stretch of the segments beside it \[m\] by the force of drive or friction that the displacement just made did not count with: a
+    /// brake, and friction about rest, change by all they have over a rate that is a small displacement in a step. Infinite where it was cut
+    /// short.
+    pub(super) fn missed(&self, system: &MovingSystem, c: Factors) -> f64 {
+        if self.cut {
+            return f64::INFINITY;
+        }
+        let by = &self.equation;
+        let change = -self.right * c.damping;
+        let force = match &system.network.payouts[self.number].drive {
+            Drive::Winch(winch) => winch.force(by.rate + change).0,
+            Drive::Slide(_) => by.full * Friction::share(by.rate + change).0,
+            Drive::Rate(_) | Drive::Table(_) => 0.0,
+        };
+        (force - by.force() - by.slope * change).abs() / by.stiffness
+    }
+
     /// What the lines and joints make of a unit of this length.
     fn respond(&mut self, at: (&MovingSystem, &SystemState), work: &mut BorderedLines<'_>) {
         let (system, state) = at;

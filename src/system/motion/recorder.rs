@@ -32,6 +32,9 @@ pub struct EnergyBalance {
     pub lost: f64,
     /// Stored at the end more than at the start.
     pub stored: f64,
+    /// What of that came and went where segments at ends that are paid out were parted and joined.
+    #[serde(default)]
+    pub remeshed: f64,
     /// All that passed through: work and losses without their signs, and a millionth of the greatest energy.
     pub passed: f64,
 }
@@ -46,7 +49,13 @@ impl EnergyBalance {
         self.stored - self.put_in + self.lost
     }
 
-    /// The same by all that passed through \[-\].
+    /// Whether more than half of it is due to segments parted and joined: to the mesh, which shorter steps leave as it is.
+    #[must_use]
+    pub fn is_of_mesh(&self) -> bool {
+        (self.drift() - self.remeshed).abs() < 0.5 * self.drift().abs()
+    }
+
+    /// What does not balance by all that passed through \[-\].
     #[must_use]
     pub fn relative_drift(&self) -> f64 {
         self.drift().abs() / self.passed.max(f64::MIN_POSITIVE)
@@ -232,7 +241,9 @@ impl Recorder {
         };
         self.channels.read(system, t, state, &mut step.values);
         self.summarise(&step);
-        self.last_energy = energy(system, bodies, t, state);
+        let now = energy(system, bodies, t, state);
+        self.balance.remeshed += now.stored - self.last_energy.stored;
+        self.last_energy = now;
         self.steps = vec![step];
     }
 

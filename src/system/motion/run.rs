@@ -131,8 +131,14 @@ pub(super) fn run_stored(
         }
     }
     if run.balance.relative_drift() > NOTABLE_DRIFT {
+        let remedy = match run.balance.is_of_mesh() {
+            true => {
+                "segments at ends that are paid out are too long: give these lines more `segments`"
+            }
+            false => "try a smaller step_tolerance",
+        };
         run.warnings.push(format!(
-            "the energy does not balance: {:.3} % of it is not accounted for; try a smaller step_tolerance",
+            "the energy does not balance: {:.3} % of it is not accounted for; {remedy}",
             100.0 * run.balance.relative_drift()
         ));
     }

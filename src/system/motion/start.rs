@@ -185,6 +185,7 @@ fn at_rest(
             .map(|paid| system.scenes[paid.line].clone())
             .collect(),
         added: vec![[0; 2]; system.paid.len()],
+        drive_excess: vec![0.0; system.payouts.len()],
     };
     (system, state)
 }

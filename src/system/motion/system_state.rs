@@ -38,6 +38,10 @@ pub struct SystemState {
     /// Segments that each of them has more at ends A and B than at rest.
     #[serde(default)]
     pub added: Vec<[i64; 2]>,
+    /// By how much the forces of winches and of friction at points that slide exceed, at the rates of an accepted state, those that the
+    /// balances were solved with \[N\].
+    #[serde(default)]
+    pub drive_excess: Vec<f64>,
 }
 
 impl SystemState {
@@ -52,6 +56,7 @@ impl SystemState {
         self.body_flow.clone_from(&other.body_flow);
         self.flow_loads.copy_from_slice(&other.flow_loads);
         self.velocities.clone_from_slice(&other.velocities);
+        self.drive_excess.copy_from_slice(&other.drive_excess);
         self.pay_out_as(other);
     }
 
@@ -81,6 +86,7 @@ impl SystemState {
         self.attached.clone_from(&stored.attached);
         self.velocities.clone_from(&stored.velocities);
         self.added.clone_from(&stored.added);
+        self.drive_excess.clone_from(&stored.drive_excess);
     }
 
     /// Takes the nodes of lines that are paid out from another state, whose numbers of nodes differ.
