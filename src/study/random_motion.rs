@@ -1,8 +1,11 @@
 //! Random systems in motion: whether each runs to its end or is refused with time, node and reason, and whether its energy balances.
 //!
 //! Kinds: webs of free points with ends that move; moorings of a body that moves; of a body that floats, pushed by a line; clumps
-//! lowered to the bed; ends that are let go; lines that break; lines between a body that moves and one that floats; slack lines that snap.
+//! lowered to the bed; ends that are let go; lines that break; lines between a body that moves and one that floats; slack lines that snap;
+//! lines that are paid out at a rate, against heave, by winches, also on a body; loads that slide along lines.
 //! They are drawn as text, as a user writes them.
+
+mod paid_out;
 
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,13 +14,15 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
-use crate::case::kind;
+use self::paid_out::Drive;
+use crate::case::{ChannelQuantity, kind};
 use crate::numerics::random::Random;
+use crate::system::motion::payout::{self, Payout};
 use crate::system::motion::run::{MotionRun, run};
 use crate::system::{SolvedSystem, SystemFile};
 
 /// The kinds of random systems, in turn.
-pub const KINDS: [&str; 8] = [
+pub const KINDS: [&str; 14] = [
     "web with moved ends",
     "moved body",
     "floating body",
@@ -26,12 +31,23 @@ pub const KINDS: [&str; 8] = [
     "line that breaks",
     "line between bodies",
     "slack lines that snap",
+    "line paid out",
+    "heave compensated",
+    "winch that keeps a tension",
+    "winch that gives way",
+    "load that slides along a line",
+    "winches on a body",
 ];
+
+/// Kinds that were there first: each draws what it drew before the others came.
+const FIRST_KINDS: usize = 8;
 
 /// Simulated time of each \[s\].
 const DURATION_S: f64 = 8.0;
 /// Share of the energy that may be missing; beyond it the run must warn.
 pub const DRIFT: f64 = 0.02;
+/// Share of the length of lines that rounding may lose.
+const LENGTH_ERROR: f64 = 1e-9;
 
 /// What came of a random system.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +76,8 @@ pub enum MotionEnd {
     },
     /// A number of its history is not finite, and nothing was said.
     NotFinite,
+    /// Its lines are longer at the end than they were and than what was paid out, by this share of their length.
+    WrongLength(f64),
     /// Earlier, and why: with the time and the node.
     Early(String),
     /// It did not begin: there is no equilibrium, or the file is wrong.
@@ -76,7 +94,7 @@ impl MotionEnd {
             Self::Ran { drift, warned, .. } => *drift <= DRIFT || *warned,
             Self::Early(why) => why.starts_with("at t = "),
             Self::Refused(why) => !why.is_empty(),
-            Self::NotFinite | Self::Panicked => false,
+            Self::NotFinite | Self::WrongLength(_) | Self::Panicked => false,
         }
     }
 }
@@ -86,7 +104,7 @@ impl MotionEnd {
 pub fn run_all(count: usize, seed: u64) -> Vec<RandomMotion> {
     let one = |index: usize| {
         let kind = index % KINDS.len();
-        let text = text(kind, &mut Random::new(seed, index as u64));
+        let text = text(kind, &mut Random::new(seed, stream(index)));
         let begun = Instant::now();
         let end = catch_unwind(AssertUnwindSafe(|| compute(&text)));
         RandomMotion {
@@ -97,6 +115,15 @@ pub fn run_all(count: usize, seed: u64) -> Vec<RandomMotion> {
         }
     };
     (0..count).into_par_iter().map(one).collect()
+}
+
+/// Stream of the random numbers of a system.
+fn stream(index: usize) -> u64 {
+    let (round, kind) = (index / KINDS.len(), index % KINDS.len());
+    match kind < FIRST_KINDS {
+        true => (round * FIRST_KINDS + kind) as u64,
+        false => u64::MAX - index as u64,
+    }
 }
 
 fn compute(text: &str) -> MotionEnd {
@@ -112,11 +139,11 @@ fn compute(text: &str) -> MotionEnd {
     };
     match run(&solved, given, &AtomicBool::new(false), &mut |_| {}) {
         Err(why) => MotionEnd::Refused(why.problem),
-        Ok(run) => ended(&run),
+        Ok(run) => ended(&solved, &run),
     }
 }
 
-fn ended(run: &MotionRun) -> MotionEnd {
+fn ended(solved: &SolvedSystem, run: &MotionRun) -> MotionEnd {
     if let Some(why) = &run.failure {
         return MotionEnd::Early(why.clone());
     }
@@ -129,6 +156,10 @@ fn ended(run: &MotionRun) -> MotionEnd {
     if !drift.is_finite() || values.any(|value| !value.is_finite()) {
         return MotionEnd::NotFinite;
     }
+    let wrong = wrong_length(solved, run);
+    if wrong > LENGTH_ERROR {
+        return MotionEnd::WrongLength(wrong);
+    }
     MotionEnd::Ran {
         drift,
         steps: run.work.steps,
@@ -139,6 +170,26 @@ fn ended(run: &MotionRun) -> MotionEnd {
     }
 }
 
+/// By how much the lines are longer at the end of a run than at its start and than what was paid out, as a share; 0 where a winch decides.
+fn wrong_length(solved: &SolvedSystem, run: &MotionRun) -> f64 {
+    let lengths = run.channels.iter().zip(&run.history.channels);
+    let lengths = lengths.filter(|(channel, _)| channel.id.quantity == ChannelQuantity::Length);
+    let (mut change, mut whole) = (0.0, 0.0);
+    for (channel, history) in lengths {
+        let first = history.values.first().copied().unwrap_or_default();
+        change += channel.summary.last - first;
+        whole += first;
+    }
+    let prescribed = |payout: &Payout| match payout.drive.is_free() {
+        true if payout.ends.len() > 1 => Some(0.0),
+        _ if payout.heave != 0.0 => None,
+        _ => payout.drive.prescribed(run.work.reached).map(|out| out[0]),
+    };
+    let payouts = payout::payouts(&solved.file, &solved.network);
+    let out: Option<f64> = payouts.iter().map(prescribed).sum();
+    out.map_or(0.0, |out| (change - out).abs() / f64::max(whole, 1.0))
+}
+
 /// A random system of a kind, as a file.
 #[must_use]
 pub fn text(kind: usize, random: &mut Random) -> String {
@@ -147,6 +198,7 @@ pub fn text(kind: usize, random: &mut Random) -> String {
         text: String::new(),
         depth: 0.0,
         lines: 0,
+        wet_weights: Vec::new(),
     };
     maker.head(kind);
     match kind {
@@ -157,7 +209,13 @@ pub fn text(kind: usize, random: &mut Random) -> String {
         4 => maker.hung("release"),
         5 => maker.hung("break"),
         6 => maker.shared(),
-        _ => maker.slack(),
+        7 => maker.slack(),
+        8 => maker.paid_out(Drive::Rate),
+        9 => maker.paid_out(Drive::Heave),
+        10 => maker.paid_out(Drive::Tension),
+        11 => maker.paid_out(Drive::GivesWay),
+        12 => maker.bead(),
+        _ => maker.winches_on_body(),
     }
     maker.text
 }
@@ -167,6 +225,8 @@ struct Maker<'a> {
     text: String,
     depth: f64,
     lines: usize,
+    /// Weights of the materials in water \[N/m\].
+    wet_weights: Vec<f64>,
 }
 
 impl Maker<'_> {
@@ -209,6 +269,8 @@ impl Maker<'_> {
                 self.between(0.0, 0.5),
             );
             let damping = self.between(0.0, 0.5);
+            self.wet_weights
+                .push(9.8 * (mass - 805.0 * diameter * diameter));
             self.put(format_args!(
                 "[materials.{name}]\ndiameter_m = {diameter:?}\nmass_kg_per_m = {mass:?}\nea_n = {ea:?}\n\
                  drag_normal = {normal:?}\ndrag_tangential = {along:?}\naxial_damping_ratio = {damping:?}\n"
@@ -445,5 +507,18 @@ impl Maker<'_> {
             let slack = self.between(1.0, 1.4);
             self.line(from, to, apart, slack, "");
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Documents and findings name systems by seed and index.
+    #[test]
+    fn the_first_kinds_draw_what_they_drew() {
+        let first = (0..2 * KINDS.len()).filter(|index| index % KINDS.len() < FIRST_KINDS);
+        let streams: Vec<u64> = first.map(stream).collect();
+        assert_eq!(streams, (0..16).collect::<Vec<u64>>());
     }
 }
