@@ -138,7 +138,7 @@ impl Border {
         payout_border::solve((system, state), (t, c), &mut self.driven, work, found);
     }
 
-    /// The greatest of what the displacement just found misses of winches and points that slide \[m\]: see [`DrivenPayout::missed`].
+    /// The greatest of what the displacement just found misses of winches and points that slide \[m\]: see `DrivenPayout::missed`.
     #[must_use]
     pub fn missed_by_drives(&self, system: &MovingSystem, c: Factors) -> f64 {
         let driven = self.driven.iter();
