@@ -12,14 +12,14 @@ use super::model::{
 };
 use super::motion::inputs::{body_motion, point_motion};
 use super::motion::payout::payouts;
-use super::motion::responses::wave_response;
+use super::motion::responses::{responses, wave_response};
 use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
     WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, parts};
 use super::pose::Pose;
-use super::potential_flow::{PotentialFlow, RadiationTable};
+use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
 use crate::case::Material;
 use crate::numerics::{M3, V3};
@@ -61,6 +61,10 @@ pub fn build(
             let (sin, cos) = wind.direction_deg.to_radians().sin_cos();
             V3::new(cos, sin, 0.0) * wind.speed_m_per_s
         }),
+        waves_spare_lines: file
+            .solver
+            .as_ref()
+            .is_some_and(|solver| !solver.waves_on_lines),
         ..Network::default()
     };
     let sea = sea_of(file);
@@ -101,17 +105,31 @@ fn bodies(
         let spins_about = given.rods.contains_key(name).then(V3::x);
         let built = self::body(name, body, network);
         // Its files were read with the system.
-        let response = sea.map(|sea| wave_response(file, body, sea));
+        let moved = sea.filter(|_| body.kind == BodyKind::Moved);
+        let response = moved.map(|sea| wave_response(file, body, sea));
         let response = response.and_then(Result::ok).flatten();
         let flow = PotentialFlow::of(file, body).ok().flatten();
         let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
-        Body {
+        let mut built = Body {
             spins_about,
             motion: response.map(|found| found.motion).or(built.motion),
             added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
-            potential_flow: flow.map(Arc::new),
             ..built
-        }
+        };
+        let floating = sea.filter(|_| built.free);
+        let responses = floating.and_then(|sea| {
+            let raos = responses(file, body)?;
+            let radiation = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
+            excitation((network, &built), &raos, radiation, sea)
+        });
+        built.potential_flow = match responses {
+            Some(excitation) => Some(Arc::new(PotentialFlow {
+                excitation: Some(excitation),
+                ..flow.unwrap_or_default()
+            })),
+            None => flow.map(Arc::new),
+        };
+        built
     });
     built.collect()
 }
@@ -338,6 +356,11 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         drag_area: V3::from(given.drag_area_m2),
         wind_loads: heading_loads(&given.wind_loads),
         current_loads: heading_loads(&given.current_loads),
+        drift_loads: drift_loads(given),
+        start_offset: [
+            V3::from(given.start_offset_m),
+            V3::from(given.start_offset_deg.map(f64::to_radians)),
+        ],
         potential_flow: None,
         spins_about: None,
     }
@@ -371,6 +394,21 @@ fn heading_loads(rows: &[HeadingLoadInputs]) -> Option<HeadingLoads> {
     (!rows.is_empty()).then(|| HeadingLoads {
         headings: rows.iter().map(|r| r.heading_deg.to_radians()).collect(),
         loads: rows.iter().map(loads).collect(),
+    })
+}
+
+fn drift_loads(given: &BodyInputs) -> Option<(HeadingLoads, V3)> {
+    let rows = &given.drift_loads;
+    let (sin, cos) = given.drift_towards_deg.to_radians().sin_cos();
+    (!rows.is_empty()).then(|| {
+        let loads = HeadingLoads {
+            headings: rows.iter().map(|r| r.heading_deg.to_radians()).collect(),
+            loads: rows
+                .iter()
+                .map(|r| [r.surge_n, r.sway_n, r.yaw_n_m])
+                .collect(),
+        };
+        (loads, V3::new(cos, sin, 0.0))
     })
 }
 

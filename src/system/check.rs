@@ -2,8 +2,7 @@
 
 use super::ageing::check::ageing;
 use super::model::{
-    BodyKeys, BodyKind, HeadingLoadKeys, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys,
-    SystemKeys,
+    BodyKeys, BodyKind, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
 use super::quantities;
@@ -100,8 +99,11 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
             .iter()
             .filter_map(|(_, member)| without_length(member)),
     );
-    found.extend(headings(&body.wind_loads));
-    found.extend(headings(&body.current_loads));
+    for rows in [&body.wind_loads, &body.current_loads] {
+        found.extend(headings(rows.iter().map(|(_, row)| &row.heading_deg)));
+    }
+    let drift = body.drift_loads.iter();
+    found.extend(headings(drift.map(|(_, row)| &row.heading_deg)));
     found
 }
 
@@ -191,15 +193,16 @@ fn without_length(member: &MemberKeys<'_>) -> Option<Finding> {
 }
 
 /// Headings that do not increase, or go round more than once.
-fn headings(rows: &[(String, HeadingLoadKeys<'_>)]) -> Option<Finding> {
-    let (_, first) = rows.first()?;
-    let mut before = first.heading_deg.value()?;
-    for (_, row) in &rows[1..] {
-        let here = row.heading_deg.value()?;
-        if here <= before || here >= first.heading_deg.value()? + 360.0 {
+fn headings<'k, 'n: 'k>(rows: impl Iterator<Item = &'k Key<'n, f64>>) -> Option<Finding> {
+    let rows: Vec<_> = rows.collect();
+    let first = rows.first()?.value()?;
+    let mut before = first;
+    for row in &rows[1..] {
+        let here = row.value()?;
+        if here <= before || here >= first + 360.0 {
             let problem = format!("{here} does not follow {before}");
             let remedy = "give the headings in increasing order, each once around";
-            return Some(row.heading_deg.finding(problem, remedy));
+            return Some(row.finding(problem, remedy));
         }
         before = here;
     }

@@ -95,6 +95,7 @@ impl FileKind for SystemFile {
             ("bodies", "body"),
             ("current_loads", "current"),
         ));
+        rows.extend(nested(lister, ("bodies", "body"), ("drift_loads", "drift")));
         rows.extend(lister.named("rods", "rod"));
         rows.extend(lister.named("materials", "material"));
         rows.extend(lister.named("payouts", "payout"));

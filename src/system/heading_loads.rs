@@ -1,26 +1,30 @@
 //! Wind and current on a body by coefficients: load by speed squared, by the heading from which they come, as tank and tunnel tests
-//! give them; and drag of a body on areas along its axes.
+//! give them; the mean drift of waves by their heading; and drag of a body on areas along its axes.
 
 use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 use num_dual::DualNum;
 
-use super::body_loads::{Dual, LoadSum, MovingPose, constant, near};
+use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant, near};
 use super::network::{Body, HeadingLoads, Network};
 use crate::numerics::V3;
 
 /// Wind, current and drag on a body.
 pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &mut LoadSum) {
+    if let Some((loads, towards)) = &body.drift_loads {
+        by_heading(loads, &constant(towards), pose, sum);
+    }
     if let Some(loads) = &body.wind_loads {
-        by_heading(loads, &network.wind, pose, sum);
+        by_heading(loads, &(constant(&network.wind) - pose.velocity), pose, sum);
     }
     let current = |z: f64| match &network.current {
         Some(current) => current.at(z),
         None => Default::default(),
     };
     if let Some(loads) = &body.current_loads {
-        by_heading(loads, &current(0.0).0, pose, sum);
+        let flow = constant(&current(0.0).0) - pose.velocity;
+        by_heading(loads, &flow, pose, sum);
     }
     if body.drag_area != V3::zeros() {
         let water = current(pose.origin.z.re);
@@ -54,9 +58,8 @@ fn on_areas(
     }
 }
 
-/// The load of a flow by its heading: surge and sway along the body's heading, and yaw.
-fn by_heading(loads: &HeadingLoads, flow: &V3, pose: &MovingPose<'_>, sum: &mut LoadSum) {
-    let flow = constant(flow) - pose.velocity;
+/// The load of a flow relative to the body by its heading: surge and sway along the body's heading, and yaw.
+fn by_heading(loads: &HeadingLoads, flow: &DualVector, pose: &MovingPose<'_>, sum: &mut LoadSum) {
     let speed2 = flow.x.powi(2) + flow.y.powi(2);
     if speed2.re == 0.0 {
         return;

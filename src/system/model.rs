@@ -207,6 +207,7 @@ words! {
 }
 
 const FLOATING: Conditions = &[("kind", &["free"])];
+const IN_WAVES: Conditions = &[("kind", &["free", "moved"])];
 
 table! {
     /// A rigid body. Its frame is the earth's where its angles are zero: x forward, y to port, z up.
@@ -280,8 +281,14 @@ table! {
         table_yaw_deg: Vec<f64>, "yaw of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
-        /// CSV file of its responses to waves over period_s and heading_deg (optional), by which it moves about its pose.
-        response_file: Option<String>, "responses", absent "it does not follow the waves", matters MOVED;
+        /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.
+        response_file: Option<String>, "responses", absent "none", matters IN_WAVES;
+        /// Displacement at time zero from where it rests, along x, y, z of the earth: it is let go there.
+        start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
+        /// Roll, pitch and yaw at time zero beyond those at rest.
+        start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-90.0, 90.0), matters FLOATING;
+        /// Direction towards which the waves of its mean drift run, from +x towards +y.
+        drift_towards_deg: f64 = 0.0, "drift direction", range of(-360.0, 360.0), matters FLOATING;
     }
     tables {
         /// Round members in the water, whose buoyancy counts as far as they are immersed.
@@ -290,6 +297,8 @@ table! {
         wind_loads: Vec<HeadingLoadInputs>;
         /// Loads of the current at the surface by its heading.
         current_loads: Vec<HeadingLoadInputs>;
+        /// Mean drift of the waves by their heading, a steady load, at rest too.
+        drift_loads: Vec<DriftLoadInputs>;
     }
 }
 
@@ -351,6 +360,21 @@ table! {
         sway_n_s2_per_m2: f64 = 0.0, "sway load", unit "N s2/m2", range of(-1e9, 1e9);
         /// Bow to port, about the origin.
         yaw_n_s2_per_m: f64 = 0.0, "yaw load", unit "N s2/m", range of(-1e12, 1e12);
+    }
+}
+
+table! {
+    /// The mean drift of waves at one heading; cubics in between.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct DriftLoadInputs => DriftLoadKeys {
+        /// Towards which the waves run, from the bow towards port: 0 from astern, 180 from ahead.
+        heading_deg: f64, "heading", range of(-360.0, 360.0);
+        /// Forwards.
+        surge_n: f64 = 0.0, "surge drift", range of(-1e9, 1e9);
+        /// To port.
+        sway_n: f64 = 0.0, "sway drift", range of(-1e9, 1e9);
+        /// Bow to port, about the origin.
+        yaw_n_m: f64 = 0.0, "yaw drift", unit "N m", range of(-1e12, 1e12);
     }
 }
 

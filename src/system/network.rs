@@ -29,6 +29,8 @@ pub struct Network {
     pub current: Option<CurrentProfile>,
     /// Waves in motion, if there are any.
     pub sea: Option<Sea>,
+    /// Whether they act on points and bodies alone.
+    pub waves_spare_lines: bool,
     /// Where the height of the waves is recorded \[m\].
     pub gauge: V3,
     /// Velocity of the wind on bodies \[m/s\].
@@ -155,6 +157,10 @@ pub struct Body {
     pub wind_loads: Option<HeadingLoads>,
     /// Loads of the current at the surface by its heading.
     pub current_loads: Option<HeadingLoads>,
+    /// Mean drift of waves by their heading \[N, N m\], and the direction towards which they run.
+    pub drift_loads: Option<(HeadingLoads, V3)>,
+    /// Displacement at time zero from where it rests \[m\], and roll, pitch and yaw beyond those there \[rad\].
+    pub start_offset: [V3; 2],
     /// Coefficients of potential flow around it.
     pub potential_flow: Option<Arc<PotentialFlow>>,
     /// Axis of a rod in its frame, about which it spins freely and nothing hangs on.
@@ -167,6 +173,28 @@ impl Body {
     pub fn tilt(&self, pose: &Pose) -> f64 {
         let upright = self.pose.rotation.inverse() * V3::z();
         pose.arm(&upright).angle(&V3::z())
+    }
+
+    /// Whether it is let go aside from where it rests.
+    #[must_use]
+    pub fn starts_aside(&self) -> bool {
+        self.free && self.start_offset != [V3::zeros(); 2]
+    }
+
+    /// Where it is let go, if it rests at this pose.
+    #[must_use]
+    pub fn aside(&self, rest: &Pose) -> Pose {
+        if !self.starts_aside() {
+            return *rest;
+        }
+        let [step, turn] = self.start_offset;
+        let [roll, pitch, yaw] = rest.angles();
+        Pose::new(
+            rest.origin + step,
+            roll + turn.x,
+            pitch + turn.y,
+            yaw + turn.z,
+        )
     }
 
     /// What holds the spin of a rod where it is \[N m\]: of the size of its other stiffness, without effect on any result.
@@ -199,7 +227,7 @@ pub struct Member {
 pub struct HeadingLoads {
     /// Headings towards which the flow runs, from the body's bow towards port, increasing \[rad\].
     pub headings: Vec<f64>,
-    /// Surge and sway \[N s²/m²\] and yaw \[N s²/m\] over speed squared.
+    /// Surge and sway \[N s²/m²\] and yaw \[N s²/m\] over speed squared; of drift the loads themselves.
     pub loads: Vec<[f64; 3]>,
 }
 
@@ -318,11 +346,13 @@ impl Network {
         self.lines.iter().position(|line| line.name == name)
     }
 
-    /// Whether a current or a wind acts on points or bodies.
+    /// Whether a current, a wind or the drift of waves acts on points or bodies.
     #[must_use]
     pub fn flows(&self) -> bool {
         let current = self.current.as_ref();
-        current.is_some_and(|current| current.max_speed() > 0.0) || self.wind != V3::zeros()
+        current.is_some_and(|current| current.max_speed() > 0.0)
+            || self.wind != V3::zeros()
+            || self.bodies.iter().any(|body| body.drift_loads.is_some())
     }
 
     /// The body of this name.

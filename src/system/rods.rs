@@ -74,6 +74,9 @@ fn body(rod: &RodInputs) -> BodyInputs {
         table_yaw_deg: Vec::new(),
         ramp_s: 0.0,
         response_file: None,
+        start_offset_m: [0.0; 3],
+        start_offset_deg: [0.0; 3],
+        drift_towards_deg: 0.0,
         radiation_file: None,
         excitation_file: None,
         drift_file: None,
@@ -90,5 +93,6 @@ fn body(rod: &RodInputs) -> BodyInputs {
         }],
         wind_loads: Vec::new(),
         current_loads: Vec::new(),
+        drift_loads: Vec::new(),
     }
 }

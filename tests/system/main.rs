@@ -7,6 +7,7 @@ mod analysis;
 mod bodies;
 mod closed_forms;
 mod discretised;
+mod floating;
 mod motion;
 mod on_bed;
 mod payout;

@@ -39,7 +39,7 @@ pub(crate) fn solver(duration: f64, step: f64, interval: f64) -> String {
 }
 
 /// Three soft lines around a body on a circle of a radius.
-fn held(body: &str) -> String {
+pub(crate) fn held(body: &str) -> String {
     format!(
         "{SOFT}
         [points.anchor]\nkind = \"fixed\"\nposition_m = [150.0, 0.0, -5.0]
@@ -114,7 +114,7 @@ fn a_neutral_ball_moves_as_the_water_around_it() {
 }
 
 /// A table of responses: heave 0.5 m/m 30 deg ahead, roll 2 deg/m, in head and beam seas.
-const RESPONSES: &str = "heading_deg,period_s,surge_m_per_m,surge_phase_deg,sway_m_per_m,sway_phase_deg,heave_m_per_m,heave_phase_deg,roll_deg_per_m,roll_phase_deg,pitch_deg_per_m,pitch_phase_deg,yaw_deg_per_m,yaw_phase_deg
+pub(crate) const RESPONSES: &str = "heading_deg,period_s,surge_m_per_m,surge_phase_deg,sway_m_per_m,sway_phase_deg,heave_m_per_m,heave_phase_deg,roll_deg_per_m,roll_phase_deg,pitch_deg_per_m,pitch_phase_deg,yaw_deg_per_m,yaw_phase_deg
 0,5,0.4,90,0,0,0.5,30,0,0,1,0,0,0
 0,20,0.4,90,0,0,0.5,30,0,0,1,0,0,0
 90,5,0,0,0.4,90,0.5,30,2,0,0,0,0,0

@@ -33,6 +33,14 @@ pub struct BodyFlow {
     waves: Option<WaveLoads>,
 }
 
+impl BodyFlow {
+    /// Whether waves load the body.
+    #[must_use]
+    pub fn has_waves(&self) -> bool {
+        self.waves.is_some()
+    }
+}
+
 /// The loads of the flow in a step.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FlowLoad {

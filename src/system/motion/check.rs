@@ -60,11 +60,30 @@ pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
         let problem = "is given twice, here and by radiation_file";
         found.extend(body.added_mass.if_given(problem, "leave one of them out"));
     }
-    if body.excitation_file.is_given() {
+    let floats = body.kind.is(&BodyKind::Free);
+    if body.excitation_file.is_given() && floats {
+        let problem = "is given beside excitation_file: both say how waves load the body";
+        found.extend(
+            body.response_file
+                .if_given(problem, "leave one of them out"),
+        );
+    }
+    if body.drift_file.is_given() && !body.drift_loads.is_empty() {
+        let problem = "has the mean drift, which drift_loads give too";
+        found.extend(body.drift_file.if_given(problem, "leave one of them out"));
+    }
+    let by_responses = floats && body.response_file.is_given();
+    if body.excitation_file.is_given() || by_responses {
         for (_, member) in &body.members {
             if member.drag_only.value() != Some(true) {
-                let problem =
-                    "counts the waves twice: excitation_file has the loads of what it displaces";
+                let problem = match by_responses {
+                    true => {
+                        "counts the waves twice: response_file has the loads of what it displaces"
+                    }
+                    false => {
+                        "counts the waves twice: excitation_file has the loads of what it displaces"
+                    }
+                };
                 let remedy =
                     "set `drag_only = true`, with its volume in that of the body, or leave it out";
                 found.push(member.place.finding(problem, remedy));

@@ -367,7 +367,7 @@ impl MovingSystem {
 
 /// Puts a line into the waves of a system.
 pub(super) fn put_into_waves(network: &Network, scene: &mut Scene) {
-    if let Some(sea) = &network.sea {
+    if let Some(sea) = network.sea.as_ref().filter(|_| !network.waves_spare_lines) {
         scene
             .line
             .put_into_waves(sea, (network.density, network.gravity));

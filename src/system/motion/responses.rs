@@ -1,4 +1,4 @@
-//! The motion of a body in waves by its responses: a sum of harmonics about its pose.
+//! The motion of a moved body in waves by its responses: a sum of harmonics about its pose.
 
 use crate::case::Diagnostic;
 use crate::numerics::V3;
@@ -33,11 +33,26 @@ pub fn wave_response(
     let Some(name) = &body.response_file else {
         return Ok(None);
     };
-    let Some(carried) = file.files.get(name) else {
+    let Some(raos) = read(file, name)? else {
         return Ok(None);
     };
-    let raos = rao_file::read(&carried.text, name)?;
     motion(file, body, sea, &raos, name).map(Some)
+}
+
+/// The responses that a body names, which the system carries and which can be read; nothing for others.
+pub(in crate::system) fn responses(
+    file: &SystemFile,
+    body: &BodyInputs,
+) -> Option<Vec<HeadingRao>> {
+    let name = body.response_file.as_ref()?;
+    read(file, name).ok().flatten()
+}
+
+fn read(file: &SystemFile, name: &str) -> Result<Option<Vec<HeadingRao>>, Diagnostic> {
+    let carried = file.files.get(name);
+    carried
+        .map(|carried| rao_file::read(&carried.text, name))
+        .transpose()
 }
 
 fn motion(

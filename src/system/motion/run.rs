@@ -117,9 +117,10 @@ pub(super) fn run_stored(
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,
     });
-    let coarse = coarse_memory(&begun);
+    let mut notes = coarse_memory(&begun);
+    notes.extend(turned_from_loads(&begun));
     let mut run = compute(begun, &settings, stored, cancel, events);
-    run.warnings.extend(coarse);
+    run.warnings.extend(notes);
     if let Some(again) = again.filter(|_| run.state == RunState::Done) {
         events(JobEvent::Estimating);
         let clock = Instant::now();
@@ -162,6 +163,30 @@ fn coarse_memory(begun: &Start) -> Vec<String> {
             format!(
                 "body {name}: the retardation functions give the damping back within {:.1} % of its greatest value only; give radiation_file at more frequencies",
                 100.0 * error
+            )
+        })
+    });
+    off.collect()
+}
+
+/// Turn of a body at rest from the heading that its wave loads are for above which a warning says so \[rad\].
+const TURNED: f64 = 0.05;
+
+/// Warnings of bodies that rest at another heading than the one that their wave loads are for.
+fn turned_from_loads(begun: &Start) -> Vec<String> {
+    let system = &begun.system;
+    let flows = system.flows.iter().filter(|flow| flow.has_waves());
+    let off = flows.filter_map(|flow| {
+        let body = &system.network.bodies[flow.body];
+        let rests = begun.state.body(&system.joints, flow.body).pose.angles()[2];
+        let turn = rests - body.pose.angles()[2];
+        let turn = turn.sin().atan2(turn.cos());
+        (turn.abs() > TURNED).then(|| {
+            format!(
+                "body {}: it begins at a heading of {:.1} deg, its wave loads are for {:.1}; give that as its yaw_deg",
+                body.name,
+                rests.to_degrees(),
+                body.pose.angles()[2].to_degrees()
             )
         })
     });

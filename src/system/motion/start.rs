@@ -18,7 +18,7 @@ use crate::system::equilibrium::SystemError;
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
 use crate::system::line_at_rest::{LineAtRest, LinePhysics};
 use crate::system::model::SystemFile;
-use crate::system::network::{Held, Line, Network};
+use crate::system::network::{Body, Held, Line, Network};
 use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
 
 /// Iterations from the equilibrium of held ends to that of everything on its bed.
@@ -72,11 +72,39 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     for (payout, force) in holding(&system, &state).into_iter().enumerate() {
         system.payouts[payout].holding = Some(force);
     }
+    if system.network.bodies.iter().any(Body::starts_aside) {
+        state = displaced(&system, &state)?;
+    }
     Ok(Start {
         system,
         state,
         iterations,
     })
+}
+
+/// The state in which bodies are let go aside from where they rest: lines at rest between their ends there, free points as they are.
+fn displaced(system: &MovingSystem, rest: &SystemState) -> Result<SystemState, UnsolvedSystem> {
+    let (network, joints) = (&system.network, &rest.joints);
+    let bodies = network.bodies.iter().enumerate();
+    let points = system.joints.points.iter();
+    let mut placement = Placement {
+        points: points.map(|joint| joints.x[*joint]).collect(),
+        bodies: bodies
+            .map(|(number, body)| body.aside(&system.body(rest, number).pose))
+            .collect(),
+    };
+    placement.carry(network);
+    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let lines = balance(network, &freedoms, &placement, LinePhysics::Full, None);
+    let lines = lines
+        .map_err(|unsolved| refused_at_rest(network, &SystemError::Line(unsolved)))?
+        .lines;
+    let (_, mut state) = at_rest(network.clone(), &placement, &lines);
+    system.prescribe(0.0, &mut state);
+    still(&mut state);
+    system.follow(&mut state);
+    state.joints.memory.grips = system.anchors(&state.joints);
+    Ok(state)
 }
 
 /// The divided lines, each at rest between its ends where the system rests, with what is moved where it is at time zero. Friction of the bed acts

@@ -9,6 +9,7 @@
 //! which waves run, from the bow towards port.
 
 mod coefficients;
+pub mod responses;
 pub mod retardation;
 pub mod wamit;
 pub mod wave_loads;
