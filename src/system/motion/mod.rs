@@ -26,6 +26,7 @@ mod march;
 mod mesh_of_ends;
 pub mod method;
 pub mod moving_system;
+mod new_node;
 pub mod payout;
 mod payout_border;
 mod point_loads;
