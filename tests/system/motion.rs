@@ -201,6 +201,7 @@ fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
         attached: Vec::new(),
         paid: Vec::new(),
         added: Vec::new(),
+        surplus: Vec::new(),
         drive_excess: Vec::new(),
     };
     (system, state)

@@ -528,6 +528,49 @@ fn a_stiff_line_that_hangs_slack_is_parted_without_a_jerk() {
     assert!(run.balance.relative_drift() < 2e-3, "{:?}", run.balance);
 }
 
+/// A segment of 10 m less has 5 mm of slack in it, which is 30 times the tension. The line sags from the start: one let go from where it is
+/// taut swings for longer than it takes to part it.
+#[test]
+fn a_stiff_line_that_sags_is_parted_and_joined_at_its_tension() {
+    for (rate, length, segments) in [(1.0, 106.0, 10), (-0.8, 113.0, 11)] {
+        let more = format!(
+            "[[payouts]]\nline = \"wire\"\nrate_m_per_s = {rate:?}\nramp_s = 2.0\n\
+             [solver]\nduration_s = 12.0\nerror_estimate = false\n[output]\ninterval_s = 0.05\n"
+        );
+        let run = stretched([100.0, 0.0, -20.0], length, segments, 1e9, &more);
+        let pull = channel(&run, "tension_n[wire|a]");
+        for pair in pull[40..].windows(2) {
+            assert!((pair[1] / pair[0] - 1.0).abs() < 0.03, "{pair:?}");
+        }
+        assert!(greatest(&run, "tension_n[wire|a]") <= pull[0].max(pull[240]) * 1.001);
+        assert!(run.balance.relative_drift() < 2e-3, "{:?}", run.balance);
+    }
+}
+
+/// The mesh runs through the sag, and its segments shake it by the square of their length.
+#[test]
+fn a_line_passes_from_one_end_to_the_other_as_a_whole() {
+    let ends = [("a", -2.0), ("b", 2.0)].map(|(end, rate)| {
+        format!(
+            "[[payouts]]\nline = \"wire\"\nend = \"{end}\"\nrate_m_per_s = {rate:?}\nramp_s = 2.0\n"
+        )
+    });
+    for (segments, off) in [(20, 0.02), (40, 0.005)] {
+        let more = format!("{}{}{}", ends[0], ends[1], solver(30.0, None, 0.5));
+        let run = stretched([20.0, 0.0, 0.0], 20.5, segments, 6e7, &more);
+        let length = *channel(&run, "length_m[wire]").last().unwrap();
+        assert!((length - 20.5).abs() < 1e-9);
+        // What runs round a bend is pulled by its momentum, 10 kg/m at 2 m/s.
+        let pull = channel(&run, "tension_n[wire|a]");
+        for now in &pull[10..] {
+            let steady = pull[0] + 40.0;
+            assert!((now / steady - 1.0).abs() < off, "{now} {steady}");
+        }
+        // Of what is put in, most is the start.
+        assert!(run.balance.relative_drift() < 0.03, "{:?}", run.balance);
+    }
+}
+
 /// Its tension is read with the correction of chords that turn: a segment that grows is as taut between as at the end of a step.
 #[test]
 fn a_line_that_grows_while_it_swings_has_the_tension_of_one_that_does_not() {

@@ -90,27 +90,23 @@ impl Channels {
     pub fn read(&self, system: &MovingSystem, t: f64, state: &SystemState, values: &mut Vec<f64>) {
         let network = &system.network;
         values.clear();
-        values.extend(self.sources.iter().map(|source| {
-            match *source {
-                Source::Tension(line, end) => {
-                    let (scene, line) = (system.scene(line, state), &state.lines[line]);
-                    scene.tension_at(end * (line.x.len() - 1), line)
-                }
-                Source::Place(joint, axis) => state.joints.x[joint][axis],
-                Source::Elevation => {
-                    let sea = network.sea.as_ref();
-                    sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
-                }
-                Source::Length(number) => state.paid[number]
-                    .line
-                    .segments
-                    .iter()
-                    .map(|segment| segment.axial.length)
-                    .sum(),
-                Source::Angle(body, axis) => {
-                    system.body(state, body).pose.angles()[axis].to_degrees()
-                }
+        values.extend(self.sources.iter().map(|source| match *source {
+            Source::Tension(line, end) => {
+                let (scene, line) = (system.scene(line, state), &state.lines[line]);
+                scene.tension_at(end * (line.x.len() - 1), line)
             }
+            Source::Place(joint, axis) => state.joints.x[joint][axis],
+            Source::Elevation => {
+                let sea = network.sea.as_ref();
+                sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
+            }
+            Source::Length(number) => {
+                let segments = state.paid[number].line.segments.iter();
+                let meshed: f64 = segments.map(|segment| segment.axial.length).sum();
+                let left = [0, 1].map(|end| system.surplus((number, end), state)[0]);
+                meshed - left[0] - left[1]
+            }
+            Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
         }));
     }
 }

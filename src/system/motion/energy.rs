@@ -26,6 +26,9 @@ pub struct Energy {
     pub power_in: f64,
     /// Power of drag, damping and bed \[W\].
     pub lost: f64,
+    /// Power of the tension on what meshing left too much in end segments \[W\].
+    #[serde(default)]
+    pub remeshed: f64,
 }
 
 /// The energy of a state at time t \[s\]; `bodies` are the free bodies with their mass.
@@ -49,6 +52,9 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             sum.lost += load.lost;
         }
     }
+    // It came with the mesh: neither a drive nor a load does it.
+    sum.remeshed = system.surplus_power(state);
+    sum.power_in -= sum.remeshed;
     for drive in drives(system, t, state) {
         sum.stored += drive.stored;
         sum.power_in += drive.power_in;

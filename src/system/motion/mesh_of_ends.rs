@@ -1,8 +1,9 @@
 //! The mesh at ends that are paid out: only their segment grows or shrinks; where it is too long it is parted, where too short joined
-//! with the next.
+//! with the next: see [`super::new_node`] and [`super::surplus`].
 
 use super::method::MethodState;
 use super::moving_system::{MovingSystem, put_into_waves};
+use super::new_node::NewNode;
 use super::system_state::SystemState;
 use crate::case::Case;
 use crate::numerics::V3;
@@ -92,12 +93,14 @@ impl MovingSystem {
         let mesh = self.mesh_length(number, end);
         let joints = &state.joints;
         let added = state.added[number][end] as f64;
-        let length = mesh * (1.0 - added) + sign * joints.x[joint].x;
+        let out = [&joints.x, &joints.v, &joints.a].map(|list| sign * list[joint].x);
+        let surplus = self.surplus((number, end), state);
+        let length = mesh * (1.0 - added) + out[0] + surplus[0];
         PaidOut {
             // A trial of an iteration may leave nothing.
             length: length.max(0.5 * NOTHING * mesh),
-            rate: sign * joints.v[joint].x,
-            acceleration: sign * joints.a[joint].x,
+            rate: out[1] + surplus[1],
+            acceleration: out[2] + surplus[2],
         }
     }
 
@@ -130,7 +133,7 @@ impl MovingSystem {
     }
 
     /// The ends that are paid out, by the number of their line among those.
-    fn paid_ends(&self) -> impl Iterator<Item = (usize, usize)> {
+    pub(super) fn paid_ends(&self) -> impl Iterator<Item = (usize, usize)> {
         let ends = (0..self.paid.len()).flat_map(|number| [(number, 0), (number, 1)]);
         ends.filter(|(number, end)| self.paid[*number].ends[*end].is_some())
     }
@@ -186,7 +189,13 @@ impl MovingSystem {
         let nodes = state.lines[line].x.len();
         let parts = need == Remesh::Part;
         let placed = parts.then(|| self.new_node(number, end, t, state));
-        let far = self.mesh_length(number, end) / self.paid_out(number, end, state).length;
+        let (mesh, length) = (
+            self.mesh_length(number, end),
+            self.paid_out(number, end, state).length,
+        );
+        let before = end_path(&state.lines[line].x, end, if parts { 1 } else { 2 });
+        let stretch = before / if parts { length } else { length + mesh };
+        let far = mesh / length;
         state.added[number][end] += if parts { 1 } else { -1 };
         let scene = self.meshed(&self.paid[number], state.added[number])?;
         // The node that comes or goes, and the segment at the end.
@@ -197,18 +206,7 @@ impl MovingSystem {
         };
         let segment = end * (nodes - 2);
         let own = &mut state.lines[line];
-        match placed {
-            Some([x, v, a]) => {
-                own.x.insert(node, x);
-                own.v.insert(node, v);
-                own.a.insert(node, a);
-            }
-            None => {
-                for list in [&mut own.x, &mut own.v, &mut own.a] {
-                    list.remove(node);
-                }
-            }
-        }
+        put_node(own, node, placed.as_ref());
         let share = if parts { [1.0 - far, far] } else { [1.0; 2] };
         change_corrections(&mut own.chord_correction, end, (segment, share), parts);
         change_history(own, &scene, (node, segment), parts);
@@ -222,6 +220,10 @@ impl MovingSystem {
         }
         state.paid[number] = scene.clone();
         self.scenes[line] = scene;
+        let after = end_path(&state.lines[line].x, end, if parts { 2 } else { 1 });
+        if stretch > 1.0 {
+            self.add_surplus((number, end), (after - before) / stretch, state);
+        }
         self.follow(state);
         Ok(())
     }
@@ -238,6 +240,30 @@ impl MovingSystem {
             self.scenes[line] = scene;
         }
         Ok(())
+    }
+}
+
+/// Length of the chords of so many segments at an end \[m\].
+fn end_path(x: &[V3], end: usize, segments: usize) -> f64 {
+    let nodes = [&x[..=segments], &x[x.len() - 1 - segments..]][end];
+    let chords = nodes.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+    chords.sum()
+}
+
+/// Puts a new node into a line, or takes one out.
+fn put_node(own: &mut State, at: usize, new: Option<&NewNode>) {
+    let State { x, v, a, .. } = own;
+    match new {
+        Some(new) => {
+            x.insert(at, new.place);
+            v.insert(at, new.velocity);
+            a.insert(at, new.acceleration);
+        }
+        None => {
+            for list in [x, v, a] {
+                list.remove(at);
+            }
+        }
     }
 }
 

@@ -38,6 +38,7 @@ pub mod rk4;
 pub mod run;
 pub mod settings;
 pub mod start;
+pub mod surplus;
 pub mod system_state;
 mod wave_stations;
 

@@ -11,18 +11,23 @@ use crate::numerics::V3;
 
 /// Greatest distance of a new node from the chord, by the length of the mesh.
 const ASIDE: f64 = 0.1;
-/// Newton iterations for its sag, more than it needs from there.
-const SAG_ITERATIONS: usize = 8;
+
+/// A node that parts an end segment.
+pub(super) struct NewNode {
+    pub(super) place: V3,
+    pub(super) velocity: V3,
+    pub(super) acceleration: V3,
+}
 
 impl MovingSystem {
-    /// Place, velocity and acceleration of the node that parts an end segment.
+    /// The node that parts an end segment.
     pub(super) fn new_node(
         &self,
         number: usize,
         end: usize,
         t: f64,
         state: &SystemState,
-    ) -> [V3; 3] {
+    ) -> NewNode {
         let line = self.paid[number].line;
         let (scene, own) = (self.scene(line, state), &state.lines[line]);
         let out = self.paid_out(number, end, state);
@@ -40,40 +45,37 @@ impl MovingSystem {
             - V3::z() * (2.0 * segment.half_weight)
             - mean * (2.0 * segment.half_mass);
         let moment = load * (0.5 * mesh * (l - mesh) / l);
-        let off = aside(
+        let (along, across) = asides(
             &chord.tangent,
             &moment,
             (tension.value, tension.by_length * l),
-            mesh * (l - mesh),
+            ASIDE * mesh,
         );
-        let aside = off * (ASIDE * mesh / off.norm().max(ASIDE * mesh));
-        let grows = out.rate / l;
-        let turns = out.acceleration / l;
-        let on_chord = own.x[g] + d * far;
-        [
-            on_chord + aside + scene.lift_to_bed(&on_chord, &aside),
-            own.v[g] + (w - d * grows) * far,
-            own.a[g]
-                + (own.a[f] - own.a[g] - w * (2.0 * grows) + d * (2.0 * grows * grows - turns))
+        let share = d * far;
+        let across = across + scene.lift_to_bed(&(own.x[g] + share), &across);
+        // The part beyond keeps its length.
+        let way = (share + across).try_normalize(0.0);
+        let beyond = way.map_or(share, |way| way * share.norm());
+        // It sinks as the part next to the end grows.
+        let drawn = d - across / (1.0 - far);
+        let (grows, turns) = (out.rate / l, out.acceleration / l);
+        NewNode {
+            place: own.x[g] + beyond + along,
+            velocity: own.v[g] + (w - drawn * grows) * far,
+            acceleration: own.a[g]
+                + (own.a[f] - own.a[g] - w * (2.0 * grows) + drawn * (2.0 * grows * grows - turns))
                     * far,
-        ]
+        }
     }
 }
 
-/// How far off its chord a segment of this tension and stiffness EA \[N\] is in balance where it is parted \[m\], by the moment of the load on it
-/// \[N m\] and the product of its parts h s. Across, `T a + EA a³ / 2 h s = M`: the parts are longer than the chord by `a² (1/h + 1/s) / 2`,
-/// which stretches them. Where it is slack it stays on its chord: what falls does so in motion.
-fn aside(tangent: &V3, moment: &V3, (tension, stiff): (f64, f64), parts: f64) -> V3 {
+/// How far off its chord a segment of this tension and stiffness EA \[N\] is in balance where it is parted \[m\], along it and across, by the moment
+/// of the load on it \[N m\], and no farther than `most`. Where it is slack it stays on its chord: what falls does so in motion.
+fn asides(tangent: &V3, moment: &V3, (tension, stiff): (f64, f64), most: f64) -> (V3, V3) {
     if tension <= 0.0 || stiff <= 0.0 {
-        return V3::zeros();
+        return (V3::zeros(), V3::zeros());
     }
     let along = tangent * tangent.dot(moment);
-    let across = moment - along;
-    let (load, cubic) = (across.norm(), 0.5 * stiff / parts);
-    let mut off = (load / tension).min((load / cubic).cbrt());
-    for _ in 0..SAG_ITERATIONS {
-        let square = cubic * off * off;
-        off = (load + 2.0 * square * off) / (tension + 3.0 * square);
-    }
-    along / stiff + across * (off / load.max(f64::MIN_POSITIVE))
+    let at_most = |off: V3| off * (most / off.norm().max(most));
+    (at_most(along / stiff), at_most((moment - along) / tension))
 }

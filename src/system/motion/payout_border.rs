@@ -173,6 +173,7 @@ pub(super) fn drives(
             // The drum and what drives it, which the equation leaves of the pull of the line.
             power_in: q * (held - drive - of_lines),
             lost: q * friction,
+            remeshed: 0.0,
         }
     })
 }

@@ -313,6 +313,7 @@ impl Recorder {
                 let size = |energy: &Energy| energy.power_in.abs() + energy.lost.abs();
                 self.passed += half * (size(now) + size(&self.last_energy));
                 self.balance.put_in += half * (now.power_in + self.last_energy.power_in);
+                self.balance.remeshed += half * (now.remeshed + self.last_energy.remeshed);
                 self.balance.lost += half * (now.lost + self.last_energy.lost);
                 self.balance.stored = now.stored - self.energy_at_start;
             }

@@ -6,6 +6,7 @@ use super::breaks;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::holding;
+use super::surplus::Surplus;
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
@@ -213,6 +214,7 @@ fn at_rest(
             .map(|paid| system.scenes[paid.line].clone())
             .collect(),
         added: vec![[0; 2]; system.paid.len()],
+        surplus: vec![[Surplus::default(); 2]; system.paid.len()],
         drive_excess: vec![0.0; system.payouts.len()],
     };
     (system, state)

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::body_flow::{FlowLoad, VelocityHistory};
 use super::joints::Joints;
 use super::pose_motion::BodyMotion;
+use super::surplus::Surplus;
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
 use crate::scene::Scene;
@@ -38,6 +39,9 @@ pub struct SystemState {
     /// Segments that each of them has more at ends A and B than at rest.
     #[serde(default)]
     pub added: Vec<[i64; 2]>,
+    /// What meshing anew left too much in their end segments.
+    #[serde(default)]
+    pub surplus: Vec<[Surplus; 2]>,
     /// By how much the forces of winches and of friction at points that slide exceed, at the rates of an accepted state, those that the
     /// balances were solved with \[N\].
     #[serde(default)]
@@ -86,6 +90,7 @@ impl SystemState {
         self.attached.clone_from(&stored.attached);
         self.velocities.clone_from(&stored.velocities);
         self.added.clone_from(&stored.added);
+        self.surplus.clone_from(&stored.surplus);
         self.drive_excess.clone_from(&stored.drive_excess);
     }
 
@@ -93,6 +98,7 @@ impl SystemState {
     pub fn size_as(&mut self, other: &Self) {
         self.lines.clone_from(&other.lines);
         self.added.clone_from(&other.added);
+        self.surplus.clone_from(&other.surplus);
     }
 
     /// Number of the nodes of all lines.
