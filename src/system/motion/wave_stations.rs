@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
+use crate::numerics::V3;
 use crate::physics::sea::{Sea, WaterMotion};
 use crate::system::members::{self, STATIONS};
 use crate::system::network::Body;
@@ -13,7 +15,9 @@ use crate::system::network::Body;
 pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
     let mut next = 0;
     let range = |body: &Body| {
-        let feels = waves && body.free;
+        // Only drag and members feel the water itself.
+        let feels =
+            waves && body.free && (body.drag_area != V3::zeros() || !body.members.is_empty());
         let count = if feels {
             1 + STATIONS * body.members.len()
         } else {
@@ -31,7 +35,10 @@ pub(super) fn read(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemS
     joints
         .wave_flow
         .resize(joints.x.len(), WaterMotion::default());
-    for joint in system.joints.free.clone() {
+    let roles = &system.joints.roles;
+    let points = system.joints.free.clone();
+    let points = points.filter(|joint| matches!(roles[*joint], Role::Free(_) | Role::Released(..)));
+    for joint in points {
         joints.wave_flow[joint] = sea.flow(t, &joints.x[joint], true);
     }
     for (number, range) in system.stations.iter().enumerate() {
