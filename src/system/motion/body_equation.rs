@@ -9,9 +9,14 @@
 //! ```
 //!
 //! (Fossen 2011, sec. 6.3). All is written once, for dual numbers in the six unknowns of a step: the tangent is exact.
+//!
+//! The second term of either is of second order. Where potential flow or responses give the loads of waves to first order, and their
+//! mean drift apart, or coefficients of the current have the moment that turns the body across it, added mass acts to first order too:
+//! along the axes at the pose given, by accelerations alone, and damping along these axes turned to the heading of the body. A part of the second order without the rest is a drift that no body has.
 
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, UnitQuaternion, Vector6};
 
+use super::body_damping::{damp, is_linear};
 use super::body_flow::FlowLoad;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
@@ -43,6 +48,8 @@ pub struct MovingBody {
     pub number: usize,
     /// Mass matrix about the origin, along the axes of the body, added mass included \[kg, kg m, kg m²\].
     pub mass: Matrix6<f64>,
+    /// Of it what acts to first order alone, and the same along the earth's axes at the pose given.
+    linear: [Matrix6<f64>; 2],
 }
 
 impl MovingBody {
@@ -60,7 +67,25 @@ impl MovingBody {
             here += turn * block * turn.transpose();
         }
         mass += rigid(body);
-        Self { number, mass }
+        let linear = match is_linear(body) {
+            true => [body.added_mass, turned(&body.added_mass, &body.pose)],
+            false => [Matrix6::zeros(); 2],
+        };
+        Self {
+            number,
+            mass,
+            linear,
+        }
+    }
+
+    /// The same body without inertia: of its residual loads are left.
+    #[must_use]
+    pub fn massless(number: usize) -> Self {
+        Self {
+            number,
+            mass: Matrix6::zeros(),
+            linear: [Matrix6::zeros(); 2],
+        }
     }
 
     /// The residual, inertia less loads: force \[N\] and moment about the origin \[N m\] in the earth's directions, and its
@@ -115,39 +140,61 @@ impl MovingBody {
         (acceleration, spin, spin_rate): (&DualVector, &DualVector, &DualVector),
         sum: &mut LoadSum,
     ) {
-        let block = |row: usize, column: usize| {
-            let block = self.mass.fixed_view::<3, 3>(row, column).into_owned();
-            block.map(Dual::from_re)
-        };
-        let (linear, mixed, turned, angular) = (block(0, 0), block(0, 3), block(3, 0), block(3, 3));
         let velocity = moving.to_body(&moving.velocity);
         let rate = moving.to_body(acceleration) - spin.cross(&velocity);
-        let momentum = linear * velocity + mixed * spin;
-        let angular_momentum = turned * velocity + angular * spin;
-        let force = linear * rate + mixed * spin_rate + spin.cross(&momentum);
-        let moment = turned * rate
-            + angular * spin_rate
-            + spin.cross(&angular_momentum)
-            + velocity.cross(&momentum);
+        let turning = self.mass - self.linear[0];
+        let (momentum, angular_momentum) = product(&turning, &velocity, spin);
+        let (force, moment) = product(&turning, &rate, spin_rate);
+        let force = force + spin.cross(&momentum);
+        let moment = moment + spin.cross(&angular_momentum) + velocity.cross(&momentum);
         sum.add(&constant(&V3::zeros()), &-moving.to_earth(&force));
         sum.turn(&-moving.to_earth(&moment));
+        if self.linear[1] != Matrix6::zeros() {
+            let (force, moment) =
+                product(&self.linear[1], acceleration, &moving.to_earth(spin_rate));
+            sum.add(&constant(&V3::zeros()), &-force);
+            sum.turn(&-moment);
+        }
     }
 
     /// Kinetic energy \[J\].
     #[must_use]
     pub fn kinetic_energy(&self, motion: &BodyMotion) -> f64 {
         let rates = velocities(motion);
-        0.5 * rates.dot(&(self.mass * rates))
+        let (v, spin) = (motion.velocity, motion.pose.rotation * motion.spin);
+        let in_earth = Vector6::new(v.x, v.y, v.z, spin.x, spin.y, spin.z);
+        let turning = rates.dot(&((self.mass - self.linear[0]) * rates));
+        0.5 * (turning + in_earth.dot(&(self.linear[1] * in_earth)))
     }
+}
 
-    /// Power of the damping by matrices \[W\], positive where energy is lost.
-    #[must_use]
-    pub fn damped(network: &Network, number: usize, motion: &BodyMotion) -> f64 {
-        let body = &network.bodies[number];
-        let rates = velocities(motion);
-        let squares = rates.map(|rate| rate * rate.abs());
-        rates.dot(&(body.damping * rates + body.quadratic_damping * squares))
+/// A matrix along the axes of a body at this pose in the earth's directions.
+fn turned(matrix: &Matrix6<f64>, pose: &Pose) -> Matrix6<f64> {
+    let turn = pose.matrix();
+    let turn = turn.matrix();
+    let mut out = Matrix6::zeros();
+    for (row, column) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
+        let block = matrix.fixed_view::<3, 3>(row, column).into_owned();
+        let there = turn * block * turn.transpose();
+        out.fixed_view_mut::<3, 3>(row, column).copy_from(&there);
     }
+    out
+}
+
+/// A matrix times a vector of two parts.
+fn product(
+    matrix: &Matrix6<f64>,
+    first: &DualVector,
+    second: &DualVector,
+) -> (DualVector, DualVector) {
+    let block = |row: usize, column: usize| {
+        let block = matrix.fixed_view::<3, 3>(row, column).into_owned();
+        block.map(Dual::from_re)
+    };
+    (
+        block(0, 0) * first + block(0, 3) * second,
+        block(3, 0) * first + block(3, 3) * second,
+    )
 }
 
 /// Velocity of the origin and angular velocity along the axes of the body.
@@ -171,40 +218,6 @@ fn rigid(body: &Body) -> Matrix6<f64> {
     mass
 }
 
-/// Damping by the matrices of the body, and the memory of the waves that it radiated.
-fn damp(
-    body: &Body,
-    flow: Option<&FlowLoad>,
-    moving: &MovingPose<'_>,
-    spin: &DualVector,
-    sum: &mut LoadSum,
-) {
-    let still = body.damping == Matrix6::zeros() && body.quadratic_damping == Matrix6::zeros();
-    if still && flow.is_none() {
-        return;
-    }
-    let mut damping = body.damping;
-    let mut memory = Vector6::zeros();
-    if let Some(flow) = flow {
-        damping += flow.damping;
-        memory = flow.memory;
-    }
-    let velocity = moving.to_body(&moving.velocity);
-    let rates = [velocity.x, velocity.y, velocity.z, spin.x, spin.y, spin.z];
-    let load = |row: usize| {
-        let zero = Dual::from_re(memory[row]);
-        rates.iter().enumerate().fold(zero, |sum, (column, rate)| {
-            let size = if rate.re < 0.0 { -*rate } else { *rate };
-            sum - *rate * damping[(row, column)]
-                - *rate * size * body.quadratic_damping[(row, column)]
-        })
-    };
-    let force = DualVector::new(load(0), load(1), load(2));
-    let moment = DualVector::new(load(3), load(4), load(5));
-    sum.add(&constant(&V3::zeros()), &moving.to_earth(&force));
-    sum.turn(&moving.to_earth(&moment));
-}
-
 /// The bed under the bottom of a body that has one.
 fn bottom(network: &Network, body: &Body, moving: &MovingPose<'_>, sum: &mut LoadSum) {
     let Some((bed, bottom)) = network.bed_z.zip(body.bottom) else {
@@ -224,7 +237,7 @@ fn bottom(network: &Network, body: &Body, moving: &MovingPose<'_>, sum: &mut Loa
 /// earth's directions: `R J(v)` with R the rotation after it and J the right Jacobian
 /// `I - (1 - cos a)/a² [v] + (a - sin a)/a³ [v]²`, a = |v|.
 #[must_use]
-pub fn rotation_jacobian(rotation: &nalgebra::UnitQuaternion<f64>, vector: &V3) -> M3 {
+pub fn rotation_jacobian(rotation: &UnitQuaternion<f64>, vector: &V3) -> M3 {
     let angle2 = vector.norm_squared();
     let (first, second) = if angle2 < 1e-8 {
         (0.5 - angle2 / 24.0, 1.0 / 6.0 - angle2 / 120.0)
@@ -245,7 +258,7 @@ mod tests {
     use crate::physics::sea::{
         Component, DepthDecay, Sea, Stretching, WaveField, WaveLoad, WaveSettings,
     };
-    use crate::system::network::Member;
+    use crate::system::network::{HeadingLoads, Member};
     use nalgebra::UnitQuaternion;
 
     fn body() -> Body {
@@ -301,13 +314,36 @@ mod tests {
 
     #[test]
     fn the_tangent_is_the_derivative_of_the_residual() {
-        let network = Network {
-            gravity: 9.81,
-            density: 1025.0,
-            bodies: vec![body()],
-            wind: V3::new(10.0, 0.0, 0.0),
-            ..Network::default()
-        };
+        for current_loads in [None, Some(loads())] {
+            let network = Network {
+                gravity: 9.81,
+                density: 1025.0,
+                bodies: vec![Body {
+                    current_loads,
+                    pose: Pose::new(V3::zeros(), 0.0, 0.0, 0.3),
+                    ..body()
+                }],
+                wind: V3::new(10.0, 0.0, 0.0),
+                ..Network::default()
+            };
+            check_tangents(&network);
+        }
+    }
+
+    /// Loads by heading, with which added mass and damping act to first order.
+    fn loads() -> HeadingLoads {
+        HeadingLoads {
+            headings: vec![0.0, 1.5, 3.0, 4.5],
+            loads: vec![
+                [9e2, 10.0, 0.0],
+                [0.0, 2e3, 4e3],
+                [-8e2, 0.0, 0.0],
+                [0.0, -2e3, -4e3],
+            ],
+        }
+    }
+
+    fn check_tangents(network: &Network) {
         let base = UnitQuaternion::from_euler_angles(0.2, -0.1, 0.7);
         let vector = V3::new(0.3, -0.2, 0.4);
         let motion = BodyMotion {
@@ -320,9 +356,9 @@ mod tests {
             acceleration: V3::new(0.3, 0.2, -0.6),
             spin_rate: V3::new(-0.1, 0.2, 0.3),
         };
-        let moving = MovingBody::new(&network, 0, &Pose::default());
-        for waves in [Vec::new(), waves_around(&network, &motion.pose)] {
-            check_tangent(&network, &moving, (&motion, &vector, base), &waves);
+        let moving = MovingBody::new(network, 0, &Pose::default());
+        for waves in [Vec::new(), waves_around(network, &motion.pose)] {
+            check_tangent(network, &moving, (&motion, &vector, base), &waves);
         }
     }
 

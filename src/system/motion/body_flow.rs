@@ -12,7 +12,7 @@
 use nalgebra::{Matrix6, Vector6};
 use serde::{Deserialize, Serialize};
 
-use super::body_equation::velocities;
+use super::body_damping::damped_velocities;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::system::network::Network;
@@ -46,13 +46,13 @@ impl BodyFlow {
 pub struct FlowLoad {
     /// Force \[N\] and moment about the origin \[N m\] of the waves, in the earth's directions.
     pub waves: Vector6<f64>,
-    /// Load of the memory at no velocity, along the axes of the body \[N, N m\].
+    /// Load of the memory at no velocity, along the axes that damping acts in \[N, N m\].
     pub memory: Vector6<f64>,
     /// Damping of the memory, along the same axes \[N s/m, N s, N m s\].
     pub damping: Matrix6<f64>,
 }
 
-/// Velocities of a body along its axes at the accepted times, as far back as its memory goes.
+/// Velocities of a body along the axes that damping acts in at the accepted times, as far back as its memory goes.
 #[derive(Debug, PartialEq, Serialize, Deserialize)]
 pub struct VelocityHistory {
     rows: Vec<(f64, Vector6<f64>)>,
@@ -130,7 +130,8 @@ pub fn prepare(system: &MovingSystem, t: f64, state: &mut SystemState) {
 pub fn commit(system: &MovingSystem, t: f64, state: &mut SystemState) {
     for (number, flow) in system.flows.iter().enumerate() {
         if let Some(retardation) = &flow.retardation {
-            let velocity = velocities(&system.body(state, flow.body));
+            let body = &system.network.bodies[flow.body];
+            let velocity = damped_velocities(body, &system.body(state, flow.body));
             state.velocities[number].push(t, velocity, retardation.duration());
         }
     }

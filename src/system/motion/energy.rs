@@ -3,8 +3,6 @@
 //! Energy is that of the lines and of free points, and the kinetic energy of free bodies. What water, bed and steady loads do to a body
 //! counts as power in, whatever its sign.
 
-use nalgebra::Matrix6;
-
 use serde::{Deserialize, Serialize};
 
 use super::body_equation::{MovingBody, rotation_jacobian};
@@ -75,10 +73,7 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
         stiffness: 0.0,
     };
     let motion = system.body(state, body.number);
-    let massless = MovingBody {
-        number: body.number,
-        mass: Matrix6::zeros(),
-    };
+    let massless = MovingBody::massless(body.number);
     let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
     let (residual, _) = massless.residual(
         &system.network,

@@ -10,6 +10,7 @@
 //! between prescribed ends has no border and costs what it costs alone.
 
 pub mod alpha;
+mod body_damping;
 pub mod body_equation;
 pub mod body_flow;
 pub mod border;
