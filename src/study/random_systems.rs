@@ -225,6 +225,7 @@ impl Maker<'_> {
             added_weight: 0.0,
             break_loads: vec![None; sections.len()],
             sections,
+            still_water: false,
             friction,
             releases: Default::default(),
             discretised: None,

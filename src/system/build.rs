@@ -61,10 +61,6 @@ pub fn build(
             let (sin, cos) = wind.direction_deg.to_radians().sin_cos();
             V3::new(cos, sin, 0.0) * wind.speed_m_per_s
         }),
-        waves_spare_lines: file
-            .solver
-            .as_ref()
-            .is_some_and(|solver| !solver.waves_on_lines),
         ..Network::default()
     };
     let sea = sea_of(file);
@@ -266,6 +262,7 @@ impl Builder<'_> {
                 .map(|part| part.material.break_load_n)
                 .collect(),
             friction: friction.unwrap_or(0.0),
+            still_water: line.still_water,
             releases: [
                 ReleaseCondition {
                     time: line.release_a_s,

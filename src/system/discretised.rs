@@ -48,7 +48,8 @@ impl DiscretisedLine {
         divided: Divided,
     ) -> Result<Option<Arc<Self>>, String> {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
-        let closed = file.current.is_none() && !parts.iter().any(bends);
+        let still = file.current.is_none() || line.still_water;
+        let closed = still && !parts.iter().any(bends);
         if closed && divided == Divided::WhereNeeded {
             return Ok(None);
         }
@@ -145,7 +146,7 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     };
     let mut case = Case::new(&line.name, ends);
     case.environment = file.environment.clone();
-    case.current.clone_from(&file.current);
+    case.current = file.current.clone().filter(|_| !line.still_water);
     case.seabed = file.seabed.as_ref().map(|bed| Seabed::level(bed.depth_m));
     case.solver.method = Method::Static;
     let whole: f64 = parts.iter().map(|part| part.length_m).sum();

@@ -398,6 +398,8 @@ table! {
         repeat_about_m: [f64; 2] = [0.0, 0.0], "axis of repeats", range of(-1e6, 1e6);
         /// Segments of the line where it has no closed form: in a current, or with bending stiffness.
         segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
+        /// Neither current nor waves act on it: as where they matter little, which is cheaper, or in a place that is sheltered.
+        still_water: bool = false, "in still water";
         /// Friction under this line in the place of the bed's.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "that of the bed";
         /// In motion its end A is let go at this time.

@@ -29,8 +29,6 @@ pub struct Network {
     pub current: Option<CurrentProfile>,
     /// Waves in motion, if there are any.
     pub sea: Option<Sea>,
-    /// Whether they act on points and bodies alone.
-    pub waves_spare_lines: bool,
     /// Where the height of the waves is recorded \[m\].
     pub gauge: V3,
     /// Velocity of the wind on bodies \[m/s\].
@@ -267,6 +265,8 @@ pub struct Line {
     pub added_weight: f64,
     /// Axial friction under the line \[-\].
     pub friction: f64,
+    /// Whether current and waves leave it alone.
+    pub still_water: bool,
     /// When its ends are let go in motion, A first.
     pub releases: [ReleaseCondition; 2],
     /// The line divided into segments, where it has no closed form.

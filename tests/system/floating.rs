@@ -76,12 +76,12 @@ fn a_free_body_responds_to_waves_as_its_responses_say() {
 }
 
 #[test]
-fn waves_may_spare_the_lines() {
+fn a_line_in_still_water_feels_neither_current_nor_waves() {
     let text = |spared: &str| {
         format!(
             "{SOFT}[points.a]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -2.0]\n[points.b]\nkind = \"fixed\"\nposition_m = [40.0, 0.0, -2.0]
             [[lines]]\nname = \"line\"\nfrom = \"a\"\nto = \"b\"\nmaterial = \"soft\"\nlength_m = 42.0\nsegments = 8
-            [[waves]]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 6.0\n[solver]\nduration_s = 12.0\nerror_estimate = false\n{spared}"
+{spared}            [[waves]]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 6.0\n[solver]\nduration_s = 12.0\nerror_estimate = false\n"
         )
     };
     let range = |text: &str| {
@@ -90,8 +90,16 @@ fn waves_may_spare_the_lines() {
         let most = pull.iter().copied().fold(f64::MIN, f64::max);
         most - pull.iter().copied().fold(f64::MAX, f64::min)
     };
+    let at_rest = |keys: &str, current: &str| {
+        let system = solved(&format!("{HEAD}{current}{}", text(keys)));
+        crate::tensions(&system, "line")[0]
+    };
+    let current = "[current]\nspeed_m_per_s = 1.0\ndirection_deg = 90.0\n";
+    let still = at_rest("", "");
+    assert!(at_rest("", current) > 2.0 * still);
+    assert_eq!(at_rest("still_water = true\n", current), still);
     assert!(range(&text("")) > 0.1);
-    assert!(range(&text("waves_on_lines = false\n")) < 1e-6);
+    assert!(range(&text("still_water = true\n")) < 1e-6);
 }
 
 /// A body that rises again from a start aside: k z + c v + m a = 0.

@@ -22,8 +22,6 @@ table! {
         max_iterations: usize = 30, "greatest iterations", range of(1.0, 1e4);
         /// Newton stops when no node moves by more than this.
         position_tolerance_m: f64 = 1e-5, "position tolerance", range positive(1.0);
-        /// Whether waves act on lines; they always act on points and bodies.
-        waves_on_lines: bool = true, "waves on lines";
         /// Whether companion runs estimate the time and mesh error of every result.
         error_estimate: bool = true, "error estimate";
     }

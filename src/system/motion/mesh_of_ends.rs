@@ -75,7 +75,7 @@ impl MovingSystem {
             .line
             .ends
             .clone_from(&self.scenes[paid.line].line.ends);
-        put_into_waves(&self.network, &mut scene);
+        put_into_waves(&self.network, &self.network.lines[paid.line], &mut scene);
         for end in (0..2).filter(|end| paid.ends[*end].is_some()) {
             scene.feed(end);
         }

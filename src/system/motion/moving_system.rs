@@ -16,7 +16,7 @@ use crate::numerics::V3;
 use crate::physics::FrictionAnchor;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
-use crate::system::network::{FreePoint, Held, Network};
+use crate::system::network::{FreePoint, Held, Line, Network};
 
 /// A system in motion.
 #[derive(Debug, Clone)]
@@ -72,7 +72,7 @@ impl MovingSystem {
                     scene.line.ends[end] = EndCondition::Free;
                 }
             }
-            put_into_waves(&network, scene);
+            put_into_waves(&network, line, scene);
         }
         let paid = paid_lines(&network);
         for line in &paid {
@@ -366,8 +366,8 @@ impl MovingSystem {
 }
 
 /// Puts a line into the waves of a system.
-pub(super) fn put_into_waves(network: &Network, scene: &mut Scene) {
-    if let Some(sea) = network.sea.as_ref().filter(|_| !network.waves_spare_lines) {
+pub(super) fn put_into_waves(network: &Network, line: &Line, scene: &mut Scene) {
+    if let Some(sea) = network.sea.as_ref().filter(|_| !line.still_water) {
         scene
             .line
             .put_into_waves(sea, (network.density, network.gravity));
