@@ -13,6 +13,8 @@ use crate::numerics::{M3, V3};
 pub struct HullMatrices {
     /// Rigid-body and added mass \[kg, kg m, kg m²\].
     pub mass: Matrix6<f64>,
+    /// The added mass of it.
+    pub added_mass: Matrix6<f64>,
     /// Linear damping, without that of wind and current.
     pub damping: Matrix6<f64>,
     /// Restoring stiffness, without the mooring.
@@ -24,8 +26,10 @@ impl HullMatrices {
     #[must_use]
     pub fn of(hull: &Hull) -> Self {
         let matrix = |list: &[f64]| matrix(list).unwrap_or_else(Matrix6::zeros);
+        let added_mass = matrix(&hull.added_mass_si);
         Self {
-            mass: rigid_body_mass(hull) + matrix(&hull.added_mass_si),
+            mass: rigid_body_mass(hull) + added_mass,
+            added_mass,
             damping: matrix(&hull.damping_si),
             restoring: matrix(&hull.restoring_si),
         }

@@ -60,6 +60,13 @@ impl EnvironmentalLoad {
         )
     }
 
+    /// The load of the flow towards an angle from the bow \[rad\].
+    #[must_use]
+    pub fn from_heading(&self, angle: f64) -> PlanarLoad {
+        let each = self.coefficients(angle);
+        std::array::from_fn(|i| self.reference[i] * each[i].0)
+    }
+
     /// The load on a ship at a yaw angle \[rad\] of any size from a heading \[rad\], with a velocity along and across that
     /// heading \[m/s\]: wind and current by the relative velocity of the flow, drift as on a ship at rest.
     fn linearised(&self, heading: f64, yaw: f64, velocity: [f64; 2]) -> LoadLinearisation {

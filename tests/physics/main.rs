@@ -15,7 +15,6 @@ mod body_on_bed;
 mod convergence_norm;
 mod drag_length;
 mod energy;
-mod moored_ship;
 mod rigid_body;
 mod rods;
 mod rope;

@@ -87,7 +87,7 @@ fn notes(coupled: &CoupledAnalysis) -> Vec<String> {
             work.halved,
             work.iterations
         ),
-        "Ship and line are solved in one Newton iteration. Rotations are of first order; wind, current and drift act by their coefficients on the moving ship; the line is in still water.".to_owned(),
+        "A system of a free body and a line, solved in one Newton iteration. The added mass acts to first order, as the wave loads do; wind, current and drift act by their coefficients on the moving ship; the line is in still water.".to_owned(),
         if coupled.waves {
             "First-order wave loads are those that give the free ship its RAOs."
         } else {

@@ -3,15 +3,15 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, Matrix3, Vector3, Vector6};
+use std::sync::atomic::AtomicBool;
+
+use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::CoupledError;
-use super::model::CoupledModel;
-use crate::dynamics::March;
-use crate::dynamics::generalized_alpha::GeneralizedAlpha;
+use super::model::{CoupledModel, Variant};
+use super::time_domain::integrate;
 use crate::numerics::V3;
 use crate::ship::stability::PlanarDynamics;
-use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing};
 
 /// Free decay in the slowest oscillating mode.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ impl FreeDecay {
     ///
     /// # Errors
     /// [`CoupledError`]: no oscillating mode, or the time integration failed.
-    pub fn new(model: &CoupledModel<'_>) -> Result<Self, CoupledError> {
+    pub fn new(model: &CoupledModel<'_>, stop: &AtomicBool) -> Result<Self, CoupledError> {
         let missing = CoupledError::Missing;
         let planar = model.equilibrium.dynamics.as_ref();
         let planar = planar.ok_or(missing("the file has no [hull]"))?;
@@ -49,8 +49,8 @@ impl FreeDecay {
         let largest = shape.iter().map(|u| u.norm()).fold(0.0, f64::max);
         let scale = AMPLITUDE * model.mooring.depth_m / largest.max(f64::MIN_POSITIVE);
         let (plus, minus) = rayon::join(
-            || release(model, root, &shape, scale),
-            || release(model, root, &shape, -scale),
+            || release(model, root, &shape, scale, stop),
+            || release(model, root, &shape, -scale, stop),
         );
         let (plus, minus) = (plus?, minus?);
         let filter =
@@ -129,46 +129,37 @@ fn growth_rate(values: &[(f64, Complex<f64>)]) -> Option<Complex<f64>> {
     (root.re.is_finite() && root.im.is_finite()).then_some(root)
 }
 
-/// Free motion after release in a mode of this shape and scale.
+/// Free motion after release in a mode of this shape and scale, in still water.
 fn release(
     model: &CoupledModel<'_>,
     root: Complex<f64>,
     shape: &[Complex<f64>; 3],
     scale: f64,
+    stop: &AtomicBool,
 ) -> Result<Vec<PlanarState>, CoupledError> {
     // The shape is real where it is largest: the release is at a crest.
-    let displacement = shape.map(|u| scale * u.re);
-    let velocity = shape.map(|u| scale * (root * u).re);
-    let rotation = V3::z() * displacement[2];
-    let offset = V3::new(displacement[0], displacement[1], 0.0) + rotation.cross(&model.arm());
-    // Weight and trim balance the line at equilibrium, not at the release.
-    let (scene, equilibrium) = model.line_at_rest(model.settings.segments, &V3::zeros())?;
-    let (_, displaced) = model.line_at_rest(model.settings.segments, &offset)?;
-    let moored = model.moored_ship(scene, &equilibrium, model.environment())?;
-    let mut state = moored.rotated(&displaced, rotation);
-    let velocity = Vector6::new(velocity[0], velocity[1], 0.0, 0.0, 0.0, velocity[2]);
-    moored.set_velocity(&velocity, &mut state);
-    moored.accelerate(0.0, &mut state);
+    let [surge, sway, yaw] = shape.map(|u| scale * u.re);
     let period = TAU / root.im.abs();
-    let march = March {
-        duration: PERIODS * period,
-        step: period / STEPS,
+    let step = period / STEPS;
+    let variant = Variant {
+        segments: model.settings.segments,
+        step_s: step,
+        duration_s: PERIODS * period,
+        interval_s: step,
+        start: (V3::new(surge, sway, 0.0), yaw),
     };
-    let mut method = GeneralizedAlpha::new(moored.nodes(), 0.0, 1e-11, 30);
-    let planar = |all: &Vector6<f64>| Vector3::new(all[0], all[1], all[5]);
-    let mut states = Vec::new();
-    let mut record = |instant: AcceptedStep<'_>| {
-        if instant.whole {
-            states.push(PlanarState {
-                time: instant.time,
-                q: planar(&moored.motion(instant.state)),
-                v: planar(&moored.velocity(instant.state)),
-            });
-        }
-        Progressing::Continue
+    let history = integrate(model.system(&variant, None), &V3::zeros(), stop)?;
+    let channel = |k: usize| &history.records[k];
+    let (surge, sway, yaw) = (channel(0), channel(1), channel(5));
+    let at = |i: usize| Vector3::new(surge[i], sway[i], yaw[i].to_radians());
+    // Rows a step apart: velocities by differences, off by the square of 2 pi / STEPS over 6.
+    let inner = 1..surge.len().saturating_sub(1);
+    let state = |i: usize| PlanarState {
+        time: step * i as f64,
+        q: at(i),
+        v: (at(i + 1) - at(i - 1)) / (2.0 * step),
     };
-    march.run(&mut method, &moored, &mut state, &mut record)?;
-    Ok(states)
+    Ok(inner.map(state).collect())
 }
 
 /// Eigenvalue of the slowest oscillating mode, with its shape in surge, sway and yaw.

@@ -1,21 +1,18 @@
-//! Coupled analysis of a ship and its anchor line in the time domain, eqs (4) and (5) of the ropeway paper: a rigid body at the
-//! end of a line of the dynamic solver, both in one Newton iteration ([`moored_ship`]), in axes along the equilibrium heading.
+//! Coupled analysis of a ship and its anchor line in the time domain, eqs (4) and (5) of the ropeway paper: a system of a free
+//! body and a line ([`model`]), both in one Newton iteration, in axes along the equilibrium heading.
 //!
 //! Time and mesh errors are estimated separately by Richardson extrapolation of second order, from a run with half the step
 //! (4/3 of the difference to the run with the whole step) and one with half the segments (1/3 of the difference to the run with
 //! all).
 
 mod error;
-pub mod forcing;
 pub mod free_decay;
 pub mod model;
-pub mod moored_ship;
 mod time_domain;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use self::error::CoupledError;
-use self::forcing::{Forcing, wave_loads};
 use self::free_decay::FreeDecay;
 use self::model::CoupledModel;
 pub use self::time_domain::{CHANNELS, CoupledWork};
@@ -62,16 +59,17 @@ impl CoupledAnalysis {
     ) -> Result<Self, CoupledError> {
         let model = CoupledModel::of(statics)?;
         let settings = model.settings;
-        let forcing = forcing(&model, motion)?;
-        let run = |segments: usize, halvings: u32| {
-            integrate(&model, &forcing, (segments, halvings), stop)
+        let waves = statics.ship.motion.as_ref();
+        let waves = waves.zip(motion.and_then(MotionAnalysis::response));
+        let hang_off = model.hang_off();
+        let run = |segments: usize, step_s: f64| {
+            let file = model.system(&model.variant(segments, step_s), waves);
+            integrate(file, &hang_off, stop)
         };
-        let whole = run(settings.segments, 0)?;
-        let (fine, coarse) = rayon::join(
-            || run(settings.segments, 1),
-            || run(settings.segments / 2, 0),
-        );
-        let decay = FreeDecay::new(&model).map_err(|error| error.to_string());
+        let (segments, step) = (settings.segments, settings.step_s);
+        let whole = run(segments, step)?;
+        let (fine, coarse) = rayon::join(|| run(segments, 0.5 * step), || run(segments / 2, step));
+        let decay = FreeDecay::new(&model, stop).map_err(|error| error.to_string());
         if stop.load(Ordering::Relaxed) {
             return Err(CoupledError::Stopped);
         }
@@ -86,7 +84,7 @@ impl CoupledAnalysis {
             time_errors: errors(&whole, fine, from, 4.0 / 3.0),
             mesh_errors: errors(&whole, coarse, from, 1.0 / 3.0),
             work: whole.work,
-            waves: !forcing.waves.is_empty(),
+            waves: waves.is_some(),
             records: whole.records,
             decay,
         })
@@ -110,23 +108,6 @@ impl CoupledAnalysis {
         };
         (from.min(count)..count).map(at).collect()
     }
-}
-
-/// Wind, current and drift, and the wave loads of the motion analysis.
-fn forcing(
-    model: &CoupledModel<'_>,
-    motion: Option<&MotionAnalysis>,
-) -> Result<Forcing, CoupledError> {
-    let hull = model.hull()?;
-    let waves = motion.and_then(|motion| {
-        let response = motion.response()?;
-        Some(wave_loads(hull, response, &motion.motion.waves))
-    });
-    Ok(Forcing {
-        waves: waves.unwrap_or_default(),
-        ramp: model.settings.ramp_s,
-        ..model.environment()
-    })
 }
 
 /// First instant of the statistics.

@@ -1,22 +1,17 @@
-//! Time integration of ship and anchor line, and what is recorded of it.
+//! Ship and anchor line in time, and what is recorded of them.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use super::CoupledError;
-use super::forcing::Forcing;
-use super::model::CoupledModel;
-use super::moored_ship::MooredShip;
-use crate::dynamics::generalized_alpha::GeneralizedAlpha;
-use crate::dynamics::{Integrator, March};
+use super::model::{LINE, SHIP};
+use crate::case::{ChannelId, ChannelQuantity};
 use crate::numerics::V3;
+use crate::run::RunState;
+use crate::run::event::JobEvent;
 use crate::ship::motion::rigid_displacement;
-use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, State};
-
-/// Spectral radius at infinite frequency: damping enough for a line that snaps taut.
-const RHO_INF: f64 = 0.4;
-
-/// Relative tolerance of positions and maximum iterations of a step.
-const NEWTON: (f64, usize) = (1e-10, 30);
+use crate::system::SystemFile;
+use crate::system::motion::run::run;
+use crate::system::solved::solve;
 
 /// Names and units of the channels.
 pub const CHANNELS: [(&str, &str); 11] = [
@@ -50,72 +45,75 @@ pub(super) struct TimeHistory {
     pub(super) work: CoupledWork,
 }
 
-/// Integrates with so many segments and the time step halved so often, at the output times of the whole step.
+/// Computes ship and line in time; `hang_off` \[m\] is the rope's point in ship axes.
 pub(super) fn integrate(
-    model: &CoupledModel<'_>,
-    forcing: &Forcing,
-    (segments, halvings): (usize, u32),
+    file: SystemFile,
+    hang_off: &V3,
     stop: &AtomicBool,
 ) -> Result<TimeHistory, CoupledError> {
-    let settings = model.settings;
-    let (ship, line) = model.system(segments, forcing.clone())?;
-    let yaw = settings.start_yaw_deg.to_radians();
-    let mut state = ship.rotated(&line, V3::z() * yaw);
-    ship.accelerate(0.0, &mut state);
-    let mut method = GeneralizedAlpha::new(ship.nodes(), RHO_INF, NEWTON.0, NEWTON.1);
-    let intervals = (settings.duration_s / settings.step_s).round().max(1.0);
-    let interval_steps = 1_u32 << halvings;
-    let march = March {
-        duration: settings.duration_s,
-        step: settings.duration_s / intervals / f64::from(interval_steps),
-    };
-    let mut records = vec![Vec::with_capacity(intervals as usize + 1); CHANNELS.len()];
-    let mut whole_steps = 0_u32;
-    let hang_off = model.hang_off();
-    let mut record = |instant: AcceptedStep<'_>| {
-        let recorded = instant.whole && whole_steps.is_multiple_of(interval_steps);
-        whole_steps += u32::from(instant.whole);
-        if recorded {
-            let values = channels(&ship, instant.state, &hang_off);
-            for (record, value) in records.iter_mut().zip(values) {
-                record.push(value);
-            }
+    let motion = file.solver.clone().unwrap_or_default();
+    let failed = |why: &str, remedy: &str| format!("{why}; {remedy}");
+    let solved =
+        solve(file).map_err(|why| CoupledError::Rest(failed(&why.problem, &why.remedy)))?;
+    let mut rows = Rows::default();
+    let done = run(&solved, &motion, stop, &mut |event| rows.take(event))
+        .map_err(|why| CoupledError::Rest(failed(&why.problem, &why.remedy)))?;
+    match (done.state, done.failure) {
+        (_, Some(why)) => return Err(CoupledError::March(why)),
+        (RunState::Done, None) => {}
+        _ => return Err(CoupledError::Stopped),
+    }
+    let mut records = vec![Vec::with_capacity(rows.values.len()); CHANNELS.len()];
+    for row in &rows.values {
+        for (record, value) in records.iter_mut().zip(channels(row, hang_off)) {
+            record.push(value);
         }
-        if stop.load(Ordering::Relaxed) {
-            Progressing::Stop
-        } else {
-            Progressing::Continue
-        }
-    };
-    let outcome = march.run(&mut method, &ship, &mut state, &mut record)?;
-    if outcome.stopped {
-        return Err(CoupledError::Stopped);
     }
     Ok(TimeHistory {
         records,
         work: CoupledWork {
-            steps: outcome.steps,
-            halved: outcome.rejections,
-            iterations: method.work_counts().iterations,
+            steps: done.work.steps,
+            halved: done.work.rejections,
+            iterations: done.work.iterations,
         },
     })
 }
 
-/// The values of [`CHANNELS`] in a state.
-fn channels(ship: &MooredShip, state: &State, hang_off: &V3) -> [f64; CHANNELS.len()] {
-    let q = ship.motion(state);
-    let point = rigid_displacement(std::array::from_fn(|i| q[i]), hang_off);
+/// The rows of a run: position and angles of the ship \[m, deg\], tension of the line at the ship and at its anchor \[N\].
+#[derive(Default)]
+struct Rows {
+    columns: Vec<usize>,
+    values: Vec<[f64; 8]>,
+}
+
+impl Rows {
+    fn take(&mut self, event: JobEvent) {
+        match event {
+            JobEvent::Started { channels } => {
+                let pose = ChannelQuantity::POSITION
+                    .into_iter()
+                    .chain(ChannelQuantity::ANGLES)
+                    .map(|quantity| quantity.at(SHIP));
+                let ends =
+                    ["b", "a"].map(|end| ChannelQuantity::Tension.at(format!("{LINE}|{end}")));
+                let column = |id: ChannelId| channels.iter().position(|known| *known == id);
+                self.columns = pose.chain(ends).filter_map(column).collect();
+            }
+            JobEvent::Frame(frame) => {
+                let value = |k: usize| self.columns.get(k).map_or(f64::NAN, |c| frame.values[*c]);
+                self.values.push(std::array::from_fn(value));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The values of [`CHANNELS`] of a row.
+fn channels(row: &[f64; 8], hang_off: &V3) -> [f64; CHANNELS.len()] {
+    let [x, y, z, roll, pitch, yaw, ship, anchor] = *row;
+    let angles = [roll, pitch, yaw].map(f64::to_radians);
+    let point = rigid_displacement([x, y, z, angles[0], angles[1], angles[2]], hang_off);
     [
-        q[0],
-        q[1],
-        q[2],
-        q[3].to_degrees(),
-        q[4].to_degrees(),
-        q[5].to_degrees(),
-        point.x,
-        point.y,
-        point.z,
-        ship.tension(state),
-        ship.anchor_tension(state),
+        x, y, z, roll, pitch, yaw, point.x, point.y, point.z, ship, anchor,
     ]
 }

@@ -15,6 +15,8 @@ use crate::ship::motion::spectral_band::MotionRms;
 pub struct WaveResponse {
     /// RAO at this direction.
     pub rao: Rao,
+    /// The file of RAOs.
+    pub table: String,
     /// Wave spectrum.
     pub spectrum: Spectrum,
     /// Direction that the waves go to, from the bow \[rad\].
@@ -54,6 +56,7 @@ impl WaveResponse {
         let [energy_outside] = spectrum.integrals(|omega| [outside(omega)]);
         Ok(Self {
             rao,
+            table: text,
             spectrum,
             relative_direction,
             heading,
