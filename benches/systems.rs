@@ -129,6 +129,7 @@ fn web(lines: usize, free: usize) -> Network {
             added_weight: 0.0,
             break_loads: vec![None],
             sections,
+            still_water: false,
             friction: 0.0,
             releases: Default::default(),
             discretised: None,
