@@ -349,6 +349,7 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         load: V3::from(given.load_n),
         moment: V3::from(given.moment_n_m),
         bottom: given.bottom_m,
+        bed_friction: given.bed_friction,
         members: given.members.iter().flat_map(members).collect(),
         drag_area: V3::from(given.drag_area_m2),
         wind_loads: heading_loads(&given.wind_loads),

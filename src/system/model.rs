@@ -247,6 +247,8 @@ table! {
         moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters FLOATING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
+        /// Friction on the bed, by the push of the bed; in motion. It acts at its origin, as that push does: a body on the bed does not tip.
+        bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FLOATING;
         /// WAMIT .1 file: added mass and damping over period, about its origin, in the place of added_mass.
         radiation_file: Option<String>, "radiation", absent "added_mass and damping as they are given", matters FLOATING;
         /// WAMIT .3 file: loads of the first order in waves by period and heading.

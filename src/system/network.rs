@@ -147,6 +147,8 @@ pub struct Body {
     pub moment: V3,
     /// From the origin down to what bears on the bed \[m\].
     pub bottom: Option<f64>,
+    /// Friction on the bed in motion \[-\].
+    pub bed_friction: f64,
     /// Its members in the water.
     pub members: Vec<Member>,
     /// Drag coefficient times area along its axes, at the origin \[m²\].

@@ -60,6 +60,7 @@ fn body(rod: &RodInputs) -> BodyInputs {
         load_n: rod.load_n,
         moment_n_m: [0.0; 3],
         bottom_m: None,
+        bed_friction: 0.0,
         drag_area_m2: [0.0; 3],
         amplitude_m: [0.0; 3],
         amplitude_deg: [0.0; 3],

@@ -259,11 +259,11 @@ impl SystemAlpha {
         ratio.sqrt().max(jolt * alpha_f * h / limits.velocity)
     }
 
-    /// The greatest acceleration at which the bed stops a free point that this step brought onto it unseen \[m/s²\].
+    /// The greatest acceleration at which the bed stops a point or body that this step brought onto it unseen \[m/s²\].
     fn landing_acceleration(&self, system: &MovingSystem) -> f64 {
-        let landings = system.free_points().map(|(joint, point)| {
-            let (between, end) = (&self.between.joints.x[joint], &self.end.joints.x[joint]);
-            landing_acceleration(&system.network, point, between, end)
+        let landings = system.bearing().map(|(joint, foot)| {
+            let places = [&self.between, &self.end].map(|state| foot.place(&state.joints.x[joint]));
+            landing_acceleration(&system.network, &foot.point, &places[0], &places[1])
         });
         landings.fold(0.0, f64::max)
     }

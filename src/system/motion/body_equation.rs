@@ -18,19 +18,18 @@ use nalgebra::{Matrix6, UnitQuaternion, Vector6};
 
 use super::body_damping::{damp, is_linear};
 use super::body_flow::FlowLoad;
+use super::point_loads::bed_load;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
+use crate::physics::FrictionAnchor;
 use crate::physics::sea::WaterMotion;
 use crate::solve::Factors;
 use crate::system::body_loads::{
     Dual, DualVector, LoadSum, MovingPose, add_loads_by_pose, constant, fixed_loads, unknown,
 };
 use crate::system::members;
-use crate::system::network::{Body, Network};
+use crate::system::network::{Body, FreePoint, Network};
 use crate::system::pose::{Pose, cross};
-
-/// How far the bed gives way under the weight of a body \[m\].
-const GIVES_WAY: f64 = 1e-3;
 
 /// The water around a body.
 #[derive(Debug, Clone, Copy, Default)]
@@ -39,6 +38,8 @@ pub struct BodyWater<'a> {
     pub waves: &'a [WaterMotion],
     /// Loads of potential flow, if it has coefficients.
     pub flow: Option<&'a FlowLoad>,
+    /// The anchor about which friction of the bed acts, where there is any.
+    pub grip: Option<&'a FrictionAnchor>,
 }
 
 /// A body in the equation of motion.
@@ -50,6 +51,40 @@ pub struct MovingBody {
     pub mass: Matrix6<f64>,
     /// Of it what acts to first order alone, and the same along the earth's axes at the pose given.
     linear: [Matrix6<f64>; 2],
+    /// What bears on the bed, if anything does.
+    foot: Option<Foot>,
+}
+
+/// What of a body bears on the bed, as a point: without tipping.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Foot {
+    /// How far it is below the origin \[m\].
+    pub below: f64,
+    /// Its weight, mass and friction.
+    pub point: FreePoint,
+}
+
+impl Foot {
+    /// Of a body that bears on the bed, by its mass matrix along its axes.
+    #[must_use]
+    pub fn of(body: &Body, mass: &Matrix6<f64>) -> Option<Self> {
+        body.bottom.map(|below| Self {
+            below,
+            point: FreePoint {
+                weight: body.weight,
+                buoyancy: body.buoyancy,
+                moving_mass: mass[(2, 2)],
+                friction: body.bed_friction,
+                ..FreePoint::default()
+            },
+        })
+    }
+
+    /// Where it is, by the place of the origin \[m\].
+    #[must_use]
+    pub fn place(&self, origin: &V3) -> V3 {
+        origin - V3::z() * self.below
+    }
 }
 
 impl MovingBody {
@@ -73,6 +108,7 @@ impl MovingBody {
         };
         Self {
             number,
+            foot: Foot::of(body, &mass),
             mass,
             linear,
         }
@@ -80,11 +116,11 @@ impl MovingBody {
 
     /// The same body without inertia: of its residual loads are left.
     #[must_use]
-    pub fn massless(number: usize) -> Self {
+    pub fn massless(&self) -> Self {
         Self {
-            number,
             mass: Matrix6::zeros(),
             linear: [Matrix6::zeros(); 2],
+            ..self.clone()
         }
     }
 
@@ -121,7 +157,7 @@ impl MovingBody {
         self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
         add_loads_by_pose(network, body, &moving, true, &mut sum);
         damp(body, around.flow, &moving, &spin, &mut sum);
-        bottom(network, body, &moving, &mut sum);
+        self.bear(network, &moving, around.grip, &mut sum);
         let (force, tangent) = sum.parts();
         let (mut fixed, by_turn) = fixed_loads(body, &motion.pose);
         if let Some(flow) = around.flow {
@@ -155,6 +191,37 @@ impl MovingBody {
             sum.add(&constant(&V3::zeros()), &-force);
             sum.turn(&-moment);
         }
+    }
+
+    /// The bed under its foot.
+    fn bear(
+        &self,
+        network: &Network,
+        moving: &MovingPose<'_>,
+        grip: Option<&FrictionAnchor>,
+        sum: &mut LoadSum,
+    ) {
+        let Some(foot) = &self.foot else {
+            return;
+        };
+        let (origin, velocity) = [&moving.origin, &moving.velocity]
+            .map(|vector| vector.map(|part| part.re))
+            .into();
+        let load = bed_load(
+            network,
+            &foot.point,
+            (&foot.place(&origin), &velocity),
+            grip,
+        );
+        if load.force == V3::zeros() {
+            return;
+        }
+        let near =
+            |value: &DualVector, at: &V3, by: &M3| by.map(Dual::from_re) * (value - constant(at));
+        let force = constant(&load.force)
+            + near(&moving.origin, &origin, &load.by_position)
+            + near(&moving.velocity, &velocity, &load.by_velocity);
+        sum.add(&constant(&V3::zeros()), &force);
     }
 
     /// Kinetic energy \[J\].
@@ -218,21 +285,6 @@ fn rigid(body: &Body) -> Matrix6<f64> {
     mass
 }
 
-/// The bed under the bottom of a body that has one.
-fn bottom(network: &Network, body: &Body, moving: &MovingPose<'_>, sum: &mut LoadSum) {
-    let Some((bed, bottom)) = network.bed_z.zip(body.bottom) else {
-        return;
-    };
-    let above = moving.origin.z - (bed + bottom);
-    if above.re < 0.0 {
-        let spring = (body.weight - body.buoyancy).abs().max(1.0) / GIVES_WAY;
-        sum.add(
-            &constant(&V3::zeros()),
-            &(constant(&V3::z()) * (above * -spring)),
-        );
-    }
-}
-
 /// Turns changes of a rotation vector, along the axes of the body where it was before the rotation, into turns of the body in the
 /// earth's directions: `R J(v)` with R the rotation after it and J the right Jacobian
 /// `I - (1 - cos a)/a² [v] + (a - sin a)/a³ [v]²`, a = |v|.
@@ -275,6 +327,7 @@ mod tests {
             damping: Matrix6::from_diagonal(&Vector6::new(1e3, 1e3, 2e3, 1e4, 1e4, 1e4)),
             quadratic_damping: Matrix6::from_diagonal(&Vector6::new(5e2, 3e2, 1e3, 1e4, 1e4, 2e3)),
             load: V3::new(1e3, 2e3, 0.0),
+            bottom: Some(2.0),
             members: vec![Member {
                 from: V3::new(1.0, 0.0, -6.0),
                 to: V3::new(1.5, 0.5, 3.0),
@@ -314,8 +367,9 @@ mod tests {
 
     #[test]
     fn the_tangent_is_the_derivative_of_the_residual() {
-        for current_loads in [None, Some(loads())] {
+        for (current_loads, bed_z) in [(None, Some(-0.9)), (Some(loads()), None)] {
             let network = Network {
+                bed_z,
                 gravity: 9.81,
                 density: 1025.0,
                 bodies: vec![Body {
@@ -406,6 +460,7 @@ mod tests {
         let around = BodyWater {
             waves,
             flow: (!waves.is_empty()).then_some(&flow),
+            grip: None,
         };
         let residual = |motion: &BodyMotion, vector: &V3| {
             moving.residual(

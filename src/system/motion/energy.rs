@@ -73,7 +73,7 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
         stiffness: 0.0,
     };
     let motion = system.body(state, body.number);
-    let massless = MovingBody::massless(body.number);
+    let massless = body.massless();
     let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
     let (residual, _) = massless.residual(
         &system.network,

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::body_equation::BodyWater;
+use super::body_equation::{BodyWater, Foot, MovingBody};
 use super::body_flow::{self, BodyFlow};
 use super::joints::{Joints, Role};
 use super::mesh_of_ends::PaidLine;
@@ -16,7 +16,7 @@ use crate::numerics::V3;
 use crate::physics::FrictionAnchor;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
-use crate::system::network::{FreePoint, Held, Line, Network};
+use crate::system::network::{Body, FreePoint, Held, Line, Network};
 
 /// A system in motion.
 #[derive(Debug, Clone)]
@@ -33,6 +33,8 @@ pub struct MovingSystem {
     pub stations: Vec<Range<usize>>,
     /// Potential flow around the bodies that have coefficients.
     pub flows: Vec<BodyFlow>,
+    /// What of each body bears on the bed.
+    pub feet: Vec<Option<Foot>>,
     /// The lines that are paid out.
     pub paid: Vec<PaidLine>,
     /// What passes their ends, in the order of the network's.
@@ -88,6 +90,7 @@ impl MovingSystem {
         }
         let mut system = Self {
             stations: wave_stations::ranges(&network.bodies, network.sea.is_some()),
+            feet: feet(&network),
             flows,
             paid,
             payouts: Vec::new(),
@@ -318,30 +321,43 @@ impl MovingSystem {
             })
     }
 
-    /// Anchors of the friction of free points on the bed, one a joint; none where no point has friction.
+    /// What may bear on the bed, with its joint and how far it is below: free points, and the feet of free bodies.
+    pub(super) fn bearing(&self) -> impl Iterator<Item = (usize, Foot)> {
+        let points = self.free_points().map(|(joint, point)| {
+            let (below, point) = (0.0, *point);
+            (joint, Foot { below, point })
+        });
+        let feet = self.feet.iter().enumerate().filter_map(|(body, foot)| {
+            let foot = foot.filter(|_| self.network.bodies[body].free)?;
+            Some((self.joints.bodies[body], foot))
+        });
+        points.chain(feet)
+    }
+
+    /// Anchors of the friction on the bed, one a joint; none where nothing has friction.
     #[must_use]
     pub fn anchors(&self, joints: &State) -> Vec<FrictionAnchor> {
-        if self.free_points().all(|(_, point)| point.friction == 0.0) {
+        if self.bearing().all(|(_, foot)| foot.point.friction == 0.0) {
             return Vec::new();
         }
         let mut all = vec![anchor(&FreePoint::default(), &V3::zeros()); joints.x.len()];
-        for (joint, point) in self.free_points() {
-            all[joint] = anchor(point, &joints.x[joint]);
+        for (joint, foot) in self.bearing() {
+            all[joint] = anchor(&foot.point, &foot.place(&joints.x[joint]));
         }
         all
     }
 
-    /// Drags the anchors of points that slide on the bed.
+    /// Drags the anchors of what slides on the bed.
     fn drag_anchors(&self, state: &mut SystemState) {
         let State { x, v, memory, .. } = &mut state.joints;
         if memory.grips.is_empty() {
             return;
         }
-        for (joint, point) in self.free_points() {
+        for (joint, foot) in self.bearing() {
             drag_anchor(
                 &self.network,
-                point,
-                (&x[joint], &v[joint]),
+                &foot.point,
+                (&foot.place(&x[joint]), &v[joint]),
                 &mut memory.grips[joint],
             );
         }
@@ -355,6 +371,7 @@ impl MovingSystem {
         BodyWater {
             waves: state.body_flow.get(stations).unwrap_or_default(),
             flow: flow.and_then(|number| state.flow_loads.get(number)),
+            grip: state.joints.memory.grips.get(self.joints.bodies[body]),
         }
     }
 
@@ -363,6 +380,16 @@ impl MovingSystem {
     pub fn body(&self, state: &SystemState, body: usize) -> BodyMotion {
         state.body(&self.joints, body)
     }
+}
+
+/// What of each body bears on the bed.
+fn feet(network: &Network) -> Vec<Option<Foot>> {
+    let bodies = network.bodies.iter().enumerate();
+    let foot = |(number, body): (usize, &Body)| {
+        let mass = MovingBody::new(network, number, &body.pose).mass;
+        Foot::of(body, &mass)
+    };
+    bodies.map(foot).collect()
 }
 
 /// Puts a line into the waves of a system.

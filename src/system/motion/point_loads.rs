@@ -191,6 +191,18 @@ fn springs(point: &FreePoint) -> (f64, f64) {
     (stiffness, damping)
 }
 
+/// The load of the bed alone.
+pub(super) fn bed_load(
+    network: &Network,
+    point: &FreePoint,
+    (x, v): (&V3, &V3),
+    grip: Option<&FrictionAnchor>,
+) -> PointLoad {
+    let mut load = PointLoad::default();
+    bed(network, point, (x, v), grip, &mut load);
+    load
+}
+
 /// The bed under a point, with friction about its anchor.
 fn bed(
     network: &Network,
