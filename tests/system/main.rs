@@ -16,6 +16,7 @@ mod published;
 mod random;
 mod refusals;
 mod stiffness;
+mod turning;
 mod waves;
 
 use seacable::case::kind;
