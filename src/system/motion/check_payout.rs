@@ -17,14 +17,14 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(lost);
         found.extend(drives(payout));
         found.extend(without_effect(payout));
-        found.extend(stops_first(payout));
+        found.extend(stops_first(&payout.start_s, &payout.stop_s));
         let until = keys.solver.as_ref().and_then(|s| s.duration_s.value());
         found.extend(motion_table(
             &payout.table_time_s,
             &[&payout.table_m],
             until,
         ));
-        found.extend(table(payout));
+        found.extend(table(&payout.table_time_s, &payout.table_m));
         if known {
             found.extend(of_line(keys, &payout.line));
             found.extend(of_end(keys, payout));
@@ -79,26 +79,24 @@ fn drives(payout: &PayoutKeys<'_>) -> Option<Finding> {
 }
 
 /// A rate that stops before it sets in.
-fn stops_first(payout: &PayoutKeys<'_>) -> Option<Finding> {
-    let (start, stop) = (payout.start_s.value()?, payout.stop_s.value()?);
-    (stop < start).then(|| {
-        let problem = format!("is before the start at {start} s");
-        payout.stop_s.finding(problem, "let it stop later")
+fn stops_first(start: &Key<'_, f64>, stop: &Key<'_, f64>) -> Option<Finding> {
+    let (from, to) = (start.value()?, stop.value()?);
+    (to < from).then(|| {
+        let problem = format!("is before the start at {from} s");
+        stop.finding(problem, "let it stop later")
     })
 }
 
 /// A table without lengths, or one that begins with a length paid out.
-fn table(payout: &PayoutKeys<'_>) -> Option<Finding> {
-    if payout.table_time_s.is_given() && !payout.table_m.is_given() {
-        return payout
-            .table_m
-            .if_missing("add the lengths paid out at these times: `table_m`");
+fn table(times: &Key<'_, Vec<f64>>, lengths: &Key<'_, Vec<f64>>) -> Option<Finding> {
+    if times.is_given() && !lengths.is_given() {
+        return lengths.if_missing("add the lengths paid out at these times: `table_m`");
     }
-    let first = *payout.table_m.given()?.first()?;
+    let first = *lengths.given()?.first()?;
     (first != 0.0).then(|| {
         let problem = format!("begins with {first} m paid out");
         let remedy = "begin with 0, and with a line as much longer";
-        payout.table_m.finding_at_item(0, problem, remedy)
+        lengths.finding_at_item(0, problem, remedy)
     })
 }
 

@@ -301,32 +301,33 @@ fn drive(given: &PayoutInputs) -> Option<Drive> {
                 ramp: given.ramp_s,
             }));
         }
-        return Some(Drive::Rate(RateCourse {
-            rate,
-            start: given.start_s,
-            stop: given.stop_s.unwrap_or(f64::INFINITY),
-            ramp: given.ramp_s,
-        }));
+        let span = (given.start_s, given.stop_s);
+        return Some(rate_drive(rate, span, given.ramp_s));
     }
     if given.table_time_s.is_empty() {
         // The heave alone.
-        return Some(Drive::Rate(RateCourse {
-            rate: 0.0,
-            start: 0.0,
-            stop: f64::INFINITY,
-            ramp: given.ramp_s,
-        }));
+        return Some(rate_drive(0.0, (0.0, None), given.ramp_s));
     }
+    table_drive(&given.table_time_s, &given.table_m, given.ramp_s)
+}
+
+/// A rate \[m/s\] from a time \[s\], to another if there is one, with its ramp \[s\].
+fn rate_drive(rate: f64, (start, stop): (f64, Option<f64>), ramp: f64) -> Drive {
+    Drive::Rate(RateCourse {
+        rate,
+        start,
+        stop: stop.unwrap_or(f64::INFINITY),
+        ramp,
+    })
+}
+
+/// Lengths \[m\] at these times \[s\], with the ramp \[s\].
+fn table_drive(times: &[f64], lengths: &[f64], ramp: f64) -> Option<Drive> {
     let row = |(time, out): (&f64, &f64)| (*time, V3::new(*out, 0.0, 0.0));
-    let rows: Vec<(f64, V3)> = given
-        .table_time_s
-        .iter()
-        .zip(&given.table_m)
-        .map(row)
-        .collect();
+    let rows: Vec<(f64, V3)> = times.iter().zip(lengths).map(row).collect();
     Some(Drive::Table(EndMotion {
         position: V3::zeros(),
         course: MotionPath::Table(Spline::through(&rows).ok()?),
-        ramp: given.ramp_s,
+        ramp,
     }))
 }
