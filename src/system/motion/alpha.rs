@@ -151,6 +151,13 @@ impl SystemAlpha {
             mix(alpha_f, &end.v, &start.v, &mut out.v);
             mix(alpha_m, &end.a, a0, &mut out.a);
         }
+        // Accelerations of unknowns are of a time of their own; prescribed ones act at that of the balance.
+        let held = 0..system.joints.free.start;
+        let (before, after) = (
+            &state.joints.a[held.clone()],
+            &self.end.joints.a[held.clone()],
+        );
+        mix(alpha_f, after, before, &mut self.between.joints.a[held]);
         system.follow(&mut self.between);
     }
 
