@@ -181,7 +181,8 @@ fn wrong_length(solved: &SolvedSystem, run: &MotionRun) -> f64 {
         whole += first;
     }
     let prescribed = |payout: &Payout| match payout.drive.is_free() {
-        true if payout.ends.len() > 1 => Some(0.0),
+        // What one line loses the other gains.
+        _ if payout.ends.len() > 1 => Some(0.0),
         _ if payout.heave != 0.0 => None,
         _ => payout.drive.prescribed(run.work.reached).map(|out| out[0]),
     };

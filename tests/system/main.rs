@@ -8,6 +8,7 @@ mod bodies;
 mod closed_forms;
 mod discretised;
 mod floating;
+mod hauled;
 mod motion;
 mod on_bed;
 mod payout;

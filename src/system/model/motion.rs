@@ -102,7 +102,8 @@ table! {
 }
 
 table! {
-    /// A point that slides along a line: two lines of the file, one material where they meet at it, are one line that runs through it.
+    /// A point that slides along a line, freely or hauled: two lines of the file, of one material where they meet at it, are one line that runs
+    /// through it.
     #[derive(Debug, Clone, PartialEq)]
     pub struct SlidingInputs => SlidingKeys {
         /// The point, a free one or one on a free body.
@@ -115,7 +116,17 @@ table! {
         friction_n: f64 = 0.0, "friction", range of(0.0, 1e12);
         /// Friction by the force of the line across the point, that which both tensions make together.
         friction: f64 = 0.0, "friction coefficient", range of(0.0, 10.0);
-        /// It is let go over this time.
+        /// Unstretched length that it is hauled along a second: towards `other`, so that `line` grows; negative back.
+        rate_m_per_s: Option<f64>, "hauling rate", range of(-100.0, 100.0), absent "it slides freely";
+        /// Time at which the rate sets in.
+        start_s: f64 = 0.0, "start", range of(0.0, 1e6);
+        /// Time at which the rate begins to fall to nothing.
+        stop_s: Option<f64>, "stop", range of(0.0, 1e6), absent "at the end of the run";
+        /// Times of a hauling by table: from 0 to the end of the run; a spline through its rows.
+        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table";
+        /// Unstretched length that it is hauled along at these times, the first 0.
+        table_m: Vec<f64>, "hauling of the table", range of(-1e5, 1e5), absent "no table";
+        /// It is let go over this time; a rate grows over it and falls over it, a table grows in.
         ramp_s: f64 = 1.0, "ramp", range positive(1e6);
     }
 }

@@ -33,6 +33,7 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
     }
     for (number, (_, sliding)) in keys.sliding_points.iter().enumerate() {
         found.extend(slides(keys, sliding));
+        found.extend(hauls(keys, sliding));
         found.extend(slid_before(keys, number));
     }
     found
@@ -90,12 +91,12 @@ fn stops_first(start: &Key<'_, f64>, stop: &Key<'_, f64>) -> Option<Finding> {
 /// A table without lengths, or one that begins with a length paid out.
 fn table(times: &Key<'_, Vec<f64>>, lengths: &Key<'_, Vec<f64>>) -> Option<Finding> {
     if times.is_given() && !lengths.is_given() {
-        return lengths.if_missing("add the lengths paid out at these times: `table_m`");
+        return lengths.if_missing("add the lengths at these times: `table_m`");
     }
     let first = *lengths.given()?.first()?;
     (first != 0.0).then(|| {
-        let problem = format!("begins with {first} m paid out");
-        let remedy = "begin with 0, and with a line as much longer";
+        let problem = format!("begins with {first} m");
+        let remedy = "begin with 0, and with a line of another length";
         lengths.finding_at_item(0, problem, remedy)
     })
 }
@@ -305,6 +306,34 @@ fn slides(keys: &SystemKeys<'_>, sliding: &SlidingKeys<'_>) -> Vec<Finding> {
         );
     }
     found.extend(other_material(keys, sliding));
+    found
+}
+
+/// What hauls a point along its line: a rate or a table, and no friction beside it.
+fn hauls(keys: &SystemKeys<'_>, sliding: &SlidingKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let (rate, times) = (&sliding.rate_m_per_s, &sliding.table_time_s);
+    let leave = "leave it out";
+    if rate.is_given() && times.is_given() {
+        let problem = "the point is hauled by both `rate_m_per_s` and `table_time_s`";
+        let remedy = "leave one of them out";
+        found.push(sliding.place.finding(problem, remedy));
+    }
+    if !rate.is_given() {
+        for key in [&sliding.start_s, &sliding.stop_s] {
+            found.extend(key.if_given("has no effect without `rate_m_per_s`", leave));
+        }
+    }
+    if rate.is_given() || times.is_given() {
+        let problem = "has no effect on a point that is hauled, whatever force that takes";
+        for key in [&sliding.friction_n, &sliding.friction] {
+            found.extend(key.if_given(problem, leave));
+        }
+    }
+    found.extend(stops_first(&sliding.start_s, &sliding.stop_s));
+    let until = keys.solver.as_ref().and_then(|s| s.duration_s.value());
+    found.extend(motion_table(times, &[&sliding.table_m], until));
+    found.extend(table(times, &sliding.table_m));
     found
 }
 

@@ -1,4 +1,4 @@
-//! Lines that are paid out, and points that slide along them: what drives the length that passes.
+//! Lines that are paid out, and points that slide or are hauled along them: what drives the length that passes.
 
 use std::f64::consts::PI;
 
@@ -255,18 +255,30 @@ pub fn payouts(file: &SystemFile, network: &Network) -> Vec<Payout> {
     let slid = file.sliding_points.iter().filter_map(|given| {
         Some(Payout {
             ends: sliding_ends(given, network)?,
-            drive: Drive::Slide(Friction {
-                constant: given.friction_n,
-                coefficient: given.friction,
-                ramp: given.ramp_s,
-            }),
+            drive: sliding_drive(given)?,
             heave: 0.0,
         })
     });
     paid.chain(slid).collect()
 }
 
-/// The ends of both lines at a point that slides.
+/// What drives a point along a line: a rate, a table, or nothing but the line.
+fn sliding_drive(given: &SlidingInputs) -> Option<Drive> {
+    if let Some(rate) = given.rate_m_per_s {
+        let span = (given.start_s, given.stop_s);
+        return Some(rate_drive(rate, span, given.ramp_s));
+    }
+    if !given.table_time_s.is_empty() {
+        return table_drive(&given.table_time_s, &given.table_m, given.ramp_s);
+    }
+    Some(Drive::Slide(Friction {
+        constant: given.friction_n,
+        coefficient: given.friction,
+        ramp: given.ramp_s,
+    }))
+}
+
+/// The ends of both lines at a point that slides; hauled, `line` grows by what it is hauled along.
 fn sliding_ends(given: &SlidingInputs, network: &Network) -> Option<Vec<PaidEnd>> {
     let point = network.point(&given.point)?;
     let end = |name: &str, sign: f64| {
@@ -275,7 +287,9 @@ fn sliding_ends(given: &SlidingInputs, network: &Network) -> Option<Vec<PaidEnd>
         let end = ends.iter().position(|known| *known == point)?;
         Some(PaidEnd { line, end, sign })
     };
-    Some(vec![end(&given.line, -1.0)?, end(&given.other, 1.0)?])
+    let hauled = given.rate_m_per_s.is_some() || !given.table_time_s.is_empty();
+    let sign = if hauled { 1.0 } else { -1.0 };
+    Some(vec![end(&given.line, sign)?, end(&given.other, -sign)?])
 }
 
 fn drive(given: &PayoutInputs) -> Option<Drive> {
