@@ -7,7 +7,7 @@ use super::elastic::{AT_SUPPORT, ElasticRope};
 use super::model::Ropeway;
 use crate::case::{
     self, Attachment, Case, ChannelId, ChannelLocation, ChannelQuantity, Clump, End, Ends,
-    Material, Method, Section, Solver, Statistic, Traveller,
+    Material, Method, Section, Solver, Statistic,
 };
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, Subject};
@@ -43,21 +43,6 @@ const AXIAL_DAMPING: f64 = 0.02;
 
 /// Step of the line in motion \[s\].
 const TIME_STEP: f64 = 0.05;
-
-/// The case in which the cargo is hauled over the whole line, the ship lying still and the rope made fast: arc lengths
-/// from the platform at which it begins and ends \[m\], and time that is followed \[s\].
-#[must_use]
-pub fn crossing_case(ropeway: &Ropeway, length_m: f64, way: (f64, f64), duration_s: f64) -> Case {
-    let cargo = &ropeway.cargo;
-    let mut case = rope_case(ropeway, Some(AXIAL_DAMPING));
-    case.line = vec![Section::new(ROPE, ROPE, length_m, ropeway.about.segments)];
-    case.traveller = Some(Traveller {
-        ramp_s: 2.0,
-        ..Traveller::in_air(CARGO, cargo.mass_kg, way, cargo.speed_m_per_s)
-    });
-    case.solver = in_motion(duration_s, false);
-    case
-}
 
 /// The case in which the ship's end moves along displacements over time \[s, m\], the rope made fast and the cargo at its
 /// place along it; the motion grows from nothing over `ramp_s`.
@@ -121,7 +106,7 @@ fn rope_case(ropeway: &Ropeway, axial_damping_ratio: Option<f64>) -> Case {
 /// Divides the rope at the cargo and hangs the cargo there.
 fn hang_cargo(case: &mut Case, ropeway: &Ropeway, length_m: f64, arc_m: f64) {
     const BEFORE: &str = "platform-side";
-    let [before, behind] = sections(ropeway, length_m, arc_m);
+    let [before, behind] = segments_beside_cargo(ropeway.about.segments, length_m, arc_m);
     case.line = vec![
         Section::new(BEFORE, ROPE, before.0, before.1),
         Section::new("ship-side", ROPE, behind.0, behind.1),
@@ -214,9 +199,13 @@ impl LineRun {
     }
 }
 
-/// Lengths and numbers of segments on both sides of the cargo, the segments of nearly equal length.
-fn sections(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> [(f64, usize); 2] {
-    let all = ropeway.about.segments.max(4);
+/// Lengths of the rope and numbers of its segments on both sides of the cargo, the segments of nearly equal length.
+pub(super) fn segments_beside_cargo(
+    segments: usize,
+    length_m: f64,
+    arc_m: f64,
+) -> [(f64, usize); 2] {
+    let all = segments.max(4);
     let share = (arc_m / length_m * all as f64).round() as usize;
     let before = share.clamp(2, all - 2);
     [(arc_m, before), (length_m - arc_m, all - before)]

@@ -9,9 +9,9 @@
 //! * [`loaded`]: two inextensible catenaries that meet at the cargo, for the mean tensions;
 //! * [`parabola`]: parabola theory;
 //! * [`elastic`]: the elastic catenary with the cargo on it, in closed form;
-//! * [`line`](mod@line): a discretised line, at rest and in motion ([`dynamic_crossing`]).
+//! * [`line`](mod@line): a discretised line.
 //!
-//! In motion: [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
+//! In motion: the [rope with its cargo](rope_system) as a system ([`dynamic_crossing`]), [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
 //!
 //! [`model`] declares the keys of a ropeway file.
 
@@ -29,6 +29,7 @@ pub mod oscillator;
 pub mod parabola;
 pub mod quantities;
 mod roots;
+pub mod rope_system;
 pub mod ship_motion;
 mod solve;
 pub mod unloaded;

@@ -1,6 +1,7 @@
 //! A system of lines as the user words it: one struct a table of the file, one field a key.
 
 mod ageing;
+mod construct;
 mod motion;
 
 use std::collections::BTreeMap;

@@ -15,6 +15,7 @@ mod json_schema;
 mod line_tables;
 mod random_text;
 mod ropeway;
+mod ropeway_motion;
 mod section;
 mod ship;
 mod ship_at_sea;
