@@ -76,7 +76,7 @@ impl SolvedRopeway {
 }
 
 fn states(run: &MotionRun) -> Result<Vec<CrossingState>, RopewayError> {
-    let values = |channel: String| rope_system::values(run, &channel);
+    let values = |channel: String| rope_system::values(&run.history, &channel);
     let (x, z) = (
         values(format!("x_m[{CARGO}]"))?,
         values(format!("z_m[{CARGO}]"))?,

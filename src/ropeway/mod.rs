@@ -11,7 +11,8 @@
 //! * [`elastic`]: the elastic catenary with the cargo on it, in closed form;
 //! * [`line`](mod@line): a discretised line.
 //!
-//! In motion: the [rope with its cargo](rope_system) as a system ([`dynamic_crossing`]), [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
+//! In motion: the [rope with its cargo](rope_system) as a system ([`dynamic_crossing`],
+//! [`rope_motion`]), [`winch`] with the ship's motion as given, [`oscillator`] for the cargo with one degree of freedom.
 //!
 //! [`model`] declares the keys of a ropeway file.
 
@@ -29,6 +30,7 @@ pub mod oscillator;
 pub mod parabola;
 pub mod quantities;
 mod roots;
+pub mod rope_motion;
 pub mod rope_system;
 pub mod ship_motion;
 mod solve;
@@ -42,5 +44,6 @@ pub use cargo_motion::MARGIN;
 pub use error::RopewayError;
 pub use file::ROPEWAY;
 pub use model::Ropeway;
+pub use rope_motion::RopeMotion;
 pub use solve::{ModelResults, SolvedRopeway, solve};
 pub use winch_run::WinchRun;

@@ -7,6 +7,7 @@ use super::elastic::RopeEquilibrium;
 use super::line::segments_beside_cargo;
 use super::model::Ropeway;
 use crate::case::Material;
+use crate::run::History;
 use crate::system::SystemFile;
 use crate::system::model::{LineInputs, MotionInputs, PointInputs, SlidingInputs};
 use crate::system::motion::run::{MotionRun, run};
@@ -111,8 +112,8 @@ pub fn compute(file: SystemFile) -> Result<MotionRun, RopewayError> {
 ///
 /// # Errors
 /// [`RopewayError::NotFound`] where the run does not record it.
-pub fn values<'a>(run: &'a MotionRun, channel: &str) -> Result<&'a [f64], RopewayError> {
-    let found = run.history.channel(channel);
+pub fn values<'a>(history: &'a History, channel: &str) -> Result<&'a [f64], RopewayError> {
+    let found = history.channel(channel);
     found
         .map(|found| found.values.as_slice())
         .ok_or(RopewayError::NotFound(

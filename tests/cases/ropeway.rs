@@ -356,6 +356,7 @@ proptest! {
             ("rope.hauling.length_m", number(9e3)),
             ("rope.return.length_m", number(9e3)),
             ("ropeway.segments", "12".to_owned()),
+            ("dynamics.duration_s", "10.0".to_owned()),
         ];
         let edits: Vec<(&str, &str)> = edits.iter().map(|(k, v)| (*k, v.as_str())).collect();
         if let Ok(edited) = kind::set_all::<Ropeway>(SPAN_80, &edits) {

@@ -62,8 +62,9 @@ fn moving_ship(page: &mut Page, solved: &SolvedRopeway, glyphs: Glyphs) {
     };
     match solved.run_winch(&series) {
         Ok(run) => {
-            page.chart(&winch::winch_chart(&run), LINES, glyphs);
-            page.table(&winch::winch(solved, &run));
+            let motion = solved.rope_motion();
+            page.chart(&winch::winch_chart(&run, motion.as_ref()), LINES, glyphs);
+            page.table(&winch::winch(solved, &run, motion.as_ref()));
         }
         Err(error) => page.paragraph(&format!("No solution: {error}.")),
     }

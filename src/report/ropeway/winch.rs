@@ -3,9 +3,10 @@
 use super::tables::{METRES, NEWTONS, metres, newtons};
 use crate::numerics::statistics::Statistics;
 use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::percent;
+use crate::report::number::{percent, si};
 use crate::report::table::{NumberFormat, Table};
 use crate::ropeway::hauling::{HaulingPoint, haul};
+use crate::ropeway::rope_motion::{MovingRope, RopeMotion};
 use crate::ropeway::winch::{WinchSample, WinchState, statistics};
 use crate::ropeway::{SolvedRopeway, WinchRun};
 
@@ -69,39 +70,89 @@ pub(in crate::report) fn tensions(run: &WinchRun, until: f64) -> Vec<Series> {
     ways.enumerate().filter_map(series).collect()
 }
 
-/// Tension at the ship against time, made fast and on the winch.
+/// Tension at the ship against time, made fast and on the winch, in equilibrium and in motion.
 #[must_use]
-pub fn winch_chart(run: &WinchRun) -> Chart {
+pub fn winch_chart(run: &WinchRun, motion: Option<&RopeMotion>) -> Chart {
+    let mut series = tensions(run, f64::INFINITY);
+    for (way, rope) in WAYS.into_iter().zip(moving(motion)) {
+        if let Some(rope) = rope {
+            let points = rope.times.iter().zip(&rope.ship_n);
+            let points = points.map(|(time, tension)| (*time, *tension)).collect();
+            series.push(Series::new(
+                &format!("{way}, in motion"),
+                series.len(),
+                points,
+            ));
+        }
+    }
     Chart::new(
         "Tension at the moving ship",
         Axis::new("time", "s"),
         Axis::new("tension", "N"),
-        tensions(run, f64::INFINITY),
+        series,
     )
 }
 
-/// Statistics of the rope over the ship's motion, made fast and on the winch, and the duty of the winch.
+/// The rope in motion, made fast and on the winch; absent where it was not computed.
+fn moving(motion: Option<&RopeMotion>) -> [Option<&MovingRope>; 2] {
+    let Some(motion) = motion else {
+        return [None; 2];
+    };
+    let kept = motion.constant_tension.as_ref();
+    let kept = kept.and_then(|kept| kept.as_ref().ok());
+    [motion.made_fast.as_ref().ok(), kept]
+}
+
+/// The rope held in one way: its equilibria, and in motion.
+#[derive(Clone, Copy)]
+struct HeldRope<'a> {
+    samples: &'a [WinchSample],
+    moving: Option<&'a MovingRope>,
+}
+
+impl HeldRope<'_> {
+    fn of(&self, quantity: fn(&WinchSample) -> f64) -> Statistics {
+        statistics(self.samples, quantity)
+    }
+
+    /// A result in motion by its place among those.
+    fn moving(&self, result: usize) -> Option<f64> {
+        Some(self.moving?.results[result])
+    }
+}
+
+const SPEED: NumberFormat = NumberFormat::Si("m/s");
+const POWER: NumberFormat = NumberFormat::Si("W");
+
+/// Statistics of the rope over the ship's motion, made fast and on the winch, in equilibrium and in motion, and the duty of the winch.
 #[must_use]
-pub fn winch(solved: &SolvedRopeway, run: &WinchRun) -> Table {
-    const SPEED: NumberFormat = NumberFormat::Si("m/s");
-    const POWER: NumberFormat = NumberFormat::Si("W");
-    let [fast, kept] = ways(run);
-    let ways = [(WAYS[0], fast), (WAYS[1], kept)];
-    let ship = |m: &[WinchSample]| statistics(m, |x| x.ship_n);
-    let length = |m: &[WinchSample]| statistics(m, |x| x.length_m);
-    let speed = |m: &[WinchSample]| statistics(m, |x| x.speed_m_per_s);
-    let power = |m: &[WinchSample]| statistics(m, |x| x.power_w);
+pub fn winch(solved: &SolvedRopeway, run: &WinchRun, motion: Option<&RopeMotion>) -> Table {
+    let held = ways(run).into_iter().zip(moving(motion));
+    let held = held.map(|(samples, moving)| samples.map(|samples| HeldRope { samples, moving }));
+    let columns: Vec<(&str, Option<HeldRope<'_>>)> = WAYS.into_iter().zip(held).collect();
+    let ship = |m: HeldRope<'_>| m.of(|x| x.ship_n);
+    let length = |m: HeldRope<'_>| m.of(|x| x.length_m);
+    let speed = |m: HeldRope<'_>| m.of(|x| x.speed_m_per_s);
+    let power = |m: HeldRope<'_>| m.of(|x| x.power_w);
     let range = |of: Statistics| of.max - of.min;
-    Table::compare("The rope on the moving ship", "", &ways)
+    let mut table = Table::compare("The rope on the moving ship", "", &columns)
         .number("tension at the ship, minimum", NEWTONS, |m| ship(m).min)
         .number("tension at the ship, maximum", NEWTONS, |m| ship(m).max)
         .number("tension at the ship, mean", NEWTONS, |m| ship(m).mean)
         .number("tension at the ship, std deviation", NEWTONS, |m| {
             ship(m).deviation
-        })
-        .number("cargo depth, range", METRES, |m| {
-            range(statistics(m, |x| x.depth_m))
-        })
+        });
+    if moving(motion).into_iter().flatten().next().is_some() {
+        // In the order of the same rows of equilibria.
+        table = table
+            .number("in motion, minimum", NEWTONS, |m| m.moving(2))
+            .number("in motion, maximum", NEWTONS, |m| m.moving(3))
+            .number("in motion, mean", NEWTONS, |m| m.moving(0))
+            .number("in motion, std deviation", NEWTONS, |m| m.moving(1))
+            .number("in motion, greatest rope speed", SPEED, |m| m.moving(4));
+    }
+    table
+        .number("cargo depth, range", METRES, |m| range(m.of(|x| x.depth_m)))
         .number("rope length, minimum", METRES, |m| length(m).min)
         .number("rope length, maximum", METRES, |m| length(m).max)
         .number("paying out speed, maximum", SPEED, |m| {
@@ -114,7 +165,66 @@ pub fn winch(solved: &SolvedRopeway, run: &WinchRun) -> Table {
         .number("braking power, maximum", POWER, |m| -power(m).min.min(0.0))
         .build()
         .noted(notes(run))
-        .noted(breaks(solved, run))
+        .noted(motion_notes(motion))
+        .noted(breaks(solved, run, motion))
+}
+
+/// What the rope in motion was computed with, how exact that is, and how far off equilibria are.
+fn motion_notes(motion: Option<&RopeMotion>) -> Vec<String> {
+    let Some(motion) = motion else {
+        return Vec::new();
+    };
+    let runs = [Some(&motion.made_fast), motion.constant_tension.as_ref()];
+    let mut notes = vec![
+        "In motion: rope and cargo with their inertia, without drag of the air; a drum as heavy as the rope, at the lesser of the speed limit and power by tension."
+            .to_owned(),
+    ];
+    for (way, run) in WAYS.into_iter().zip(runs) {
+        match run {
+            Some(Ok(rope)) => notes.extend(
+                [Some(off(way, rope)), errors(way, rope)]
+                    .into_iter()
+                    .flatten(),
+            ),
+            Some(Err(error)) => notes.push(format!("In motion, {way}: {error}.")),
+            None => {}
+        }
+    }
+    notes
+}
+
+/// By how much equilibria are off.
+fn off(way: &str, rope: &MovingRope) -> String {
+    let [mean, deviation, least, greatest, _] =
+        std::array::from_fn(|k| rope.quasi_static[k] - rope.results[k]);
+    let off = |what: &str, by: f64| {
+        let sign = if by < 0.0 { "-" } else { "+" };
+        format!("{what} {sign}{}", si(by.abs(), "N"))
+    };
+    let all = [
+        off("minimum", least),
+        off("maximum", greatest),
+        off("mean", mean),
+        off("std deviation", deviation),
+    ];
+    format!(
+        "Equilibria are off from the rope in motion, {way}: {} ({} of the maximum).",
+        all.join(", "),
+        percent(greatest.abs() / rope.results[3].abs().max(f64::MIN_POSITIVE))
+    )
+}
+
+/// The numerical errors.
+fn errors(way: &str, rope: &MovingRope) -> Option<String> {
+    let [mean, deviation, least, greatest, speed] = rope.errors?;
+    Some(format!(
+        "Numerical errors in motion, {way}: minimum {}, maximum {}, mean {}, std deviation {}, speed {}.",
+        si(least, "N"),
+        si(greatest, "N"),
+        si(mean, "N"),
+        si(deviation, "N"),
+        si(speed, "m/s")
+    ))
 }
 
 fn notes(run: &WinchRun) -> Vec<String> {
@@ -131,7 +241,7 @@ fn notes(run: &WinchRun) -> Vec<String> {
         }
     }
     notes.push(
-        "Quasi-static: each sample is an equilibrium without the inertia of the rope.".to_owned(),
+        "Quasi-static, but for the rows in motion: each sample is an equilibrium without the inertia of the rope.".to_owned(),
     );
     notes
 }
@@ -152,11 +262,17 @@ pub(in crate::report) fn limits(kept: &[WinchSample]) -> impl Iterator<Item = St
     })
 }
 
-/// That the maximum tension exceeds the breaking load of a rope.
-fn breaks(solved: &SolvedRopeway, run: &WinchRun) -> impl Iterator<Item = String> {
-    let ways = ["Made fast", "On the winch"].into_iter().zip(ways(run));
-    ways.filter_map(|(way, moments)| {
-        let most = statistics(moments?, |m| m.ship_n.max(m.platform_n)).max;
+/// That the maximum tension, in equilibrium or in motion, exceeds the breaking load of a rope.
+fn breaks(
+    solved: &SolvedRopeway,
+    run: &WinchRun,
+    motion: Option<&RopeMotion>,
+) -> impl Iterator<Item = String> {
+    let names = ["Made fast", "On the winch"].into_iter();
+    let ways = names.zip(ways(run).into_iter().zip(moving(motion)));
+    ways.filter_map(|(way, (moments, moving))| {
+        let still = statistics(moments?, |m| m.ship_n.max(m.platform_n)).max;
+        let most = moving.map_or(still, |rope| still.max(rope.results[3]));
         let part = solved.breaking_load_ratio(most)?;
         (part > 1.0).then(|| {
             format!(

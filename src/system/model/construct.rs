@@ -24,6 +24,8 @@
 //! assert!(solve(system).is_ok());
 //! ```
 
+use crate::case::OneOrMany;
+
 use super::{
     LineInputs, MotionInputs, PayoutInputs, PointInputs, PointKind, SlidingInputs, SystemFile,
     SystemInfo, WhichEnd,
@@ -50,6 +52,17 @@ impl PointInputs {
         Self {
             position_m: Some(position_m),
             ..Self::of(PointKind::Fixed)
+        }
+    }
+
+    /// A point that moves about a place \[m\] by amplitudes \[m\] and periods \[s\] along x, y, z.
+    #[must_use]
+    pub fn moved(position_m: [f64; 3], amplitude_m: [f64; 3], periods_s: [f64; 3]) -> Self {
+        Self {
+            position_m: Some(position_m),
+            amplitude_m,
+            period_s: Some(OneOrMany::Many(periods_s.to_vec())),
+            ..Self::of(PointKind::Moved)
         }
     }
 

@@ -31,10 +31,13 @@ fn winch_on_ship(solved: &SolvedRopeway) -> (Option<Chart>, Table) {
         return (None, Table::titled("The ship does not move; add [motion]."));
     };
     match solved.run_winch(&series) {
-        Ok(followed) => (
-            Some(winch::winch_chart(&followed)),
-            winch::winch(solved, &followed),
-        ),
+        Ok(followed) => {
+            let motion = solved.rope_motion();
+            (
+                Some(winch::winch_chart(&followed, motion.as_ref())),
+                winch::winch(solved, &followed, motion.as_ref()),
+            )
+        }
         Err(error) => (None, Table::titled(format!("No solution: {error}."))),
     }
 }
