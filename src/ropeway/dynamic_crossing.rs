@@ -7,7 +7,7 @@
 use super::RopewayError;
 use super::cargo_motion::MARGIN;
 use super::line;
-use super::rope_system::{self, CARGO, LINES};
+use super::rope_system::{self, CARGO, LINES, SHIP_TENSION};
 use super::solve::SolvedRopeway;
 use crate::modes::{self, ModeKind};
 use crate::numerics::V3;
@@ -82,7 +82,7 @@ fn states(run: &MotionRun) -> Result<Vec<CrossingState>, RopewayError> {
         values(format!("z_m[{CARGO}]"))?,
     );
     let platform = values(format!("tension_n[{}|a]", LINES[0]))?;
-    let ship = values(format!("tension_n[{}|b]", LINES[1]))?;
+    let ship = values(SHIP_TENSION.to_owned())?;
     let cargo = x.iter().zip(z);
     let ends = platform.iter().zip(ship);
     let instants = run.history.time.iter().zip(cargo).zip(ends);

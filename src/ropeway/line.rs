@@ -1,16 +1,9 @@
-//! The ropeway as a discretised line: typed line cases of it, their equilibrium and their runs.
-
-use std::sync::atomic::AtomicBool;
+//! The ropeway as a discretised line: its typed line case, and the equilibrium of that.
 
 use super::RopewayError;
 use super::elastic::{AT_SUPPORT, ElasticRope};
 use super::model::Ropeway;
-use crate::case::{
-    self, Attachment, Case, ChannelId, ChannelLocation, ChannelQuantity, Clump, End, Ends,
-    Material, Method, Section, Solver, Statistic,
-};
-use crate::run::job::{self, Request};
-use crate::run::{QuantityId, Run, RunState, Subject};
+use crate::case::{self, Case, Clump, End, Ends, Material, Method, Section};
 use crate::scene;
 use crate::solve::{Kinematics, State};
 use crate::statics::equilibrium::EquilibriumSearch;
@@ -38,37 +31,11 @@ const CARGO: &str = "cargo";
 /// Name of the rope's material in line cases.
 const ROPE: &str = "rope";
 
-/// Axial damping of the line in motion, of critical of a segment's highest axial mode \[-\].
-const AXIAL_DAMPING: f64 = 0.02;
-
-/// Step of the line in motion \[s\].
-const TIME_STEP: f64 = 0.05;
-
-/// The case in which the ship's end moves along displacements over time \[s, m\], the rope made fast and the cargo at its
-/// place along it; the motion grows from nothing over `ramp_s`.
-#[must_use]
-pub fn moving_case(
-    ropeway: &Ropeway,
-    (length_m, arc_m): (f64, f64),
-    displacements: impl IntoIterator<Item = (f64, [f64; 3])>,
-    (duration_s, ramp_s, interval_s): (f64, f64, f64),
-) -> Case {
-    const FILE: &str = "ship.csv";
-    let mut case = rope_case(ropeway, Some(AXIAL_DAMPING));
-    hang_cargo(&mut case, ropeway, length_m, arc_m);
-    case.ends.b = case.ends.b.moved_by_table(FILE, ramp_s);
-    let table = Attachment::displacements(displacements);
-    case.files.insert(FILE.to_owned(), table);
-    case.solver = in_motion(duration_s, true);
-    case.output.interval_s = interval_s;
-    case
-}
-
 /// The static case: the rope of this unstretched length between its ends, with the cargo as a body at `arc_m` from the
 /// platform, nowhere near a support.
 #[must_use]
 pub fn static_case(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> Case {
-    let mut case = rope_case(ropeway, None);
+    let mut case = rope_case(ropeway);
     hang_cargo(&mut case, ropeway, length_m, arc_m);
     case.solver.method = Method::Static;
     case
@@ -82,7 +49,7 @@ pub fn static_case_file(ropeway: &Ropeway, length_m: f64, arc_m: f64) -> String 
 }
 
 /// All ropes as one material in air between platform and ship, both lying still; without sections yet.
-fn rope_case(ropeway: &Ropeway, axial_damping_ratio: Option<f64>) -> Case {
+fn rope_case(ropeway: &Ropeway) -> Case {
     let about = &ropeway.about;
     let squares = ropeway.ropes.iter().map(|rope| rope.diameter_m.powi(2));
     let diameter = squares.sum::<f64>().sqrt();
@@ -95,10 +62,7 @@ fn rope_case(ropeway: &Ropeway, axial_damping_ratio: Option<f64>) -> Case {
     case.case.source.clone_from(&about.source);
     case.environment.gravity_m_per_s2 = about.gravity_m_per_s2;
     case.environment.water_density_kg_per_m3 = 0.0;
-    let rope = Material {
-        axial_damping_ratio,
-        ..Material::new(diameter, mass, ropeway.ea_n())
-    };
+    let rope = Material::new(diameter, mass, ropeway.ea_n());
     case.materials.insert(ROPE.to_owned(), rope);
     case
 }
@@ -112,91 +76,6 @@ fn hang_cargo(case: &mut Case, ropeway: &Ropeway, length_m: f64, arc_m: f64) {
         Section::new("ship-side", ROPE, behind.0, behind.1),
     ];
     case.clumps = vec![Clump::in_air(CARGO, BEFORE, arc_m, ropeway.cargo.mass_kg)];
-}
-
-/// Generalized-alpha in constant steps.
-fn in_motion(duration_s: f64, error_estimate: bool) -> Solver {
-    Solver {
-        method: Method::Alpha,
-        duration_s,
-        time_step_s: Some(TIME_STEP),
-        error_estimate,
-        ..Solver::default()
-    }
-}
-
-/// A line case of a ropeway computed.
-pub struct LineRun {
-    case: Case,
-    /// What was computed.
-    pub run: Run,
-}
-
-impl LineRun {
-    /// Computes a case.
-    ///
-    /// # Errors
-    /// [`RopewayError::NotFound`] where the solver gives up.
-    pub fn compute(case: Case) -> Result<Self, RopewayError> {
-        let request = Request {
-            text: case::write(&case),
-            case,
-            file: "ropeway.toml".to_owned(),
-            overrides: Vec::new(),
-            id: String::new(),
-        };
-        let run = job::execute(&request, &AtomicBool::new(false), &mut |_| ());
-        if run.info.state != RunState::Done {
-            return Err(RopewayError::NotFound(
-                "the dynamic solver gave up on the line",
-            ));
-        }
-        let case = request.case;
-        Ok(Self { case, run })
-    }
-
-    /// Values of a quantity at the output times.
-    ///
-    /// # Errors
-    /// [`RopewayError::NotFound`] where the run does not record it there.
-    pub fn values(
-        &self,
-        quantity: ChannelQuantity,
-        site: ChannelLocation,
-    ) -> Result<&[f64], RopewayError> {
-        let id = self.channel_id(quantity, site);
-        let mut channels = self.run.history.channels.iter();
-        let channel = channels.find(|channel| Some(&channel.id) == id.as_ref());
-        let channel = channel.ok_or(RopewayError::NotFound(
-            "the run of the line lacks a channel",
-        ))?;
-        Ok(&channel.values)
-    }
-
-    /// Time and mesh error of the greatest tension at the ship \[N\].
-    #[must_use]
-    pub fn errors_of_greatest_tension(&self) -> (Option<f64>, Option<f64>) {
-        let channel = self.channel_id(ChannelQuantity::Tension, self.ship());
-        let maximum = channel.map(|id| QuantityId::new(Subject::Channel(id), Statistic::Max, None));
-        let mut summary = self.run.summary.iter();
-        let found = summary.find(|found| Some(&found.id) == maximum.as_ref());
-        (
-            found.and_then(|found| found.time_error),
-            found.and_then(|found| found.mesh_error),
-        )
-    }
-
-    /// The joint at the ship.
-    #[must_use]
-    pub fn ship(&self) -> ChannelLocation {
-        ChannelLocation::Joint(self.case.line.len())
-    }
-
-    fn channel_id(&self, quantity: ChannelQuantity, site: ChannelLocation) -> Option<ChannelId> {
-        let channels = case::channels(&self.case).into_iter();
-        let mut ids = channels.filter(|c| c.site == site).map(|c| c.id);
-        ids.find(|id| id.quantity == quantity)
-    }
 }
 
 /// Lengths of the rope and numbers of its segments on both sides of the cargo, the segments of nearly equal length.

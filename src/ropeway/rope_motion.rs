@@ -4,7 +4,7 @@
 use super::RopewayError;
 use super::elastic::{Carrier, RopeEquilibrium};
 use super::model::HangPointMotion;
-use super::rope_system::{self, LINES, SHIP};
+use super::rope_system::{self, LINES, SHIP, SHIP_TENSION};
 use super::ship_motion;
 use super::solve::SolvedRopeway;
 use super::winch::{ShipOffset, WinchControl, WinchSample, WinchState, simulate};
@@ -224,7 +224,7 @@ fn counted(
 }
 
 fn tensions_of(history: &History, window: Window) -> Result<(Vec<f64>, Vec<f64>), RopewayError> {
-    counted(history, &format!("tension_n[{}|b]", LINES[1]), window)
+    counted(history, SHIP_TENSION, window)
 }
 
 fn results_of(history: &History, window: Window) -> Result<[f64; 5], RopewayError> {

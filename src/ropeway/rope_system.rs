@@ -9,7 +9,7 @@ use super::model::Ropeway;
 use crate::case::Material;
 use crate::run::History;
 use crate::system::SystemFile;
-use crate::system::model::{LineInputs, MotionInputs, PointInputs, SlidingInputs};
+use crate::system::model::{LineInputs, MotionInputs, PointInputs, PointKind, SlidingInputs};
 use crate::system::motion::run::{MotionRun, run};
 use crate::system::solved::solve;
 
@@ -20,6 +20,9 @@ pub(super) const CARGO: &str = "cargo";
 
 /// Names of the lines, from the platform to the cargo and from there to the ship.
 pub(super) const LINES: [&str; 2] = ["platform-side", "ship-side"];
+
+/// The channel of the tension at the ship.
+pub const SHIP_TENSION: &str = "tension_n[ship-side|b]";
 
 /// Name of the material.
 const ROPE: &str = "rope";
@@ -50,6 +53,37 @@ pub fn crossing(ropeway: &Ropeway, start: &RopeEquilibrium, to_m: f64) -> System
         // In the ramp it is as far behind as in half of it at rest.
         ..MotionInputs::over(way.abs() / speed + 0.5 * RAMP)
     });
+    file
+}
+
+/// Step with the ship moving \[s\].
+const STEP: f64 = 0.05;
+
+/// The rope made fast with the cargo at its place, the ship's end moved from rest along displacements over time \[s, m\], which grow over a ramp
+/// \[s\], with results at an interval \[s\].
+#[must_use]
+pub fn at_moving_ship(
+    ropeway: &Ropeway,
+    rest: &RopeEquilibrium,
+    displacements: impl IntoIterator<Item = (f64, [f64; 3])>,
+    (duration_s, ramp_s, interval_s): (f64, f64, f64),
+) -> SystemFile {
+    let mut file = at_rest(ropeway, rest, ropeway.about.segments);
+    if let Some(ship) = file.points.get_mut(SHIP) {
+        ship.kind = PointKind::Moved;
+        ship.ramp_s = ramp_s;
+        for (time, [x, y, z]) in displacements {
+            ship.table_time_s.push(time);
+            ship.table_x_m.push(x);
+            ship.table_y_m.push(y);
+            ship.table_z_m.push(z);
+        }
+    }
+    file.solver = Some(MotionInputs {
+        time_step_s: Some(STEP),
+        ..MotionInputs::over(duration_s)
+    });
+    file.output.interval_s = interval_s;
     file
 }
 

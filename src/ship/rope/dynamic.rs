@@ -1,12 +1,11 @@
 //! The rope at the moving ship on the dynamic solver against the quasi-static analysis: the effect of the inertia of rope and
 //! cargo on the tension, around the maximum of the record.
 
-use crate::case::ChannelQuantity;
 use crate::numerics::statistics::{Statistics, rms_difference};
-use crate::ropeway::line::{self, LineRun};
+use crate::ropeway::rope_system::{self, SHIP_TENSION};
 use crate::ropeway::winch::WinchSample;
 use crate::ropeway::{RopewayError, SolvedRopeway};
-use crate::run::Work;
+use crate::system::motion::run::MotionWork;
 
 /// Simulated time \[s\], the time over which the motion grows, and that from which statistics count.
 const DURATION: f64 = 120.0;
@@ -27,7 +26,7 @@ pub struct DynamicRope {
     /// Estimated mesh error of the maximum tension \[N\].
     pub mesh_error: Option<f64>,
     /// Work of the dynamic solver.
-    pub work: Work,
+    pub work: MotionWork,
     /// First value of the statistics, after the motion has grown.
     pub first: usize,
 }
@@ -49,18 +48,19 @@ impl DynamicRope {
             let ship = &sample.ship;
             (step * i as f64, [ship.x_m, 0.0, ship.z_m])
         });
-        let shape = (start.length_m, start.arc_m);
         let times = (step * count as f64, RAMP, step);
-        let case = line::moving_case(&ropeway.ropeway, shape, displacements, times);
-        let line = LineRun::compute(case)?;
-        let (time_error, mesh_error) = line.errors_of_greatest_tension();
+        let file = rope_system::at_moving_ship(&ropeway.ropeway, &start, displacements, times);
+        let run = rope_system::compute(file)?;
+        let mut channels = run.channels.iter();
+        let tension = channels.find(|channel| channel.id.to_string() == SHIP_TENSION);
+        let of_maximum = |errors: [f64; 4]| errors[1];
         Ok(Self {
             times: window.iter().map(|sample| sample.ship.time_s).collect(),
             quasi_static: window.iter().map(|sample| sample.ship_n).collect(),
-            dynamic: line.values(ChannelQuantity::Tension, line.ship())?.to_vec(),
-            time_error,
-            mesh_error,
-            work: line.run.info.work,
+            dynamic: rope_system::values(&run.history, SHIP_TENSION)?.to_vec(),
+            time_error: tension.and_then(|found| found.time_error).map(of_maximum),
+            mesh_error: tension.and_then(|found| found.mesh_error).map(of_maximum),
+            work: run.work,
             first: ((FROM / step).round() as usize).min(count),
         })
     }
