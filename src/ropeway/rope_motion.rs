@@ -1,5 +1,5 @@
 //! The rope in motion while the ship moves, made fast and on the winch: what the inertia of rope, cargo and drum makes of the tensions that
-//! equilibria give ([`simulate`](super::winch::simulate)).
+//! equilibria give ([`simulate`]).
 
 use super::RopewayError;
 use super::elastic::{Carrier, RopeEquilibrium};
