@@ -72,7 +72,7 @@ fn slow_ships_have_the_tension_of_equilibria() {
         ("dynamics.duration_s", "300.0"),
     ];
     let limited = [&slow[..], &[("winch.speed_m_per_s", "0.01")]].concat();
-    // Between its limits a winch goes by the samples of the equilibria.
+    // A winch at its limits remembers how the motion grew over 20 s, which is not slow, until it has its tension again.
     for (edits, share) in [(&slow[..], 0.01), (&limited, 0.02)] {
         for rope in at_ship(&with(TENSION, edits)) {
             let [mean, deviation, least, greatest, speed] = rope.quasi_static;
