@@ -55,6 +55,9 @@ pub enum RopewayError {
         /// Length of rope between the ends \[m\].
         length_m: f64,
     },
+    /// The rope in motion has no answer, and why.
+    #[error("{0}")]
+    Motion(String),
     /// Anything else that has no solution, in words.
     #[error("{0}")]
     NotFound(&'static str),

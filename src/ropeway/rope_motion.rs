@@ -48,8 +48,10 @@ pub struct MovingRope {
     pub ship_n: Vec<f64>,
     /// Mean, standard deviation, minimum and maximum of it \[N\], and the greatest speed of the rope over the winch \[m/s\].
     pub results: [f64; 5],
-    /// Numerical errors of these, of time steps and mesh together; absent where they are not estimated.
-    pub errors: Option<[f64; 5]>,
+    /// Numerical errors of these by time steps, and by the mesh; absent where they are not estimated.
+    pub errors: Option<[[f64; 5]; 2]>,
+    /// What a reader should know of the run.
+    pub warnings: Vec<String>,
     /// The same results of equilibria over the same time.
     pub quasi_static: [f64; 5],
 }
@@ -117,6 +119,7 @@ impl SolvedRopeway {
             ship_n,
             results: results_of(&run.history, window)?,
             errors: errors(&run, window),
+            warnings: run.warnings.clone(),
             quasi_static: results(&tensions, speeds.fold(0.0, f64::max)),
         })
     }
@@ -237,8 +240,8 @@ fn results_of(history: &History, window: Window) -> Result<[f64; 5], RopewayErro
     Ok(results(&tensions, speeds.fold(0.0, f64::max)))
 }
 
-/// Numerical errors of the results, by companions with longer steps and longer segments.
-fn errors(run: &MotionRun, window: Window) -> Option<[f64; 5]> {
+/// Numerical errors of the results, by companions with longer steps and with longer segments.
+fn errors(run: &MotionRun, window: Window) -> Option<[[f64; 5]; 2]> {
     let second = Refinement {
         ratio: 2.0,
         order: 2.0,
@@ -247,11 +250,9 @@ fn errors(run: &MotionRun, window: Window) -> Option<[f64; 5]> {
         return None;
     };
     let fine = results_of(&run.history, window).ok()?;
-    let [time, mesh] = [
-        results_of(time, window).ok()?,
-        results_of(mesh, window).ok()?,
-    ];
-    Some(std::array::from_fn(|k| {
-        second.presumed(fine[k], time[k]) + second.presumed(fine[k], mesh[k])
-    }))
+    let from = |coarse: &History| {
+        let coarse = results_of(coarse, window).ok()?;
+        Some(std::array::from_fn(|k| second.presumed(fine[k], coarse[k])))
+    };
+    Some([from(time)?, from(mesh)?])
 }

@@ -11,6 +11,7 @@ use crate::run::History;
 use crate::system::SystemFile;
 use crate::system::model::{LineInputs, MotionInputs, PointInputs, PointKind, SlidingInputs};
 use crate::system::motion::run::{MotionRun, run};
+use crate::system::rest::UnsolvedSystem;
 use crate::system::solved::solve;
 
 /// Names of the points.
@@ -127,18 +128,20 @@ fn material(ropeway: &Ropeway) -> Material {
 /// Computes a system in time.
 ///
 /// # Errors
-/// [`RopewayError::NotFound`] where it does not come to rest, or the solver gives up.
+/// [`RopewayError::Motion`] where it does not come to rest, or the solver gives up, with time and node.
 pub fn compute(file: SystemFile) -> Result<MotionRun, RopewayError> {
-    const NO_REST: RopewayError = RopewayError::NotFound("the divided rope does not come to rest");
-    let solved = solve(file).map_err(|_| NO_REST)?;
+    let refused = |why: UnsolvedSystem| {
+        RopewayError::Motion(format!("the divided rope has no start: {}", why.problem))
+    };
+    let solved = solve(file).map_err(refused)?;
     let given = solved.file.solver.clone().unwrap_or_default();
     let never = AtomicBool::new(false);
-    let run = run(&solved, &given, &never, &mut |_| ()).map_err(|_| NO_REST)?;
+    let run = run(&solved, &given, &never, &mut |_| ()).map_err(refused)?;
     match run.failure {
         None => Ok(run),
-        Some(_) => Err(RopewayError::NotFound(
-            "the dynamic solver gave up on the rope",
-        )),
+        Some(why) => Err(RopewayError::Motion(format!(
+            "the dynamic solver gave up on the rope {why}"
+        ))),
     }
 }
 

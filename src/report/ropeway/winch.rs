@@ -181,11 +181,12 @@ fn motion_notes(motion: Option<&RopeMotion>) -> Vec<String> {
     ];
     for (way, run) in WAYS.into_iter().zip(runs) {
         match run {
-            Some(Ok(rope)) => notes.extend(
-                [Some(off(way, rope)), errors(way, rope)]
-                    .into_iter()
-                    .flatten(),
-            ),
+            Some(Ok(rope)) => {
+                notes.push(off(way, rope));
+                notes.extend(errors(way, rope));
+                let warnings = rope.warnings.iter();
+                notes.extend(warnings.map(|why| format!("In motion, {way}: {why}.")));
+            }
             Some(Err(error)) => notes.push(format!("In motion, {way}: {error}.")),
             None => {}
         }
@@ -216,14 +217,19 @@ fn off(way: &str, rope: &MovingRope) -> String {
 
 /// The numerical errors.
 fn errors(way: &str, rope: &MovingRope) -> Option<String> {
-    let [mean, deviation, least, greatest, speed] = rope.errors?;
+    let of = |[mean, deviation, least, greatest, speed]: [f64; 5]| {
+        format!(
+            "minimum {}, maximum {}, mean {}, std deviation {}, speed {}",
+            si(least, "N"),
+            si(greatest, "N"),
+            si(mean, "N"),
+            si(deviation, "N"),
+            si(speed, "m/s")
+        )
+    };
+    let [time, mesh] = rope.errors?.map(of);
     Some(format!(
-        "Numerical errors in motion, {way}: minimum {}, maximum {}, mean {}, std deviation {}, speed {}.",
-        si(least, "N"),
-        si(greatest, "N"),
-        si(mean, "N"),
-        si(deviation, "N"),
-        si(speed, "m/s")
+        "Numerical errors in motion, {way}: by time steps {time}; by the mesh {mesh}."
     ))
 }
 
