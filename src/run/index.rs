@@ -110,7 +110,7 @@ impl RunIndex {
         &self.root
     }
 
-    /// Makes the database anew where an error says that it is damaged, and tells whether it did.
+    /// Makes the database anew where an error says that it is damaged, and returns whether it did.
     ///
     /// # Errors
     /// The error, where that is not why; or not even a database in memory can be had.

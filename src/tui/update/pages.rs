@@ -165,7 +165,7 @@ pub(super) fn write(state: &AppState, title: &str, text: &str) -> Vec<Effect> {
     }]
 }
 
-/// Stops the study that computes; tells whether there was one.
+/// Stops the study that computes; returns whether there was one.
 pub(super) fn stop(state: &mut AppState) -> bool {
     let study = state.line_mut().and_then(|line| line.study.take());
     study.is_some_and(|study| {
