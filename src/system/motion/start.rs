@@ -23,7 +23,7 @@ use crate::system::network::{Body, Held, Line, Network};
 use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
 
 /// Iterations from the equilibrium of held ends to that of everything on its bed.
-const MOST_ITERATIONS: usize = 200;
+const MOST_ITERATIONS: usize = 1500;
 /// Greatest displacement of an iteration by the length of the longest line.
 const LONGEST_ITERATION: f64 = 0.05;
 /// Stiffness that everything has, by that of a pendulum of that length; and how many times that at most.
