@@ -51,7 +51,7 @@ fn in_motion(solved: &SolvedSystem) -> String {
         .as_ref()
         .map_or_else(String::new, |solver| {
             format!(
-                " This is where it starts: `seacable run` computes it in motion for {} s.",
+                " This is where it starts: `R` on the screen or `seacable run` computes it in motion for {} s.",
                 solver.duration_s
             )
         })
