@@ -15,7 +15,7 @@ use crate::ship::static_analysis::{MooredEquilibrium, StaticAnalysis};
 use crate::system::SystemFile;
 use crate::system::model::{
     BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, MotionInputs,
-    MotionOutput, PointInputs, PointKind, SystemBed, SystemInfo, SystemWind,
+    MotionOutput, PointInputs, PointKind, SystemBed, SystemWind,
 };
 
 /// Penetration of the line into the seabed under its own weight \[m\].
@@ -131,10 +131,6 @@ impl<'a> CoupledModel<'a> {
     ) -> SystemFile {
         let particulars = &self.statics.ship.ship;
         let mut file = SystemFile {
-            about: SystemInfo {
-                title: self.statics.ship.ship.title.clone(),
-                ..SystemInfo::default()
-            },
             environment: Environment {
                 gravity_m_per_s2: particulars.gravity_m_per_s2,
                 water_density_kg_per_m3: particulars.water_density_kg_per_m3,
@@ -146,16 +142,15 @@ impl<'a> CoupledModel<'a> {
                 ..SystemBed::default()
             }),
             solver: Some(MotionInputs {
-                duration_s: variant.duration_s,
                 time_step_s: Some(variant.step_s),
                 rho_inf: RHO_INF,
                 error_estimate: false,
-                ..MotionInputs::default()
+                ..MotionInputs::over(variant.duration_s)
             }),
             output: MotionOutput {
                 interval_s: variant.interval_s,
             },
-            ..SystemFile::default()
+            ..SystemFile::new(&particulars.title)
         };
         file.bodies.insert(SHIP.to_owned(), self.body(variant));
         self.add_line(variant.segments, &mut file);
@@ -230,14 +225,11 @@ impl<'a> CoupledModel<'a> {
         };
         let (sin, cos) = self.line_direction().sin_cos();
         let arm = self.arm();
-        let anchor = PointInputs {
-            position_m: Some([
-                arm.x - self.line.distance * cos,
-                arm.y - self.line.distance * sin,
-                -mooring.depth_m,
-            ]),
-            ..PointInputs::of(PointKind::Fixed)
-        };
+        let anchor = PointInputs::fixed([
+            arm.x - self.line.distance * cos,
+            arm.y - self.line.distance * sin,
+            -mooring.depth_m,
+        ]);
         let fairlead = PointInputs {
             position_m: Some(arm.into()),
             body: Some(SHIP.to_owned()),
@@ -247,15 +239,15 @@ impl<'a> CoupledModel<'a> {
         file.points.insert("anchor".to_owned(), anchor);
         file.points.insert("fairlead".to_owned(), fairlead);
         file.lines.push(LineInputs {
-            name: LINE.to_owned(),
-            from: "anchor".to_owned(),
-            to: "fairlead".to_owned(),
-            material: Some(LINE.to_owned()),
-            length_m: Some(mooring.length_m),
-            segments: Some(segments),
             // As in the static analysis.
             still_water: true,
-            ..LineInputs::default()
+            ..LineInputs::new(
+                LINE,
+                ["anchor", "fairlead"],
+                LINE,
+                mooring.length_m,
+                segments,
+            )
         });
     }
 

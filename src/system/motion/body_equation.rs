@@ -12,13 +12,14 @@
 //!
 //! The second term of either is of second order. Where potential flow or responses give the loads of waves to first order, and their
 //! mean drift apart, or coefficients of the current have the moment that turns the body across it, added mass acts to first order too:
-//! along the axes at the pose given, by accelerations alone, and damping along these axes turned to the heading of the body. A part of the second order without the rest is a drift that no body has.
+//! along the axes at the pose given, by accelerations alone, and damping along these axes turned to the heading of the body. A part of
+//! the second order without the rest is a drift that no body has.
 
-use nalgebra::{Matrix6, UnitQuaternion, Vector6};
+use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
 use super::body_damping::{damp, is_linear};
 use super::body_flow::FlowLoad;
-use super::point_loads::bed_load;
+use super::foot::Foot;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
 use crate::physics::FrictionAnchor;
@@ -28,16 +29,18 @@ use crate::system::body_loads::{
     Dual, DualVector, LoadSum, MovingPose, add_loads_by_pose, constant, fixed_loads, unknown,
 };
 use crate::system::members;
-use crate::system::network::{Body, FreePoint, Network};
+use crate::system::network::{Body, Network};
 use crate::system::pose::{Pose, cross};
 
-/// The water around a body.
+/// The water around a body, and the bed under it.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct BodyWater<'a> {
     /// Waves at its stations; empty in still water.
     pub waves: &'a [WaterMotion],
     /// Loads of potential flow, if it has coefficients.
     pub flow: Option<&'a FlowLoad>,
+    /// What of it bears on the bed, if anything does.
+    pub foot: Option<&'a Foot>,
     /// The anchor about which friction of the bed acts, where there is any.
     pub grip: Option<&'a FrictionAnchor>,
 }
@@ -51,40 +54,6 @@ pub struct MovingBody {
     pub mass: Matrix6<f64>,
     /// Of it what acts to first order alone, and the same along the earth's axes at the pose given.
     linear: [Matrix6<f64>; 2],
-    /// What bears on the bed, if anything does.
-    foot: Option<Foot>,
-}
-
-/// What of a body bears on the bed, as a point: without tipping.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Foot {
-    /// How far it is below the origin \[m\].
-    pub below: f64,
-    /// Its weight, mass and friction.
-    pub point: FreePoint,
-}
-
-impl Foot {
-    /// Of a body that bears on the bed, by its mass matrix along its axes.
-    #[must_use]
-    pub fn of(body: &Body, mass: &Matrix6<f64>) -> Option<Self> {
-        body.bottom.map(|below| Self {
-            below,
-            point: FreePoint {
-                weight: body.weight,
-                buoyancy: body.buoyancy,
-                moving_mass: mass[(2, 2)],
-                friction: body.bed_friction,
-                ..FreePoint::default()
-            },
-        })
-    }
-
-    /// Where it is, by the place of the origin \[m\].
-    #[must_use]
-    pub fn place(&self, origin: &V3) -> V3 {
-        origin - V3::z() * self.below
-    }
 }
 
 impl MovingBody {
@@ -92,23 +61,18 @@ impl MovingBody {
     #[must_use]
     pub fn new(network: &Network, number: usize, pose: &Pose) -> Self {
         let body = &network.bodies[number];
-        let mut mass = body.added_mass;
         let by_members = members::added_mass(network, body, pose);
-        let turn = pose.matrix().inverse();
-        let turn = turn.matrix();
-        for (row, column) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
-            let block = by_members.fixed_view::<3, 3>(row, column).into_owned();
-            let mut here = mass.fixed_view_mut::<3, 3>(row, column);
-            here += turn * block * turn.transpose();
-        }
+        let mut mass = body.added_mass + turned(&by_members, &pose.matrix().inverse());
         mass += rigid(body);
         let linear = match is_linear(body) {
-            true => [body.added_mass, turned(&body.added_mass, &body.pose)],
+            true => [
+                body.added_mass,
+                turned(&body.added_mass, &body.pose.matrix()),
+            ],
             false => [Matrix6::zeros(); 2],
         };
         Self {
             number,
-            foot: Foot::of(body, &mass),
             mass,
             linear,
         }
@@ -120,7 +84,7 @@ impl MovingBody {
         Self {
             mass: Matrix6::zeros(),
             linear: [Matrix6::zeros(); 2],
-            ..self.clone()
+            number: self.number,
         }
     }
 
@@ -157,7 +121,9 @@ impl MovingBody {
         self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
         add_loads_by_pose(network, body, &moving, true, &mut sum);
         damp(body, around.flow, &moving, &spin, &mut sum);
-        self.bear(network, &moving, around.grip, &mut sum);
+        if let Some(foot) = around.foot {
+            foot.bear(network, &moving, around.grip, &mut sum);
+        }
         let (force, tangent) = sum.parts();
         let (mut fixed, by_turn) = fixed_loads(body, &motion.pose);
         if let Some(flow) = around.flow {
@@ -193,37 +159,6 @@ impl MovingBody {
         }
     }
 
-    /// The bed under its foot.
-    fn bear(
-        &self,
-        network: &Network,
-        moving: &MovingPose<'_>,
-        grip: Option<&FrictionAnchor>,
-        sum: &mut LoadSum,
-    ) {
-        let Some(foot) = &self.foot else {
-            return;
-        };
-        let (origin, velocity) = [&moving.origin, &moving.velocity]
-            .map(|vector| vector.map(|part| part.re))
-            .into();
-        let load = bed_load(
-            network,
-            &foot.point,
-            (&foot.place(&origin), &velocity),
-            grip,
-        );
-        if load.force == V3::zeros() {
-            return;
-        }
-        let near =
-            |value: &DualVector, at: &V3, by: &M3| by.map(Dual::from_re) * (value - constant(at));
-        let force = constant(&load.force)
-            + near(&moving.origin, &origin, &load.by_position)
-            + near(&moving.velocity, &velocity, &load.by_velocity);
-        sum.add(&constant(&V3::zeros()), &force);
-    }
-
     /// Kinetic energy \[J\].
     #[must_use]
     pub fn kinetic_energy(&self, motion: &BodyMotion) -> f64 {
@@ -235,9 +170,8 @@ impl MovingBody {
     }
 }
 
-/// A matrix along the axes of a body at this pose in the earth's directions.
-fn turned(matrix: &Matrix6<f64>, pose: &Pose) -> Matrix6<f64> {
-    let turn = pose.matrix();
+/// A matrix of forces and moments in axes turned back by this rotation.
+fn turned(matrix: &Matrix6<f64>, turn: &Rotation3<f64>) -> Matrix6<f64> {
     let turn = turn.matrix();
     let mut out = Matrix6::zeros();
     for (row, column) in [(0, 0), (0, 3), (3, 0), (3, 3)] {
@@ -457,9 +391,11 @@ mod tests {
         flow.waves[2] = 1e4;
         flow.memory[4] = 1e4;
         flow.damping[(0, 4)] = 3e3;
+        let foot = Foot::of(&network.bodies[0], &moving.mass);
         let around = BodyWater {
             waves,
             flow: (!waves.is_empty()).then_some(&flow),
+            foot: foot.as_ref(),
             grip: None,
         };
         let residual = |motion: &BodyMotion, vector: &V3| {

@@ -2,8 +2,9 @@
 
 use std::ops::Range;
 
-use super::body_equation::{BodyWater, Foot, MovingBody};
+use super::body_equation::BodyWater;
 use super::body_flow::{self, BodyFlow};
+use super::foot::{Foot, feet};
 use super::joints::{Joints, Role};
 use super::mesh_of_ends::PaidLine;
 use super::payout::PaidEnd;
@@ -16,7 +17,7 @@ use crate::numerics::V3;
 use crate::physics::FrictionAnchor;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
-use crate::system::network::{Body, FreePoint, Held, Line, Network};
+use crate::system::network::{FreePoint, Held, Line, Network};
 
 /// A system in motion.
 #[derive(Debug, Clone)]
@@ -363,14 +364,15 @@ impl MovingSystem {
         }
     }
 
-    /// The water around a body.
+    /// The water around a body, and the bed under it.
     #[must_use]
-    pub fn water_around<'a>(&self, state: &'a SystemState, body: usize) -> BodyWater<'a> {
+    pub fn water_around<'a>(&'a self, state: &'a SystemState, body: usize) -> BodyWater<'a> {
         let stations = self.stations[body].clone();
         let flow = self.flows.iter().position(|flow| flow.body == body);
         BodyWater {
             waves: state.body_flow.get(stations).unwrap_or_default(),
             flow: flow.and_then(|number| state.flow_loads.get(number)),
+            foot: self.feet[body].as_ref(),
             grip: state.joints.memory.grips.get(self.joints.bodies[body]),
         }
     }
@@ -380,16 +382,6 @@ impl MovingSystem {
     pub fn body(&self, state: &SystemState, body: usize) -> BodyMotion {
         state.body(&self.joints, body)
     }
-}
-
-/// What of each body bears on the bed.
-fn feet(network: &Network) -> Vec<Option<Foot>> {
-    let bodies = network.bodies.iter().enumerate();
-    let foot = |(number, body): (usize, &Body)| {
-        let mass = MovingBody::new(network, number, &body.pose).mass;
-        Foot::of(body, &mass)
-    };
-    bodies.map(foot).collect()
 }
 
 /// Puts a line into the waves of a system.
