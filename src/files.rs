@@ -190,6 +190,17 @@ impl<'a> Target<'a> {
     }
 }
 
+/// The text of a file; what is not UTF-8 is replaced, as in remarks of old files.
+///
+/// # Errors
+/// The system refuses.
+pub fn read_lossy(path: &Path) -> io::Result<String> {
+    fs::read(path).map(|bytes| match String::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
+    })
+}
+
 /// Creates a file that grows while it is written; it must not exist yet.
 ///
 /// # Errors

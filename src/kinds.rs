@@ -55,7 +55,7 @@ impl FileType {
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        Self::of_text(&std::fs::read_to_string(path).unwrap_or_default())
+        Self::of_text(&crate::files::read_lossy(path).unwrap_or_default())
     }
 
     /// The kind of the file with this text.
@@ -67,6 +67,10 @@ impl FileType {
                 .any(|line| line.trim_start().starts_with(&header))
         };
         let others = Self::ALL.into_iter().filter(|kind| *kind != Self::Line);
-        others.into_iter().find(has).unwrap_or(Self::Line)
+        let foreign = || match crate::import::is_foreign(text) {
+            true => Self::System,
+            false => Self::Line,
+        };
+        others.into_iter().find(has).unwrap_or_else(foreign)
     }
 }

@@ -44,6 +44,7 @@ pub mod comparison;
 pub mod dynamics;
 pub mod equations;
 pub mod files;
+pub mod import;
 pub mod kinds;
 pub mod line_between_ends;
 pub mod modes;

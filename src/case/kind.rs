@@ -17,6 +17,7 @@ use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
 use super::shipped;
 use super::tree::TomlNode;
+use crate::import::{self, ImportOptions};
 
 /// A file with its text and its result.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,7 +39,34 @@ pub struct LoadedFile<T> {
 /// Everything that is wrong, at once: a missing file, a directory, a binary or empty file, TOML syntax, every invalid key
 /// and value, or what shows only in the computation.
 pub fn load<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
+    load_as::<K>(path, &ImportOptions::default())
+}
+
+/// The same; what is said about a file of another program besides its text is in the options.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once; of a file of another program each at its row.
+pub fn load_as<K: FileKind>(
+    path: &Path,
+    options: &ImportOptions,
+) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
+    if !import::is_foreign(&text) {
+        return loaded::<K>(text, path);
+    }
+    let imported = import::read(&text, &path.display().to_string(), options)?;
+    loaded::<K>(imported.text.clone(), path).map_err(|found| {
+        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, &text);
+        found.iter().map(at_its_row).collect()
+    })
+}
+
+/// The file with this text.
+fn loaded<K: FileKind>(
+    text: String,
+    path: &Path,
+) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let file = path.display().to_string();
     let (root, content) = with_its_files::<K>(&text, &file)?;
     let whole_text = whole(&text, &content);

@@ -14,6 +14,7 @@ use super::model::{CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::warm_start;
+use crate::import::is_foreign;
 use crate::kinds::FileType;
 
 /// A case with the text and the file it came from.
@@ -191,7 +192,14 @@ pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic
         ));
     }
     let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
-    String::from_utf8(bytes).map_err(|error| binary(&file, &error, schema))
+    String::from_utf8(bytes).or_else(|error| {
+        // Files of other programs are read in any encoding: only their remarks are not ASCII.
+        let text = String::from_utf8_lossy(error.as_bytes());
+        match is_foreign(&text) {
+            true => Ok(text.into_owned()),
+            false => Err(binary(&file, &error, schema)),
+        }
+    })
 }
 
 fn unreadable(file: &str, error: &std::io::Error) -> Diagnostic {

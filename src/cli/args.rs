@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::import::{ImportArgs, ImportCommandArgs};
 use super::study_args::{CompareArgs, EffectsArgs, VaryArgs};
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
@@ -107,6 +108,12 @@ pub(super) enum CliCommand {
     /// Prints a drawing of the ropeway and its tables: the inextensible model of the paper, parabola theory, the exact
     /// elastic rope with the cargo on it and the discretised line side by side.
     Ropeway(RopewayArgs),
+    /// Write the case that a file of another program is: MoorDyn (both versions), MoorPy, MAP++.
+    ///
+    /// Each value says from which line of the file it comes, and conventions that the file does not speak of are put down as assumed.
+    /// `seacable run`, `modes`, `study` and the workbench take such files as they are. What is not modelled is refused, all at once, with line
+    /// and column; `--without NAME` leaves it out.
+    Import(ImportCommandArgs),
     /// List the keys of a kind of file: range, unit, default, condition and help.
     ///
     /// With `--schema` it prints a JSON Schema, by which editors complete and check files.
@@ -203,6 +210,9 @@ pub(super) struct CaseArgs {
     /// Set a key on top of the file, for example solver.duration_s=60 or ends.b.position_m.x=850; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
+
+    #[command(flatten)]
+    pub(super) import: ImportArgs,
 }
 
 #[derive(Debug, clap::Args)]
@@ -402,6 +412,9 @@ pub(super) struct RunArgs {
     /// Set a key on top of the file, for example current.speed_m_per_s=0.4; may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
+
+    #[command(flatten)]
+    pub(super) import: ImportArgs,
 
     /// Solver to use in place of the case's.
     #[arg(long)]

@@ -8,6 +8,7 @@ use std::{
 use super::CommandError;
 use crate::{
     case::{self, Case, FieldRow, edit, file_kind::FileKind, kind, shipped},
+    import::ImportOptions,
     kinds::FileType,
 };
 
@@ -71,8 +72,9 @@ pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> 
 pub(super) fn edited_text<K: FileKind>(
     path: &Path,
     words: &[String],
+    options: &ImportOptions,
 ) -> Result<String, CommandError> {
-    let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
+    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::invalid_file(path))?;
     let text = &loaded.whole_text;
     kind::set_all::<K>(text, &edits(words)?).map_err(CommandError::invalid(text))
 }
@@ -81,8 +83,9 @@ pub(super) fn edited_text<K: FileKind>(
 pub(super) fn load_with<K: FileKind>(
     path: &Path,
     words: &[String],
+    options: &ImportOptions,
 ) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
-    let loaded = kind::load::<K>(path).map_err(CommandError::invalid_file(path))?;
+    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::invalid_file(path))?;
     let fields = |text: &str| kind::edited_rows::<K>(text, &loaded.text).0;
     if words.is_empty() {
         return Ok((fields(&loaded.text), loaded.computed));

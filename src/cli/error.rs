@@ -1,14 +1,18 @@
 //! Errors of the command line, their messages and exit status.
 
 use std::{
-    fs,
     io::{self, IsTerminal},
     path::Path,
     process::ExitCode,
 };
 
 use super::{BAD_INPUT, BAD_RESULT, output};
-use crate::{case::Diagnostic, files::WriteError, run::store::StoreError, tui::OpenError};
+use crate::{
+    case::Diagnostic,
+    files::{self, WriteError},
+    run::store::StoreError,
+    tui::OpenError,
+};
 
 /// Why a command failed.
 #[derive(Debug)]
@@ -43,7 +47,7 @@ impl CommandError {
     /// The error of a file, which is read again for its text.
     pub(super) fn invalid_file(path: &Path) -> impl Fn(Vec<Diagnostic>) -> Self {
         move |diagnostics| Self::Invalid {
-            text: fs::read_to_string(path).unwrap_or_default(),
+            text: files::read_lossy(path).unwrap_or_default(),
             diagnostics,
         }
     }

@@ -12,6 +12,7 @@ mod compare;
 mod duration;
 mod effects;
 mod error;
+mod import;
 mod inputs;
 mod keys;
 mod kinds;
@@ -68,6 +69,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Ship(args)) => ship::ship(args),
         Some(CliCommand::Modes(args)) => modes::modes(args),
         Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),
+        Some(CliCommand::Import(args)) => import::import(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
     };

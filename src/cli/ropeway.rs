@@ -9,6 +9,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
+    import::ImportOptions,
     report,
     ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line},
 };
@@ -16,7 +17,8 @@ use crate::{
 pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--line", args.line.as_deref(), args.force, &inputs)?;
-    let (fields, worked) = cases::load_with::<Ropeway>(&args.file, &args.set)?;
+    let (fields, worked) =
+        cases::load_with::<Ropeway>(&args.file, &args.set, &ImportOptions::default())?;
     let results = worked
         .results(worked.ropeway.cargo.position)
         .map_err(|error| CommandError::Usage(format!("The ropeway has no solution: {error}.")))?;

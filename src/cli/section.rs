@@ -9,6 +9,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
+    import::ImportOptions,
     report::{self, plain},
     section::{self, CrossSection},
 };
@@ -19,7 +20,7 @@ const WIDTH: usize = 100;
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (_, design) = cases::load_with::<CrossSection>(&args.file, &[])?;
+    let (_, design) = cases::load_with::<CrossSection>(&args.file, &[], &ImportOptions::default())?;
     let glyphs = output::glyphs(args.ascii);
     if let Some(file) = file {
         let text = section::material_table(&design);

@@ -4,12 +4,14 @@ use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool};
 
 use super::{CommandError, args::ShipArgs, cases, output};
 use crate::{
+    import::ImportOptions,
     report::ship::text as page,
     ship::{DynamicAnalysis, MotionError, Ship},
 };
 
 pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
-    let (fields, rest) = cases::load_with::<Ship>(&args.file, &args.set)?;
+    let (fields, rest) =
+        cases::load_with::<Ship>(&args.file, &args.set, &ImportOptions::default())?;
     let folder = args.file.parent().unwrap_or(Path::new(""));
     let sea = DynamicAnalysis::new(&rest, folder, &AtomicBool::new(false));
     if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {

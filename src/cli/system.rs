@@ -41,7 +41,8 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
             "Systems of lines do not take {why}."
         )));
     }
-    let (fields, solved) = cases::load_with::<SystemFile>(&path, &args.set)?;
+    let (fields, solved) =
+        cases::load_with::<SystemFile>(&path, &args.set, &args.import.options())?;
     if solved.file.solver.is_some() {
         return in_motion(args, solved);
     }
@@ -105,7 +106,7 @@ fn stored_run(
 /// The run that the file with all `--set` asks for.
 fn request(args: &RunArgs, solved: SolvedSystem) -> Result<SystemRequest, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
-    let text = cases::edited_text::<SystemFile>(path, &args.set)?;
+    let text = cases::edited_text::<SystemFile>(path, &args.set, &args.import.options())?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let request = SystemRequest::new(Arc::new(solved), &text, name.into_owned(), args.set.clone());
     request.ok_or_else(|| CommandError::Usage("A run in time needs a table `[solver]`.".to_owned()))

@@ -22,7 +22,12 @@ const WIDTH: usize = 140;
 const PLOT: (usize, usize) = (80, 24);
 
 fn load(args: &SystemArgs) -> Result<SolvedSystem, CommandError> {
-    Ok(cases::load_with::<SystemFile>(&args.case.file, &args.case.set)?.1)
+    Ok(cases::load_with::<SystemFile>(
+        &args.case.file,
+        &args.case.set,
+        &args.case.import.options(),
+    )?
+    .1)
 }
 
 /// The body named, or the only one.
@@ -128,8 +133,9 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 }
 
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
-    let file = kind::load::<SystemFile>(&args.system.case.file)
-        .map_err(CommandError::invalid_file(&args.system.case.file))?;
+    let file =
+        kind::load_as::<SystemFile>(&args.system.case.file, &args.system.case.import.options())
+            .map_err(CommandError::invalid_file(&args.system.case.file))?;
     let text = kind::set_all::<SystemFile>(&file.whole_text, &cases::edits(&args.system.case.set)?)
         .map_err(CommandError::invalid(&file.whole_text))?;
     let Some((quantity, wanted)) = args

@@ -58,7 +58,8 @@ fn system(args: &VaryArgs) -> Result<ExitCode, CommandError> {
     let inputs = [path.clone()];
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let loaded = kind::load::<SystemFile>(path).map_err(CommandError::invalid_file(path))?;
+    let loaded = kind::load_as::<SystemFile>(path, &args.case.import.options())
+        .map_err(CommandError::invalid_file(path))?;
     let (text, solved) =
         kind::set_and_compute::<SystemFile>(&loaded.whole_text, &cases::edits(&args.case.set)?)
             .map_err(CommandError::invalid(&loaded.whole_text))?;

@@ -1,0 +1,80 @@
+//! What is wrong with a file of another program, or not modelled, and where.
+
+use std::ops::Range;
+
+use crate::case::Diagnostic;
+
+/// One thing wrong with a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fault {
+    /// The bytes meant.
+    pub span: Range<usize>,
+    /// The column or key meant, such as `LINES, row 2, LineType`; empty for the file as a whole.
+    pub key: String,
+    /// What is wrong.
+    pub problem: String,
+    /// What would be right.
+    pub remedy: String,
+}
+
+impl Fault {
+    /// A fault at these bytes.
+    #[must_use]
+    pub fn new(
+        span: Range<usize>,
+        key: impl Into<String>,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Self {
+        Self {
+            span,
+            key: key.into(),
+            problem: problem.into(),
+            remedy: remedy.into(),
+        }
+    }
+
+    /// As a diagnostic of a file with this text.
+    #[must_use]
+    pub fn diagnostic(&self, file: &str, text: &str) -> Diagnostic {
+        let (line, column) = line_and_column(text, self.span.start);
+        Diagnostic {
+            file: file.to_owned(),
+            line,
+            column,
+            key: self.key.clone(),
+            problem: self.problem.clone(),
+            remedy: self.remedy.clone(),
+            span: self.span.clone(),
+        }
+    }
+}
+
+/// Line and column, in characters, both from 1, of a byte of a text.
+#[must_use]
+pub fn line_and_column(text: &str, at: usize) -> (u32, u32) {
+    let mut at = at.min(text.len());
+    while !text.is_char_boundary(at) {
+        at -= 1;
+    }
+    let before = &text[..at];
+    let line = before.matches('\n').count() + 1;
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let column = before[start..].chars().count() + 1;
+    let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);
+    (number(line), number(column))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_count_characters() {
+        let text = "a\nµ bc";
+        assert_eq!(line_and_column(text, 0), (1, 1));
+        assert_eq!(line_and_column(text, text.find("bc").unwrap()), (2, 3));
+        assert_eq!(line_and_column(text, 3), (2, 1));
+        assert_eq!(line_and_column(text, 99), (2, 5));
+    }
+}

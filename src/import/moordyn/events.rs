@@ -1,0 +1,98 @@
+//! The tables FAILURE, SYROPE IC, CONTROL and EXTERNAL LOADS.
+
+use super::holds::{attachment, missing, same};
+use super::sections::Block;
+use super::table::{Column, Table, TableRow};
+use crate::import::fault::Fault;
+use crate::import::mooring::{Failure, Mooring, PastTension, Unmodelled};
+use crate::import::words::Row;
+
+const FAILURE_COLUMNS: [Column; 5] = [
+    ("FailID", &["ID", "FailureID", "Failure", "#"]),
+    ("Attachment", &["Point", "Node", "PointID"]),
+    ("Lines", &["Line(s)", "Line", "LineID(s)", "AffectedLines"]),
+    ("FailTime", &["Time"]),
+    ("FailTen", &["Tension", "FailTension"]),
+];
+
+const PAST_COLUMNS: [Column; 3] = [
+    ("Line(s)", &["Lines", "Line"]),
+    ("Tmax0", &["Tmax"]),
+    ("Tmean0", &["Tmean"]),
+];
+
+/// Reads what comes off.
+pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::of(block, &FAILURE_COLUMNS, 5, faults);
+    mooring.failures = table.read(faults, |row| {
+        let time = row.not_negative(3)?;
+        let tension = row.not_negative(4)?;
+        if time.value == 0.0 && tension.value == 0.0 {
+            return Err(row.fault(
+                3,
+                "neither a time nor a tension is given",
+                "give one of them above 0",
+            ));
+        }
+        Ok(Failure {
+            span: row.row.span(),
+            from: attachment(row, 1, mooring)?,
+            lines: lines(row, 2, mooring)?,
+            time: Some(time).filter(|time| time.value > 0.0),
+            tension: Some(tension).filter(|tension| tension.value > 0.0),
+        })
+    });
+}
+
+/// Reads the past of ropes.
+pub fn read_past(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::of(block, &PAST_COLUMNS, 3, faults);
+    mooring.past_tensions = table.read(faults, |row| {
+        let greatest = row.not_negative(1)?;
+        let mean = row.not_negative(2)?;
+        if mean.value > greatest.value {
+            return Err(row.fault(
+                2,
+                "the mean tension is above the greatest",
+                "the greatest mean tension so far is at least the mean tension now",
+            ));
+        }
+        Ok(PastTension {
+            span: row.row.span(),
+            lines: lines(row, 0, mooring)?,
+            greatest,
+            mean,
+        })
+    });
+}
+
+/// What another program drives is not in the file.
+pub fn read_unmodelled(block: &Block<'_>, name: &'static str, what: &str, mooring: &mut Mooring) {
+    let is_data = |row: &&Row<'_>| {
+        let words = row.words();
+        words.first().is_some_and(|word| word.number().is_some())
+    };
+    let rows = block.rows.iter().filter(is_data);
+    mooring.unmodelled.extend(rows.map(|row| Unmodelled {
+        name,
+        span: row.span(),
+        key: block.section.title().to_owned(),
+        what: what.to_owned(),
+    }));
+}
+
+/// Lines by their numbers, with commas between: `1,2` or `Line1`.
+fn lines(row: &TableRow<'_, '_>, column: usize, mooring: &Mooring) -> Result<Vec<usize>, Fault> {
+    let parts = row.words[column].parts(',');
+    let named = parts.iter().filter(|part| !part.text.is_empty());
+    let found = named.map(|part| {
+        let lower = part.text.to_lowercase();
+        let number = lower.strip_prefix("line").unwrap_or(&lower);
+        let line = mooring.lines.iter().position(|line| same(&line.id, number));
+        line.ok_or_else(|| Fault {
+            span: part.span(),
+            ..missing(row, column, "line", part.text)
+        })
+    });
+    found.collect()
+}

@@ -1,0 +1,252 @@
+//! Files that a MoorDyn file names: curves of tension over strain, Syrope ropes, currents, waves.
+
+use std::path::{Path, PathBuf};
+
+use crate::import::fault::Fault;
+use crate::import::mooring::{WorkingCurve, WorkingForm};
+use crate::import::words::{Row, Word};
+
+/// Greatest size of a file that is named \[bytes\].
+const GREATEST_SIZE: u64 = 64 << 20;
+
+/// Where files that a file names are looked for.
+#[derive(Debug, Clone)]
+pub struct Files<'p> {
+    /// The folder of the file that names them.
+    pub folder: &'p Path,
+}
+
+impl Files<'_> {
+    /// The text of a file named at a place: below the folder by its whole path, or by its last part.
+    ///
+    /// # Errors
+    /// It is not there, too large or no text.
+    pub fn text(&self, name: Word<'_>, key: &str) -> Result<String, Fault> {
+        let path = self.path(name.text).ok_or_else(|| {
+            Fault::new(
+                name.span(),
+                key,
+                format!("there is no file `{}` beside this one", name.text),
+                "put it there, or correct its name",
+            )
+        })?;
+        let unreadable = |why: String| {
+            Fault::new(
+                name.span(),
+                key,
+                format!("the file `{}` cannot be read: {why}", name.text),
+                "check the file",
+            )
+        };
+        let size = std::fs::metadata(&path).map_or(0, |found| found.len());
+        if size > GREATEST_SIZE {
+            return Err(unreadable(format!("it has {} MB", size >> 20)));
+        }
+        let bytes = std::fs::read(&path).map_err(|error| unreadable(error.to_string()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+
+    /// Where a file lies that is named, if it is there.
+    #[must_use]
+    pub fn path(&self, name: &str) -> Option<PathBuf> {
+        let whole = self.folder.join(name);
+        let last = Path::new(name)
+            .file_name()
+            .map(|last| self.folder.join(last));
+        [Some(whole), last]
+            .into_iter()
+            .flatten()
+            .find(|path| path.is_file())
+    }
+
+    /// Strains and tensions \[N\] of a file, rising, from zero.
+    ///
+    /// # Errors
+    /// It cannot be read, or its rows do not rise.
+    pub fn curve(&self, name: Word<'_>, key: &str) -> Result<Vec<[f64; 2]>, Fault> {
+        let text = self.text(name, key)?;
+        let mut points = vec![[0.0, 0.0]];
+        for (line, numbers) in rows_of_numbers(&text) {
+            let &[strain, tension, ..] = numbers.as_slice() else {
+                continue;
+            };
+            if strain == 0.0 && tension == 0.0 && points.len() == 1 {
+                continue;
+            }
+            let last = points[points.len() - 1];
+            if strain <= last[0] || tension <= last[1] {
+                return Err(Fault::new(
+                    name.span(),
+                    key,
+                    format!(
+                        "line {line} of `{}` does not rise: strain {strain}, tension {tension}",
+                        name.text
+                    ),
+                    "strains and tensions rise from row to row",
+                ));
+            }
+            points.push([strain, tension]);
+        }
+        match points.len() {
+            0..3 => Err(Fault::new(
+                name.span(),
+                key,
+                format!("`{}` has no two rows of strain and tension", name.text),
+                "write a strain and a tension in N on each row",
+            )),
+            _ => Ok(points),
+        }
+    }
+
+    /// The working curve of a Syrope rope and the curve of its first loading.
+    ///
+    /// # Errors
+    /// A file cannot be read, or lacks an entry.
+    pub fn syrope(
+        &self,
+        name: Word<'_>,
+        key: &str,
+    ) -> Result<(WorkingCurve, Vec<[f64; 2]>), Fault> {
+        let text = self.text(name, key)?;
+        let entry = |wanted: &str| {
+            let found = Row::all(&text).find_map(|row| match row.words().as_slice() {
+                [value, entry, ..] if entry.is(wanted) => Some(value.text.to_owned()),
+                _ => None,
+            });
+            found.ok_or_else(|| {
+                Fault::new(
+                    name.span(),
+                    key,
+                    format!("`{}` does not give {wanted}", name.text),
+                    "it has rows for OWC, WCType, k1 and k2, each value before its name",
+                )
+            })
+        };
+        let number = |wanted: &str| {
+            let text = entry(wanted)?;
+            let word = Word {
+                text: &text,
+                start: name.start,
+            };
+            word.number().ok_or_else(|| {
+                Fault::new(
+                    name.span(),
+                    key,
+                    format!("{wanted} in `{}` is `{text}`, not a number", name.text),
+                    "give a number",
+                )
+            })
+        };
+        let form = match entry("WCType")?.to_uppercase().as_str() {
+            "LINEAR" => WorkingForm::Linear,
+            "QUADRATIC" => WorkingForm::Quadratic,
+            "EXP" => WorkingForm::Exponential,
+            other => {
+                return Err(Fault::new(
+                    name.span(),
+                    key,
+                    format!("WCType in `{}` is `{other}`", name.text),
+                    "it is LINEAR, QUADRATIC or EXP",
+                ));
+            }
+        };
+        let curve = entry("OWC")?;
+        let curve = Word {
+            text: &curve,
+            start: name.start,
+        };
+        let working = WorkingCurve {
+            form,
+            k1: number("k1")?,
+            k2: number("k2")?,
+        };
+        let first_loading = self.curve(curve, key).map_err(|fault| Fault {
+            span: name.span(),
+            ..fault
+        })?;
+        Ok((working, first_loading))
+    }
+
+    /// A current by height: z, x, y from a profile of rows z, x, y, z.
+    ///
+    /// # Errors
+    /// The file is not there or has no rows, or currents up or down.
+    pub fn current(&self, at: Word<'_>, key: &str) -> Result<Vec<[f64; 3]>, Fault> {
+        let name = Word {
+            text: "current_profile.txt",
+            ..at
+        };
+        let text = self.text(name, key).map_err(|fault| at_option(fault, at))?;
+        let rows = rows_of_numbers(&text)
+            .filter(|(_, numbers)| numbers.len() >= 3)
+            .map(|(line, numbers)| {
+                let up = numbers.get(3).copied().unwrap_or(0.0);
+                match up == 0.0 {
+                    true => Ok([numbers[0], numbers[1], numbers[2]]),
+                    false => Err(Fault::new(
+                        at.span(),
+                        key,
+                        format!(
+                            "line {line} of current_profile.txt has a current of {up} m/s upwards"
+                        ),
+                        "currents here are horizontal",
+                    )),
+                }
+            });
+        let mut rows: Vec<[f64; 3]> = rows.collect::<Result<_, _>>()?;
+        rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
+        match rows.is_empty() {
+            true => Err(Fault::new(
+                at.span(),
+                key,
+                "current_profile.txt has no rows of height and velocity",
+                "write z, ux, uy, uz on each row",
+            )),
+            false => Ok(rows),
+        }
+    }
+
+    /// Waves by their components: angular frequency, amplitude, phase from rows of frequency and complex amplitude.
+    ///
+    /// # Errors
+    /// The file is not there or has no rows.
+    pub fn waves(&self, at: Word<'_>, key: &str) -> Result<Vec<[f64; 3]>, Fault> {
+        let name = Word {
+            text: "wave_frequencies.txt",
+            ..at
+        };
+        let text = self.text(name, key).map_err(|fault| at_option(fault, at))?;
+        let components = rows_of_numbers(&text).filter_map(|(_, numbers)| {
+            let [frequency, real, imaginary] = *numbers.get(..3)?.first_chunk()?;
+            let amplitude = f64::hypot(real, imaginary);
+            (frequency > 0.0 && amplitude > 0.0)
+                .then(|| [frequency, amplitude, imaginary.atan2(real)])
+        });
+        Ok(components.collect())
+    }
+}
+
+/// A fault of a file that an option asks for without naming it.
+fn at_option(fault: Fault, at: Word<'_>) -> Fault {
+    Fault {
+        span: at.span(),
+        ..fault
+    }
+}
+
+/// The rows of a text that are numbers alone, with their line numbers; others are titles.
+pub fn rows_of_numbers(text: &str) -> impl Iterator<Item = (usize, Vec<f64>)> {
+    Row::all(text).enumerate().filter_map(|(line, row)| {
+        let words = row.words();
+        let numbers: Option<Vec<f64>> = words
+            .iter()
+            .map(|word| {
+                let text = word.text.trim_end_matches(',');
+                Word { text, ..*word }.number()
+            })
+            .collect();
+        numbers
+            .filter(|numbers| !numbers.is_empty())
+            .map(|numbers| (line + 1, numbers))
+    })
+}

@@ -1,0 +1,367 @@
+//! The tables LINE TYPES and ROD TYPES.
+
+use super::files::Files;
+use super::sections::Block;
+use super::table::{Column, Table, TableRow};
+use crate::import::fault::Fault;
+use crate::import::mooring::{
+    Damping, Given, LineType, Mass, Mooring, Program, RodType, Stiffness, Syrope, Unmodelled,
+};
+use crate::import::words::Word;
+
+/// Coefficients of the water: headers have them in another order than the program reads, see [`coefficients_by_name`].
+const COEFFICIENTS: &[&str] = &[
+    "Cd", "Ca", "CdAx", "CaAx", "Can", "Cat", "Cdn", "Cdt", "Ca*", "Cd*",
+];
+
+/// Columns of the second version.
+const COLUMNS: [Column; 13] = [
+    ("TypeName", &["Name", "LineType", "Type"]),
+    ("Diam", &["Diameter", "D"]),
+    ("Mass/m", &["MassDen", "MassDenInAir", "Mass", "w"]),
+    ("EA", &[]),
+    ("BA/-zeta", &["BA", "cIntDamp", "BA/-z", "IntDamp"]),
+    ("EI", &[]),
+    ("Cd", COEFFICIENTS),
+    ("Ca", COEFFICIENTS),
+    ("CdAx", COEFFICIENTS),
+    ("CaAx", COEFFICIENTS),
+    ("Cl", &[]),
+    ("dF", &[]),
+    ("cF", &[]),
+];
+
+/// Columns of the first version, in the order of its documentation.
+const COLUMNS_1: [Column; 9] = [
+    COLUMNS[0],
+    COLUMNS[1],
+    COLUMNS[2],
+    COLUMNS[3],
+    COLUMNS[4],
+    ("Can", COEFFICIENTS),
+    ("Cat", COEFFICIENTS),
+    ("Cdn", COEFFICIENTS),
+    ("Cdt", COEFFICIENTS),
+];
+
+const ROD_COLUMNS: [Column; 7] = [
+    ("TypeName", &["Name", "RodType", "Type"]),
+    ("Diam", &["Diameter", "D"]),
+    ("Mass/m", &["MassDen", "MassDenInAir", "Mass", "w"]),
+    ("Cd", &[]),
+    ("Ca", &[]),
+    ("CdEnd", &["CdAx"]),
+    ("CaEnd", &["CaAx"]),
+];
+
+/// Whether the header of a block has a column for bending stiffness: the first version has none.
+#[must_use]
+pub fn is_first_version(block: &Block<'_>) -> bool {
+    let header = block.rows.iter().map(super::Row::words).find(|words| {
+        let is = |name: &str| words.iter().any(|word| word.is(name));
+        is("EA")
+    });
+    header.is_some_and(|words| !words.iter().any(|word| word.is("EI")) && words.len() <= 9)
+}
+
+/// Reads the line types.
+pub fn read_line_types(
+    block: &Block<'_>,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+    faults: &mut Vec<Fault>,
+) {
+    let first = mooring.program == Program::MoorDyn1;
+    let (columns, required): (&[Column], _) = match first {
+        true => (&COLUMNS_1, 9),
+        false => (&COLUMNS, 10),
+    };
+    let order = coefficients_by_name(block, first);
+    if !first && order == Order::AddedMassFirst {
+        mooring.remarks.push(
+            "The header of the line types names Can Cat Cdn Cdt; MoorDyn 2 reads these four columns as Cd Ca CdAx CaAx, by their \
+             order, and so they are read here."
+                .to_owned(),
+        );
+    }
+    let table = Table::of(block, columns, required, faults);
+    let mut unmodelled = Vec::new();
+    let mut found: Vec<LineType> = table.read(faults, |row| {
+        if !first {
+            vortices(row, &mut unmodelled)?;
+        }
+        line_type(row, files, first, order)
+    });
+    unique(
+        &mut found,
+        |one| (&one.name, &one.span),
+        "line type",
+        faults,
+    );
+    mooring.line_types = found;
+    mooring.unmodelled.extend(unmodelled);
+}
+
+/// Reads the rod types.
+pub fn read_rod_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::of(block, &ROD_COLUMNS, 7, faults);
+    let mut found = table.read(faults, |row| {
+        Ok(RodType {
+            name: row.words[0].text.to_owned(),
+            span: row.row.span(),
+            diameter: row.positive(1)?,
+            mass: row.not_negative(2)?,
+            drag_normal: row.not_negative(3)?,
+            added_mass_normal: row.not_negative(4)?,
+            drag_end: row.not_negative(5)?,
+            added_mass_end: row.not_negative(6)?,
+        })
+    });
+    unique(&mut found, |one| (&one.name, &one.span), "rod type", faults);
+    mooring.rod_types = found;
+}
+
+/// Faults for names that stand twice; the first of each stays.
+pub fn unique<T>(
+    all: &mut Vec<T>,
+    name: impl Fn(&T) -> (&String, &std::ops::Range<usize>),
+    what: &str,
+    faults: &mut Vec<Fault>,
+) {
+    let mut seen: Vec<String> = Vec::new();
+    all.retain(|one| {
+        let (name, span) = name(one);
+        if seen.contains(name) {
+            faults.push(Fault::new(
+                span.clone(),
+                what,
+                format!("there is a second {what} `{name}`"),
+                "give it a name or number of its own",
+            ));
+            return false;
+        }
+        seen.push(name.clone());
+        true
+    });
+}
+
+/// Which of the four coefficients come first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Order {
+    DragFirst,
+    AddedMassFirst,
+}
+
+/// The order that the header names.
+fn coefficients_by_name(block: &Block<'_>, first: bool) -> Order {
+    let at = |words: &[Word<'_>], names: &[&str]| {
+        words
+            .iter()
+            .position(|word| names.iter().any(|name| word.is(name)))
+    };
+    let named = block
+        .rows
+        .iter()
+        .map(super::Row::words)
+        .find_map(|words| at(&words, &["Can", "Ca"]).zip(at(&words, &["Cdn", "Cd"])));
+    match named {
+        Some((added_mass, drag)) if drag < added_mass => Order::DragFirst,
+        Some(_) => Order::AddedMassFirst,
+        None if first => Order::AddedMassFirst,
+        None => Order::DragFirst,
+    }
+}
+
+/// Vibrations in the wake of vortices: columns behind the tenth.
+fn vortices(row: &TableRow<'_, '_>, unmodelled: &mut Vec<Unmodelled>) -> Result<(), Fault> {
+    let count = row.words.len();
+    if count == 12 || count > 13 {
+        let fault = row.fault(
+            count.min(13) - 1,
+            format!("the row has {count} columns"),
+            "a line type has 10 columns, 11 with Cl, or 13 with Cl, dF and cF",
+        );
+        return Err(fault);
+    }
+    if let Some(lift) = row.optional(10)?
+        && lift.value != 0.0
+    {
+        unmodelled.push(Unmodelled {
+            name: "viv",
+            span: lift.span,
+            key: row.key(10),
+            what: "vibrations in the wake of vortices (a lift coefficient Cl)".to_owned(),
+        });
+    }
+    for column in 11..count {
+        row.number(column)?;
+    }
+    Ok(())
+}
+
+fn line_type(
+    row: &TableRow<'_, '_>,
+    files: &Files<'_>,
+    first: bool,
+    order: Order,
+) -> Result<LineType, Fault> {
+    let stiffness = stiffness(row, files)?;
+    let damping = damping(row, &stiffness.value)?;
+    let bending = match first {
+        true => Given::new(0.0, row.row.span()),
+        false => bending(row)?,
+    };
+    let at = if first { 5 } else { 6 };
+    let [a, b, c, d] = [at, at + 1, at + 2, at + 3].map(|column| row.not_negative(column));
+    let by_order = [a?, b?, c?, d?];
+    let [
+        drag_normal,
+        added_mass_normal,
+        drag_tangential,
+        added_mass_tangential,
+    ] = match (first, order) {
+        (true, Order::AddedMassFirst) => {
+            let [can, cat, cdn, cdt] = by_order;
+            [cdn, can, cdt, cat]
+        }
+        _ => by_order,
+    };
+    let mass = row.not_negative(2)?;
+    Ok(LineType {
+        name: row.words[0].text.to_owned(),
+        span: row.row.span(),
+        diameter: row.positive(1)?,
+        mass: Given::new(Mass::InAir(mass.value), mass.span),
+        stiffness,
+        damping,
+        bending,
+        drag_normal,
+        drag_tangential,
+        added_mass_normal,
+        added_mass_tangential,
+        friction: None,
+        break_load: None,
+    })
+}
+
+/// Bending stiffness: a number; a file of moments over curvatures is not read.
+fn bending(row: &TableRow<'_, '_>) -> Result<Given<f64>, Fault> {
+    let bending = row.not_negative(5);
+    bending.map_err(|fault| {
+        let is_file = row.words[5].text.contains('.') && row.words[5].number().is_none();
+        let fault = match is_file {
+            true => row.fault(
+                5,
+                "a table of moments over curvatures is not modelled",
+                "give one bending stiffness in N m2",
+            ),
+            false => fault,
+        };
+        fault
+    })
+}
+
+/// EA: a number, two, three, a file, or a Syrope rope.
+fn stiffness(row: &TableRow<'_, '_>, files: &Files<'_>) -> Result<Given<Stiffness>, Fault> {
+    let word = row.words[3];
+    let key = row.key(3);
+    let given = |value| Ok(Given::new(value, word.span()));
+    let parts = word.parts('|');
+    let number = |part: &Word<'_>| -> Result<f64, Fault> {
+        let value = part.required(&key)?;
+        match value > 0.0 {
+            true => Ok(value),
+            false => Err(Fault::new(
+                part.span(),
+                key.clone(),
+                format!("`{}` is not above 0", part.text),
+                "give a positive stiffness in N",
+            )),
+        }
+    };
+    let factor = |part: &Word<'_>| part.required(&key);
+    if let Some(name) = parts[0].text.strip_prefix("SYROPE:") {
+        let [_, fast, per_tension] = parts.as_slice() else {
+            return Err(row.fault(
+                3,
+                "a Syrope rope has three entries between bars",
+                "write SYROPE:file|stiffness|factor of the mean tension",
+            ));
+        };
+        let file = Word {
+            text: name,
+            start: parts[0].start + "SYROPE:".len(),
+        };
+        let (working_curve, first_loading) = files.syrope(file, &key)?;
+        return given(Stiffness::Syrope(Syrope {
+            first_loading,
+            working_curve,
+            fast: number(fast)?,
+            per_tension: factor(per_tension)?,
+        }));
+    }
+    let is_file = parts[0].number().is_none()
+        && parts[0].text.chars().any(char::is_alphabetic)
+        && parts[0].text.contains(['.', '/', '_']);
+    match parts.as_slice() {
+        [table] if is_file => {
+            let curve = files.curve(*table, &key)?;
+            given(Stiffness::Table(curve))
+        }
+        [constant] => given(Stiffness::Constant(number(constant)?)),
+        [slow, fast] => given(Stiffness::Viscoelastic {
+            slow: number(slow)?,
+            fast: number(fast)?,
+            per_tension: 0.0,
+        }),
+        [slow, fast, per_tension] => given(Stiffness::Viscoelastic {
+            slow: number(slow)?,
+            fast: number(fast)?,
+            per_tension: factor(per_tension)?,
+        }),
+        _ => Err(row.fault(
+            3,
+            "there are more than three stiffnesses between bars",
+            "write EA, EA|EA of fast motion, or EA|EA of fast motion|its growth by the mean tension",
+        )),
+    }
+}
+
+/// BA or -zeta: one number, or two for a viscoelastic rope.
+fn damping(row: &TableRow<'_, '_>, stiffness: &Stiffness) -> Result<Given<Damping>, Fault> {
+    let given = row.bars(4)?;
+    let is_fibre = matches!(
+        stiffness,
+        Stiffness::Viscoelastic { .. } | Stiffness::Syrope(_)
+    );
+    let damping = match given.value.as_slice() {
+        [one] if *one < 0.0 && !is_fibre => Damping::Ratio(-one),
+        [one] if is_fibre => Damping::Two(*one, 0.0),
+        [one] => Damping::Coefficient(*one),
+        [slow, fast] if is_fibre => Damping::Two(*slow, *fast),
+        [_, _] => {
+            return Err(row.fault(
+                4,
+                "there are two dampings for one stiffness",
+                "give one, or two stiffnesses in EA as well",
+            ));
+        }
+        _ => {
+            return Err(row.fault(
+                4,
+                "there are more than two dampings between bars",
+                "give one or two",
+            ));
+        }
+    };
+    if let Damping::Two(slow, fast) = damping
+        && (slow < 0.0 || fast < 0.0)
+    {
+        return Err(row.fault(
+            4,
+            "a share of critical damping (a negative number) is not defined for two stiffnesses",
+            "give both dampings in N s",
+        ));
+    }
+    Ok(Given::new(damping, given.span))
+}

@@ -1,0 +1,118 @@
+//! Input files of MoorDyn, of its first and second version, and of MoorPy, which have the same form.
+//!
+//! Tables are read by the order of their columns, as the program reads them; headers must name them in that order.
+
+pub mod events;
+pub mod files;
+pub mod holds;
+pub mod line_types;
+pub mod options;
+pub mod parts;
+pub mod sections;
+pub mod table;
+
+use std::path::Path;
+
+use self::files::Files;
+use self::sections::{Section, Sections};
+use super::fault::Fault;
+use super::mooring::{Mooring, Program};
+use super::words::Row;
+
+/// Reads a file. Files that it names are looked for in this folder.
+///
+/// # Errors
+/// All that is wrong, in the order of the file.
+pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
+    let sections = Sections::of(text);
+    let mut faults = sections.faults.clone();
+    let mooring = assembled(&sections, folder, &mut faults);
+    for (section, needed) in [
+        (Section::Points, mooring.rods.is_empty()),
+        (
+            Section::Lines,
+            mooring.rods.is_empty() && mooring.bodies.is_empty(),
+        ),
+        (Section::LineTypes, sections.block(Section::Lines).is_some()),
+    ] {
+        if needed && sections.block(section).is_none() {
+            faults.push(Fault::new(
+                0..0,
+                section.title(),
+                format!("there is no section {}", section.title()),
+                "a mooring has LINE TYPES, POINTS and LINES",
+            ));
+        }
+    }
+    if faults.is_empty() {
+        return Ok(mooring);
+    }
+    faults.sort_by_key(|fault| fault.span.start);
+    faults.dedup();
+    Err(faults)
+}
+
+/// The tables in the order in which they name each other.
+fn assembled(sections: &Sections<'_>, folder: &Path, faults: &mut Vec<Fault>) -> Mooring {
+    let block = |section| sections.block(section);
+    let files = Files { folder };
+    let first = block(Section::LineTypes).is_some_and(line_types::is_first_version);
+    let mut mooring = Mooring::new(match first {
+        true => Program::MoorDyn1,
+        false => Program::MoorDyn,
+    });
+    mooring.title = title(&sections.head);
+    if let Some(types) = block(Section::LineTypes) {
+        line_types::read_line_types(types, &files, &mut mooring, faults);
+    }
+    if let Some(types) = block(Section::RodTypes) {
+        line_types::read_rod_types(types, &mut mooring, faults);
+    }
+    if let Some(bodies) = block(Section::Bodies) {
+        parts::read_bodies(bodies, &mut mooring, faults);
+    }
+    if let Some(rods) = block(Section::Rods) {
+        parts::read_rods(rods, &mut mooring, faults);
+    }
+    if let Some(points) = block(Section::Points) {
+        parts::read_points(points, &mut mooring, faults);
+    }
+    if let Some(lines) = block(Section::Lines) {
+        parts::read_lines(lines, &mut mooring, faults);
+    }
+    if let Some(failures) = block(Section::Failure) {
+        events::read_failures(failures, &mut mooring, faults);
+    }
+    if let Some(past) = block(Section::SyropeIc) {
+        events::read_past(past, &mut mooring, faults);
+    }
+    for (section, name, what) in [
+        (
+            Section::Control,
+            "control",
+            "lines that another program's controller drives",
+        ),
+        (
+            Section::ExternalLoads,
+            "loads",
+            "external loads and damping of points and bodies",
+        ),
+    ] {
+        if let Some(rows) = block(section) {
+            events::read_unmodelled(rows, name, what, &mut mooring);
+        }
+    }
+    if let Some(rows) = block(Section::Options) {
+        options::read_options(rows, &files, &mut mooring, faults);
+    }
+    mooring
+}
+
+/// The first row before the tables that says something.
+fn title(head: &[Row<'_>]) -> String {
+    let words = |row: &Row<'_>| row.text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let is_title = |text: &String| {
+        text.chars().any(char::is_alphabetic) && !text.to_lowercase().contains("echo ")
+    };
+    head.iter().map(words).find(is_title).unwrap_or_default()
+}

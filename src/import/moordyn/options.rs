@@ -1,0 +1,246 @@
+//! The section OPTIONS: settings, the value before its name or after it.
+
+use super::files::Files;
+use super::sections::Block;
+use crate::import::fault::Fault;
+use crate::import::mooring::{Given, Mooring, Setting, Unmodelled};
+use crate::import::words::{Row, Word};
+
+/// Names of options in small letters, the first by which it is known here, and whether its value is a number.
+const NAMES: [(&[&str], bool); 37] = [
+    (&["dtm", "dt"], true),
+    (&["cfl"], true),
+    (&["writelog"], false),
+    (&["writeunits"], false),
+    (&["tscheme"], false),
+    (&["g", "gravity"], true),
+    (&["wtrdnsty", "rho", "density", "rhow"], true),
+    (&["wtrdpth", "depth"], false),
+    (&["kbot", "kb"], true),
+    (&["cbot", "cb"], true),
+    (&["dtic", "icdt"], true),
+    (&["tmaxic", "ictmax"], true),
+    (&["cdscaleic", "icdfac"], true),
+    (&["threshic", "icthresh"], true),
+    (&["icgendynamic", "gendynamicic"], true),
+    (&["fileic", "icfile"], false),
+    (&["wavekin"], false),
+    (&["currents", "current"], false),
+    (&["waterkin"], false),
+    (&["dtwave"], true),
+    (&["unifycurrentgrid"], true),
+    (&["frictioncoefficient", "mu_kt", "cb_friction"], true),
+    (&["mu_ka"], true),
+    (&["fricdamp", "mc"], true),
+    (&["statdynfricscale", "cv"], true),
+    (&["dtout"], true),
+    (&["seafloorfile", "bathymetryfile", "bathfile"], false),
+    (&["disableoutput"], false),
+    (&["disableouttime"], false),
+    (&["outswitch"], false),
+    (&["inertialf"], true),
+    (&["inertialf_rampt"], true),
+    (&["visco_mod"], false),
+    (&["echo"], false),
+    (&["rampt", "ramptime"], true),
+    (&["wavedirection", "wavedir"], true),
+    (&["endtime", "tmax", "duration"], true),
+];
+
+/// Settings that a program of the first version had and that mean nothing for its results.
+const MEANINGLESS: [&str; 7] = [
+    "writelog",
+    "writeunits",
+    "echo",
+    "outswitch",
+    "disableoutput",
+    "disableouttime",
+    "dtout",
+];
+
+/// Reads the options, and what the sea of the mooring is by them.
+pub fn read_options(
+    block: &Block<'_>,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+    faults: &mut Vec<Fault>,
+) {
+    for row in &block.rows {
+        if row.text.trim_start().starts_with(['(', '[']) {
+            continue;
+        }
+        match setting(row) {
+            Ok(Some((setting, value))) => {
+                if let Some(before) = mooring.setting(&setting.name)
+                    && !MEANINGLESS.contains(&setting.name.as_str())
+                    && before.value != setting.value
+                {
+                    faults.push(Fault::new(
+                        value.span(),
+                        format!("OPTIONS, {}", setting.written),
+                        format!(
+                            "`{}` is set twice, to {} and to {}",
+                            setting.written, before.value, setting.value
+                        ),
+                        "leave one out",
+                    ));
+                    continue;
+                }
+                if let Err(fault) = take(&setting, value, files, mooring) {
+                    faults.push(fault);
+                }
+                mooring.settings.push(setting);
+            }
+            Ok(None) => {
+                if let Some(word) = row.words().first() {
+                    mooring.remarks.push(format!(
+                        "The option `{}` is not known and has no effect.",
+                        row.words().get(1).unwrap_or(word).text
+                    ));
+                }
+            }
+            Err(fault) => faults.push(fault),
+        }
+    }
+}
+
+/// The known name of an option, and whether its value is a number.
+fn known(word: &str) -> Option<(&'static str, bool)> {
+    let lower = word.to_lowercase();
+    let found = NAMES
+        .iter()
+        .find(|(names, _)| names.contains(&lower.as_str()));
+    found.map(|(names, number)| (names[0], *number))
+}
+
+/// The setting of a row, and the word of its value; none where its name is not known.
+fn setting<'t>(row: &Row<'t>) -> Result<Option<(Setting, Word<'t>)>, Fault> {
+    let words = row.words();
+    let (name, value) = match words.as_slice() {
+        [value, name, ..] if known(name.text).is_some() => (*name, *value),
+        [name, value, ..] if known(name.text).is_some() => (*name, *value),
+        [name] if known(name.text).is_some() => {
+            return Err(Fault::new(
+                name.span(),
+                format!("OPTIONS, {}", name.text),
+                format!("the option `{}` has no value", name.text),
+                "write its value before its name",
+            ));
+        }
+        [word] if word.number().is_some() => {
+            return Err(Fault::new(
+                word.span(),
+                "OPTIONS",
+                format!(
+                    "`{}` stands alone: it does not say which option it sets",
+                    word.text
+                ),
+                "write the name of the option behind its value",
+            ));
+        }
+        _ => return Ok(None),
+    };
+    let Some((known, is_number)) = known(name.text) else {
+        return Ok(None);
+    };
+    let key = format!("OPTIONS, {}", name.text);
+    if is_number && !MEANINGLESS.contains(&known) {
+        value.required(&key)?;
+    }
+    let setting = Setting {
+        name: known.to_owned(),
+        written: name.text.to_owned(),
+        value: value.text.to_owned(),
+        span: value.span(),
+    };
+    Ok(Some((setting, value)))
+}
+
+/// What a setting says of the sea.
+fn take(
+    setting: &Setting,
+    value: Word<'_>,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+) -> Result<(), Fault> {
+    let key = format!("OPTIONS, {}", setting.written);
+    let number = || -> Result<Option<Given<f64>>, Fault> {
+        Ok(Some(Given::new(value.required(&key)?, value.span())))
+    };
+    let sea = &mut mooring.sea;
+    match setting.name.as_str() {
+        "g" => sea.gravity = number()?.map(|given| Given::new(given.value.abs(), given.span)),
+        "wtrdnsty" => sea.density = number()?,
+        "wtrdpth" => match value.number() {
+            Some(_) => sea.depth = number()?.map(|given| Given::new(given.value.abs(), given.span)),
+            None => {
+                sea.depth_file = Some(Given::new(value.text.to_owned(), value.span()));
+            }
+        },
+        "seafloorfile" => sea.depth_file = Some(Given::new(value.text.to_owned(), value.span())),
+        "kbot" => sea.bed_stiffness = number()?,
+        "cbot" => sea.bed_damping = number()?,
+        "frictioncoefficient" => sea.friction = number()?,
+        "currents" => current(value, &key, files, mooring)?,
+        "wavekin" => waves(value, &key, files, mooring)?,
+        "waterkin" => {
+            let is_off = value.number() == Some(0.0) || value.is("none") || value.text == "-";
+            if !is_off {
+                mooring.unmodelled.push(Unmodelled {
+                    name: "waves",
+                    span: value.span(),
+                    key,
+                    what: "a file of water kinematics".to_owned(),
+                });
+            }
+        }
+        _ => {}
+    }
+    Ok(())
+}
+
+/// Currents: 1 is a profile by height; grids and histories are not modelled.
+fn current(
+    value: Word<'_>,
+    key: &str,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+) -> Result<(), Fault> {
+    match value.number() {
+        Some(0.0) => {}
+        Some(1.0) => {
+            let profile = files.current(value, key)?;
+            mooring.sea.current = Some(Given::new(profile, value.span()));
+        }
+        _ => mooring.unmodelled.push(Unmodelled {
+            name: "currents",
+            span: value.span(),
+            key: key.to_owned(),
+            what: "currents that vary in time or over a grid".to_owned(),
+        }),
+    }
+    Ok(())
+}
+
+/// Waves: 2 and 7 have their components in a file; grids and histories of elevation are not modelled.
+fn waves(
+    value: Word<'_>,
+    key: &str,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+) -> Result<(), Fault> {
+    match value.number() {
+        Some(0.0) => {}
+        Some(2.0 | 7.0) => {
+            let components = files.waves(value, key)?;
+            mooring.sea.waves = Some(Given::new(components, value.span()));
+        }
+        _ => mooring.unmodelled.push(Unmodelled {
+            name: "waves",
+            span: value.span(),
+            key: key.to_owned(),
+            what: "waves given by a history of elevation or from outside".to_owned(),
+        }),
+    }
+    Ok(())
+}

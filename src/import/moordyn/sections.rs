@@ -1,0 +1,226 @@
+//! A file of MoorDyn or MAP++ cut into its sections, each between rows of dashes.
+
+use std::ops::Range;
+
+use crate::import::fault::Fault;
+use crate::import::words::Row;
+
+/// The sections that are known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Section {
+    /// Line types.
+    LineTypes,
+    /// Rod types.
+    RodTypes,
+    /// Bodies.
+    Bodies,
+    /// Rods.
+    Rods,
+    /// Points.
+    Points,
+    /// Lines.
+    Lines,
+    /// Past tensions of Syrope ropes.
+    SyropeIc,
+    /// Lines that come off points.
+    Failure,
+    /// Lines that a controller drives.
+    Control,
+    /// Loads on points and bodies.
+    ExternalLoads,
+    /// Options.
+    Options,
+    /// Outputs.
+    Outputs,
+}
+
+/// Titles by which a section is known, in the order in which they are looked for.
+const TITLES: [(&str, Section); 24] = [
+    ("LINE TYPES", Section::LineTypes),
+    ("LINE DICTIONARY", Section::LineTypes),
+    ("ROD TYPES", Section::RodTypes),
+    ("ROD DICTIONARY", Section::RodTypes),
+    ("BODIES", Section::Bodies),
+    ("BODY LIST", Section::Bodies),
+    ("BODY PROPERTIES", Section::Bodies),
+    ("ROD LIST", Section::Rods),
+    ("ROD PROPERTIES", Section::Rods),
+    ("RODS", Section::Rods),
+    ("CONNECTION PROPERTIES", Section::Points),
+    ("NODE PROPERTIES", Section::Points),
+    ("POINT PROPERTIES", Section::Points),
+    ("POINT LIST", Section::Points),
+    ("POINTS", Section::Points),
+    ("LINE PROPERTIES", Section::Lines),
+    ("LINE LIST", Section::Lines),
+    ("LINES", Section::Lines),
+    ("SYROPE IC", Section::SyropeIc),
+    ("FAILURE", Section::Failure),
+    ("CONTROL", Section::Control),
+    ("EXTERNAL LOADS", Section::ExternalLoads),
+    ("OPTIONS", Section::Options),
+    ("OUTPUT", Section::Outputs),
+];
+
+/// Titles of rows of dashes that begin no section.
+const OTHER_TITLES: [&str; 3] = ["NEED THIS LINE", "INPUT FILE", "END"];
+
+impl Section {
+    /// The title by which it is usually written.
+    #[must_use]
+    pub fn title(self) -> &'static str {
+        match TITLES.iter().find(|(_, section)| *section == self) {
+            Some((title, _)) => title,
+            None => "",
+        }
+    }
+}
+
+/// A section with its rows, blank ones left out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block<'t> {
+    /// Which.
+    pub section: Section,
+    /// Its row of dashes.
+    pub span: Range<usize>,
+    /// Its rows.
+    pub rows: Vec<Row<'t>>,
+}
+
+/// A text cut into its sections; what stands before the first, and every title that is not known.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sections<'t> {
+    /// Rows before the first section.
+    pub head: Vec<Row<'t>>,
+    /// The sections in their order.
+    pub blocks: Vec<Block<'t>>,
+    /// What is wrong with the titles.
+    pub faults: Vec<Fault>,
+}
+
+impl<'t> Sections<'t> {
+    /// Cuts a text.
+    #[must_use]
+    pub fn of(text: &'t str) -> Self {
+        let mut sections = Self::default();
+        let mut open = true;
+        for row in Row::all(text) {
+            match title(row.text) {
+                Some(title) => open = sections.begin(&title, row),
+                None if row.is_blank() && row.text.trim().is_empty() => {}
+                None if !open => {}
+                None => match sections.blocks.last_mut() {
+                    Some(block) => block.rows.push(row),
+                    None => sections.head.push(row),
+                },
+            }
+        }
+        sections
+    }
+
+    /// The rows of a section; none if the file does not have it.
+    #[must_use]
+    pub fn block(&self, section: Section) -> Option<&Block<'t>> {
+        self.blocks.iter().find(|block| block.section == section)
+    }
+
+    /// Begins what a row of dashes announces; false where its rows are not to be read.
+    fn begin(&mut self, title: &str, row: Row<'t>) -> bool {
+        let known = TITLES.iter().find(|(known, _)| title.contains(known));
+        if let Some((_, section)) = known {
+            if self.block(*section).is_some() {
+                self.faults.push(Fault::new(
+                    row.span(),
+                    section.title(),
+                    format!("there is a second section {}", section.title()),
+                    "put all its rows into one",
+                ));
+            }
+            self.blocks.push(Block {
+                section: *section,
+                span: row.span(),
+                rows: Vec::new(),
+            });
+            return true;
+        }
+        let is_other = OTHER_TITLES.iter().any(|other| title.contains(other));
+        if title.is_empty() || is_other {
+            return self.blocks.is_empty();
+        }
+        if self.blocks.is_empty() && !looks_like_a_section(title) {
+            return true;
+        }
+        self.faults.push(unknown(title, row));
+        false
+    }
+}
+
+/// The title on a row of dashes, in capitals with single blanks; `None` for other rows.
+fn title(text: &str) -> Option<String> {
+    let text = text.trim();
+    if !(text.starts_with("---") || text.starts_with("===")) {
+        return None;
+    }
+    let words = text.split(|letter: char| letter.is_whitespace() || "-=".contains(letter));
+    let words: Vec<String> = words
+        .filter(|word| !word.is_empty())
+        .map(str::to_uppercase)
+        .collect();
+    Some(words.join(" "))
+}
+
+/// Whether a title comes near to that of a section.
+fn looks_like_a_section(title: &str) -> bool {
+    nearest(title).is_some()
+}
+
+fn nearest(title: &str) -> Option<&'static str> {
+    let alike = |known: &str| strsim::damerau_levenshtein(known, title);
+    let (known, _) = TITLES.iter().min_by_key(|(known, _)| alike(known))?;
+    (alike(known) <= 3).then_some(*known)
+}
+
+fn unknown(title: &str, row: Row<'_>) -> Fault {
+    let remedy = match nearest(title) {
+        Some(known) => format!("did you mean {known}?"),
+        None => {
+            "sections are LINE TYPES, ROD TYPES, BODIES, RODS, POINTS, LINES, FAILURE, CONTROL, SYROPE IC, OPTIONS, OUTPUTS".to_owned()
+        }
+    };
+    Fault::new(
+        row.span(),
+        "",
+        format!("`{title}` is not a section"),
+        remedy,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = "----- MoorDyn Input File -----\nsome title\n\
+        ----- LINE TYPES Chain studless 0.018m ----\nName Diam\n(-) (m)\nmain 0.3\n\n\
+        ---- SOLVER OPTIONS----\n9.8 g\n----- need this line ----\nrest\n";
+
+    #[test]
+    fn sections_hold_their_rows() {
+        let sections = Sections::of(FILE);
+        assert_eq!(sections.faults, []);
+        assert_eq!(sections.head[0].text, "some title");
+        let rows = |section| sections.block(section).unwrap().rows.len();
+        assert_eq!(rows(Section::LineTypes), 3);
+        assert_eq!(rows(Section::Options), 1);
+        assert!(sections.block(Section::Points).is_none());
+    }
+
+    #[test]
+    fn a_title_that_is_not_known_says_which_is_meant() {
+        let text = FILE.replace("LINE TYPES Chain studless 0.018m", "LINE TYPPES");
+        let faults = Sections::of(&text).faults;
+        assert_eq!(faults.len(), 1);
+        assert!(faults[0].remedy.contains("LINE TYPES"), "{faults:?}");
+        let twice = format!("{FILE}--- LINE TYPES ---\n");
+        assert_eq!(Sections::of(&twice).faults.len(), 1);
+    }
+}

@@ -1,0 +1,284 @@
+//! A table of a section: its header, and rows whose columns are known by name.
+
+use super::sections::Block;
+use crate::import::fault::Fault;
+use crate::import::mooring::Given;
+use crate::import::words::{Row, Word};
+
+/// A column: the name by which messages call it, and other names that headers have for it.
+pub type Column = (&'static str, &'static [&'static str]);
+
+/// A table with the columns that its program reads by their order.
+#[derive(Debug, Clone)]
+pub struct Table<'t> {
+    /// The name of its section.
+    title: &'static str,
+    columns: Vec<Column>,
+    /// Columns that every row has.
+    required: usize,
+    rows: Vec<Row<'t>>,
+}
+
+impl<'t> Table<'t> {
+    /// The table of a block. Its header has these columns, of which the last may be missing.
+    ///
+    /// # Errors
+    /// The header is missing, or names columns where the program reads others.
+    pub fn of(
+        block: &Block<'t>,
+        columns: &[Column],
+        required: usize,
+        faults: &mut Vec<Fault>,
+    ) -> Self {
+        let title = block.section.title();
+        let mut rows = block.rows.as_slice();
+        while let [first, rest @ ..] = rows
+            && is_count(first)
+        {
+            rows = rest;
+        }
+        let header = rows.first().filter(|row| is_header(row, columns));
+        match header {
+            Some(header) => {
+                rows = &rows[1..];
+                check_order(header, columns, title, faults);
+            }
+            None => faults.push(no_header(block, columns, rows.first())),
+        }
+        if let [first, rest @ ..] = rows
+            && is_units(first)
+        {
+            rows = rest;
+        }
+        let rows = rows.iter().filter(|row| !row.is_blank()).copied();
+        Self {
+            title,
+            columns: columns.to_vec(),
+            required,
+            rows: rows.collect(),
+        }
+    }
+
+    /// Its rows, each as the reader of one makes it; faults are gathered, and rows with any left out.
+    pub fn read<T>(
+        &self,
+        faults: &mut Vec<Fault>,
+        mut read: impl FnMut(&TableRow<'_, 't>) -> Result<T, Fault>,
+    ) -> Vec<T> {
+        let mut all = Vec::new();
+        for row in &self.rows {
+            let words = row.words();
+            if words.iter().all(|word| word.text == "END") {
+                continue;
+            }
+            let row = TableRow {
+                table: self,
+                row: *row,
+                words,
+            };
+            let read = row.is_complete().and_then(|()| read(&row));
+            match read {
+                Ok(item) => all.push(item),
+                Err(fault) => faults.push(fault),
+            }
+        }
+        all
+    }
+}
+
+/// A row of a table.
+#[derive(Debug, Clone)]
+pub struct TableRow<'a, 't> {
+    table: &'a Table<'t>,
+    /// The row.
+    pub row: Row<'t>,
+    /// Its words.
+    pub words: Vec<Word<'t>>,
+}
+
+impl<'t> TableRow<'_, 't> {
+    fn is_complete(&self) -> Result<(), Fault> {
+        let required = self.table.required;
+        let given = self.words.len();
+        if given >= required {
+            return Ok(());
+        }
+        let missing: Vec<&str> = self.table.columns[given..required]
+            .iter()
+            .map(|(name, _)| *name)
+            .collect();
+        let end = self.row.span().end;
+        Err(Fault::new(
+            self.row.span().start..end,
+            self.table.title,
+            format!("the row has {given} columns where {required} are needed"),
+            format!(
+                "add {} at its end, or what is missing before",
+                missing.join(", ")
+            ),
+        ))
+    }
+
+    /// The key of a column in messages.
+    #[must_use]
+    pub fn key(&self, column: usize) -> String {
+        let name = self.table.columns.get(column).map_or("", |(name, _)| name);
+        format!("{}, {name}", self.table.title)
+    }
+
+    /// The number in a column.
+    ///
+    /// # Errors
+    /// It is none.
+    pub fn number(&self, column: usize) -> Result<Given<f64>, Fault> {
+        let word = self.words[column];
+        Ok(Given::new(word.required(&self.key(column))?, word.span()))
+    }
+
+    /// A number that must be above 0.
+    ///
+    /// # Errors
+    /// It is no number, or not above 0.
+    pub fn positive(&self, column: usize) -> Result<Given<f64>, Fault> {
+        let number = self.number(column)?;
+        if number.value > 0.0 {
+            return Ok(number);
+        }
+        Err(self.fault(
+            column,
+            format!("`{}` is not above 0", self.words[column].text),
+            "give a positive number",
+        ))
+    }
+
+    /// A number that must not be negative.
+    ///
+    /// # Errors
+    /// It is no number, or negative.
+    pub fn not_negative(&self, column: usize) -> Result<Given<f64>, Fault> {
+        let number = self.number(column)?;
+        if number.value >= 0.0 {
+            return Ok(number);
+        }
+        Err(self.fault(
+            column,
+            format!("`{}` is negative", self.words[column].text),
+            "give 0 or a positive number",
+        ))
+    }
+
+    /// The number in a column that may be missing.
+    ///
+    /// # Errors
+    /// It is there and no number.
+    pub fn optional(&self, column: usize) -> Result<Option<Given<f64>>, Fault> {
+        match self.words.get(column) {
+            Some(_) => self.number(column).map(Some),
+            None => Ok(None),
+        }
+    }
+
+    /// Three numbers from a column on.
+    ///
+    /// # Errors
+    /// One is no number.
+    pub fn triple(&self, from: usize) -> Result<[Given<f64>; 3], Fault> {
+        Ok([
+            self.number(from)?,
+            self.number(from + 1)?,
+            self.number(from + 2)?,
+        ])
+    }
+
+    /// The numbers between bars in a column.
+    ///
+    /// # Errors
+    /// One is no number.
+    pub fn bars(&self, column: usize) -> Result<Given<Vec<f64>>, Fault> {
+        let word = self.words[column];
+        let key = self.key(column);
+        let parts = word.parts('|');
+        let numbers: Result<Vec<f64>, Fault> =
+            parts.iter().map(|part| part.required(&key)).collect();
+        Ok(Given::new(numbers?, word.span()))
+    }
+
+    /// A fault at a column.
+    #[must_use]
+    pub fn fault(
+        &self,
+        column: usize,
+        problem: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Fault {
+        let span = self
+            .words
+            .get(column)
+            .map_or_else(|| self.row.span(), Word::span);
+        Fault::new(span, self.key(column), problem, remedy)
+    }
+}
+
+/// Whether a row states how many rows follow, as in files of the first version: `3 NLines - number of lines`.
+fn is_count(row: &Row<'_>) -> bool {
+    let words = row.words();
+    matches!(words.as_slice(), [count, name, ..]
+        if count.text.parse::<usize>().is_ok() && name.text.starts_with(['N', 'n']) && name.text.len() > 3
+            && name.number().is_none() && row.text.to_lowercase().contains("number of"))
+}
+
+fn is_units(row: &Row<'_>) -> bool {
+    row.text.trim_start().starts_with(['(', '['])
+}
+
+/// Whether a row names columns: two of its words at least are among their names, and one in three.
+fn is_header(row: &Row<'_>, columns: &[Column]) -> bool {
+    let words = row.words();
+    let known = words
+        .iter()
+        .filter(|word| columns.iter().any(|column| is_named(column, word.text)))
+        .count();
+    known >= 2 && 3 * known >= words.len()
+}
+
+fn is_named((name, others): &Column, word: &str) -> bool {
+    let word = word.trim_end_matches(['*', ',']);
+    name.trim_end_matches('*').eq_ignore_ascii_case(word)
+        || others.iter().any(|other| other.eq_ignore_ascii_case(word))
+}
+
+/// Names that stand where the program reads another column.
+fn check_order(header: &Row<'_>, columns: &[Column], title: &str, faults: &mut Vec<Fault>) {
+    let words = header.words();
+    for (word, column) in words.iter().zip(columns) {
+        let elsewhere = || {
+            columns
+                .iter()
+                .find(|other| is_named(other, word.text))
+                .map(|other| other.0)
+        };
+        if is_named(column, word.text) {
+            continue;
+        }
+        if let Some(other) = elsewhere() {
+            faults.push(Fault::new(
+                word.span(),
+                format!("{title}, {}", column.0),
+                format!("the header names {other} where {} is read", column.0),
+                "columns are read by their order; put them into that of the format",
+            ));
+            return;
+        }
+    }
+}
+
+fn no_header(block: &Block<'_>, columns: &[Column], first: Option<&Row<'_>>) -> Fault {
+    let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
+    let title = block.section.title();
+    Fault::new(
+        first.map_or_else(|| block.span.clone(), Row::span),
+        title,
+        format!("the section {title} has no row with the names of its columns"),
+        format!("put this row first: {}", names.join(" ")),
+    )
+}

@@ -1,0 +1,462 @@
+//! A mooring as the files of this field state it: line types, rods, bodies, points, lines, each value with its place in the file.
+
+use std::ops::Range;
+
+/// The programs whose files are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Program {
+    /// MoorDyn of its second version, in C++ or Fortran; files of MoorPy have the same form.
+    MoorDyn,
+    /// MoorDyn of its first version.
+    MoorDyn1,
+    /// MAP++.
+    MapPlusPlus,
+    /// The `mooring` table of a RAFT design.
+    Raft,
+    /// The mooring of a turbine in the IEA ontology.
+    Ontology,
+}
+
+impl Program {
+    /// Its name.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MoorDyn => "MoorDyn",
+            Self::MoorDyn1 => "MoorDyn 1",
+            Self::MapPlusPlus => "MAP++",
+            Self::Raft => "RAFT",
+            Self::Ontology => "the IEA ontology",
+        }
+    }
+}
+
+/// A value and the bytes that state it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Given<T> {
+    /// The value.
+    pub value: T,
+    /// Where it stands.
+    pub span: Range<usize>,
+}
+
+impl<T> Given<T> {
+    /// A value at a place.
+    #[must_use]
+    pub fn new(value: T, span: Range<usize>) -> Self {
+        Self { value, span }
+    }
+}
+
+/// All that a file states.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mooring {
+    /// The program that it is for.
+    pub program: Program,
+    /// Its title, if it has one.
+    pub title: String,
+    /// What lines are made of.
+    pub line_types: Vec<LineType>,
+    /// What rods are made of.
+    pub rod_types: Vec<RodType>,
+    /// Rigid bodies.
+    pub bodies: Vec<Body>,
+    /// Rigid rods.
+    pub rods: Vec<Rod>,
+    /// Points.
+    pub points: Vec<Point>,
+    /// Lines.
+    pub lines: Vec<Line>,
+    /// Lines that come off points.
+    pub failures: Vec<Failure>,
+    /// Past tensions of ropes whose strain depends on them.
+    pub past_tensions: Vec<PastTension>,
+    /// Angles \[deg\] by which the whole is repeated about the vertical axis, besides 0.
+    pub repeats: Vec<Given<f64>>,
+    /// Water, gravity, bed.
+    pub sea: Sea,
+    /// How the program would compute it.
+    pub settings: Vec<Setting>,
+    /// What is stated and not modelled here.
+    pub unmodelled: Vec<Unmodelled>,
+    /// What was put down though the file does not say it, and what it says against itself.
+    pub remarks: Vec<String>,
+}
+
+impl Mooring {
+    /// An empty mooring of a program.
+    #[must_use]
+    pub fn new(program: Program) -> Self {
+        Self {
+            program,
+            title: String::new(),
+            line_types: Vec::new(),
+            rod_types: Vec::new(),
+            bodies: Vec::new(),
+            rods: Vec::new(),
+            points: Vec::new(),
+            lines: Vec::new(),
+            failures: Vec::new(),
+            past_tensions: Vec::new(),
+            repeats: Vec::new(),
+            sea: Sea::default(),
+            settings: Vec::new(),
+            unmodelled: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+
+    /// A setting by its name.
+    #[must_use]
+    pub fn setting(&self, name: &str) -> Option<&Setting> {
+        self.settings.iter().find(|setting| setting.name == name)
+    }
+}
+
+/// A line type. Masses per length in kg/m, stiffness in N, EI in N m².
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineType {
+    /// Its name.
+    pub name: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// Diameter \[m\].
+    pub diameter: Given<f64>,
+    /// Mass in air per length \[kg/m\], or weight in water as mass where the file gives that.
+    pub mass: Given<Mass>,
+    /// Tension by strain.
+    pub stiffness: Given<Stiffness>,
+    /// Tension by strain rate.
+    pub damping: Given<Damping>,
+    /// Bending stiffness \[N m²\].
+    pub bending: Given<f64>,
+    /// Drag across, on the diameter.
+    pub drag_normal: Given<f64>,
+    /// Drag along, on the perimeter.
+    pub drag_tangential: Given<f64>,
+    /// Added mass across, on the displaced volume.
+    pub added_mass_normal: Given<f64>,
+    /// Added mass along, on the displaced volume.
+    pub added_mass_tangential: Given<f64>,
+    /// Friction on the bed that goes with the type, as in MAP++.
+    pub friction: Option<Given<f64>>,
+    /// Breaking load \[N\].
+    pub break_load: Option<Given<f64>>,
+}
+
+/// How the mass of a line is given.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mass {
+    /// In air \[kg/m\].
+    InAir(f64),
+    /// Weight in water as mass, and the mass in air if it is known \[kg/m\].
+    InWater(f64, Option<f64>),
+}
+
+/// Tension by strain.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stiffness {
+    /// EA \[N\].
+    Constant(f64),
+    /// Strain and tension \[N\], rising from zero.
+    Table(Vec<[f64; 2]>),
+    /// Two springs in series, each with a damper beside it.
+    Viscoelastic {
+        /// EA of slow motion \[N\].
+        slow: f64,
+        /// EA of fast motion \[N\] at no tension.
+        fast: f64,
+        /// Its growth by the mean tension, N/N.
+        per_tension: f64,
+    },
+    /// The Syrope model of polyester rope.
+    Syrope(Syrope),
+}
+
+/// The Syrope model of polyester rope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Syrope {
+    /// Strain and tension \[N\] of the first loading.
+    pub first_loading: Vec<[f64; 2]>,
+    /// The curve below the greatest tension.
+    pub working_curve: WorkingCurve,
+    /// EA of fast motion \[N\] at no tension.
+    pub fast: f64,
+    /// Its growth by the mean tension, N/N.
+    pub per_tension: f64,
+}
+
+/// The curve of a polyester rope below the greatest tension it has had.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WorkingCurve {
+    /// Its form.
+    pub form: WorkingForm,
+    /// Its first parameter.
+    pub k1: f64,
+    /// Its second parameter.
+    pub k2: f64,
+}
+
+/// Forms of the working curve.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WorkingForm {
+    /// A straight line.
+    Linear,
+    /// A parabola.
+    Quadratic,
+    /// An exponential.
+    Exponential,
+}
+
+/// Tension by strain rate.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Damping {
+    /// \[N s\].
+    Coefficient(f64),
+    /// Share of the critical damping of a segment.
+    Ratio(f64),
+    /// Dampers of the slow and the fast part of a viscoelastic rope \[N s\].
+    Two(f64, f64),
+}
+
+/// A rod type.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RodType {
+    /// Its name.
+    pub name: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// Diameter \[m\].
+    pub diameter: Given<f64>,
+    /// Mass in air per length \[kg/m\].
+    pub mass: Given<f64>,
+    /// Drag across, on the diameter.
+    pub drag_normal: Given<f64>,
+    /// Added mass across, on the displaced volume.
+    pub added_mass_normal: Given<f64>,
+    /// Drag of an end.
+    pub drag_end: Given<f64>,
+    /// Added mass of an end.
+    pub added_mass_end: Given<f64>,
+}
+
+/// What holds a point, a rod or a body.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Hold {
+    /// Nothing.
+    Free,
+    /// The earth.
+    Fixed,
+    /// The program that this one is coupled to.
+    Coupled,
+    /// A body, by its place in the list.
+    Body(usize),
+    /// As another of these, but free to turn.
+    Pinned(Box<Hold>),
+}
+
+/// A rigid body.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// Its identifier in the file.
+    pub id: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// What holds it.
+    pub hold: Given<Hold>,
+    /// Place of its origin \[m\].
+    pub place: [Given<f64>; 3],
+    /// Roll, pitch, yaw \[deg\].
+    pub angles: [Given<f64>; 3],
+    /// Mass in air \[kg\].
+    pub mass: Given<f64>,
+    /// Centre of gravity in its frame \[m\].
+    pub centre: Given<[f64; 3]>,
+    /// Moments of inertia about the centre of gravity \[kg m²\].
+    pub inertia: Given<[f64; 3]>,
+    /// Displaced volume \[m³\].
+    pub volume: Given<f64>,
+    /// Drag coefficient times area along and about its axes: m² and m⁵.
+    pub drag_area: Given<[f64; 6]>,
+    /// Added mass coefficients along its axes, on the volume.
+    pub added_mass: Given<[f64; 3]>,
+}
+
+/// A rigid rod.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rod {
+    /// Its identifier in the file.
+    pub id: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// Its type, by its place in the list.
+    pub of_type: Given<usize>,
+    /// What holds it.
+    pub hold: Given<Hold>,
+    /// Its ends \[m\].
+    pub ends: [[Given<f64>; 3]; 2],
+    /// Segments; a rod of none is a joint without length.
+    pub segments: Given<usize>,
+}
+
+impl Rod {
+    /// Its ends \[m\].
+    #[must_use]
+    pub fn end(&self, end: usize) -> [f64; 3] {
+        std::array::from_fn(|axis| self.ends[end][axis].value)
+    }
+
+    /// Its length \[m\].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        let [a, b] = [self.end(0), self.end(1)];
+        (0..3)
+            .map(|axis| (b[axis] - a[axis]).powi(2))
+            .sum::<f64>()
+            .sqrt()
+    }
+
+    /// Whether it is a joint without length.
+    #[must_use]
+    pub fn is_joint(&self) -> bool {
+        self.segments.value == 0 || self.length() == 0.0
+    }
+}
+
+/// A point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// Its identifier in the file.
+    pub id: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// What holds it.
+    pub hold: Given<Hold>,
+    /// Its place \[m\].
+    pub place: [Given<f64>; 3],
+    /// Mass in air \[kg\].
+    pub mass: Given<f64>,
+    /// Displaced volume \[m³\].
+    pub volume: Given<f64>,
+    /// Drag coefficient times area \[m²\].
+    pub drag_area: Given<f64>,
+    /// Added mass coefficient, on the volume.
+    pub added_mass: Given<f64>,
+    /// Steady load \[N\].
+    pub load: [Given<f64>; 3],
+}
+
+/// What an end of a line is attached to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Attachment {
+    /// A point, by its place in the list.
+    Point(usize),
+    /// A rod, and which end of it.
+    Rod(usize, usize),
+}
+
+/// A line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Its identifier in the file.
+    pub id: String,
+    /// Its row.
+    pub span: Range<usize>,
+    /// Its type, by its place in the list.
+    pub of_type: Given<usize>,
+    /// What its ends are attached to.
+    pub ends: [Given<Attachment>; 2],
+    /// Unstretched length \[m\].
+    pub length: Given<f64>,
+    /// Segments; 0 where the file has none.
+    pub segments: Given<usize>,
+}
+
+/// Lines that come off a point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Failure {
+    /// Its row.
+    pub span: Range<usize>,
+    /// What they come off.
+    pub from: Given<Attachment>,
+    /// The lines, by their places in the list.
+    pub lines: Vec<usize>,
+    /// Time \[s\]; none where it is 0.
+    pub time: Option<Given<f64>>,
+    /// Tension \[N\]; none where it is 0.
+    pub tension: Option<Given<f64>>,
+}
+
+/// The past of a rope.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PastTension {
+    /// Its row.
+    pub span: Range<usize>,
+    /// The lines, by their places in the list.
+    pub lines: Vec<usize>,
+    /// Greatest mean tension so far \[N\].
+    pub greatest: Given<f64>,
+    /// Mean tension at the start \[N\].
+    pub mean: Given<f64>,
+}
+
+/// Water, gravity, bed, as far as they are given.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Sea {
+    /// \[m/s²\].
+    pub gravity: Option<Given<f64>>,
+    /// \[kg/m³\].
+    pub density: Option<Given<f64>>,
+    /// \[m\].
+    pub depth: Option<Given<f64>>,
+    /// A file of depths.
+    pub depth_file: Option<Given<String>>,
+    /// Push of the bed by area and depth below it \[Pa/m\].
+    pub bed_stiffness: Option<Given<f64>>,
+    /// Push of the bed by area and speed into it \[Pa s/m\].
+    pub bed_damping: Option<Given<f64>>,
+    /// Friction of the bed.
+    pub friction: Option<Given<f64>>,
+    /// Current by height: z, x, y \[m, m/s, m/s\].
+    pub current: Option<Given<Vec<[f64; 3]>>>,
+    /// Regular waves that run together: angular frequency \[rad/s\], amplitude \[m\], phase \[rad\].
+    pub waves: Option<Given<Vec<[f64; 3]>>>,
+}
+
+/// A setting of the program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setting {
+    /// Its name here, in small letters: `dtm`, `threshic`.
+    pub name: String,
+    /// Its name in the file.
+    pub written: String,
+    /// What it is set to.
+    pub value: String,
+    /// Where that stands.
+    pub span: Range<usize>,
+}
+
+impl Setting {
+    /// As a number.
+    #[must_use]
+    pub fn number(&self) -> Option<f64> {
+        super::words::Word {
+            text: &self.value,
+            start: 0,
+        }
+        .number()
+    }
+}
+
+/// What a file states and is not modelled here.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unmodelled {
+    /// By which `--without` leaves it out.
+    pub name: &'static str,
+    /// Where it stands.
+    pub span: Range<usize>,
+    /// The column or key meant.
+    pub key: String,
+    /// What is not modelled.
+    pub what: String,
+}

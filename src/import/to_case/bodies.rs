@@ -1,0 +1,249 @@
+//! Bodies and rods.
+
+use super::Context;
+use super::case_text::{CaseText, number, numbers};
+use crate::import::mooring::{Body, Given, Hold, Rod, RodType};
+use crate::numerics::V3;
+
+/// Mass, centre of gravity and inertia about it.
+struct MassOf {
+    mass: f64,
+    centre: V3,
+    inertia: nalgebra::Matrix3<f64>,
+}
+
+/// Writes the bodies, with the rods on them, and the body that coupled points are on.
+pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
+    if context.has_vessel {
+        case.table(&format!("[bodies.{}]", context.names.vessel), None);
+        case.line(
+            "# What MoorDyn is coupled to, as one rigid body; its origin is that of the file.",
+            None,
+        );
+        let kind = kind_of(&Hold::Coupled, context);
+        case.line(&format!("kind = {kind}"), None);
+        context.motion.write_vessel(case);
+    }
+    for (number, body) in context.mooring.bodies.iter().enumerate() {
+        let header = format!("[bodies.{}]", context.names.bodies[number]);
+        case.table(&header, Some(&body.span));
+        one_body(case, context, number, body);
+    }
+}
+
+/// The word for what holds a body or rod.
+fn kind_of(hold: &Hold, context: &Context<'_>) -> &'static str {
+    match hold {
+        Hold::Free => "\"free\"",
+        Hold::Coupled if context.motion.moves() => "\"moved\"",
+        _ => "\"held\"",
+    }
+}
+
+fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, body: &Body) {
+    let kind = kind_of(&body.hold.value, context);
+    case.given("kind", kind, &body.hold.span, "Attachment");
+    let place: Vec<f64> = body.place.iter().map(|given| given.value).collect();
+    case.given(
+        "position_m",
+        &numbers(&place),
+        &body.place[0].span,
+        "X0 Y0 Z0",
+    );
+    for (key, angle) in ["roll_deg", "pitch_deg", "yaw_deg"]
+        .iter()
+        .zip(&body.angles)
+    {
+        if angle.value != 0.0 {
+            case.given(key, &number(angle.value), &angle.span, "");
+        }
+    }
+    if body.hold.value == Hold::Coupled {
+        context.motion.write_body(case, number_of);
+    }
+    let rods: Vec<(usize, &Rod)> = rods_on(context, number_of);
+    if body.hold.value == Hold::Free {
+        inertia(case, context, body, &rods);
+        water(case, context, body);
+    }
+    for (_, rod) in &rods {
+        let header = format!("[[bodies.{}.members]]", context.names.bodies[number_of]);
+        case.table(&header, Some(&rod.span));
+        case.given(
+            "from_m",
+            &numbers(&rod.end(0)),
+            &rod.ends[0][0].span,
+            "Xa Ya Za",
+        );
+        case.given(
+            "to_m",
+            &numbers(&rod.end(1)),
+            &rod.ends[1][0].span,
+            "Xb Yb Zb",
+        );
+        rod_water(case, &context.mooring.rod_types[rod.of_type.value]);
+    }
+}
+
+/// The rods on a body that have a length.
+fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
+    let rods = context.mooring.rods.iter().enumerate();
+    rods.filter(|(_, rod)| rod.hold.value == Hold::Body(body) && !rod.is_joint())
+        .collect()
+}
+
+/// Mass, centre of gravity, moments of inertia of a body and of the rods on it.
+fn inertia(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, rods: &[(usize, &Rod)]) {
+    if rods.is_empty() {
+        case.given("mass_kg", &number(body.mass.value), &body.mass.span, "Mass");
+        if body.centre.value != [0.0; 3] {
+            let centre = numbers(&body.centre.value);
+            case.given("centre_of_gravity_m", &centre, &body.centre.span, "CG");
+        }
+        let inertia = numbers(&body.inertia.value);
+        case.given("inertia_kg_m2", &inertia, &body.inertia.span, "I");
+        return;
+    }
+    let mut parts = vec![MassOf {
+        mass: body.mass.value,
+        centre: V3::from(body.centre.value),
+        inertia: nalgebra::Matrix3::from_diagonal(&V3::from(body.inertia.value)),
+    }];
+    for (_, rod) in rods {
+        parts.push(mass_of(rod, &context.mooring.rod_types[rod.of_type.value]));
+    }
+    let whole = together(&parts);
+    let what = "with the rods on it";
+    case.given("mass_kg", &number(whole.mass), &body.mass.span, what);
+    let centre = numbers(whole.centre.as_slice());
+    case.given("centre_of_gravity_m", &centre, &body.centre.span, what);
+    let i = whole.inertia;
+    let six = [i.m11, i.m22, i.m33, i.m12, i.m13, i.m23];
+    case.given("inertia_kg_m2", &numbers(&six), &body.inertia.span, what);
+}
+
+/// A rod as an even cylinder.
+fn mass_of(rod: &Rod, of: &RodType) -> MassOf {
+    let (a, b) = (V3::from(rod.end(0)), V3::from(rod.end(1)));
+    let long = rod.length();
+    let axis = (b - a) / long;
+    let mass = of.mass.value * long;
+    let radius2 = 0.25 * of.diameter.value * of.diameter.value;
+    let along = 0.5 * mass * radius2;
+    let across = mass * (3.0 * radius2 + long * long) / 12.0;
+    let outer = axis * axis.transpose();
+    MassOf {
+        mass,
+        centre: 0.5 * (a + b),
+        inertia: nalgebra::Matrix3::identity() * across + outer * (along - across),
+    }
+}
+
+/// Parts as one, by the parallel axis theorem.
+fn together(parts: &[MassOf]) -> MassOf {
+    let mass: f64 = parts.iter().map(|part| part.mass).sum();
+    let moment: V3 = parts.iter().map(|part| part.centre * part.mass).sum();
+    let centre = match mass > 0.0 {
+        true => moment / mass,
+        false => V3::zeros(),
+    };
+    let mut inertia = nalgebra::Matrix3::zeros();
+    for part in parts {
+        let arm = part.centre - centre;
+        let shift = nalgebra::Matrix3::identity() * arm.norm_squared() - arm * arm.transpose();
+        inertia += part.inertia + shift * part.mass;
+    }
+    MassOf {
+        mass,
+        centre,
+        inertia,
+    }
+}
+
+/// Volume, added mass and drag of a body. `MoorDyn` lets weight and buoyancy act at the same point.
+fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
+    let volume = body.volume.value;
+    if volume > 0.0 {
+        case.given("volume_m3", &number(volume), &body.volume.span, "Volume");
+        if body.centre.value != [0.0; 3] {
+            let centre = numbers(&body.centre.value);
+            case.given(
+                "centre_of_buoyancy_m",
+                &centre,
+                &body.centre.span,
+                "CG, as in MoorDyn",
+            );
+        }
+        let added = body
+            .added_mass
+            .value
+            .map(|ca| ca * volume * context.sea.density);
+        if added != [0.0; 3] {
+            let six = [added[0], added[1], added[2], 0.0, 0.0, 0.0];
+            case.given(
+                "added_mass",
+                &numbers(&six),
+                &body.added_mass.span,
+                "Ca on the volume",
+            );
+        }
+    }
+    let area = body.drag_area.value;
+    if area[..3] != [0.0; 3] {
+        case.given(
+            "drag_area_m2",
+            &numbers(&area[..3]),
+            &body.drag_area.span,
+            "CdA",
+        );
+    }
+    if area[3..] != [0.0; 3] {
+        let about = |axis: usize| 0.5 * context.sea.density * area[3 + axis];
+        let six = [0.0, 0.0, 0.0, about(0), about(1), about(2)];
+        case.given(
+            "quadratic_damping",
+            &numbers(&six),
+            &body.drag_area.span,
+            "CdA about its axes",
+        );
+    }
+}
+
+fn rod_water(case: &mut CaseText<'_>, of: &RodType) {
+    let mut one = |key: &str, given: &Given<f64>, column: &str| {
+        case.given(key, &number(given.value), &given.span, column);
+    };
+    one("diameter_m", &of.diameter, "Diam");
+    one("drag_normal", &of.drag_normal, "Cd");
+    one("added_mass_normal", &of.added_mass_normal, "Ca");
+}
+
+/// Writes the rods that are no part of a body and no joint.
+pub fn write_rods(case: &mut CaseText<'_>, context: &Context<'_>) {
+    for (number_of, rod) in context.mooring.rods.iter().enumerate() {
+        let on_body = matches!(rod.hold.value, Hold::Body(_));
+        if on_body || rod.is_joint() {
+            continue;
+        }
+        let of = &context.mooring.rod_types[rod.of_type.value];
+        let header = format!("[rods.{}]", context.names.rods[number_of]);
+        case.table(&header, Some(&rod.span));
+        let kind = kind_of(&rod.hold.value, context);
+        case.given("kind", kind, &rod.hold.span, "Attachment");
+        case.given(
+            "end_a_m",
+            &numbers(&rod.end(0)),
+            &rod.ends[0][0].span,
+            "Xa Ya Za",
+        );
+        case.given(
+            "end_b_m",
+            &numbers(&rod.end(1)),
+            &rod.ends[1][0].span,
+            "Xb Yb Zb",
+        );
+        let mass = number(of.mass.value * rod.length());
+        case.given("mass_kg", &mass, &of.mass.span, "Mass/m by its length");
+        rod_water(case, of);
+    }
+}

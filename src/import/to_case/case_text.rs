@@ -1,0 +1,158 @@
+//! The text of a case as it is written, line by line, each knowing the row that it comes from.
+
+use std::fmt::Write as _;
+use std::ops::Range;
+
+use crate::import::fault::line_and_column;
+
+/// Column at which comments begin, where the value leaves room.
+const COMMENT_COLUMN: usize = 40;
+
+/// The text of a case.
+#[derive(Debug, Clone)]
+pub struct CaseText<'t> {
+    source: &'t str,
+    /// What is written.
+    pub text: String,
+    /// Of each of its lines, the bytes of the source that it comes from.
+    pub from: Vec<Option<Range<usize>>>,
+}
+
+impl<'t> CaseText<'t> {
+    /// An empty case of a source.
+    #[must_use]
+    pub fn new(source: &'t str) -> Self {
+        Self {
+            source,
+            text: String::new(),
+            from: Vec::new(),
+        }
+    }
+
+    /// A line as it stands.
+    pub fn line(&mut self, line: &str, from: Option<&Range<usize>>) {
+        self.text.push_str(line);
+        self.text.push('\n');
+        self.from.push(from.cloned());
+    }
+
+    /// The header of a table, `[points.p1]`, after a blank line.
+    pub fn table(&mut self, header: &str, from: Option<&Range<usize>>) {
+        if !self.text.is_empty() {
+            self.line("", None);
+        }
+        let comment = from.map(|span| self.row_of(span)).unwrap_or_default();
+        self.commented(header, &comment, from);
+    }
+
+    /// A key that a column gives.
+    pub fn given(&mut self, key: &str, value: &str, from: &Range<usize>, column: &str) {
+        let row = self.row_of(from);
+        let comment = match column {
+            "" => row,
+            column => format!("{row}, {column}"),
+        };
+        self.commented(&format!("{key} = {value}"), &comment, Some(from));
+    }
+
+    /// A key that no row gives, and why it has its value.
+    pub fn assumed(&mut self, key: &str, value: &str, why: &str) {
+        self.commented(&format!("{key} = {value}"), why, None);
+    }
+
+    /// The row of the source at these bytes: `line 12`.
+    #[must_use]
+    pub fn row_of(&self, span: &Range<usize>) -> String {
+        format!("line {}", line_and_column(self.source, span.start).0)
+    }
+
+    fn commented(&mut self, line: &str, comment: &str, from: Option<&Range<usize>>) {
+        let mut whole = line.to_owned();
+        if !comment.is_empty() {
+            let width = COMMENT_COLUMN.max(line.chars().count() + 2);
+            whole = format!("{line:<width$}# {comment}");
+        }
+        self.line(&whole, from);
+    }
+}
+
+/// A number, so that it is read as the same bits.
+#[must_use]
+pub fn number(value: f64) -> String {
+    // A negative zero is zero.
+    format!("{:?}", value + 0.0)
+}
+
+/// A list of numbers.
+#[must_use]
+pub fn numbers(values: &[f64]) -> String {
+    let all: Vec<String> = values.iter().copied().map(number).collect();
+    format!("[{}]", all.join(", "))
+}
+
+/// A text between quotes.
+#[must_use]
+pub fn text(value: &str) -> String {
+    let mut quoted = String::from("\"");
+    for letter in value.chars() {
+        match letter {
+            '"' | '\\' => {
+                quoted.push('\\');
+                quoted.push(letter);
+            }
+            '\n' => quoted.push_str("\\n"),
+            letter if letter.is_control() => {
+                // Writing to a string does not fail.
+                let _ = write!(quoted, "\\u{:04x}", u32::from(letter));
+            }
+            letter => quoted.push(letter),
+        }
+    }
+    quoted.push('"');
+    quoted
+}
+
+/// A name as cases have them: letters, digits, `-` and `_`.
+#[must_use]
+pub fn name(of: &str) -> String {
+    let letters = of.chars().map(|letter| match letter {
+        letter if letter.is_ascii_alphanumeric() || "-_".contains(letter) => letter,
+        _ => '_',
+    });
+    let name: String = letters.collect();
+    match name.is_empty() {
+        true => "unnamed".to_owned(),
+        false => name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_know_their_rows() {
+        let mut case = CaseText::new("one\ntwo 0.09\n");
+        case.table("[materials.two]", Some(&(4..7)));
+        case.given("diameter_m", &number(0.09), &(8..12), "Diam");
+        case.assumed("gravity", "9.8", "assumed");
+        let lines: Vec<&str> = case.text.lines().collect();
+        assert_eq!(lines.len(), case.from.len());
+        assert!(lines[0].ends_with("# line 2"), "{lines:?}");
+        assert!(lines[1].ends_with("# line 2, Diam"));
+        assert_eq!(case.from, [Some(4..7), Some(8..12), None]);
+    }
+
+    #[test]
+    fn values_are_read_as_they_were() {
+        let values = [0.1, 3.84e8, -0.0, 1e-300, 12.0, f64::MAX];
+        for value in values {
+            let read: toml::Table = format!("v = {}", number(value)).parse().unwrap();
+            assert_eq!(read["v"].as_float(), Some(value));
+        }
+        let odd = "a \"b\" \\ \u{7} é\nc";
+        let read: toml::Table = format!("v = {}", text(odd)).parse().unwrap();
+        assert_eq!(read["v"].as_str(), Some(odd));
+        assert_eq!(name("Chain 120mm/R4"), "Chain_120mm_R4");
+    }
+}

@@ -1,0 +1,108 @@
+//! Lines, and what comes off them.
+
+use super::Context;
+use super::case_text::{CaseText, number, numbers, text};
+use super::joints::{Chain, chains};
+use super::points::name_of;
+use crate::import::mooring::Attachment;
+
+/// The fewest segments of a line here.
+const FEWEST: usize = 2;
+
+/// Writes the lines.
+pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
+    for chain in chains(context.mooring) {
+        one_line(case, context, &chain);
+    }
+}
+
+fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+    let mooring = context.mooring;
+    let first = &mooring.lines[chain.pieces[0].0];
+    case.table("[[lines]]", Some(&first.span));
+    let name = &context.names.lines[chain.pieces[0].0];
+    case.line(&format!("name = {}", text(name)), Some(&first.span));
+    for (key, end) in ["from", "to"].iter().zip(chain.ends) {
+        let name = text(&name_of(context, end));
+        case.line(&format!("{key} = {name}"), Some(&first.span));
+    }
+    if let [(only, _)] = chain.pieces.as_slice() {
+        let line = &mooring.lines[*only];
+        let material = text(&context.names.materials[line.of_type.value]);
+        case.given("material", &material, &line.of_type.span, "LineType");
+        case.given(
+            "length_m",
+            &number(line.length.value),
+            &line.length.span,
+            "UnstrLen",
+        );
+    }
+    let segments: usize = chain
+        .pieces
+        .iter()
+        .map(|(line, _)| mooring.lines[*line].segments.value)
+        .sum();
+    if segments > 0 {
+        let value = segments.max(FEWEST).to_string();
+        let what = match segments < FEWEST {
+            true => "NumSegs; no line here has fewer",
+            false => "NumSegs",
+        };
+        case.given("segments", &value, &first.segments.span, what);
+    }
+    if let Some(friction) = &mooring.line_types[first.of_type.value].friction {
+        case.given("friction", &number(friction.value), &friction.span, "CB");
+    }
+    if !mooring.repeats.is_empty() {
+        let mut angles = vec![0.0];
+        angles.extend(mooring.repeats.iter().map(|angle| angle.value));
+        let span = &mooring.repeats[0].span;
+        case.given("repeat_at_deg", &numbers(&angles), span, "repeat");
+    }
+    releases(case, context, chain);
+    if chain.pieces.len() > 1 {
+        sections(case, context, chain);
+    }
+}
+
+fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+    for (number_of, _) in &chain.pieces {
+        let line = &context.mooring.lines[*number_of];
+        case.table("[[lines.sections]]", Some(&line.span));
+        let material = text(&context.names.materials[line.of_type.value]);
+        case.given("material", &material, &line.of_type.span, "LineType");
+        case.given(
+            "length_m",
+            &number(line.length.value),
+            &line.length.span,
+            "UnstrLen",
+        );
+    }
+}
+
+/// Ends that come off in motion.
+fn releases(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+    if !context.motion.runs() {
+        return;
+    }
+    let is_same = |one: Attachment, other: Attachment| one == other;
+    for failure in &context.mooring.failures {
+        let mine = chain
+            .pieces
+            .iter()
+            .any(|(line, _)| failure.lines.contains(line));
+        let end = (0..2).find(|end| is_same(chain.ends[*end], failure.from.value));
+        let Some(end) = end.filter(|_| mine) else {
+            continue;
+        };
+        let letter = ["a", "b"][end];
+        if let Some(time) = &failure.time {
+            let key = format!("release_{letter}_s");
+            case.given(&key, &number(time.value), &time.span, "FailTime");
+        }
+        if let Some(tension) = &failure.tension {
+            let key = format!("release_{letter}_n");
+            case.given(&key, &number(tension.value), &tension.span, "FailTen");
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! The text of a case, as a person would write it, from a mooring that was read.
+
+pub mod bodies;
+pub mod case_text;
+pub mod joints;
+pub mod lines;
+pub mod materials;
+pub mod motion;
+pub mod names;
+pub mod points;
+pub mod sea;
+pub mod unmodelled;
+
+use self::case_text::{CaseText, text};
+use self::motion::Motion;
+use self::names::Names;
+use self::sea::{SeaOfCase, sea_of};
+use super::fault::Fault;
+use super::mooring::{Attachment, Hold, Mooring, Program};
+use super::{ImportOptions, Imported};
+
+/// What the writers of the parts have in common.
+#[derive(Debug)]
+pub struct Context<'m> {
+    /// The mooring.
+    pub mooring: &'m Mooring,
+    /// Names of its parts in the case.
+    pub names: Names,
+    /// Its sea.
+    pub sea: SeaOfCase,
+    /// How coupled parts move.
+    pub motion: Motion,
+    /// Whether coupled points are on one body.
+    pub has_vessel: bool,
+}
+
+impl Context<'_> {
+    /// Whether a line ends there.
+    #[must_use]
+    pub fn is_used(&self, at: Attachment) -> bool {
+        let mut ends = self.mooring.lines.iter().flat_map(|line| &line.ends);
+        ends.any(|end| end.value == at)
+    }
+
+    /// Whether a line ends at a rod.
+    #[must_use]
+    pub fn is_used_rod(&self, rod: usize) -> bool {
+        self.is_used(Attachment::Rod(rod, 0)) || self.is_used(Attachment::Rod(rod, 1))
+    }
+}
+
+/// The case of a mooring. `source` is the text it was read from, `file` its name.
+///
+/// # Errors
+/// All that it states and is not modelled here, unless the options leave it out; what the options do not say.
+pub fn case_of(
+    mooring: &Mooring,
+    source: &str,
+    file: &str,
+    options: &ImportOptions,
+) -> Result<Imported, Vec<Fault>> {
+    let sea = sea_of(mooring, options)?;
+    let motion = motion_of(mooring, options)?;
+    let coupled = coupled_parts(mooring);
+    let context = Context {
+        has_vessel: coupled > 1 && !motion.is_of_each() || coupled > 0 && motion.is_of_one_body(),
+        names: Names::of(mooring),
+        mooring,
+        sea,
+        motion,
+    };
+    let left_out = unmodelled::leave_out(&context, options)?;
+    let mut case = CaseText::new(source);
+    head(&mut case, &context, file, &left_out);
+    sea::write(
+        &mut case,
+        mooring,
+        options,
+        &context.sea,
+        is_in_air(mooring),
+    );
+    let without = |name: &str| options.without.iter().any(|one| one == name);
+    if let Some(profile) = mooring
+        .sea
+        .current
+        .as_ref()
+        .filter(|_| !without("currents"))
+    {
+        sea::write_current(&mut case, profile);
+    }
+    let waves = mooring.sea.waves.as_ref();
+    if let Some(waves) = waves.filter(|_| context.motion.runs() && !without("waves")) {
+        sea::write_waves(&mut case, waves);
+    }
+    materials::write(&mut case, mooring, &context.names);
+    bodies::write(&mut case, &context);
+    bodies::write_rods(&mut case, &context);
+    points::write(&mut case, &context);
+    lines::write(&mut case, &context);
+    context.motion.write_run(&mut case);
+    Ok(Imported {
+        text: case.text,
+        from: case.from,
+    })
+}
+
+/// Coupled points and joints: what is coupled and no body or rod of its own.
+fn coupled_parts(mooring: &Mooring) -> usize {
+    let points = mooring.points.iter();
+    let points = points.filter(|point| point.hold.value == Hold::Coupled);
+    let joints = mooring.rods.iter();
+    let joints = joints.filter(|rod| rod.is_joint() && rod.hold.value == Hold::Coupled);
+    let copies = 1 + mooring.repeats.len();
+    (points.count() + joints.count()) * copies
+}
+
+fn motion_of(mooring: &Mooring, options: &ImportOptions) -> Result<Motion, Vec<Fault>> {
+    let Some(path) = &options.motion else {
+        return Ok(Motion::none());
+    };
+    Motion::read(path, mooring).map_err(|why| {
+        vec![Fault::new(
+            0..0,
+            "",
+            format!("the motion cannot be used: {why}"),
+            "give a table of the time and of every coupled coordinate with `--motion`",
+        )]
+    })
+}
+
+/// Whether all points and ends of rods are above still water.
+#[must_use]
+pub fn is_in_air(mooring: &Mooring) -> bool {
+    let held = |hold: &Hold| !matches!(hold, Hold::Body(_));
+    let points = mooring
+        .points
+        .iter()
+        .filter(|point| held(&point.hold.value));
+    let points = points.map(|point| point.place[2].value);
+    let rods = mooring.rods.iter().filter(|rod| held(&rod.hold.value));
+    let rods = rods.flat_map(|rod| [rod.ends[0][2].value, rod.ends[1][2].value]);
+    let heights: Vec<f64> = points.chain(rods).collect();
+    mooring.bodies.is_empty() && !heights.is_empty() && heights.iter().all(|z| *z > 0.0)
+}
+
+/// The table `[system]`: what the file is, and what was put down that it does not say.
+fn head(case: &mut CaseText<'_>, context: &Context<'_>, file: &str, left_out: &[String]) {
+    let mooring = context.mooring;
+    case.table("[system]", None);
+    let title = match mooring.title.is_empty() {
+        true => file.to_owned(),
+        false => mooring.title.clone(),
+    };
+    case.line(&format!("title = {}", text(&title)), None);
+    let program = mooring.program.name();
+    let source = format!("{file}, a file of {program}");
+    case.line(&format!("source = {}", text(&source)), None);
+    let mut notes = Vec::new();
+    if !left_out.is_empty() {
+        notes.push(format!("LEFT OUT, as asked for: {}.", left_out.join("; ")));
+    }
+    notes.extend(mooring.remarks.iter().cloned());
+    notes.extend(context.motion.remarks.iter().cloned());
+    if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) && !mooring.rods.is_empty() {
+        notes.push("Drag and added mass of the ends of rods act in no direction here.".to_owned());
+    }
+    if !notes.is_empty() {
+        case.line(&format!("notes = {}", text(&notes.join(" "))), None);
+    }
+}

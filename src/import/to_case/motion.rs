@@ -1,0 +1,332 @@
+//! The motion of what a mooring is coupled to, from a table of time and coordinates.
+
+use std::path::Path;
+
+use super::case_text::{CaseText, number, numbers};
+use crate::import::mooring::{Hold, Mooring};
+
+/// Greatest distance \[m\] of the first row from the places in the file, for coordinates to be those of the parts.
+const NEAR: f64 = 0.5;
+
+/// What a column of coordinates belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Part {
+    Body(usize),
+    Rod(usize),
+    Point(usize),
+}
+
+/// How the columns are laid out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum Layout {
+    /// Nothing moves.
+    Still,
+    /// Six motions of the whole about its origin.
+    Vessel,
+    /// The coordinates of each coupled part, from this column on.
+    Each(Vec<(Part, usize)>),
+}
+
+/// The motion of coupled parts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    layout: Layout,
+    /// Times from 0 \[s\].
+    times: Vec<f64>,
+    /// Columns behind the time: m and degrees.
+    columns: Vec<Vec<f64>>,
+    /// What was put down about it.
+    pub remarks: Vec<String>,
+}
+
+impl Motion {
+    /// Nothing moves.
+    #[must_use]
+    pub fn none() -> Self {
+        Self {
+            layout: Layout::Still,
+            times: Vec::new(),
+            columns: Vec::new(),
+            remarks: Vec::new(),
+        }
+    }
+
+    /// The motion in a file: a row for each time, with blanks or commas between; a first row may name the columns.
+    ///
+    /// # Errors
+    /// The file cannot be read, has other columns than the coupled parts, or times that do not rise.
+    pub fn read(path: &Path, mooring: &Mooring) -> Result<Self, String> {
+        let file = path.display();
+        let text = std::fs::read_to_string(path)
+            .map_err(|error| format!("{file} cannot be read: {error}"))?;
+        let (heads, rows) = table(&text).map_err(|why| format!("{file}, {why}"))?;
+        let Some(width) = rows.first().map(Vec::len) else {
+            return Err(format!("{file} has no rows of numbers"));
+        };
+        let parts = coupled(mooring);
+        let layout = layout(&parts, mooring, &rows[0], width - 1).ok_or_else(|| {
+            let each: usize = parts.iter().map(|part| degrees(*part)).sum();
+            format!(
+                "{file} has {} columns; there are {each} coupled coordinates, so it needs the time and {each} columns, or the time and the 6 \
+                 motions of the whole",
+                width
+            )
+        })?;
+        let start = rows[0][0];
+        let times: Vec<f64> = rows.iter().map(|row| row[0] - start).collect();
+        if let Some(at) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
+            return Err(format!(
+                "{file}: the time {} in row {} does not rise",
+                rows[at + 1][0],
+                at + 2
+            ));
+        }
+        let columns = (1..width).map(|column| rows.iter().map(|row| row[column]).collect());
+        let mut motion = Self {
+            layout,
+            times,
+            columns: columns.collect(),
+            remarks: Vec::new(),
+        };
+        motion.angles_in_degrees(&heads);
+        if start != 0.0 {
+            motion.remarks.push(format!(
+                "The table of the motion begins at {start} s; times here are from its beginning."
+            ));
+        }
+        Ok(motion)
+    }
+
+    /// Whether coupled parts move.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        self.layout != Layout::Still
+    }
+
+    /// Whether there is a run in time.
+    #[must_use]
+    pub fn runs(&self) -> bool {
+        self.moves()
+    }
+
+    /// Whether the whole moves as one body.
+    #[must_use]
+    pub fn is_of_one_body(&self) -> bool {
+        self.layout == Layout::Vessel
+    }
+
+    /// Whether parts move by themselves.
+    #[must_use]
+    pub fn is_of_each(&self) -> bool {
+        matches!(self.layout, Layout::Each(_))
+    }
+
+    /// Writes the motion of the whole.
+    pub fn write_vessel(&self, case: &mut CaseText<'_>) {
+        if self.is_of_one_body() {
+            self.write_table(case, 0, [0.0; 6]);
+        }
+    }
+
+    /// Writes the motion of a body.
+    pub fn write_body(&self, case: &mut CaseText<'_>, body: usize) {
+        match &self.layout {
+            Layout::Vessel => self.write_table(case, 0, [0.0; 6]),
+            Layout::Each(_) => {
+                if let Some((first, rest)) = self.of(Part::Body(body)) {
+                    self.write_table(case, first, rest);
+                }
+            }
+            Layout::Still => {}
+        }
+    }
+
+    /// Writes the motion of a point.
+    pub fn write_point(&self, case: &mut CaseText<'_>, point: usize) {
+        let Some((first, rest)) = self.of(Part::Point(point)) else {
+            return;
+        };
+        case.assumed(
+            "table_time_s",
+            &numbers(&self.times),
+            "the table of the motion",
+        );
+        for (axis, name) in ["x", "y", "z"].iter().enumerate() {
+            self.write_column(case, &format!("table_{name}_m"), first + axis, rest[axis]);
+        }
+    }
+
+    /// Writes the run in time.
+    pub fn write_run(&self, case: &mut CaseText<'_>) {
+        let Some(duration) = self.times.last().filter(|_| self.runs()) else {
+            return;
+        };
+        case.table("[solver]", None);
+        case.assumed("duration_s", &number(*duration), "the table of the motion");
+    }
+
+    /// The first column of a part, and where the part is at first, which its table is relative to.
+    fn of(&self, part: Part) -> Option<(usize, [f64; 6])> {
+        let Layout::Each(parts) = &self.layout else {
+            return None;
+        };
+        let (_, first) = parts.iter().find(|(known, _)| *known == part)?;
+        let at = |column: usize| self.columns.get(first + column).map_or(0.0, |all| all[0]);
+        let count = degrees(part);
+        let rest = std::array::from_fn(|axis| if axis < count { at(axis) } else { 0.0 });
+        Some((*first, rest))
+    }
+
+    fn write_table(&self, case: &mut CaseText<'_>, first: usize, rest: [f64; 6]) {
+        case.assumed(
+            "table_time_s",
+            &numbers(&self.times),
+            "the table of the motion",
+        );
+        let keys = ["x_m", "y_m", "z_m", "roll_deg", "pitch_deg", "yaw_deg"];
+        for (axis, key) in keys.iter().enumerate() {
+            self.write_column(case, &format!("table_{key}"), first + axis, rest[axis]);
+        }
+    }
+
+    fn write_column(&self, case: &mut CaseText<'_>, key: &str, column: usize, rest: f64) {
+        let values: Vec<f64> = self.columns[column]
+            .iter()
+            .map(|value| value - rest)
+            .collect();
+        if values.iter().any(|value| *value != 0.0) {
+            case.line(&format!("{key} = {}", numbers(&values)), None);
+        }
+    }
+
+    /// Turns angles that are in radians into degrees.
+    fn angles_in_degrees(&mut self, heads: &[String]) {
+        let in_degrees = heads.iter().any(|head| head.to_lowercase().contains("deg"));
+        let angles: Vec<usize> = match &self.layout {
+            Layout::Still => Vec::new(),
+            Layout::Vessel => vec![3, 4, 5],
+            Layout::Each(parts) => parts
+                .iter()
+                .filter(|(part, _)| degrees(*part) == 6)
+                .flat_map(|(_, first)| first + 3..first + 6)
+                .collect(),
+        };
+        if in_degrees || angles.is_empty() {
+            return;
+        }
+        let mut turns = false;
+        for column in angles {
+            for value in &mut self.columns[column] {
+                turns |= *value != 0.0;
+                *value = value.to_degrees();
+            }
+        }
+        if turns {
+            self.remarks.push(
+                "Angles of the table of the motion are taken in radians; a head with `deg` says otherwise."
+                    .to_owned(),
+            );
+        }
+    }
+}
+
+/// Coupled coordinates of a part.
+fn degrees(part: Part) -> usize {
+    match part {
+        Part::Body(_) | Part::Rod(_) => 6,
+        Part::Point(_) => 3,
+    }
+}
+
+/// Coupled parts in the order of MoorDyn: bodies, rods, points.
+fn coupled(mooring: &Mooring) -> Vec<Part> {
+    let bodies = mooring.bodies.iter().enumerate();
+    let bodies = bodies.filter(|(_, body)| body.hold.value == Hold::Coupled);
+    let rods = mooring.rods.iter().enumerate();
+    let rods = rods.filter(|(_, rod)| rod.hold.value == Hold::Coupled);
+    let points = mooring.points.iter().enumerate();
+    let points = points.filter(|(_, point)| point.hold.value == Hold::Coupled);
+    bodies
+        .map(|(number, _)| Part::Body(number))
+        .chain(rods.map(|(number, _)| Part::Rod(number)))
+        .chain(points.map(|(number, _)| Part::Point(number)))
+        .collect()
+}
+
+/// The layout of so many columns; by the first row where both would do.
+fn layout(parts: &[Part], mooring: &Mooring, first: &[f64], count: usize) -> Option<Layout> {
+    if parts.is_empty() {
+        return None;
+    }
+    let mut column = 0;
+    let mut each = Vec::new();
+    for part in parts {
+        each.push((*part, column));
+        column += degrees(*part);
+    }
+    let fits = column == count;
+    let is_near = |(part, column): &(Part, usize)| {
+        let place = match part {
+            Part::Body(body) => &mooring.bodies[*body].place,
+            Part::Rod(rod) => &mooring.rods[*rod].ends[0],
+            Part::Point(point) => &mooring.points[*point].place,
+        };
+        let here = first.get(1 + column..4 + column);
+        here.is_some_and(|here| {
+            let pairs = here.iter().zip(place);
+            pairs.fold(0.0_f64, |worst, (here, place)| {
+                worst.max((here - place.value).abs())
+            }) < NEAR
+        })
+    };
+    match (fits, count == 6) {
+        (true, true) if !each.iter().all(is_near) => Some(Layout::Vessel),
+        (true, _) => Some(Layout::Each(each)),
+        (false, true) => Some(Layout::Vessel),
+        (false, false) => None,
+    }
+}
+
+/// The names of the columns, if any, and the rows.
+fn table(text: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), String> {
+    let mut heads = Vec::new();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for (line, row) in text.lines().enumerate() {
+        let words: Vec<&str> = row
+            .split(|letter: char| letter.is_whitespace() || letter == ',' || letter == ';')
+            .filter(|word| !word.is_empty())
+            .collect();
+        if words.is_empty() || words[0].starts_with('#') {
+            continue;
+        }
+        let numbers: Option<Vec<f64>> = words
+            .iter()
+            .map(|word| word.parse().ok().filter(|value: &f64| value.is_finite()))
+            .collect();
+        match numbers {
+            Some(numbers) => {
+                if rows
+                    .first()
+                    .is_some_and(|first| first.len() != numbers.len())
+                {
+                    let first = rows[0].len();
+                    return Err(format!(
+                        "line {}: {} columns where the first row has {first}",
+                        line + 1,
+                        numbers.len()
+                    ));
+                }
+                rows.push(numbers);
+            }
+            None if rows.is_empty() => heads = words.iter().map(|&word| word.to_owned()).collect(),
+            None => {
+                return Err(format!(
+                    "line {}: `{}` is not a row of numbers",
+                    line + 1,
+                    row.trim()
+                ));
+            }
+        }
+    }
+    Ok((heads, rows))
+}

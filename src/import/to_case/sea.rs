@@ -1,0 +1,223 @@
+//! Water, gravity, bed, current and waves of a case.
+
+use std::f64::consts::TAU;
+
+use super::case_text::{CaseText, number, numbers};
+use crate::import::mooring::{Given, Hold, Mooring, Program};
+use crate::import::{ImportOptions, fault::Fault};
+
+/// Gravity \[m/s²\] where none is given: that of MoorDyn.
+pub const GRAVITY: f64 = 9.80665;
+/// Density \[kg/m³\] where none is given: that of MoorDyn.
+pub const DENSITY: f64 = 1025.0;
+/// Push of the bed \[Pa/m\] where none is given: that of MoorDyn.
+const BED_STIFFNESS: f64 = 3.0e6;
+/// Damping of the bed \[Pa s/m\] where none is given: that of MoorDyn.
+const BED_DAMPING: f64 = 3.0e5;
+
+/// What the sea of a case is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SeaOfCase {
+    /// \[m/s²\].
+    pub gravity: f64,
+    /// \[kg/m³\].
+    pub density: f64,
+    /// \[m\]; none where no bed is known.
+    pub depth: Option<f64>,
+}
+
+/// The sea by the file and what the options add.
+///
+/// # Errors
+/// The program needs it from outside, and it is not given.
+pub fn sea_of(mooring: &Mooring, options: &ImportOptions) -> Result<SeaOfCase, Vec<Fault>> {
+    let sea = &mooring.sea;
+    let value = |given: &Option<Given<f64>>| given.as_ref().map(|given| given.value);
+    let gravity = options.gravity.or(value(&sea.gravity));
+    let density = options.density.or(value(&sea.density));
+    let depth = options.depth.or(value(&sea.depth));
+    if mooring.program == Program::MapPlusPlus {
+        let missing = [
+            (gravity, "gravity", "--gravity 9.80665"),
+            (density, "density of the water", "--density 1025"),
+            (depth, "depth", "--depth 320"),
+        ];
+        let faults: Vec<Fault> = missing
+            .into_iter()
+            .filter(|(given, _, _)| given.is_none())
+            .map(|(_, what, option)| {
+                Fault::new(
+                    0..0,
+                    "",
+                    format!("a MAP++ file does not say the {what}: the program that calls it does"),
+                    format!("give it, for example `{option}`"),
+                )
+            })
+            .collect();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+    }
+    Ok(SeaOfCase {
+        gravity: gravity.unwrap_or(GRAVITY),
+        density: density.unwrap_or(DENSITY),
+        depth: depth.or_else(|| deepest(mooring)),
+    })
+}
+
+/// The depth of the deepest fixed point, which MoorDyn takes for that of the bed.
+fn deepest(mooring: &Mooring) -> Option<f64> {
+    let points = mooring.points.iter();
+    let fixed = points.filter(|point| point.hold.value == Hold::Fixed);
+    let depths = fixed.map(|point| -point.place[2].value);
+    depths.fold(None, |deepest: Option<f64>, depth| {
+        Some(deepest.map_or(depth, |deepest| deepest.max(depth)))
+    })
+}
+
+/// Writes the environment and the bed; `in_air` where nothing of the system is in the water.
+pub fn write(
+    case: &mut CaseText<'_>,
+    mooring: &Mooring,
+    options: &ImportOptions,
+    sea: &SeaOfCase,
+    in_air: bool,
+) {
+    case.table("[environment]", None);
+    let program = mooring.program.name();
+    let mut one =
+        |key: &str, option: Option<f64>, given: &Option<Given<f64>>, value: f64, column| match (
+            option, given,
+        ) {
+            (Some(_), _) => case.assumed(key, &number(value), "given with the command"),
+            (None, Some(given)) => case.given(key, &number(value), &given.span, column),
+            (None, None) => {
+                let why = format!("assumed: {program} takes it where the file is silent");
+                case.assumed(key, &number(value), &why);
+            }
+        };
+    let given = &mooring.sea;
+    one(
+        "gravity_m_per_s2",
+        options.gravity,
+        &given.gravity,
+        sea.gravity,
+        "g",
+    );
+    if in_air {
+        case.assumed(
+            "water_density_kg_per_m3",
+            "0.0",
+            "everything is above the water",
+        );
+    } else {
+        let key = "water_density_kg_per_m3";
+        one(key, options.density, &given.density, sea.density, "rho");
+    }
+    if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) {
+        case.assumed("drag_length", "\"unstretched\"", "as MoorDyn takes it");
+    }
+    if let Some(depth) = sea.depth.filter(|depth| *depth > 0.0 && !in_air) {
+        bed(case, mooring, options, depth);
+    }
+}
+
+fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, depth: f64) {
+    let sea = &mooring.sea;
+    case.table("[seabed]", None);
+    match (&sea.depth, options.depth) {
+        (Some(given), None) => {
+            case.given("depth_m", &number(depth), &given.span, "WtrDpth");
+        }
+        (_, Some(_)) => case.assumed("depth_m", &number(depth), "given with the command"),
+        (None, None) => case.assumed(
+            "depth_m",
+            &number(depth),
+            "assumed: that of the deepest fixed point, as MoorDyn takes it",
+        ),
+    }
+    let rows = [
+        (
+            "stiffness_n_per_m3",
+            &sea.bed_stiffness,
+            BED_STIFFNESS,
+            "kBot",
+        ),
+        ("damping_n_s_per_m3", &sea.bed_damping, BED_DAMPING, "cBot"),
+    ];
+    for (key, given, default, column) in rows {
+        match given {
+            Some(given) => case.given(key, &number(given.value), &given.span, column),
+            None => case.assumed(key, &number(default), "assumed: MoorDyn's default"),
+        }
+    }
+    match &sea.friction {
+        Some(given) => {
+            case.given(
+                "friction",
+                &number(given.value),
+                &given.span,
+                "FrictionCoefficient",
+            );
+        }
+        None => case.assumed(
+            "friction",
+            "0.0",
+            "assumed: none, as where the file is silent",
+        ),
+    }
+}
+
+/// Writes the current by height.
+pub fn write_current(case: &mut CaseText<'_>, profile: &Given<Vec<[f64; 3]>>) {
+    case.table("[current]", Some(&profile.span));
+    // The profile runs from above; heights above the water have no water.
+    let wet: Vec<&[f64; 3]> = profile.value.iter().filter(|row| row[0] <= 0.0).collect();
+    let rows = match wet.is_empty() {
+        true => profile.value.iter().collect(),
+        false => wet,
+    };
+    let of = |take: &dyn Fn(&[f64; 3]) -> f64| {
+        numbers(&rows.iter().map(|row| take(row)).collect::<Vec<f64>>())
+    };
+    let speeds = of(&|row| f64::hypot(row[1], row[2]));
+    let directions = of(&|row| row[2].atan2(row[1]).to_degrees());
+    if let [one] = rows.as_slice() {
+        let speed = number(f64::hypot(one[1], one[2]));
+        case.given(
+            "speed_m_per_s",
+            &speed,
+            &profile.span,
+            "current_profile.txt",
+        );
+        let direction = number(one[2].atan2(one[1]).to_degrees());
+        case.given("direction_deg", &direction, &profile.span, "");
+        return;
+    }
+    let depths = of(&|row| (-row[0]).max(0.0));
+    case.given("depth_m", &depths, &profile.span, "current_profile.txt");
+    case.given("speed_m_per_s", &speeds, &profile.span, "");
+    case.given("direction_deg", &directions, &profile.span, "");
+}
+
+/// Writes regular waves that run together towards +x.
+pub fn write_waves(case: &mut CaseText<'_>, components: &Given<Vec<[f64; 3]>>) {
+    for [frequency, amplitude, phase] in &components.value {
+        case.table("[[waves]]", Some(&components.span));
+        case.line("kind = \"regular\"", None);
+        let height = number(2.0 * amplitude);
+        case.given(
+            "height_m",
+            &height,
+            &components.span,
+            "wave_frequencies.txt",
+        );
+        case.given("period_s", &number(TAU / frequency), &components.span, "");
+        case.given(
+            "phase_deg",
+            &number(phase.to_degrees()),
+            &components.span,
+            "",
+        );
+    }
+}

@@ -1,0 +1,138 @@
+//! What a file states and is not modelled: named all at once, or left out where that is asked for.
+
+use super::Context;
+use super::joints::is_inside;
+use crate::import::ImportOptions;
+use crate::import::fault::Fault;
+use crate::import::mooring::{Attachment, Hold, Stiffness, Unmodelled};
+
+/// What is left out, in words.
+///
+/// # Errors
+/// What is not modelled and not left out.
+pub fn leave_out(
+    context: &Context<'_>,
+    options: &ImportOptions,
+) -> Result<Vec<String>, Vec<Fault>> {
+    let mut all = context.mooring.unmodelled.clone();
+    all.extend(ropes(context));
+    all.extend(pinned(context));
+    all.extend(failures(context));
+    all.extend(clamps(context));
+    all.sort_by_key(|one| one.span.start);
+    let is_left_out = |one: &Unmodelled| options.without.iter().any(|name| name == one.name);
+    let (left_out, faults): (Vec<Unmodelled>, Vec<Unmodelled>) =
+        all.into_iter().partition(is_left_out);
+    if faults.is_empty() {
+        let mut words: Vec<String> = left_out.into_iter().map(|one| one.what).collect();
+        words.dedup();
+        return Ok(words);
+    }
+    Err(faults.into_iter().map(fault).collect())
+}
+
+fn fault(one: Unmodelled) -> Fault {
+    let remedy = match one.name {
+        "" => "there is no way around it".to_owned(),
+        name => format!("leave it out with `--without {name}`; every report then says so"),
+    };
+    Fault::new(
+        one.span,
+        one.key,
+        format!("{} not modelled", with_verb(&one.what)),
+        remedy,
+    )
+}
+
+fn with_verb(what: &str) -> String {
+    format!("{what}: this is")
+}
+
+/// Ropes whose tension depends on more than their strain.
+fn ropes(context: &Context<'_>) -> Vec<Unmodelled> {
+    let types = context.mooring.line_types.iter();
+    types
+        .filter_map(|of| {
+            let (name, what) = match &of.stiffness.value {
+                Stiffness::Constant(_) => return None,
+                Stiffness::Table(_) => (
+                    "stiffness-curve",
+                    "tension as a curve over strain in a system (its first slope without it)",
+                ),
+                Stiffness::Viscoelastic { .. } => (
+                    "viscoelastic",
+                    "a viscoelastic rope (its stiffness of slow motion without it)",
+                ),
+                Stiffness::Syrope(_) => ("syrope", "a Syrope rope (its first slope without it)"),
+            };
+            Some(Unmodelled {
+                name,
+                span: of.stiffness.span.clone(),
+                key: "LINE TYPES, EA".to_owned(),
+                what: what.to_owned(),
+            })
+        })
+        .collect()
+}
+
+/// Parts that are held but free to turn.
+fn pinned(context: &Context<'_>) -> Vec<Unmodelled> {
+    let mooring = context.mooring;
+    let bodies = mooring.bodies.iter().map(|body| (&body.hold, "BODIES"));
+    let rods = mooring.rods.iter().map(|rod| (&rod.hold, "RODS"));
+    bodies
+        .chain(rods)
+        .filter(|(hold, _)| matches!(hold.value, Hold::Pinned(_)))
+        .map(|(hold, table)| Unmodelled {
+            name: "",
+            span: hold.span.clone(),
+            key: format!("{table}, Attachment"),
+            what: "what is held and free to turn (pinned)".to_owned(),
+        })
+        .collect()
+}
+
+/// Several lines that come off together, as one joint.
+fn failures(context: &Context<'_>) -> Vec<Unmodelled> {
+    let failures = context.mooring.failures.iter();
+    failures
+        .filter(|failure| failure.lines.len() > 1)
+        .map(|failure| Unmodelled {
+            name: "failure",
+            span: failure.span.clone(),
+            key: "FAILURE, Lines".to_owned(),
+            what: "several lines that come off and stay joined to each other".to_owned(),
+        })
+        .collect()
+}
+
+/// Lines that bend and end at rods, which hold their direction.
+fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
+    let mooring = context.mooring;
+    let mut found = Vec::new();
+    for line in &mooring.lines {
+        let bends = mooring.line_types[line.of_type.value].bending.value > 0.0;
+        for end in line.ends.iter().filter(|_| bends) {
+            let Attachment::Rod(rod, _) = end.value else {
+                continue;
+            };
+            if is_inside(mooring, rod) || is_hinge(context, rod) {
+                continue;
+            }
+            found.push(Unmodelled {
+                name: "clamps",
+                span: end.span.clone(),
+                key: "LINES, Attach".to_owned(),
+                what: "a rod that holds the direction of a line that bends (a hinge without it)"
+                    .to_owned(),
+            });
+        }
+    }
+    found
+}
+
+/// A free joint at which a single line ends, which nothing holds.
+fn is_hinge(context: &Context<'_>, rod: usize) -> bool {
+    let joint = &context.mooring.rods[rod];
+    joint.is_joint() && joint.hold.value == Hold::Free
+}
