@@ -169,7 +169,13 @@ impl Builder<'_> {
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);
             let parts = self.aged.get(&name).unwrap_or(&new);
-            let discretised = DiscretisedLine::of(self.file, line, parts, self.divided);
+            // Clamps turn with their copy.
+            let turned = LineInputs {
+                clamp_a_azimuth_deg: line.clamp_a_azimuth_deg + angle,
+                clamp_b_azimuth_deg: line.clamp_b_azimuth_deg + angle,
+                ..line.clone()
+            };
+            let discretised = DiscretisedLine::of(self.file, &turned, parts, self.divided);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
             self.network.lines.push(Line {

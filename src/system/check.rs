@@ -30,6 +30,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(ends(keys, line));
         found.extend(make_up(keys, line));
         found.extend(repeats(line));
+        found.extend(clamps(keys, line));
         found.extend(motion::breaks(keys, line));
     }
     let asked = keys
@@ -375,6 +376,71 @@ fn make_up(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
         found.extend(last.clump_kg.if_given(problem, remedy));
     }
     found
+}
+
+/// Clamps hold the direction of a line that bends, at a point that does not turn.
+fn clamps(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    for (elevation, azimuth, point) in [
+        (
+            &line.clamp_a_elevation_deg,
+            &line.clamp_a_azimuth_deg,
+            &line.from,
+        ),
+        (
+            &line.clamp_b_elevation_deg,
+            &line.clamp_b_azimuth_deg,
+            &line.to,
+        ),
+    ] {
+        if !elevation.is_given() {
+            let problem = "has no effect: the end is hinged";
+            let remedy = "give the elevation of the clamp as well, or remove it";
+            found.extend(azimuth.if_given(problem, remedy));
+            continue;
+        }
+        if !does_not_turn(keys, point.get()) {
+            let problem = "is not covered at a point that is free or on a body that turns";
+            let remedy = "clamp the line at a fixed or moved point, or remove the clamp";
+            found.extend(elevation.if_given(problem, remedy));
+        } else if !bends(keys, line) {
+            let problem = "has no effect: the line does not bend";
+            let remedy = "give its material a bending stiffness `ei_n_m2`, or remove the clamp";
+            found.extend(elevation.if_given(problem, remedy));
+        }
+    }
+    found
+}
+
+/// Whether a point keeps its directions: held or moved, or on a body that is held.
+fn does_not_turn(keys: &SystemKeys<'_>, name: Option<&String>) -> bool {
+    let Some((_, point)) = keys.points.iter().find(|(known, _)| Some(known) == name) else {
+        // Ends of rods turn with them; a name that is not known has a finding of its own.
+        let is_rod = |rod: &str| rods::ends(rod).iter().any(|end| Some(end) == name);
+        let mut all = keys.rods.iter();
+        return all.any(|(rod, keys)| is_rod(rod) && keys.kind.is(&BodyKind::Held));
+    };
+    match point.kind.get() {
+        Some(PointKind::Free) => false,
+        Some(PointKind::Body) => {
+            let body = keys
+                .bodies
+                .iter()
+                .find(|(known, _)| Some(known) == point.body.get());
+            body.is_some_and(|(_, body)| body.kind.is(&BodyKind::Held))
+        }
+        _ => true,
+    }
+}
+
+/// Whether a line has a material with bending stiffness.
+fn bends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> bool {
+    let sections = line.sections.iter().map(|(_, section)| &section.material);
+    let mut names = sections.chain([&line.material]).filter_map(Key::get);
+    names.any(|name| {
+        let material = keys.materials.iter().find(|(known, _)| known == name);
+        material.is_some_and(|(_, material)| material.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
+    })
 }
 
 fn repeats(line: &LineKeys<'_>) -> Option<Finding> {

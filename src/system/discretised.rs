@@ -140,10 +140,14 @@ impl DiscretisedRest {
 
 /// The case of one line between held ends. On a bed it lies without friction.
 fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
-    let ends = Ends {
+    let mut ends = Ends {
         a: End::fixed("a", [0.0; 3]),
         b: End::fixed("b", [1.0, 0.0, 0.0]),
     };
+    ends.a.clamp_elevation_deg = line.clamp_a_elevation_deg;
+    ends.a.clamp_azimuth_deg = line.clamp_a_azimuth_deg;
+    ends.b.clamp_elevation_deg = line.clamp_b_elevation_deg;
+    ends.b.clamp_azimuth_deg = line.clamp_b_azimuth_deg;
     let mut case = Case::new(&line.name, ends);
     case.environment = file.environment.clone();
     case.current = file.current.clone().filter(|_| !line.still_water);

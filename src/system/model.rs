@@ -403,6 +403,14 @@ table! {
         segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
         /// Neither current nor waves act on it: as where they matter little, which is cheaper, or in a place that is sheltered.
         still_water: bool = false, "in still water";
+        /// Angle above the horizontal of the line at its end A, towards B, where that end is clamped and the line bends.
+        clamp_a_elevation_deg: Option<f64>, "clamp elevation of end A", range of(-90.0, 90.0), absent "hinged";
+        /// Direction of the clamped line at its end A, from +x towards +y.
+        clamp_a_azimuth_deg: f64 = 0.0, "clamp azimuth of end A", range of(-360.0, 360.0);
+        /// Angle above the horizontal of the line at its end B, as it comes from A, where that end is clamped and the line bends.
+        clamp_b_elevation_deg: Option<f64>, "clamp elevation of end B", range of(-90.0, 90.0), absent "hinged";
+        /// Direction of the clamped line at its end B, from +x towards +y.
+        clamp_b_azimuth_deg: f64 = 0.0, "clamp azimuth of end B", range of(-360.0, 360.0);
         /// Friction under this line in the place of the bed's.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "that of the bed";
         /// In motion its end A is let go at this time.
