@@ -4,6 +4,7 @@
 //! it, with a comment for each row that values come from. Computing a file is computing that text, so that both give the same bits.
 
 pub mod fault;
+pub mod map_plus_plus;
 pub mod moordyn;
 pub mod mooring;
 pub mod to_case;

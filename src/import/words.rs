@@ -126,11 +126,21 @@ impl<'t> Row<'t> {
     /// Its words, up to a remark: what follows `#` or `!` at the beginning of a word.
     #[must_use]
     pub fn words(&self) -> Vec<Word<'t>> {
+        self.up_to(&['#', '!'])
+    }
+
+    /// Its words where `#` marks numbers: up to what follows `!`.
+    #[must_use]
+    pub fn words_with_marks(&self) -> Vec<Word<'t>> {
+        self.up_to(&['!'])
+    }
+
+    fn up_to(&self, remarks: &[char]) -> Vec<Word<'t>> {
         let mut words = Vec::new();
         let mut rest = self.text;
         loop {
             let trimmed = rest.trim_start();
-            if trimmed.is_empty() || trimmed.starts_with(['#', '!']) {
+            if trimmed.is_empty() || trimmed.starts_with(remarks) {
                 return words;
             }
             let length = trimmed.find(char::is_whitespace).unwrap_or(trimmed.len());

@@ -26,7 +26,7 @@ const COLUMNS: [Column; 13] = [
     ("Ca", COEFFICIENTS),
     ("CdAx", COEFFICIENTS),
     ("CaAx", COEFFICIENTS),
-    ("Cl", &[]),
+    ("Cl", COEFFICIENTS),
     ("dF", &[]),
     ("cF", &[]),
 ];

@@ -16,6 +16,7 @@ use std::path::Path;
 use self::files::Files;
 use self::sections::{Section, Sections};
 use super::fault::Fault;
+use super::map_plus_plus;
 use super::mooring::{Mooring, Program};
 use super::words::Row;
 
@@ -25,6 +26,9 @@ use super::words::Row;
 /// All that is wrong, in the order of the file.
 pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
     let sections = Sections::of(text);
+    if map_plus_plus::is_map(&sections) {
+        return map_plus_plus::read(&sections);
+    }
     let mut faults = sections.faults.clone();
     let mooring = assembled(&sections, folder, &mut faults);
     for (section, needed) in [
@@ -43,6 +47,16 @@ pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
                 "a mooring has LINE TYPES, POINTS and LINES",
             ));
         }
+    }
+    if faults.is_empty() && mooring.lines.is_empty() {
+        faults.push(Fault::new(
+            sections
+                .block(Section::Lines)
+                .map_or(0..0, |block| block.span.clone()),
+            "LINES",
+            "the file has no lines; a system here has one at least",
+            "hold what floats by a line, or add a slack one between two fixed points",
+        ));
     }
     if faults.is_empty() {
         return Ok(mooring);

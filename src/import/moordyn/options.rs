@@ -75,16 +75,16 @@ pub fn read_options(
                     && !MEANINGLESS.contains(&setting.name.as_str())
                     && before.value != setting.value
                 {
-                    faults.push(Fault::new(
-                        value.span(),
-                        format!("OPTIONS, {}", setting.written),
-                        format!(
-                            "`{}` is set twice, to {} and to {}",
-                            setting.written, before.value, setting.value
-                        ),
-                        "leave one out",
-                    ));
-                    continue;
+                    let remark = format!(
+                        "{} is set twice, as {} = {} and {} = {}; the last counts, as in MoorDyn.",
+                        setting.written,
+                        before.written,
+                        before.value,
+                        setting.written,
+                        setting.value
+                    );
+                    mooring.remarks.push(remark);
+                    mooring.settings.retain(|one| one.name != setting.name);
                 }
                 if let Err(fault) = take(&setting, value, files, mooring) {
                     faults.push(fault);

@@ -69,9 +69,19 @@ impl Section {
     /// The title by which it is usually written.
     #[must_use]
     pub fn title(self) -> &'static str {
-        match TITLES.iter().find(|(_, section)| *section == self) {
-            Some((title, _)) => title,
-            None => "",
+        match self {
+            Self::LineTypes => "LINE TYPES",
+            Self::RodTypes => "ROD TYPES",
+            Self::Bodies => "BODIES",
+            Self::Rods => "RODS",
+            Self::Points => "POINTS",
+            Self::Lines => "LINES",
+            Self::SyropeIc => "SYROPE IC",
+            Self::Failure => "FAILURE",
+            Self::Control => "CONTROL",
+            Self::ExternalLoads => "EXTERNAL LOADS",
+            Self::Options => "OPTIONS",
+            Self::Outputs => "OUTPUTS",
         }
     }
 }

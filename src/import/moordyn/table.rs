@@ -17,6 +17,8 @@ pub struct Table<'t> {
     /// Columns that every row has.
     required: usize,
     rows: Vec<Row<'t>>,
+    /// Whether `#` marks a number rather than a remark.
+    marks: bool,
 }
 
 impl<'t> Table<'t> {
@@ -43,6 +45,7 @@ impl<'t> Table<'t> {
                 rows = &rows[1..];
                 check_order(header, columns, title, faults);
             }
+            None if rows.is_empty() => {}
             None => faults.push(no_header(block, columns, rows.first())),
         }
         if let [first, rest @ ..] = rows
@@ -56,6 +59,20 @@ impl<'t> Table<'t> {
             columns: columns.to_vec(),
             required,
             rows: rows.collect(),
+            marks: false,
+        }
+    }
+
+    /// The same, of a program that marks numbers with `#`.
+    pub fn with_marks(
+        block: &Block<'t>,
+        columns: &[Column],
+        required: usize,
+        faults: &mut Vec<Fault>,
+    ) -> Self {
+        Self {
+            marks: true,
+            ..Self::of(block, columns, required, faults)
         }
     }
 
@@ -67,7 +84,10 @@ impl<'t> Table<'t> {
     ) -> Vec<T> {
         let mut all = Vec::new();
         for row in &self.rows {
-            let words = row.words();
+            let words = match self.marks {
+                true => row.words_with_marks(),
+                false => row.words(),
+            };
             if words.iter().all(|word| word.text == "END") {
                 continue;
             }

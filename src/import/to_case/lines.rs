@@ -4,7 +4,8 @@ use super::Context;
 use super::case_text::{CaseText, number, numbers, text};
 use super::joints::{Chain, chains};
 use super::points::name_of;
-use crate::import::mooring::Attachment;
+use crate::import::mooring::{Attachment, Hold};
+use crate::numerics::V3;
 
 /// The fewest segments of a line here.
 const FEWEST: usize = 2;
@@ -59,9 +60,55 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
         let span = &mooring.repeats[0].span;
         case.given("repeat_at_deg", &numbers(&angles), span, "repeat");
     }
+    clamps(case, context, chain);
     releases(case, context, chain);
     if chain.pieces.len() > 1 {
         sections(case, context, chain);
+    }
+}
+
+/// Directions of lines that bend, at rods that are held.
+fn clamps(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+    let mooring = context.mooring;
+    for (end, letter) in ["a", "b"].iter().enumerate() {
+        let Attachment::Rod(rod, rod_end) = chain.ends[end] else {
+            continue;
+        };
+        let piece = if end == 0 {
+            chain.pieces.first()
+        } else {
+            chain.pieces.last()
+        };
+        let bends = piece.is_some_and(|(line, _)| {
+            let of_type = mooring.lines[*line].of_type.value;
+            mooring.line_types[of_type].bending.value > 0.0
+        });
+        let rod = &mooring.rods[rod];
+        let axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
+        let is_held = matches!(rod.hold.value, Hold::Fixed | Hold::Coupled);
+        if !bends || !is_held || axis.norm() == 0.0 || context.motion.is_of_one_body() {
+            continue;
+        }
+        // The line goes on where the rod ends: out of its end at A, into it at B.
+        let outwards = if rod_end == 1 { axis } else { -axis };
+        let along = if end == 0 { outwards } else { -outwards }.normalize();
+        let elevation = along.z.clamp(-1.0, 1.0).asin().to_degrees();
+        let span = &rod.ends[0][0].span;
+        case.given(
+            &format!("clamp_{letter}_elevation_deg"),
+            &number(elevation),
+            span,
+            "axis of the rod",
+        );
+        let azimuth = along.y.atan2(along.x).to_degrees();
+        if azimuth != 0.0 {
+            case.given(
+                &format!("clamp_{letter}_azimuth_deg"),
+                &number(azimuth),
+                span,
+                "",
+            );
+        }
     }
 }
 

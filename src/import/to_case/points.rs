@@ -1,8 +1,8 @@
 //! Points, and the ends of rods that lines are attached to.
 
-use super::Context;
 use super::case_text::{CaseText, number, numbers, text};
 use super::joints::is_inside;
+use super::{Context, is_in_air};
 use crate::import::mooring::{Attachment, Given, Hold, Point, Rod};
 
 /// The name of what an end of a line is attached to.
@@ -91,7 +91,15 @@ fn held(
     place: &[Given<f64>; 3],
     number_of: Option<usize>,
 ) {
-    let here: Vec<f64> = place.iter().map(|given| given.value).collect();
+    let mut here: Vec<f64> = place.iter().map(|given| given.value).collect();
+    if here[2] == f64::NEG_INFINITY {
+        // MAP++: on the bed.
+        here[2] = -context.sea.depth.unwrap_or(0.0);
+    }
+    let leaves = hold.value == Hold::Free && here[2] > 0.0 && !is_in_air(context.mooring);
+    if leaves {
+        here[2] = 0.0;
+    }
     let vessel = context.has_vessel && hold.value == Hold::Coupled;
     let (kind, body) = match &hold.value {
         Hold::Free => ("free", None),
@@ -104,7 +112,11 @@ fn held(
     if let Some(body) = body {
         case.given("body", &text(body), &hold.span, "");
     }
-    case.given("position_m", &numbers(&here), &place[0].span, "X Y Z");
+    let what = match leaves {
+        true => "X Y Z; its search begins at the surface",
+        false => "X Y Z",
+    };
+    case.given("position_m", &numbers(&here), &place[0].span, what);
     if kind == "moved"
         && let Some(number_of) = number_of
     {

@@ -116,14 +116,18 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
             let Attachment::Rod(rod, _) = end.value else {
                 continue;
             };
-            if is_inside(mooring, rod) || is_hinge(context, rod) {
+            let holds = !matches!(mooring.rods[rod].hold.value, Hold::Free | Hold::Body(_));
+            if is_inside(mooring, rod)
+                || is_hinge(context, rod)
+                || holds && !context.motion.is_of_one_body()
+            {
                 continue;
             }
             found.push(Unmodelled {
                 name: "clamps",
                 span: end.span.clone(),
                 key: "LINES, Attach".to_owned(),
-                what: "a rod that holds the direction of a line that bends (a hinge without it)"
+                what: "a rod that turns and holds the direction of a line that bends (a hinge without it)"
                     .to_owned(),
             });
         }

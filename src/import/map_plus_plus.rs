@@ -1,0 +1,274 @@
+//! Input files of MAP++: line dictionary, nodes, lines, options.
+//!
+//! Gravity, density and depth come from the program that calls MAP++ and are asked for. A number behind `#` is one that MAP++ solves for:
+//! here it is where the search begins. `repeat` copies all lines about the vertical axis through the origin.
+
+use super::fault::Fault;
+use super::moordyn::holds::{missing, same};
+use super::moordyn::line_types::unique;
+use super::moordyn::parts::type_of;
+use super::moordyn::sections::{Block, Section, Sections};
+use super::moordyn::table::{Column, Table, TableRow};
+use super::mooring::{
+    Attachment, Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Setting,
+    Stiffness, Unmodelled,
+};
+use super::words::Word;
+
+const TYPE_COLUMNS: [Column; 9] = [
+    ("LineType", &["Name", "TypeName"]),
+    ("Diam", &["Diameter"]),
+    ("MassDenInAir", &["MassDen", "Mass/m", "MassDensityInAir"]),
+    ("EA", &["AxialStiffness"]),
+    ("CB", &["CableFriction"]),
+    ("CIntDamp", &["IntDamp", "c_int"]),
+    ("Ca", &[]),
+    ("Cdn", &[]),
+    ("Cdt", &[]),
+];
+
+const NODE_COLUMNS: [Column; 10] = [
+    ("Node", &["ID"]),
+    ("Type", &[]),
+    ("X", &[]),
+    ("Y", &[]),
+    ("Z", &[]),
+    ("M", &["Mass"]),
+    ("B", &["V", "Volume"]),
+    ("FX", &[]),
+    ("FY", &[]),
+    ("FZ", &[]),
+];
+
+const LINE_COLUMNS: [Column; 6] = [
+    ("Line", &["ID"]),
+    ("LineType", &["Type"]),
+    ("UnstrLen", &["Length", "UnstretchedLength"]),
+    ("NodeAnch", &["NodeA"]),
+    ("NodeFair", &["NodeB"]),
+    ("Flags", &[]),
+];
+
+/// Whether the sections are those of MAP++: line types with friction, lines without segments.
+#[must_use]
+pub fn is_map(sections: &Sections<'_>) -> bool {
+    let header_has = |section, name: &str| {
+        let block = sections.block(section);
+        let mut rows = block
+            .into_iter()
+            .flat_map(|block| block.rows.iter().take(2));
+        rows.any(|row| row.words().iter().any(|word| word.is(name)))
+    };
+    header_has(Section::LineTypes, "CB")
+        || header_has(Section::Lines, "UnstrLen")
+            && header_has(Section::Lines, "NodeAnch")
+            && !header_has(Section::Lines, "NumSegs")
+}
+
+/// Reads a file that was cut into sections.
+///
+/// # Errors
+/// All that is wrong, in the order of the file.
+pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
+    let mut faults = sections.faults.clone();
+    let mut mooring = Mooring::new(Program::MapPlusPlus);
+    let mut block =
+        |section: Section, read: &mut dyn FnMut(&Block<'_>, &mut Vec<Fault>)| match sections
+            .block(section)
+        {
+            Some(block) => read(block, &mut faults),
+            None => faults.push(Fault::new(
+                0..0,
+                section.title(),
+                format!("there is no section {}", section.title()),
+                "a MAP++ file has LINE DICTIONARY, NODE PROPERTIES and LINE PROPERTIES",
+            )),
+        };
+    block(Section::LineTypes, &mut |rows, faults| {
+        line_types(rows, &mut mooring, faults)
+    });
+    block(Section::Points, &mut |rows, faults| {
+        nodes(rows, &mut mooring, faults)
+    });
+    block(Section::Lines, &mut |rows, faults| {
+        lines(rows, &mut mooring, faults)
+    });
+    if let Some(rows) = sections.block(Section::Options) {
+        options(rows, &mut mooring, &mut faults);
+    }
+    if faults.is_empty() {
+        return Ok(mooring);
+    }
+    faults.sort_by_key(|fault| fault.span.start);
+    Err(faults)
+}
+
+fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::of(block, &TYPE_COLUMNS, 9, faults);
+    let mut found = table.read(faults, |row| {
+        let mass = row.not_negative(2)?;
+        let stiffness = row.positive(3)?;
+        let damping = row.not_negative(5)?;
+        let none = || Given::new(0.0, row.row.span());
+        Ok(LineType {
+            name: row.words[0].text.to_owned(),
+            span: row.row.span(),
+            diameter: row.positive(1)?,
+            mass: Given::new(Mass::InAir(mass.value), mass.span),
+            stiffness: Given::new(Stiffness::Constant(stiffness.value), stiffness.span),
+            damping: Given::new(Damping::Coefficient(damping.value), damping.span),
+            bending: none(),
+            drag_normal: row.not_negative(7)?,
+            drag_tangential: row.not_negative(8)?,
+            added_mass_normal: row.not_negative(6)?,
+            added_mass_tangential: none(),
+            friction: Some(row.not_negative(4)?),
+            break_load: None,
+        })
+    });
+    unique(
+        &mut found,
+        |one| (&one.name, &one.span),
+        "line type",
+        faults,
+    );
+    mooring.line_types = found;
+}
+
+fn nodes(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::with_marks(block, &NODE_COLUMNS, 10, faults);
+    let mut found = table.read(faults, node);
+    unique(&mut found, |one| (&one.id, &one.span), "node", faults);
+    mooring.points = found;
+}
+
+fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
+    let word = row.words[1];
+    let hold = if ["fix", "fixed"].iter().any(|one| word.is(one)) {
+        Hold::Fixed
+    } else if word.is("vessel") {
+        Hold::Coupled
+    } else if ["connect", "free"].iter().any(|one| word.is(one)) {
+        Hold::Free
+    } else {
+        let problem = format!("`{}` is not a type of node", word.text);
+        return Err(row.fault(1, problem, "it is fix, vessel or connect"));
+    };
+    let solved_for = |column: usize| {
+        let word = row.words[column];
+        let text = word.text.trim_start_matches('#');
+        let plain = Word {
+            text,
+            start: word.start + (word.text.len() - text.len()),
+        };
+        // A lone mark: MAP++ has no value to begin with.
+        let value = match text.is_empty() {
+            true => 0.0,
+            false => plain.required(&row.key(column))?,
+        };
+        Ok(Given::new(value, word.span()))
+    };
+    let depth = row.words[4].is("depth");
+    let height = match depth {
+        true => Given::new(f64::NEG_INFINITY, row.words[4].span()),
+        false => solved_for(4)?,
+    };
+    let is_free = hold == Hold::Free;
+    let load = |column| match is_free {
+        true => solved_for(column),
+        false => Ok(Given::new(0.0, row.words[column].span())),
+    };
+    Ok(Point {
+        id: row.words[0].text.to_owned(),
+        span: row.row.span(),
+        hold: Given::new(hold, word.span()),
+        place: [solved_for(2)?, solved_for(3)?, height],
+        mass: solved_for(5)?,
+        volume: solved_for(6)?,
+        drag_area: Given::new(0.0, row.row.span()),
+        added_mass: Given::new(0.0, row.row.span()),
+        load: [load(7)?, load(8)?, load(9)?],
+    })
+}
+
+fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = Table::with_marks(block, &LINE_COLUMNS, 5, faults);
+    let mut unmodelled = Vec::new();
+    let types: Vec<&str> = mooring
+        .line_types
+        .iter()
+        .map(|of| of.name.as_str())
+        .collect();
+    let mut found = table.read(faults, |row| {
+        let end = |column: usize| {
+            let word = row.words[column];
+            let point = mooring
+                .points
+                .iter()
+                .position(|point| same(&point.id, word.text));
+            let point = point.ok_or_else(|| missing(row, column, "node", word.text))?;
+            Ok(Given::new(Attachment::Point(point), word.span()))
+        };
+        for flag in &row.words[5..] {
+            flags(row, *flag, &mut unmodelled);
+        }
+        let ends = [end(3)?, end(4)?];
+        if ends[0].value == ends[1].value {
+            let problem = "both ends of the line are at the same node";
+            return Err(row.fault(4, problem, "give two nodes"));
+        }
+        Ok(Line {
+            id: row.words[0].text.to_owned(),
+            span: row.row.span(),
+            of_type: type_of(row, 1, &types, "line type")?,
+            ends,
+            length: row.positive(2)?,
+            segments: Given::new(0, row.row.span()),
+        })
+    });
+    unique(&mut found, |one| (&one.id, &one.span), "line", faults);
+    mooring.lines = found;
+    mooring.unmodelled.extend(unmodelled);
+}
+
+/// Flags of a line. Outputs are all recorded anyway, and contact is solved for; a spring is another model.
+fn flags(row: &TableRow<'_, '_>, flag: Word<'_>, unmodelled: &mut Vec<Unmodelled>) {
+    let lower = flag.text.to_lowercase();
+    if lower == "linear_spring" {
+        unmodelled.push(Unmodelled {
+            name: "linear-spring",
+            span: flag.span(),
+            key: row.key(5),
+            what: "a line as a spring without weight".to_owned(),
+        });
+    }
+}
+
+/// Options: `repeat 120 240`; those of the solver mean nothing here.
+fn options(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    for row in &block.rows {
+        let words = row.words();
+        let Some(first) = words.first() else { continue };
+        if first.is("repeat") {
+            for word in &words[1..] {
+                match word.required("SOLVER OPTIONS, repeat") {
+                    Ok(angle) => mooring.repeats.push(Given::new(angle, word.span())),
+                    Err(fault) => faults.push(fault),
+                }
+            }
+        } else if first.is("ref_position") {
+            mooring.remarks.push(
+                "The reference position of the option ref_position is not used: stiffness is about the origin."
+                    .to_owned(),
+            );
+        }
+        mooring.settings.push(Setting {
+            name: first.text.to_lowercase(),
+            written: first.text.to_owned(),
+            value: words
+                .get(1)
+                .map_or_else(String::new, |word| word.text.to_owned()),
+            span: row.span(),
+        });
+    }
+}
