@@ -1,5 +1,6 @@
 //! Ropes whose stiffness is not one number, against what they must do.
 
+mod creep;
 mod dynamic;
 mod mooring;
 mod table;

@@ -1,9 +1,12 @@
 //! Ropes whose stiffness is not one number: a tension-strain table, or a stiffness that depends on how the rope was
-//! loaded before.
+//! loaded before: by its mean tension, or by a slow part that creeps.
 
+pub mod creep;
 pub mod dynamic;
 pub mod table;
+pub mod working_curve;
 
+pub use creep::CreepingRope;
 pub use dynamic::{FibreRope, MeanState, StaticElasticity, StiffnessForm};
 pub use table::TensionTable;
 
@@ -23,6 +26,8 @@ pub enum TensionLaw {
     TensionTable(TensionTable),
     /// With dynamic stiffness.
     FibreRope(FibreRope),
+    /// With a slow part that creeps.
+    Creeping(CreepingRope),
 }
 
 impl TensionLaw {
@@ -34,6 +39,7 @@ impl TensionLaw {
             (Self::TensionTable(table), _) => table.at(strain),
             (Self::FibreRope(rope), None) => rope.at_rest(strain),
             (Self::FibreRope(rope), Some(mean)) => rope.in_motion(strain, mean),
+            (Self::Creeping(rope), _) => rope.at_rest(strain),
         }
     }
 
@@ -44,6 +50,7 @@ impl TensionLaw {
             (Self::TensionTable(table), _) => (table.stored(strain), 0.0),
             (Self::FibreRope(rope), None) => (rope.stored_at_rest(strain), 0.0),
             (Self::FibreRope(rope), Some(mean)) => rope.stored_in_motion(strain, mean),
+            (Self::Creeping(rope), _) => (rope.stored_at_rest(strain), 0.0),
         }
     }
 
@@ -53,6 +60,7 @@ impl TensionLaw {
         match self {
             Self::TensionTable(table) => table.strain_at(tension),
             Self::FibreRope(rope) => rope.strain_at(tension),
+            Self::Creeping(rope) => rope.strain_at(tension),
         }
     }
 
@@ -62,6 +70,7 @@ impl TensionLaw {
         match self {
             Self::TensionTable(table) => table.representative_stiffness(),
             Self::FibreRope(rope) => rope.representative_stiffness(),
+            Self::Creeping(rope) => rope.curve.representative_stiffness(),
         }
     }
 
@@ -72,6 +81,7 @@ impl TensionLaw {
         match self {
             Self::TensionTable(table) => table.max_stiffness(),
             Self::FibreRope(rope) => rope.max_stiffness(),
+            Self::Creeping(rope) => rope.max_stiffness(),
         }
     }
 
@@ -80,7 +90,16 @@ impl TensionLaw {
     pub fn dynamic(&self) -> Option<&FibreRope> {
         match self {
             Self::FibreRope(rope) => Some(rope),
-            Self::TensionTable(_) => None,
+            Self::TensionTable(_) | Self::Creeping(_) => None,
+        }
+    }
+
+    /// The rope that creeps, if that is what it is.
+    #[must_use]
+    pub fn creeping(&self) -> Option<&CreepingRope> {
+        match self {
+            Self::Creeping(rope) => Some(rope),
+            Self::TensionTable(_) | Self::FibreRope(_) => None,
         }
     }
 }

@@ -77,6 +77,21 @@ impl TensionTable {
         }
     }
 
+    /// Second derivative of the tension by strain \[N\]; it jumps at the points.
+    #[must_use]
+    pub fn bent(&self, strain: f64) -> f64 {
+        let Some(i) = self.stretch(strain) else {
+            return 0.0;
+        };
+        let (h, rise, d) = self.shape(i);
+        let s = (strain - self.strain[i]) / h;
+        let (b, c) = (
+            3.0 * rise - h * (2.0 * d[0] + d[1]),
+            h * (d[0] + d[1]) - 2.0 * rise,
+        );
+        (2.0 * b + 6.0 * s * c) / (h * h)
+    }
+
     /// Energy stored per unstretched length at a strain \[N\].
     #[must_use]
     pub fn stored(&self, strain: f64) -> f64 {
