@@ -25,8 +25,8 @@ pub use ends::{
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub use line::{
-    Bore, Clump, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats, Material,
-    Modules, Section, Traveller,
+    Bore, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats,
+    Material, Modules, Section, Traveller, WorkingCurveShape,
 };
 pub(crate) use line::{BoreKeys, MaterialKeys};
 pub(crate) use sea::WavesKeys;

@@ -44,6 +44,7 @@ impl Rk4 {
             self.next.x[i] += self.stage.v[i] * weight;
             self.next.v[i] += self.stage.a[i] * weight;
         }
+        self.next.add_creep(&self.stage, weight);
     }
 
     /// Sets the stage to `state + h * derivative of the stage before`.
@@ -52,6 +53,7 @@ impl Rk4 {
             self.stage.x[i] = state.x[i] + self.stage.v[i] * h;
             self.stage.v[i] = state.v[i] + self.stage.a[i] * h;
         }
+        self.stage.move_creep(state, h);
     }
 
     /// Rejects a step with a number that is not finite (divergence shows in accelerations first), and one too long for the
@@ -88,6 +90,9 @@ impl<S: ExplicitRhs> Stepper<S> for Rk4 {
         let TimeStep { t, dt, .. } = at;
         self.stage.copy_from(state);
         self.next.copy_from(state);
+        for own in [&mut self.stage, &mut self.next] {
+            own.integrate_creep();
+        }
         let half = 0.5 * dt;
         self.add_stage(system, t, dt / 6.0);
         self.move_stage(system, state, half);

@@ -146,6 +146,7 @@ impl Checkpoint {
                 segments,
             ),
             ("ropes", memory.ropes.len(), segments),
+            ("ropes that creep", memory.creep.len(), segments),
             (
                 "extrapolated tensions",
                 state.extrapolated_tension.len(),

@@ -130,6 +130,9 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
         // The state of another run is committed already.
         if !self.start.from_run {
             scene.commit(0.0, 0.0, state);
+            if scene.line.begins_off_rest() {
+                self.method.restart(scene, 0.0, state);
+            }
         }
         if let Some(known) = self.start.method_state {
             self.method.restore(known);

@@ -122,11 +122,13 @@ fn resampled(state: &State, there: &[f64], here: &[f64]) -> State {
         .filter_map(|s| state.memory.grips.get(nearest(*s)));
     new.memory.grips = grips.cloned().collect();
     new.memory.bodies.clone_from(&state.memory.bodies);
-    let ropes = here.windows(2).filter_map(|pair| {
+    let segments = here.windows(2).map(|pair| {
         let middle = 0.5 * (pair[0] + pair[1]);
-        let segment = there.partition_point(|a| *a <= middle).saturating_sub(1);
-        state.memory.ropes.get(segment)
+        there.partition_point(|a| *a <= middle).saturating_sub(1)
     });
+    let ropes = segments.clone().filter_map(|i| state.memory.ropes.get(i));
     new.memory.ropes = ropes.copied().collect();
+    let creep = segments.filter_map(|i| state.memory.creep.get(i));
+    new.memory.creep = creep.copied().collect();
     new
 }

@@ -248,6 +248,8 @@ fn bare_segment(
         (None, Some(ratio)) => ratio * critical,
         (None, None) => 0.0,
     };
+    // Of a rope that creeps it bounds the explicit step only.
+    let damping = elasticity.creep_damping.unwrap_or(damping);
     let half_pressure = 0.5 * water.water_density_kg_per_m3 * material.diameter_m;
     let width = match material.drag_tangential_width {
         DragWidth::Diameter => 1.0,

@@ -1,8 +1,12 @@
 //! Elasticity of a material: constant EA, or a nonlinear law.
 
+mod creep;
+
 use super::error::SceneError;
-use crate::case::{DynamicStiffness, Material};
-use crate::physics::rope::{FibreRope, StaticElasticity, StiffnessForm, TensionLaw, TensionTable};
+use crate::case::{CreepModel, DynamicStiffness, Material};
+use crate::physics::rope::{
+    CreepingRope, FibreRope, StaticElasticity, StiffnessForm, TensionLaw, TensionTable,
+};
 
 /// The elasticity of the segments of one section.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,6 +17,8 @@ pub(super) struct Elasticity {
     pub(super) ea: f64,
     /// Number of its law among those of the line; absent: tension is `ea` times strain.
     pub(super) law: Option<u16>,
+    /// Damping of a rope that creeps in fast motion \[N s\].
+    pub(super) creep_damping: Option<f64>,
 }
 
 /// The elasticity of a material; a nonlinear law is added to those of the line.
@@ -38,12 +44,17 @@ pub(super) fn elasticity(
         StaticElasticity::Linear(ea) => *ea,
         StaticElasticity::TensionTable(table) => table.representative_stiffness(),
     };
+    if material.creep_model != CreepModel::None {
+        let rope = creep::creeping_rope(name, material, slow)?;
+        return Ok(with_law(TensionLaw::Creeping(rope), ea, laws));
+    }
     let reading = match (material.dynamic_stiffness, slow) {
         (DynamicStiffness::None, StaticElasticity::Linear(ea)) => {
             return Ok(Elasticity {
                 steepest: ea,
                 ea,
                 law: None,
+                creep_damping: None,
             });
         }
         (DynamicStiffness::None, StaticElasticity::TensionTable(table)) => {
@@ -61,6 +72,7 @@ fn with_law(law: TensionLaw, ea: f64, laws: &mut Vec<TensionLaw>) -> Elasticity 
     Elasticity {
         steepest: law.max_stiffness(),
         ea,
+        creep_damping: law.creeping().map(CreepingRope::damping),
         law: Some(number(law, laws)),
     }
 }

@@ -108,6 +108,7 @@ impl ExplicitRhs for Scene {
         self.accelerations(t, state);
         self.accelerate_rigid_payload(state);
         self.accelerate_traveller(t, state);
+        self.line.write_creep_rates(t, state);
     }
 
     fn fastest_decay(&self, state: &State) -> (f64, usize) {

@@ -11,6 +11,7 @@ pub mod build;
 mod buoyancy;
 mod chord_correction;
 mod convergence_norm;
+mod creep;
 mod elasticity;
 mod element;
 pub mod elements;

@@ -24,7 +24,7 @@ impl LumpedLine {
         let axial = &self.segments[i].axial;
         match axial.law {
             None => axial.tension(chord),
-            Some(law) => axial.tension_from(chord, self.elastic_by(law, i, axial, chord, t, state)),
+            Some(law) => self.pull_by(law, i, chord, t, state),
         }
     }
 
@@ -34,9 +34,8 @@ impl LumpedLine {
     pub fn tension_now(&self, i: usize, chord: &Chord, state: &State) -> Tension {
         match state.chord_correction.get(i) {
             None => self.pull(i, chord, state.memory.time, state),
-            Some(excess) => {
-                let mut corrected = *chord;
-                corrected.length -= excess;
+            Some(_) => {
+                let corrected = self.corrected_chord(i, chord, state);
                 self.pull(i, &corrected, state.memory.time, state)
             }
         }
@@ -62,6 +61,9 @@ impl LumpedLine {
 
     /// The elastic part of the tension of segment i \[N\].
     pub(super) fn elastic(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        if let Some(segment) = self.creeping(i, chord, state.memory.time, state) {
+            return segment.energy().0;
+        }
         let axial = &self.segments[i].axial;
         let elastic = match axial.law {
             None => axial.ea * (chord.length / axial.length - 1.0),
@@ -75,6 +77,9 @@ impl LumpedLine {
 
     /// Elastic energy of segment i \[J\]; with dynamic stiffness, that of immediate unloading.
     pub(super) fn elastic_energy(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        if let Some(segment) = self.creeping(i, chord, state.memory.time, state) {
+            return segment.energy().1;
+        }
         let axial = &self.segments[i].axial;
         let stretch = chord.length - axial.length;
         let stretch = if axial.rod { stretch } else { stretch.max(0.0) };
@@ -90,6 +95,9 @@ impl LumpedLine {
 
     /// Power by which segment i loses elastic energy as its mean tension changes \[W\].
     pub(super) fn memory_dissipation(&self, i: usize, chord: &Chord, state: &State) -> f64 {
+        if let Some(segment) = self.creeping(i, chord, state.memory.time, state) {
+            return segment.energy().2;
+        }
         let axial = &self.segments[i].axial;
         let (Some(law), Some(past)) = (axial.law, state.memory.ropes.get(i)) else {
             return 0.0;
@@ -119,6 +127,11 @@ impl LumpedLine {
             let elastic = axial.stiffness() * stretch;
             return (0.5 * elastic * stretch, (tension - elastic) * closing);
         };
+        let corrected = self.corrected_chord(i, chord, state);
+        if let Some(segment) = self.creeping(i, &corrected, state.memory.time, state) {
+            let (elastic, stored, memory) = segment.energy();
+            return (stored, (tension - elastic) * closing + memory);
+        }
         let mean = mean(i, state.memory.time, state);
         let strain = axial.strain(chord.length);
         let strain = if axial.rod { strain } else { strain.max(0.0) };
@@ -174,9 +187,13 @@ impl LumpedLine {
     }
 
     /// Updates the tension history of the ropes by an accepted state: the running mean by the trapezoidal rule, over all of the
-    /// past or with an exponential window, and its rate. `dt` 0 starts the history at the present tensions. Times in s.
+    /// past or with an exponential window, and its rate; of ropes that creep their mean strain. `dt` 0 starts the history at the present tensions. Times in s.
     pub fn remember_ropes(&self, t: f64, dt: f64, state: &mut State) {
+        self.remember_creep(t, dt, state);
         if self.laws.iter().all(|law| law.dynamic().is_none()) {
+            if !state.memory.creep.is_empty() {
+                state.memory.time = t;
+            }
             return;
         }
         if dt <= 0.0 || state.memory.ropes.len() != self.segments.len() {
@@ -222,6 +239,16 @@ impl LumpedLine {
             tension,
             ..RopeHistory::default()
         }
+    }
+
+    /// The tension of segment i by a law.
+    #[inline(never)]
+    fn pull_by(&self, law: u16, i: usize, chord: &Chord, t: f64, state: &State) -> Tension {
+        if let Some(segment) = self.creeping(i, chord, t, state) {
+            return segment.tension();
+        }
+        let axial = &self.segments[i].axial;
+        axial.tension_from(chord, self.elastic_by(law, i, axial, chord, t, state))
     }
 
     #[inline(never)]

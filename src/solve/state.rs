@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::numerics::V3;
 use crate::physics::FrictionAnchor;
+use crate::physics::rope::creep::CreepState;
 use crate::physics::sea::WaterMotion;
 
 /// History variables of the accepted steps. They change in [`Hysteresis`](super::Hysteresis) only, never while a step is
@@ -19,6 +20,9 @@ pub struct HistoryVariables {
     pub grips: Vec<FrictionAnchor>,
     /// Tension history of ropes with dynamic stiffness. One entry a segment, or empty: the rope is then static.
     pub ropes: Vec<RopeHistory>,
+    /// Slow parts of ropes that creep. One entry a segment, or empty: the rope is then at rest.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub creep: Vec<CreepState>,
     /// Contact of bodies with the bed. One entry a body that may bear on it, or empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodyOnBed>,
@@ -68,6 +72,7 @@ impl HistoryVariables {
         self.drag_coefficients.clone_from(&other.drag_coefficients);
         self.grips.clone_from(&other.grips);
         self.ropes.clone_from(&other.ropes);
+        self.creep.clone_from(&other.creep);
         self.bodies.clone_from(&other.bodies);
         self.motion_pieces = other.motion_pieces;
         self.time = other.time;
@@ -98,6 +103,10 @@ pub struct State {
     /// ([`correct_chord_lengths`](super::MidstepBalance::correct_chord_lengths)). One entry a segment, or empty.
     #[serde(default, rename = "excess")]
     pub chord_correction: Vec<f64>,
+    /// Rates of the mean strains of ropes that creep \[1/s\], where a method integrates these with the positions. One entry a segment, or
+    /// empty: mean strains are then solved for with the tensions.
+    #[serde(skip)]
+    pub creep_rates: Vec<f64>,
 }
 
 impl State {
@@ -113,6 +122,7 @@ impl State {
             wave_flow: Vec::new(),
             extrapolated_tension: Vec::new(),
             chord_correction: Vec::new(),
+            creep_rates: Vec::new(),
         }
     }
 
@@ -126,5 +136,27 @@ impl State {
         self.extrapolated_tension
             .clone_from(&other.extrapolated_tension);
         self.chord_correction.clone_from(&other.chord_correction);
+        self.creep_rates.clone_from(&other.creep_rates);
+    }
+
+    /// Prepares for a method that integrates the mean strains of ropes that creep. Allocates at the first call only.
+    pub fn integrate_creep(&mut self) {
+        self.creep_rates.resize(self.memory.creep.len(), 0.0);
+    }
+
+    /// Adds the rates of the mean strains in a stage, times a weight \[s\].
+    pub fn add_creep(&mut self, stage: &Self, weight: f64) {
+        for (own, rate) in self.memory.creep.iter_mut().zip(&stage.creep_rates) {
+            own.mean += rate * weight;
+        }
+    }
+
+    /// Sets the mean strains to those at the start of a step and their own rates times h \[s\].
+    pub fn move_creep(&mut self, start: &Self, h: f64) {
+        let rates = self.creep_rates.iter();
+        let starts = start.memory.creep.iter().zip(rates);
+        for (own, (start, rate)) in self.memory.creep.iter_mut().zip(starts) {
+            own.mean = start.mean + rate * h;
+        }
     }
 }

@@ -112,6 +112,53 @@ fn generalized_alpha_is_of_order_two_at_every_rho() {
     }
 }
 
+/// The swung line of a rope that creeps, by both models.
+fn swung_of_fibre(model: &str) -> Scene {
+    let slow = match model {
+        "viscoelastic" => "ea_n = 1e5",
+        _ => {
+            "strain = [0.0, 0.02, 0.06, 0.2, 0.4], tension_n = [0.0, 1.5e3, 5e3, 1.9e4, 4e4], ea_n = \"\", \
+             permanent_strain_ratio = 0.2, working_curve = \"quadratic\", working_curve_shape = 0.3, past_tension_n = 1.5e4"
+        }
+    };
+    let creep = format!(
+        "{slow}, creep_model = \"{model}\", dynamic_ea_n = 2e5, dynamic_ea_per_tension = 2.0, slow_damping_n_s = 8e5, \
+         fast_damping_n_s = 2e4"
+    );
+    rest::build(&SWUNG.replace("axial_damping_n_s = 2e4, ea_n = 2e5", &creep))
+}
+
+#[test]
+fn ropes_that_creep_keep_the_order_of_the_method() {
+    for model in ["viscoelastic", "syrope"] {
+        let scene = swung_of_fibre(model);
+        let exact = swung(&scene, march::rk4(&scene), 0.001);
+        let mean = |state: &State| {
+            state
+                .memory
+                .creep
+                .iter()
+                .map(|rope| rope.mean)
+                .collect::<Vec<_>>()
+        };
+        let known = mean(&exact);
+        let apart = |state: &State| {
+            let means = mean(state)
+                .into_iter()
+                .zip(&known)
+                .map(|(a, b)| (a - b).abs());
+            means.fold(apart(state, &exact), f64::max)
+        };
+        let error = |h| apart(&swung(&scene, march::rk4(&scene), h));
+        assert_order(model, &points(0.064, 4, error), 4.0, (0.2, 0.4));
+        for rho in [0.4, 0.8] {
+            let error = |h| apart(&swung(&scene, march::alpha(&scene, rho), h));
+            let what = format!("{model}, rho = {rho}");
+            assert_order(&what, &points(0.064, 4, error), 2.0, (0.1, 0.2));
+        }
+    }
+}
+
 /// Tensions at nodes take the inertia of half segments into account: the acceleration of the state too is of order two.
 #[test]
 fn tensions_at_nodes_are_of_order_two() {

@@ -127,7 +127,7 @@ prop_compose! {
         (bedded, share, friction, slope, bed_damping) in (any::<bool>(), 0.1f64..0.9, prop_oneof![Just(0.0), 0.0f64..1.2], -10.0f64..10.0, 0.0f64..1e4),
         (top, amplitude, period) in (-0.2f64..0.2, 0.0f64..3.0, 2.0f64..15.0),
         (foot, hung, travels, released) in (0usize..5, any::<bool>(), any::<bool>(), any::<bool>()),
-        (fibre, irregular) in (prop_oneof![2 => Just(None), 1 => Just(Some("secant")), 1 => Just(Some("about-the-mean"))], any::<bool>()),
+        (fibre, irregular) in (prop_oneof![2 => Just(None), 1 => Just(Some("secant")), 1 => Just(Some("about-the-mean")), 1 => Just(Some("viscoelastic"))], any::<bool>()),
         start in prop_oneof![
             Just(String::new()),
             (-80.0f64..60.0).prop_map(|e| format!("start = {{ shape = \"straight\", elevation_deg = {e:?} }}\n")),
@@ -137,11 +137,21 @@ prop_compose! {
         let mass = density * 0.785 * diameter * diameter;
         let more = match (log_ei, fibre) {
             (Some(log), _) => format!(", ei_n_m2 = {:?}", 10f64.powf(log)),
+            (None, Some("viscoelastic")) => format!(
+                ", creep_model = \"viscoelastic\", dynamic_ea_n = {:?}, dynamic_ea_per_tension = 20.0, \
+                 slow_damping_n_s = {:?}, fast_damping_n_s = {:?}",
+                3.0 * 10f64.powf(log_ea), 10f64.powf(log_ea + 1.0) * damping.max(0.001), 10f64.powf(log_ea - 3.0)
+            ),
             (None, Some(law)) => format!(
                 ", dynamic_stiffness = \"{law}\", dynamic_alpha = 25.0, dynamic_beta = 0.3, dynamic_gamma = 0.2, break_load_n = {:?}",
                 10f64.powf(log_ea) / 18.0
             ),
             (None, None) => String::new(),
+        };
+        // A rope that creeps has dampers of its own.
+        let damped = match (log_ei, fibre) {
+            (None, Some("viscoelastic")) => String::new(),
+            _ => format!(", axial_damping_ratio = {damping:?}"),
         };
         let motion = if irregular {
             format!("motion = \"irregular\", rms_m = [{:?}, 0.1, {:?}], peak_period_s = {period:?}, components = 20", 0.5 * amplitude, 0.5 * amplitude)
@@ -151,7 +161,7 @@ prop_compose! {
         let depth = share * length;
         let mut text = format!(
             "environment = {{ water_density_kg_per_m3 = 1025.0, water_surface = \"{surface}\" }}\ncurrent.speed_m_per_s = {speed:?}\n{waves}{start}\
-             materials.rope = {{ ea_n = {:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}, axial_damping_ratio = {damping:?}, \
+             materials.rope = {{ ea_n = {:?}, diameter_m = {diameter:?}, mass_kg_per_m = {mass:?}{damped}, \
              drag_normal = {drag:?}, drag_tangential = 0.05, added_mass_normal = {added:?}{more} }}\n\
              line = {{ length_m = {length:?}, segments = {segments} }}\n\
              ends.a = {{ kind = \"moving\", position_m = [0.0, 0.0, {:?}], {motion}, ramp_s = 2.0{} }}\n",

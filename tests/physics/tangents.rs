@@ -90,6 +90,26 @@ fn line_of_table() -> Scene {
     scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
 }
 
+/// The same with a rope that creeps: viscoelastic with a stiffness, or of the Syrope model.
+fn line_of_creep(model: &str) -> Scene {
+    let slow = match model {
+        "viscoelastic" => "ea_n = 1.0e6",
+        _ => {
+            "strain = [0.0, 0.02, 0.05, 0.1]\ntension_n = [0.0, 1e4, 3e4, 1e5]\npermanent_strain_ratio = 0.4\n\
+             working_curve = \"exponential\"\nworking_curve_shape = 1.2\npast_tension_n = 2e4"
+        }
+    };
+    let creep = format!(
+        "{slow}\ncreep_model = \"{model}\"\ndynamic_ea_n = 3e6\ndynamic_ea_per_tension = 15.0\n\
+         slow_damping_n_s = 4e6\nfast_damping_n_s = 1e4"
+    );
+    let text = LINE
+        .replace("\"NORMAL\"", "1.2")
+        .replacen("axial_damping_n_s = 2.0e4\n", "", 1)
+        .replacen("ea_n = 1.0e6", &creep, 1);
+    scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap()
+}
+
 /// The same with drag on the stretched or on the unstretched length.
 fn line_of_drag_length(word: &str) -> Scene {
     let text = LINE.replace("\"NORMAL\"", "1.2");
@@ -208,6 +228,26 @@ proptest! {
             state.memory = before.memory;
             state.memory.time = 0.0;
         }
+        let c = Factors { mass, damping, stiffness };
+        prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
+    }
+
+    #[test]
+    fn tangent_of_creep(
+        numbers in proptest::collection::vec(-1.0f64..1.0, 97),
+        strain in prop_oneof![Just(0.03), Just(0.06), Just(-0.03)],
+        model in prop_oneof![Just("viscoelastic"), Just("syrope")],
+        since in prop_oneof![Just(0.0), Just(0.01), Just(0.5), Just(20.0)],
+        mass in 0.0f64..2.0,
+        damping in 0.0f64..2.0,
+        stiffness in 0.0f64..1.0,
+    ) {
+        let scene = line_of_creep(model);
+        let mut state = state(&scene, &numbers, strain, 0.05);
+        let mut before = self::state(&scene, &numbers, 0.97 * strain, 0.0);
+        scene.commit(0.0, 0.0, &mut before);
+        state.memory = before.memory;
+        state.memory.time = -since;
         let c = Factors { mass, damping, stiffness };
         prop_assert!(mismatch(&scene, &state, c) < 1e-5, "{}", mismatch(&scene, &state, c));
     }

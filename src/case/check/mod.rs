@@ -2,6 +2,7 @@
 //! [`loads`], [`payload`], [`sea`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
 //! over what is missing or faulty, so that everything is reported at once, each at its place.
 
+mod creep;
 mod ends;
 mod keys;
 mod line;

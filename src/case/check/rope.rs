@@ -2,6 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
+use super::creep;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
 use crate::case::model::{BoreKeys, CaseKeys, DynamicStiffness, MaterialKeys};
@@ -15,7 +16,8 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
         .collect()
 }
 
-fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
+/// Checks of one material.
+pub(crate) fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
     let mut found = table(material);
     found.extend(given_once(
         &material.ea_n,
@@ -28,6 +30,7 @@ fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
         "the axial damping is given twice, by axial_damping_n_s and by axial_damping_ratio",
     ));
     found.extend(dynamic(material));
+    found.extend(creep::of_material(material));
     found.extend(material.bore.as_ref().and_then(|b| bore(material, b)));
     found
 }

@@ -35,6 +35,28 @@ table! {
         dynamic_gamma: f64 = 0.0, "gamma", range of(0.0, 1e3);
         /// Time over which the past tension is averaged.
         mean_window_s: Option<f64>, "window of the mean", range positive(1e6), absent "all of the past";
+        /// Slow part of a fibre rope beside its fast part: one static curve, or the working curves of the Syrope model.
+        creep_model: CreepModel = CreepModel::None, "creep";
+        /// Stiffness of the fast part, which motion meets, at no mean tension.
+        dynamic_ea_n: Option<f64>, "dynamic stiffness EA", range positive(1e13), absent "not used";
+        /// By how much that stiffness grows with the mean tension: newtons per newton.
+        dynamic_ea_per_tension: f64 = 0.0, "growth of dynamic EA", range of(0.0, 1e4);
+        /// Tension per strain rate of the slow part: the greater, the slower the rope creeps.
+        slow_damping_n_s: Option<f64>, "slow damping", range positive(1e16), absent "not used";
+        /// Tension per strain rate of the fast part.
+        fast_damping_n_s: f64 = 0.0, "fast damping", range of(0.0, 1e13);
+        /// Shape of the curves on which a Syrope rope is unloaded, between no tension and the greatest mean tension so far.
+        working_curve: WorkingCurveShape = WorkingCurveShape::Linear, "working curve";
+        /// k of that shape: of a quadratic curve `s (k s + 1 - k)`, of an exponential one `(exp(k s) - 1) / (exp(k) - 1)`.
+        working_curve_shape: Option<f64>, "working curve shape", range of(-50.0, 50.0), absent "not used";
+        /// Strain of a working curve without tension by its greatest strain. Give this or working_curve_ea_n.
+        permanent_strain_ratio: Option<f64>, "permanent strain ratio", range of(0.0, 0.99), absent "by working_curve_ea_n";
+        /// Stiffness of a working curve from end to end. Give this or permanent_strain_ratio.
+        working_curve_ea_n: Option<f64>, "working curve EA", range positive(1e13), absent "by permanent_strain_ratio";
+        /// Greatest mean tension of the past, from which a Syrope rope was unloaded.
+        past_tension_n: f64 = 0.0, "greatest past tension", range of(0.0, 1e12);
+        /// Mean tension that a motion begins with; the rope then creeps from there to its rest.
+        initial_mean_tension_n: Option<f64>, "initial mean tension", range of(0.0, 1e12), absent "the tension at rest";
         /// Moment per curvature; 0 for ropes and chains. What bends also bears compression.
         ei_n_m2: f64 = 0.0, "bending stiffness EI", range of(0.0, 1e12);
         /// Tension per strain rate. Give this or axial_damping_ratio.
@@ -88,6 +110,34 @@ words! {
         Secant = "secant",
         /// About the mean state, up to which the static stiffness holds.
         AboutTheMean = "about-the-mean",
+    }
+}
+
+words! {
+    /// The slow part of a fibre rope.
+    #[derive(Default)]
+    pub enum CreepModel {
+        /// None: the rope stretches at once.
+        #[default]
+        None = "none",
+        /// A spring and a damper, in series with those of the fast part.
+        Viscoelastic = "viscoelastic",
+        /// The same, the spring following an original curve and working curves.
+        Syrope = "syrope",
+    }
+}
+
+words! {
+    /// Shape of the working curves of a Syrope rope.
+    #[derive(Default)]
+    pub enum WorkingCurveShape {
+        /// Straight.
+        #[default]
+        Linear = "linear",
+        /// A parabola.
+        Quadratic = "quadratic",
+        /// An exponential.
+        Exponential = "exponential",
     }
 }
 

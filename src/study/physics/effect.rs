@@ -1,8 +1,8 @@
 //! The effects of a scene, and a case without each of them.
 
 use crate::case::{
-    Case, DragCoefficient, DynamicStiffness, EndKind, Material, Method, OneOrMany, WaterSurface,
-    WaveKind,
+    Case, CreepModel, DragCoefficient, DynamicStiffness, EndKind, Material, Method, OneOrMany,
+    WaterSurface, WaveKind,
 };
 
 /// An effect of a scene that can be left out, or a part of it that can be changed.
@@ -40,7 +40,7 @@ pub const KEPT: [(&str, &str); 4] = [
 const STIFFER: f64 = 10.0;
 
 /// All effects that can be left out, in the order of the table.
-pub const SCENE_PARTS: [ScenePart; 19] = [
+pub const SCENE_PARTS: [ScenePart; 20] = [
     part(
         "drag of the line",
         "materials.*.drag_normal = drag_tangential = 0",
@@ -92,6 +92,9 @@ pub const SCENE_PARTS: [ScenePart; 19] = [
         "materials.*.dynamic_stiffness = none",
         |case| each_material(case, without_dynamic_stiffness),
     ),
+    part("creep", "materials.*.creep_model = none", |case| {
+        each_material(case, without_creep);
+    }),
     part(
         "bed friction",
         "seabed.friction, friction_lateral left out",
@@ -220,6 +223,32 @@ fn stiffen(material: &mut Material) {
         .into_iter()
         .flatten()
         .for_each(|tension| *tension *= STIFFER);
+    for stiffness in [&mut material.dynamic_ea_n, &mut material.working_curve_ea_n] {
+        *stiffness = stiffness.map(|stiffness| STIFFER * stiffness);
+    }
+    material.past_tension_n *= STIFFER;
+}
+
+/// The rope with its static curve alone: of a Syrope rope the original one.
+fn without_creep(material: &mut Material) {
+    if material.creep_model == CreepModel::None {
+        return;
+    }
+    let bare = Material::default();
+    *material = Material {
+        creep_model: bare.creep_model,
+        dynamic_ea_n: bare.dynamic_ea_n,
+        dynamic_ea_per_tension: bare.dynamic_ea_per_tension,
+        slow_damping_n_s: bare.slow_damping_n_s,
+        fast_damping_n_s: bare.fast_damping_n_s,
+        working_curve: bare.working_curve,
+        working_curve_shape: bare.working_curve_shape,
+        permanent_strain_ratio: bare.permanent_strain_ratio,
+        working_curve_ea_n: bare.working_curve_ea_n,
+        past_tension_n: bare.past_tension_n,
+        initial_mean_tension_n: bare.initial_mean_tension_n,
+        ..material.clone()
+    };
 }
 
 fn without_dynamic_stiffness(material: &mut Material) {
@@ -283,7 +312,7 @@ mod tests {
     /// What is left of every shipped case is the case without it, or refused with a reason; leaving out twice changes nothing more.
     #[test]
     fn effects_of_shipped_cases_are_left_out() {
-        let mut seen = [0; 19];
+        let mut seen = [0; SCENE_PARTS.len()];
         for (path, text) in SHIPPED {
             let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/");
             let case = case::parse(text, &format!("{folder}{path}")).unwrap();
@@ -302,6 +331,22 @@ mod tests {
                 }
             }
         }
-        assert!(seen.iter().all(|count| *count > 0), "{seen:?}");
+        for (count, part) in seen.iter().zip(SCENE_PARTS) {
+            // No line that is shipped creeps; systems do.
+            assert!(*count > 0 || part.name == "creep", "{}", part.name);
+        }
+    }
+
+    #[test]
+    fn a_rope_that_creeps_is_left_with_its_curve() {
+        let mut rope = Material::new(0.1, 8.0, 1e8);
+        let bare = rope.clone();
+        rope.creep_model = CreepModel::Viscoelastic;
+        (rope.dynamic_ea_n, rope.slow_damping_n_s) = (Some(3e8), Some(1e9));
+        let mut stiff = rope.clone();
+        stiffen(&mut stiff);
+        assert_eq!((stiff.ea_n, stiff.dynamic_ea_n), (Some(1e9), Some(3e9)));
+        without_creep(&mut rope);
+        assert!(rope == bare);
     }
 }

@@ -237,8 +237,12 @@ impl Marching {
     /// The accelerations at the start, and the first row.
     fn begin(&mut self, rows: &mut RowSender<'_>) -> Result<(), String> {
         self.system.update_wave_kinematics(0.0, &mut self.state);
-        let begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
+        let mut begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         self.system.commit(0.0, 0.0, &mut self.state);
+        let mut lines = self.system.scenes.iter();
+        if lines.any(|scene| scene.line.begins_off_rest()) {
+            begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
+        }
         let first = &mut |time, values: &[f64]| rows.send(0, time, values);
         self.recorder
             .accept(&self.system, &self.bodies, (0.0, &self.state), first);

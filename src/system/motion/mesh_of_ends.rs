@@ -314,6 +314,8 @@ fn change_history(own: &mut State, scene: &Scene, (node, segment): (usize, usize
     change(&mut memory.drag_coefficients, segment, drag);
     let rope = parts.then(|| memory.ropes.get(segment).copied().unwrap_or_default());
     change(&mut memory.ropes, segment, rope);
+    let creep = parts.then(|| memory.creep.get(segment).copied().unwrap_or_default());
+    change(&mut memory.creep, segment, creep);
     if !memory.grips.is_empty() {
         let grip = parts.then(|| scene.grips_at(&own.x)[node]);
         change(&mut memory.grips, node, grip);

@@ -377,6 +377,16 @@ impl MovingSystem {
         }
     }
 
+    /// Writes the rates of the mean strains of ropes that creep, for a method that integrates these.
+    pub(super) fn write_creep_rates(&self, t: f64, state: &mut SystemState) {
+        let SystemState { lines, paid, .. } = state;
+        for (number, line) in lines.iter_mut().enumerate() {
+            self.scene_among(number, paid)
+                .line
+                .write_creep_rates(t, line);
+        }
+    }
+
     /// A body in motion.
     #[must_use]
     pub fn body(&self, state: &SystemState, body: usize) -> BodyMotion {

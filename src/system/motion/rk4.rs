@@ -70,12 +70,14 @@ impl SystemRk4 {
         system.follow(&mut self.stage);
         system.update_wave_kinematics(t, &mut self.stage);
         accelerate(&mut self.border, system, t, &mut self.stage)?;
+        system.write_creep_rates(t, &mut self.stage);
         let parts = self.next.parts_mut().zip(self.stage.parts());
         for (number, (next, stage)) in parts.enumerate() {
             for i in system.free(number) {
                 next.x[i] += rate(system, number, stage, i) * weight;
                 next.v[i] += stage.a[i] * weight;
             }
+            next.add_creep(stage, weight);
         }
         Ok(())
     }
@@ -88,6 +90,7 @@ impl SystemRk4 {
                 stage.x[i] = state.x[i] + rate(system, number, stage, i) * h;
                 stage.v[i] = state.v[i] + stage.a[i] * h;
             }
+            stage.move_creep(state, h);
         }
     }
 
@@ -110,6 +113,8 @@ impl SystemRk4 {
     ) -> Result<(), NewtonError> {
         self.stage.copy_from(state);
         self.next.copy_from(state);
+        let own = self.stage.lines.iter_mut().chain(&mut self.next.lines);
+        own.for_each(State::integrate_creep);
         let half = 0.5 * dt;
         self.add_stage(system, t, dt / 6.0)?;
         self.move_stage(system, state, half);

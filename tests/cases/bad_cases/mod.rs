@@ -2,6 +2,7 @@
 
 mod bodies;
 mod claims;
+mod creep;
 mod files;
 mod keys;
 mod line;
