@@ -50,7 +50,7 @@ pub use subject::{ModePlane, Subject};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{increasing, of_waves, unknown, unknown_name, used_twice};
+pub(crate) use check::{increasing, of_material, of_waves, unknown, unknown_name, used_twice};
 pub(crate) use diagnostic::Finding;
 pub(crate) use fields::{join, nearest, split};
 

@@ -134,6 +134,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/oc3_spar.toml"),
     shipped!("systems/oc4_free.toml"),
     shipped!("systems/oc4_semi.toml"),
+    shipped!("systems/polyester_stages.toml"),
     shipped!("systems/semi_taut.toml"),
     shipped!("systems/shared_line.toml"),
     shipped!("systems/single_chain.toml"),

@@ -247,7 +247,7 @@ impl Builder<'_> {
             .map(|part| SectionProperties {
                 length_m: part.length_m,
                 weight_n_per_m: self.wet_weight(&part.material),
-                ea_n: part.material.ea_n.unwrap_or(f64::INFINITY),
+                ea_n: part.material.representative_ea_n().unwrap_or(f64::INFINITY),
                 clump_n: part.clump_kg * self.network.gravity,
             })
             .collect();

@@ -8,7 +8,7 @@ use super::motion::{check as motion, check_payout};
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
-use crate::case::{Finding, MaterialKeys, unknown, used_twice};
+use crate::case::{Finding, of_material, unknown, used_twice};
 use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
@@ -50,7 +50,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let names = keys.lines.iter().map(|(_, line)| &line.name);
     found.extend(used_twice(names, "give every line a name of its own"));
     for (_, material) in &keys.materials {
-        found.extend(elastic(material));
+        found.extend(of_material(material));
     }
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));
@@ -105,25 +105,6 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     }
     let drift = body.drift_loads.iter();
     found.extend(headings(drift.map(|(_, row)| &row.heading_deg)));
-    found
-}
-
-/// Lines of a system have one stiffness each.
-fn elastic(material: &MaterialKeys<'_>) -> Vec<Finding> {
-    let tabled = "is not covered in a system, whose lines have one stiffness";
-    let remedy = "leave both tables out and give `ea_n`";
-    let tables = [&material.strain, &material.tension_n];
-    let mut found: Vec<Finding> = tables
-        .into_iter()
-        .filter_map(|table| table.if_given(tabled, remedy))
-        .collect();
-    if found.is_empty() {
-        found.extend(
-            material
-                .ea_n
-                .if_missing("lines of a system are elastic: give `ea_n`"),
-        );
-    }
     found
 }
 

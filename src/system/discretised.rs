@@ -1,4 +1,4 @@
-//! Lines that have no closed form: in a current, or with bending stiffness. They take part as discretised lines once the closed forms have
+//! Lines that have no closed form: in a current, with bending stiffness, or with a tension-strain table. They take part as discretised lines once the closed forms have
 //! found where everything is.
 
 use std::sync::Arc;
@@ -37,7 +37,7 @@ pub struct DiscretisedRest {
 }
 
 impl DiscretisedLine {
-    /// The element of a line of these parts, where it needs one: its file has a current, a material of it bends, or all are divided.
+    /// The element of a line of these parts, where it needs one: its file has a current, a material of it bends or has a table, or all are divided.
     ///
     /// # Errors
     /// What the element says of the line.
@@ -49,7 +49,8 @@ impl DiscretisedLine {
     ) -> Result<Option<Arc<Self>>, String> {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
         let still = file.current.is_none() || line.still_water;
-        let closed = still && !parts.iter().any(bends);
+        let tabled = |part: &Part| part.material.strain.is_some();
+        let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
         if closed && divided == Divided::WhereNeeded {
             return Ok(None);
         }

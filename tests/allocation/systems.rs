@@ -112,6 +112,13 @@ fn a_step_of_a_system_allocates_nothing() {
 }
 
 #[test]
+fn a_step_of_ropes_that_creep_allocates_nothing() {
+    let creep = "strain = [0.0, 0.01, 0.1]\ntension_n = [0.0, 1e6, 1.5e7]\ncreep_model = \"syrope\"\ndynamic_ea_n = 4e8\n\
+         slow_damping_n_s = 1e10\nfast_damping_n_s = 1e6\npermanent_strain_ratio = 0.1";
+    allocates_nothing(&SYSTEM.replace("ea_n = 2e8", creep), 4.0);
+}
+
+#[test]
 fn a_step_of_lines_paid_out_allocates_nothing() {
     // Shorter than to where the mesh of an end changes.
     allocates_nothing(PAID_OUT, 1.0);

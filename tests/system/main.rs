@@ -6,6 +6,7 @@ mod ageing;
 mod analysis;
 mod bodies;
 mod closed_forms;
+mod creep;
 mod discretised;
 mod floating;
 mod hauled;

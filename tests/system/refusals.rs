@@ -194,7 +194,7 @@ fn parts_of_bodies_and_analyses_must_make_sense() {
         "no body named",
     );
     let table = "[materials.rope]\ndiameter_m = 0.1\nmass_kg_per_m = 1\nea_n = 1e6\nstrain = [0, 0.1]\ntension_n = [0, 1e5]\n";
-    refused_with(table, "is not covered in a system");
+    refused_with(table, "the stiffness is given twice");
 }
 
 /// As [`refused`], with tables of ageing at the end of the file; its line counts from the first of them.

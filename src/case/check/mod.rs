@@ -25,6 +25,7 @@ pub(crate) use keys::{check as check_keys, fields_here};
 pub(crate) use loads::increasing;
 pub(crate) use names::{unknown, unknown_name, used_twice};
 pub(crate) use paths::{marks, unknown_path};
+pub(crate) use rope::of_material;
 pub(crate) use sea::of_waves;
 
 /// Errors of the keys of a case against each other.

@@ -41,6 +41,15 @@ impl Case {
 }
 
 impl Material {
+    /// Its stiffness EA \[N\], or of a table the tension by strain at its end; nothing where it has neither.
+    #[must_use]
+    pub fn representative_ea_n(&self) -> Option<f64> {
+        let last = |list: &Option<Vec<f64>>| list.as_ref().and_then(|list| list.last().copied());
+        let table = last(&self.tension_n).zip(last(&self.strain));
+        self.ea_n
+            .or(table.map(|(tension, strain)| tension / strain))
+    }
+
     /// A material of this diameter \[m\], mass per length \[kg/m\] and axial stiffness EA \[N\]; all else as in a file
     /// that leaves it out.
     #[must_use]

@@ -1,7 +1,7 @@
 //! Checks of marine growth and corrosion: lists that go together, names, bars that remain.
 
 use crate::case::schema::Key;
-use crate::case::{Finding, increasing, unknown};
+use crate::case::{CreepModel, Finding, increasing, unknown};
 use crate::system::model::{AgeingKeys, CorrosionKeys, SystemKeys};
 
 /// Checks of the ageing of a system.
@@ -28,6 +28,7 @@ pub(in crate::system) fn ageing(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, corrosion) in &ageing.corrosion {
         found.extend(by_depth(&corrosion.depth_m, &corrosion.rate_m_per_year));
         found.extend(worn_away(ageing, corrosion));
+        found.extend(fibre(keys, corrosion));
     }
     found.extend(materials(keys, ageing));
     found
@@ -94,6 +95,18 @@ fn by_depth(depths: &Key<'_, Vec<f64>>, values: &Key<'_, Vec<f64>>) -> Vec<Findi
     }
     let remedy = "list the depths from the surface down, each once";
     increasing(depths, "depths", remedy).into_iter().collect()
+}
+
+/// Corrosion of what is no steel: a rope that creeps, or one whose stiffness is a table.
+fn fibre(keys: &SystemKeys<'_>, corrosion: &CorrosionKeys<'_>) -> Option<Finding> {
+    let name = corrosion.material.get()?;
+    let (_, material) = keys.materials.iter().find(|(known, _)| known == name)?;
+    let steel = material.creep_model.is(&CreepModel::None) && !material.strain.is_given();
+    let remedy = "leave it out; steel has one stiffness, `ea_n`";
+    (!steel).then(|| {
+        let problem = "is not covered for a fibre rope";
+        corrosion.material.finding(problem, remedy)
+    })
 }
 
 /// Bars that nothing is left of.

@@ -2,7 +2,7 @@
 
 use super::check::motion_table;
 use crate::case::schema::Key;
-use crate::case::{Finding, unknown};
+use crate::case::{CreepModel, Finding, MaterialKeys, unknown};
 use crate::system::model::{
     BodyKind, LineKeys, PayoutKeys, PointKind, SlidingKeys, SystemKeys, WhichEnd,
 };
@@ -169,14 +169,22 @@ fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
         "is not covered where lines age",
         "leave [ageing] out",
     );
-    let bends = |name: &String| {
-        let known = keys.materials.iter().find(|(known, _)| known == name);
-        known.is_some_and(|(_, given)| given.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
+    let any = |is: fn(&MaterialKeys<'_>) -> bool| {
+        let mut names = materials(line).into_iter();
+        names.any(|name| {
+            let known = keys.materials.iter().find(|(known, _)| known == name);
+            known.is_some_and(|(_, given)| is(given))
+        })
     };
     add(
-        materials(line).into_iter().any(bends),
+        any(|given| given.ei_n_m2.value().is_some_and(|ei| ei > 0.0)),
         "is not covered for a line with bending stiffness",
         "leave `ei_n_m2` of its material out",
+    );
+    add(
+        any(|given| !given.creep_model.is(&CreepModel::None)),
+        "is not covered for a line that creeps",
+        "set `creep_model = \"none\"` in its material",
     );
     found
 }
