@@ -21,6 +21,7 @@
 //! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
 //! * [`system`]: systems of lines at rest: points, bodies, lines.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
+//! * [`line_types`]: chains, wire ropes and fibre ropes by nominal diameter, from published formulas.
 //! * [`ship`]: a ship at single-point mooring: loads, equilibria, motion.
 //! * [`ropeway`]: a ropeway between a platform and a ship.
 //! * [`kinds`]: which of these a file is.
@@ -47,6 +48,7 @@ pub mod files;
 pub mod import;
 pub mod kinds;
 pub mod line_between_ends;
+pub mod line_types;
 pub mod modes;
 pub mod number;
 pub mod numerics;

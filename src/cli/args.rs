@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Parser, Subcommand};
 
 use super::import::{ImportArgs, ImportCommandArgs};
-use super::study_args::{CompareArgs, EffectsArgs, VaryArgs};
+use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
@@ -92,6 +92,11 @@ pub(super) enum CliCommand {
     /// Prints the section drawn to scale and its tables, stiffness with a rigid and an incompressible
     /// core side by side; `--output` writes the material for a line case. An impossible layout is refused with the reason.
     Section(SectionArgs),
+    /// List line types, or compute the properties of one by its nominal diameter: chain, wire rope, fibre rope.
+    ///
+    /// Mass, stiffness, loads, drag and added mass with their formulas and sources; `--toml` prints the material of a case. Coefficients
+    /// are converted to the outer diameter, by which drag, buoyancy and added mass of a material act.
+    Lines(LinesArgs),
     /// Compute a ship at single-point mooring: equilibrium headings, motion in its sea, its anchor line in time, the rope
     /// that follows it.
     ///
@@ -362,6 +367,36 @@ pub(super) struct RopewayArgs {
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct LinesArgs {
+    /// The line type, such as chain-r4-studless; without one all are listed.
+    #[arg(value_name = "TYPE")]
+    pub(super) line_type: Option<String>,
+
+    /// Its nominal diameter: 120mm, or 0.12 in m.
+    #[arg(
+        value_name = "DIAMETER",
+        requires = "line_type",
+        conflicts_with = "diameter"
+    )]
+    pub(super) size: Option<String>,
+
+    /// Its nominal diameter: 120mm, or 0.12 in m.
+    #[arg(long, value_name = "DIAMETER", requires = "line_type")]
+    pub(super) diameter: Option<String>,
+
+    /// Print the table [materials.NAME] of a case, with formulas and sources as comments.
+    #[arg(long, requires = "line_type", conflicts_with_all = ["json", "csv", "output", "width", "ascii"])]
+    pub(super) toml: bool,
+
+    /// Name of that material; by default type and diameter.
+    #[arg(long, value_name = "NAME", requires = "toml")]
+    pub(super) name: Option<String>,
+
+    #[command(flatten)]
+    pub(super) page: StudyPageArgs,
 }
 
 #[derive(Debug, clap::Args)]

@@ -16,6 +16,7 @@ mod import;
 mod inputs;
 mod keys;
 mod kinds;
+mod lines;
 mod modes;
 mod output;
 mod physics;
@@ -66,6 +67,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Compare(args)) => compare::compare(args),
         Some(CliCommand::Catenary(args)) => catenary::catenary(args),
         Some(CliCommand::Section(args)) => section::section(args),
+        Some(CliCommand::Lines(args)) => lines::lines(args),
         Some(CliCommand::Ship(args)) => ship::ship(args),
         Some(CliCommand::Modes(args)) => modes::modes(args),
         Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),

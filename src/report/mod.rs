@@ -5,6 +5,7 @@ pub mod comparison;
 pub mod effects;
 pub mod figures;
 pub mod limits;
+pub mod line_types;
 pub mod modes;
 pub mod nodes;
 pub mod physics;

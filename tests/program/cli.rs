@@ -424,3 +424,40 @@ fn the_number_of_threads_changes_no_bit_of_what_is_written() {
         on("2", &["validate"], &study)
     );
 }
+
+#[test]
+fn line_types_are_listed_computed_and_written_as_materials() {
+    let dir = tempfile::tempdir().unwrap();
+    let lines = |args: &[&str]| {
+        let mut command = seacable(dir.path());
+        command.arg("lines").args(args);
+        command.assert()
+    };
+    let all = contains("chain-r5-stud").and(contains("spiral-strand").and(contains("hmpe")));
+    lines(&[]).success().stdout(all);
+    let chain = contains("13.57 MN").and(contains("2.74e7 d^2 (44 - 80 d)"));
+    lines(&["chain-r4-studless", "120mm"])
+        .success()
+        .stdout(chain);
+    lines(&["chain-r4-studless", "--diameter", "0.12", "--csv"])
+        .success()
+        .stdout(contains("mass in air,286.56,kg/m,19900 d^2"));
+    let table = contains("[materials.mine]").and(contains(
+        "break_load_n = 1.357286e7 # 2.74e7 d^2 (44 - 80 d) (IACS UR W22)",
+    ));
+    lines(&["chain-r4-studless", "120mm", "--toml", "--name", "mine"])
+        .success()
+        .stdout(table);
+    lines(&["spiral-strand", "300mm"])
+        .success()
+        .stderr(contains("extrapolated"));
+    lines(&["chain-r4", "120mm"])
+        .code(2)
+        .stderr(contains("chain-r4-studless"));
+    lines(&["nylon"])
+        .code(2)
+        .stderr(contains("Give the nominal diameter"));
+    lines(&["nylon", "500"])
+        .code(2)
+        .stderr(contains("such as 120mm"));
+}

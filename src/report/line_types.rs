@@ -1,0 +1,104 @@
+//! The library of line types in tables: the list of types, and one type at a diameter.
+
+use crate::line_types::{Family, LINE_TYPES, LineProperties, LineType, Property};
+use crate::number::{digits, si};
+use crate::report::table::{NumberFormat, Table};
+
+/// A property in a table: what it is, its unit, its value with formula and source.
+type Entry<'a> = (&'static str, &'static str, &'a Property);
+
+/// The list of types: name, what it is, nominal diameters.
+#[must_use]
+pub fn list() -> Table {
+    let range = |line: &LineType| {
+        let [least, greatest] = line.diameters_m.map(|length| digits(length * 1e3, 6));
+        format!("{least} to {greatest}")
+    };
+    let table = Table::of("Line types", LINE_TYPES)
+        .text("type", |line| line.name)
+        .text("what", |line| line.title)
+        .text("nominal diameter [mm]", range)
+        .text("strength by", |line| line.break_load.source);
+    table.build().noted([
+        "`seacable lines TYPE DIAMETER` computes the properties of one, such as `seacable lines chain-r4-studless 120mm`; with `--toml` as a material.",
+    ])
+}
+
+/// The properties of a type with formulas and sources.
+#[must_use]
+pub fn properties(line: &LineProperties) -> Table {
+    let entries = entries(line);
+    let table = Table::of(title(line), &entries)
+        .text("property", |entry| entry.0)
+        .text("value", |entry| si(entry.2.value, entry.1))
+        .text("formula", |entry| entry.2.formula.as_str())
+        .text("source", |entry| entry.2.source);
+    table.build().noted(notes(line))
+}
+
+/// The properties with every digit, in SI, for other programs.
+#[must_use]
+pub fn data(line: &LineProperties) -> Table {
+    const EVERY_DIGIT: NumberFormat = NumberFormat::With(|value| format!("{value}"));
+    let entries = entries(line);
+    let table = Table::of(title(line), &entries)
+        .text("property", |entry| entry.0)
+        .number("value", EVERY_DIGIT, |entry| entry.2.value)
+        .text("unit", |entry| entry.1)
+        .text("formula", |entry| entry.2.formula.as_str())
+        .text("source", |entry| entry.2.source);
+    table.build().noted(notes(line))
+}
+
+fn title(line: &LineProperties) -> String {
+    let size = digits(line.nominal_m * 1e3, 6);
+    format!("{}, nominal diameter {size} mm", line.line_type.title)
+}
+
+fn entries(line: &LineProperties) -> Vec<Entry<'_>> {
+    let mut entries = vec![
+        ("outer diameter D", "m", &line.diameter),
+        ("mass in air", "kg/m", &line.mass),
+        ("mass in sea water", "kg/m", &line.wet_weight),
+        ("axial stiffness EA", "N", &line.ea),
+        ("breaking load", "N", &line.break_load),
+    ];
+    entries.extend(
+        line.proof_load
+            .as_ref()
+            .map(|load| ("proof load", "N", load)),
+    );
+    entries.extend([
+        ("normal drag, on D", "", &line.drag_normal),
+        ("tangential drag, on D", "", &line.drag_tangential),
+        ("normal added mass", "", &line.added_mass_normal),
+        ("tangential added mass", "", &line.added_mass_tangential),
+    ]);
+    entries
+}
+
+fn notes(line: &LineProperties) -> Vec<String> {
+    let of = line.line_type;
+    let diameter = match of.family {
+        Family::Chain => "the diameter of the bar",
+        Family::Wire => "the diameter of the steel",
+        Family::Fibre => "the diameter of the rope",
+    };
+    let mut notes = vec![format!(
+        "d is the nominal diameter in m, {diameter}; D displaces the volume of the line, and is `diameter_m` of a material. Results in SI."
+    )];
+    notes.extend(of.dynamic_stiffness.map(|stiffness| {
+        let [alpha, beta] = stiffness.value;
+        format!(
+            "Stiffness in motion: {alpha} + {beta} Lm times the breaking load, with the mean tension Lm in percent of it ({}).",
+            stiffness.source
+        )
+    }));
+    notes.extend((!of.note.is_empty()).then(|| of.note.to_owned()));
+    notes.extend(
+        line.warning
+            .as_ref()
+            .map(|warning| format!("WARNING: {warning}")),
+    );
+    notes
+}
