@@ -102,6 +102,7 @@ pub enum CommandId {
     Interrupt,
     Suspend,
     Quit,
+    AddLineType,
 }
 
 /// A command with its keys. Keys, footer, `?` help and `:` palette come from these alone.
@@ -196,6 +197,10 @@ pub const fn write(doc: &'static str) -> Command {
 #[rustfmt::skip]
 pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order");
 
+/// Adds a material to a file that has materials.
+#[rustfmt::skip]
+const ADD_LINE_TYPE: Command = command(CommandOrder::Rare, CommandId::AddLineType, &["A"], "", "Add a line type: chain, wire or fibre rope by nominal diameter, as a material at the end of the file");
+
 /// Of a line case.
 #[rustfmt::skip] // a table: one command a line
 pub const LINE: &[Command] = &[
@@ -205,6 +210,7 @@ pub const LINE: &[Command] = &[
     command(CommandOrder::Setup, CommandId::Study, &["S"], "study", "Run all variants of a study and overlay them"),
     command(CommandOrder::Setup, CommandId::Keep, &["K"], "keep", "Keep the live run on disk"),
     command(CommandOrder::Rare, CommandId::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
+    ADD_LINE_TYPE,
 ];
 
 /// Of a file other than a line case.
@@ -215,9 +221,10 @@ pub const MODEL: &[Command] = &[
     command(CommandOrder::Rare, CommandId::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file"),
 ];
 
-/// Of a file that has a report and nothing for a line case.
+/// Of a system of lines at rest: a file that has a report and nothing for a line case.
 #[rustfmt::skip]
 pub const REPORTED: &[Command] = &[
+    ADD_LINE_TYPE,
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
 ];
 
@@ -226,6 +233,7 @@ pub const REPORTED: &[Command] = &[
 pub const MOVING: &[Command] = &[
     command(CommandOrder::Kind, CommandId::Run, &["R"], "run", "Compute the system in time and store the run"),
     REPORTED[0],
+    REPORTED[1],
 ];
 
 /// Of every open file.

@@ -61,6 +61,8 @@ pub enum Overlay {
         /// Cursor.
         cursor: usize,
     },
+    /// The library of line types, to add one as a material.
+    LineTypes(LineTypePicker),
     /// A column of the table of runs against another.
     Columns(ColumnPair),
     /// A line to type.
@@ -72,6 +74,17 @@ pub enum Overlay {
         /// What to know about it, or why the last answer was refused.
         words: String,
     },
+}
+
+/// A line type being chosen, and its nominal diameter being typed.
+#[derive(Debug, Clone, Default)]
+pub struct LineTypePicker {
+    /// Number of the type in the library.
+    pub cursor: usize,
+    /// The nominal diameter as typed.
+    pub input: Input,
+    /// Why what was typed is refused; empty where nothing is.
+    pub problem: String,
 }
 
 /// What the user may say of a run.

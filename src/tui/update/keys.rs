@@ -8,6 +8,7 @@ use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::panes;
+use crate::tui::state::overlay::LineTypePicker;
 use crate::tui::state::{AppState, Filter, Overlay, Severity};
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
@@ -83,7 +84,7 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
             *cursor = 0;
             return Vec::new();
         }
-        Some(Overlay::Prompt { input, .. }) => {
+        Some(Overlay::Prompt { input, .. } | Overlay::LineTypes(LineTypePicker { input, .. })) => {
             type_text(input, text);
             return Vec::new();
         }

@@ -9,6 +9,7 @@ pub mod export;
 mod job_events;
 pub mod jobs;
 mod keys;
+pub mod line_types;
 mod modes;
 pub mod motion;
 pub mod notice;

@@ -6,8 +6,8 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
 use super::{
-    column_plot, curves, edit, export, jobs, keys, pages, quit, resume, run_table, runs, studies,
-    trials, vary,
+    column_plot, curves, edit, export, jobs, keys, line_types, pages, quit, resume, run_table,
+    runs, studies, trials, vary,
 };
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
@@ -57,6 +57,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         }
         Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
         Overlay::Columns(pair) => column_plot::key(state, pair, key),
+        Overlay::LineTypes(picker) => line_types::key(state, picker, key),
         Overlay::Curves { cursor } => curves::key(state, cursor, key),
         Overlay::Studies { items, cursor } => choose_study(state, items, cursor, key),
         Overlay::Prompt {
@@ -231,6 +232,7 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::Undo => edit::undo(state),
         CommandId::Redo => edit::redo(state),
         CommandId::Method => edit::next_method(state),
+        CommandId::AddLineType => line_types::open(state),
         CommandId::Save => quit::save(state),
         CommandId::Back => quit::back(state),
         CommandId::Run => jobs::run(state),

@@ -1,6 +1,7 @@
 //! What the state looks like. Nothing here changes anything.
 
 pub mod layout;
+mod line_types;
 mod overlay;
 pub(super) mod paint;
 pub mod painter;

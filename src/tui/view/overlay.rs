@@ -105,6 +105,7 @@ impl Painter<'_> {
             }
             Overlay::Ask(question) => self.ask(screen, question),
             Overlay::Columns(pair) => self.columns(screen, pair),
+            Overlay::LineTypes(picker) => self.line_types(screen, picker),
             Overlay::Curves { cursor } => self.curves(screen, *cursor),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),
             Overlay::Prompt {
@@ -125,7 +126,7 @@ impl Painter<'_> {
         }
     }
 
-    fn boxed(&mut self, screen: Rect, size: (u16, u16), title: &str) -> Rect {
+    pub(super) fn boxed(&mut self, screen: Rect, size: (u16, u16), title: &str) -> Rect {
         let (glyphs, style) = (self.glyphs(), self.theme.head());
         over(self.buf, screen, size, title, glyphs, style)
     }

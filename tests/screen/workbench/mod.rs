@@ -9,6 +9,7 @@ mod curves;
 mod desk;
 mod footer;
 mod hostile_text;
+mod line_types;
 mod marks;
 mod modes;
 mod parts;
