@@ -5,6 +5,7 @@
 //! * [`envelope`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
+//! * [`depth_grid`]: a depth over a rectangular grid of places.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
 //! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
 
@@ -12,6 +13,7 @@ pub mod block_band;
 pub mod block_envelope;
 mod both_ends;
 pub mod condensation;
+pub mod depth_grid;
 pub mod double_double;
 pub mod envelope;
 pub mod golden_section;
@@ -32,6 +34,7 @@ pub mod statistics;
 pub use block_band::{BlockBand, SingularBlock};
 pub use block_envelope::BlockEnvelope;
 pub use condensation::{Condensation, EndBlocks};
+pub use depth_grid::{DepthAt, DepthGrid, DepthGridError, DepthInterpolation};
 
 /// A vector of three numbers.
 pub type V3 = nalgebra::Vector3<f64>;
