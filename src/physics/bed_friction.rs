@@ -326,7 +326,7 @@ mod tests {
     #[test]
     fn derivatives_are_differences_holding_and_sliding() {
         let bed = bed();
-        let normal = bed.normal();
+        let normal = bed.normal(&V3::zeros());
         let along = (V3::x() - normal * normal.x).normalize();
         for (axial, lateral) in [(0.4, 0.4), (0.3, 0.8)] {
             let friction = Friction {
@@ -381,7 +381,7 @@ mod tests {
     #[test]
     fn what_slides_is_dragged_along_and_what_holds_is_not() {
         let bed = bed();
-        let normal = bed.normal();
+        let normal = bed.normal(&V3::zeros());
         let friction = Friction {
             axial: 0.5,
             lateral: 0.5,

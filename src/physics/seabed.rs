@@ -33,10 +33,10 @@ impl ElasticBed {
         (slope != 0.0).then(|| V3::new(-sin * azimuth.cos(), -sin * azimuth.sin(), cos))
     }
 
-    /// Unit normal of the bed.
+    /// Unit normal of the bed below a place.
     #[inline]
     #[must_use]
-    pub fn normal(&self) -> V3 {
+    pub fn normal(&self, _: &V3) -> V3 {
         self.slope.unwrap_or_else(V3::z)
     }
 
@@ -124,6 +124,6 @@ mod tests {
         let uphill = V3::new(azimuth.cos(), azimuth.sin(), slope.tan());
         assert!(bed.height(&(uphill * 7.0 - V3::z() * 10.0)).abs() < 1e-12);
         assert!((bed.height(&V3::zeros()) - 10.0 * slope.cos()).abs() < 1e-12);
-        assert!((bed.normal().norm() - 1.0).abs() < 1e-15);
+        assert!((bed.normal(&uphill).norm() - 1.0).abs() < 1e-15);
     }
 }

@@ -6,7 +6,6 @@ use super::element::Element;
 use super::elements::BodyContact;
 use super::{EndCondition, Scene};
 use crate::numerics::{BlockBand, V3};
-use crate::physics::ElasticBed;
 use crate::solve::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, MidstepBalance, Residual, State, StaticSearch,
 };
@@ -184,10 +183,7 @@ impl StaticSearch for Scene {
         let bed = self.elements.bed.as_ref()?;
         bed.seabed.friction?;
         let mut smooth = bed.clone();
-        smooth.seabed = ElasticBed {
-            friction: None,
-            ..smooth.seabed
-        };
+        smooth.seabed.friction = None;
         let mut scene = self.clone();
         scene.elements.bed = Some(smooth);
         let bodies = self.elements.body_contact.as_ref();

@@ -85,7 +85,8 @@ impl Scene {
         let Some((bed, friction)) = self.seabed().and_then(|b| Some((b, b.friction?))) else {
             return;
         };
-        let normal = bed.normal();
+        let Some(first) = grips.first() else { return };
+        let normal = bed.normal(&first.at);
         let uphill = V3::z() - normal * normal.z;
         let most =
             friction.axial.min(friction.lateral) * normal.z / uphill.norm().max(f64::MIN_POSITIVE);
@@ -142,8 +143,8 @@ impl Scene {
     /// Positions of the springs of a line laid straight from one end towards the other, at rest under its weight.
     fn lay_straight(&self, end: usize, to: V3, grips: &mut [FrictionAnchor]) {
         let Some(bed) = self.seabed() else { return };
-        let normal = bed.normal();
         let from = grips[end].at;
+        let normal = bed.normal(&from);
         let flat = (to - from) - normal * normal.dot(&(to - from));
         let Some(direction) = flat.try_normalize(1e-9 * self.line.arc[self.line.arc.len() - 1])
         else {

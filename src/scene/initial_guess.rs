@@ -167,7 +167,7 @@ impl Scene {
         sections: &[SectionProperties],
     ) -> Result<Solution, CatenaryError> {
         let bed = self.seabed().map(|bed| {
-            let normal = bed.normal();
+            let normal = bed.normal(&first);
             let slope = (-normal.dot(&along) / normal.z).atan();
             RigidBed {
                 below_a_m: if bed.is_plain() {
@@ -242,11 +242,10 @@ impl Scene {
     /// Lowers the line on the bed to the equilibrium of its weight and the normal springs.
     fn lay_on_bed(&self, nodes: &mut [V3]) {
         let Some(bed) = self.seabed() else { return };
-        let normal = bed.normal();
         let tall = 1e-9 * self.line.arc[nodes.len() - 1];
         for i in self.line.free() {
             let node = &mut nodes[i];
-            let height = bed.height(node);
+            let (height, normal) = (bed.height(node), bed.normal(node));
             let area = self.bearing_area(i);
             if height <= tall && area > 0.0 {
                 let give = self.line.weight[i].max(0.0) * normal.z / (bed.stiffness * area);

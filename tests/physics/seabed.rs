@@ -404,7 +404,7 @@ fn a_slope_holds_below_the_angle_of_friction() {
         // As deep in the bed as it comes to rest.
         let bed = scene.elements.bed.as_ref().unwrap().seabed;
         for (x, grip) in scene.start.positions.iter_mut().zip(&mut scene.start.grips) {
-            *x -= bed.normal() * (bed.height(x) + 0.009_806_65 * cos);
+            *x -= bed.normal(x) * (bed.height(x) + 0.009_806_65 * cos);
             grip.at = *x;
         }
         let mut state = scene.initial_state();

@@ -88,7 +88,6 @@ impl Element for BedContact {
 
     fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         let (bed, state) = (&self.seabed, at.state);
-        let normal = bed.normal();
         // The nodes of the line: a ship at its end has more.
         let nodes = tangent.diag[..self.footprint.len()].iter_mut().zip(r);
         for (i, (block, out)) in nodes.enumerate() {
@@ -102,6 +101,7 @@ impl Element for BedContact {
             if push.force <= 0.0 {
                 continue;
             }
+            let normal = bed.normal(&state.x[i]);
             let mut force = normal * push.force;
             *block -= outer(&normal, &(normal * k));
             if let Some(friction) = &bed.friction
@@ -151,7 +151,6 @@ impl Element for BedContact {
     /// Normal damping and friction. The work of a friction spring that still holds counts as dissipated.
     fn add_dissipation(&self, at: At<'_>, power: &mut f64) {
         let (bed, state) = (&self.seabed, at.state);
-        let normal = bed.normal();
         let mut taken = 0.0;
         for i in 0..self.footprint.len() {
             let (x, v) = (&state.x[i], &state.v[i]);
@@ -160,6 +159,7 @@ impl Element for BedContact {
                 continue;
             }
             let push = self.push(i, state);
+            let normal = bed.normal(x);
             let elastic = bed.stiffness * self.footprint[i] * depth;
             taken -= (push.force - elastic) * normal.dot(v);
             let Some(law) = bed.friction.as_ref().filter(|_| push.force > 0.0) else {
@@ -180,9 +180,9 @@ impl Element for BedContact {
         let Some((friction, stiffness)) = self.friction_springs() else {
             return;
         };
-        let normal = bed.normal();
         for i in 0..state.memory.grips.len() {
             let push = self.push(i, state);
+            let normal = bed.normal(&state.x[i]);
             let (before, after) = (i.saturating_sub(1), (i + 1).min(state.x.len() - 1));
             let along = state.x[after] - state.x[before];
             let area = self.footprint[i];
@@ -239,7 +239,7 @@ impl BedContact {
         if push.force <= 0.0 {
             return V3::zeros();
         }
-        let normal = self.seabed.normal();
+        let normal = self.seabed.normal(&state.x[i]);
         let along = self.seabed.friction.as_ref().map_or_else(V3::zeros, |law| {
             law.force(
                 &contact(&normal, &push, i, state),
@@ -255,7 +255,7 @@ impl BedContact {
             return Vec::new();
         };
         let whole = nodes[nodes.len() - 1] - nodes[0];
-        let normal = self.seabed.normal();
+        let normal = self.seabed.normal(&nodes[0]);
         let flat = whole - normal * normal.dot(&whole);
         let along = flat
             .try_normalize(1e-12)
@@ -285,7 +285,7 @@ impl BedContact {
         let segment = &at.line.segments[half.segment];
         let share = 0.5 * segment.axial.length * segment.bearing_width / self.footprint[half.node];
         let force = whole * share;
-        let normal = self.seabed.normal();
+        let normal = self.seabed.normal(&at.state.x[half.node]);
         let borne = normal.dot(&force);
         let upright = normal.dot(&half.tangent).powi(2);
         let needed = (-normal.dot(&half.load)).max(0.0) * (1.0 - upright);
@@ -323,7 +323,7 @@ impl BedContact {
             return self.force(node, at.state);
         };
         let last = at.line.segments.len();
-        let normal = self.seabed.normal();
+        let normal = self.seabed.normal(&at.state.x[node]);
         let push = normal * (-normal.dot(&(pull + load))).max(0.0);
         let beside = if end == 0 { 1 } else { last - 1 };
         if beside == 0 || beside == last {
@@ -363,9 +363,9 @@ impl BedContact {
         state: &State,
     ) -> Option<usize> {
         let friction = self.seabed.friction.as_ref()?;
-        let normal = self.seabed.normal();
         nodes.find(|&i| {
             let push = self.push(i, state);
+            let normal = self.seabed.normal(&state.x[i]);
             let grip = state.memory.grips.get(i);
             push.force > 0.0
                 && grip.is_some_and(|grip| {

@@ -32,7 +32,8 @@ impl BedContact {
         tangent.diag[node] += self.force_by_position(node, at.state);
         let beside = if node == 0 { 1 } else { last - 1 };
         let by_beside = (beside != 0 && beside != last).then(|| self.force(beside, at.state));
-        let slopes = self.slopes_of_end_force(&load, by_beside);
+        let normal = self.seabed.normal(&at.state.x[node]);
+        let slopes = slopes_of_end_force(&normal, &load, by_beside);
         let (near, far) = if node == 0 {
             (&mut tangent.upper[0], tangent.far_upper.first_mut())
         } else {
@@ -46,54 +47,10 @@ impl BedContact {
         }
     }
 
-    /// Derivatives of `load + force_on_end(load)`. With n the normal, P = -n.load the push on the end, g the friction on the
-    /// neighbouring node over its push b, and e = g/|g|:
-    ///
-    /// ```text
-    /// F = Q load + g P              Q = I - nn'      friction in full
-    /// F = Q load - e e' load                         friction that resists all of the load along it
-    /// ```
-    fn slopes_of_end_force(&self, load: &V3, beside: Option<V3>) -> EndForceSlopes {
-        let normal = self.seabed.normal();
-        let push = -normal.dot(load);
-        if push <= 0.0 {
-            return EndForceSlopes {
-                by_load: M3::identity(),
-                by_beside: M3::zeros(),
-            };
-        }
-        let level = M3::identity() - outer(&normal, &normal);
-        let held = beside.filter(|force| normal.dot(force) > 0.0);
-        let Some(force) = held else {
-            return EndForceSlopes {
-                by_load: level,
-                by_beside: M3::zeros(),
-            };
-        };
-        let borne = normal.dot(&force);
-        let friction = level * force / borne;
-        let by_force = (level - outer(&friction, &normal)) / borne;
-        let (size, resisted) = (friction.norm(), -load.dot(&friction));
-        if resisted > 0.0 && size * size * push > resisted {
-            let along = friction / size;
-            let turned = M3::from_diagonal_element(along.dot(load)) + outer(&along, load);
-            let across = M3::identity() - outer(&along, &along);
-            EndForceSlopes {
-                by_load: level - outer(&along, &along),
-                by_beside: -turned * across * by_force / size,
-            }
-        } else {
-            EndForceSlopes {
-                by_load: level - outer(&friction, &normal),
-                by_beside: by_force * push,
-            }
-        }
-    }
-
     /// Derivative of the force of the bed on node i by its position \[N/m\].
     fn force_by_position(&self, i: usize, state: &State) -> M3 {
         let push = self.push(i, state);
-        let normal = self.seabed.normal();
+        let normal = self.seabed.normal(&state.x[i]);
         let slope = outer(&normal, &(normal * push.by_height));
         let friction = self.seabed.friction.as_ref().filter(|_| push.force > 0.0);
         let friction = friction.and_then(|law| {
@@ -103,5 +60,48 @@ impl BedContact {
             )
         });
         friction.map_or(slope, |friction| slope + friction.by_position)
+    }
+}
+
+/// Derivatives of `load + force_on_end(load)`. With n the normal, P = -n.load the push on the end, g the friction on the
+/// neighbouring node over its push b, and e = g/|g|:
+///
+/// ```text
+/// F = Q load + g P              Q = I - nn'      friction in full
+/// F = Q load - e e' load                         friction that resists all of the load along it
+/// ```
+fn slopes_of_end_force(normal: &V3, load: &V3, beside: Option<V3>) -> EndForceSlopes {
+    let push = -normal.dot(load);
+    if push <= 0.0 {
+        return EndForceSlopes {
+            by_load: M3::identity(),
+            by_beside: M3::zeros(),
+        };
+    }
+    let level = M3::identity() - outer(normal, normal);
+    let held = beside.filter(|force| normal.dot(force) > 0.0);
+    let Some(force) = held else {
+        return EndForceSlopes {
+            by_load: level,
+            by_beside: M3::zeros(),
+        };
+    };
+    let borne = normal.dot(&force);
+    let friction = level * force / borne;
+    let by_force = (level - outer(&friction, normal)) / borne;
+    let (size, resisted) = (friction.norm(), -load.dot(&friction));
+    if resisted > 0.0 && size * size * push > resisted {
+        let along = friction / size;
+        let turned = M3::from_diagonal_element(along.dot(load)) + outer(&along, load);
+        let across = M3::identity() - outer(&along, &along);
+        EndForceSlopes {
+            by_load: level - outer(&along, &along),
+            by_beside: -turned * across * by_force / size,
+        }
+    } else {
+        EndForceSlopes {
+            by_load: level - outer(&friction, normal),
+            by_beside: by_force * push,
+        }
     }
 }

@@ -118,8 +118,8 @@ impl Element for BodyContact {
     /// Normal damping, friction and suction; their springs count as dissipated, as for the line. A body that leaves faster than
     /// the damping lets the bed follow has no reaction, and the energy of the spring is lost.
     fn add_dissipation(&self, at: At<'_>, power: &mut f64) {
-        let normal = self.seabed.normal();
         for (number, body) in self.bodies.iter().enumerate() {
+            let normal = self.normal(body, at.state);
             let force = self.reaction(number, at.state).map(|r| r.force);
             let depth = (-self.height(body, at.state)).max(0.0);
             if force.is_none() && depth == 0.0 {
@@ -233,6 +233,11 @@ impl BodyContact {
         self.seabed.height(&body.bottom(&state.x))
     }
 
+    /// Normal of the bed below a body.
+    fn normal(&self, body: &BearingBody, state: &State) -> V3 {
+        self.seabed.normal(&body.bottom(&state.x))
+    }
+
     fn push(&self, body: &BearingBody, state: &State) -> BedReaction {
         let (x, v) = (body.bottom(&state.x), body.motion(&state.v));
         self.seabed.push(&x, &v, body.area)
@@ -279,7 +284,7 @@ impl BodyContact {
         law: impl FnOnce(&FrictionContact<'_>) -> T,
     ) -> T {
         law(&FrictionContact {
-            normal: &self.seabed.normal(),
+            normal: &self.normal(body, state),
             push,
             x: &body.bottom(&state.x),
             v: &body.motion(&state.v),
@@ -294,7 +299,7 @@ impl BodyContact {
         if push.force <= 0.0 && suction == (0.0, 0.0) {
             return None;
         }
-        let normal = self.seabed.normal();
+        let normal = self.normal(body, state);
         let across = normal * normal.transpose();
         let mut reaction = Reaction {
             force: normal * (push.force - suction.0),
@@ -345,7 +350,7 @@ impl BodyContact {
     /// The history of a body after a step that is accepted.
     fn history(&self, number: usize, state: &State) -> BodyOnBed {
         let body = &self.bodies[number];
-        let normal = self.seabed.normal();
+        let normal = self.normal(body, state);
         let height = self.height(body, state);
         let bears = height < 0.0;
         let known = state.memory.bodies.get(number);
