@@ -67,6 +67,9 @@ pub(crate) fn gather(
             _ => numbers(carried, &shown, &PLACES.map(str::to_owned)).map(|_| ())?,
         }
     }
+    if let Some(bed) = case.seabed.clone() {
+        reading.take_depths(&mut case.files, &bed, "seabed")?;
+    }
     for number in 0..case.published_curve.len() {
         let curve = &case.published_curve[number];
         let Some(name) = curve.points_file.clone() else {

@@ -34,7 +34,9 @@ pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
     Waves,
 };
-pub use settings::{FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape};
+pub use settings::{
+    BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
+};
 pub(crate) use settings::{SeabedKeys, StartKeys};
 pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,

@@ -302,6 +302,7 @@ mod tests {
         ElasticBed {
             z: -10.0,
             slope: ElasticBed::sloping(0.2, 0.7),
+            grid: None,
             stiffness: 1e4,
             damping: 50.0,
             friction: None,

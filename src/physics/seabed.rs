@@ -7,15 +7,20 @@
 
 use super::bed_friction::Friction;
 use super::bed_reaction::BedReaction;
-use crate::numerics::V3;
+use crate::numerics::lanes::outer;
+use std::sync::Arc;
+
+use crate::numerics::{DepthGrid, M3, V3};
 
 /// The bed under the whole line.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct ElasticBed {
     /// Height of the bed above still water at x = y = 0 \[m\], negative below.
     pub z: f64,
     /// Unit normal, upwards; nothing where the bed is level.
     pub slope: Option<V3>,
+    /// Depths over places in the place of level and slope.
+    pub grid: Option<Arc<DepthGrid>>,
     /// Stiffness per area \[N/m³\].
     pub stiffness: f64,
     /// Damping per area \[N s/m³\].
@@ -36,17 +41,92 @@ impl ElasticBed {
     /// Unit normal of the bed below a place.
     #[inline]
     #[must_use]
-    pub fn normal(&self, _: &V3) -> V3 {
-        self.slope.unwrap_or_else(V3::z)
+    pub fn normal(&self, x: &V3) -> V3 {
+        match &self.grid {
+            None => self.slope.unwrap_or_else(V3::z),
+            Some(_) => self.gradient(x).normalize(),
+        }
     }
 
-    /// Height of a place above the bed \[m\], along its normal; negative below.
+    /// Height of a place above the bed \[m\], along the normal of a plane, vertical over a grid; negative below.
     #[inline]
     #[must_use]
     pub fn height(&self, x: &V3) -> f64 {
-        match &self.slope {
-            None => x.z - self.z,
-            Some(normal) => normal.dot(x) - normal.z * self.z,
+        match (&self.slope, &self.grid) {
+            (_, Some(grid)) => x.z + grid.at(x.x, x.y).depth,
+            (None, None) => x.z - self.z,
+            (Some(normal), None) => normal.dot(x) - normal.z * self.z,
+        }
+    }
+
+    /// Derivative of that height by the place, along which the bed pushes: the normal of a plane, longer over a grid that slopes. The
+    /// push is then the gradient of the energy of the springs, so that a line that slides over a bump gets back what it gave.
+    #[inline]
+    #[must_use]
+    pub fn gradient(&self, x: &V3) -> V3 {
+        match &self.grid {
+            None => self.slope.unwrap_or_else(V3::z),
+            Some(grid) => {
+                let [by_x, by_y] = grid.at(x.x, x.y).slope;
+                V3::new(by_x, by_y, 1.0)
+            }
+        }
+    }
+
+    /// Second derivative of that height \[1/m\]; nothing on a plane.
+    #[inline]
+    #[must_use]
+    pub fn curvature(&self, x: &V3) -> Option<M3> {
+        let grid = self.grid.as_ref()?;
+        let [xx, xy, yy] = grid.at(x.x, x.y).curvature;
+        Some(M3::new(xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.0))
+    }
+
+    /// The direction in which a node is put back onto the bed, a metre higher for a metre of it.
+    #[must_use]
+    pub fn way_out(&self, x: &V3) -> V3 {
+        match &self.grid {
+            None => self.normal(x),
+            Some(_) => V3::z(),
+        }
+    }
+
+    /// Derivatives of a push on a node by its position \[N/m\] and velocity \[N s/m\]: with the gradient g of the height h, its curvature C
+    /// and the push P(h, g.v), the force is P g.
+    ///
+    /// ```text
+    /// by position   g (P_h g + P_s C v)' + P C        by velocity   P_s g g'
+    /// ```
+    #[inline]
+    #[must_use]
+    pub fn slopes(&self, x: &V3, v: &V3, push: &BedReaction) -> [M3; 2] {
+        let gradient = self.gradient(x);
+        let across = outer(&gradient, &gradient);
+        let (mut by_position, by_velocity) = (across * push.by_height, across * push.by_speed);
+        if let Some(curvature) = self.curvature(x) {
+            by_position += outer(&gradient, &(curvature * v * push.by_speed));
+            by_position += curvature * push.force;
+        }
+        [by_position, by_velocity]
+    }
+
+    /// The plane through the bed below two places, sloping along the line between them; the bed itself where it is a plane.
+    #[must_use]
+    pub fn plane_below(&self, from: &V3, to: &V3) -> Self {
+        let Some(grid) = &self.grid else {
+            return self.clone();
+        };
+        let [first, last] = [from, to].map(|place| -grid.at(place.x, place.y).depth);
+        let along = V3::new(to.x - from.x, to.y - from.y, 0.0);
+        let distance = along.norm();
+        let rise = if distance > 0.0 { last - first } else { 0.0 };
+        let azimuth = along.y.atan2(along.x);
+        let by_metre = rise / distance.max(f64::MIN_POSITIVE);
+        Self {
+            z: first - by_metre * (from.x * azimuth.cos() + from.y * azimuth.sin()),
+            slope: Self::sloping(by_metre.atan(), azimuth),
+            grid: None,
+            ..self.clone()
         }
     }
 
@@ -54,15 +134,22 @@ impl ElasticBed {
     #[inline]
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.slope.is_none() && self.friction.is_none()
+        self.slope.is_none() && self.grid.is_none() && self.friction.is_none()
     }
 
     /// Reaction of the bed on a node at x \[m\] that moves at v \[m/s\], on an area \[m²\].
     #[inline]
     #[must_use]
     pub fn push(&self, x: &V3, v: &V3, area: f64) -> BedReaction {
-        let speed = self.slope.map_or(v.z, |normal| normal.dot(v));
-        self.push_at(-self.height(x), speed, area)
+        let depth = -self.height(x);
+        if depth <= 0.0 {
+            return BedReaction::default();
+        }
+        let speed = match (&self.slope, &self.grid) {
+            (None, None) => v.z,
+            _ => self.gradient(x).dot(v),
+        };
+        self.push_at(depth, speed, area)
     }
 
     /// Reaction of the bed on a node at a depth below the bed \[m\] that leaves it at a speed \[m/s\]. As with the tension of a
@@ -100,6 +187,7 @@ mod tests {
     const BED: ElasticBed = ElasticBed {
         z: -10.0,
         slope: None,
+        grid: None,
         stiffness: 100.0,
         damping: 10.0,
         friction: None,

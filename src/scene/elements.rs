@@ -65,7 +65,7 @@ impl Elements {
             bed: case
                 .seabed
                 .as_ref()
-                .map(|bed| BedContact::new(bed, &line.segments)),
+                .map(|bed| BedContact::new((bed, &case.files), &line.segments)),
             flexure: Flexure::of_case(case, &line.segments),
             traveller: TravellingBody::of_case(case),
             rigid_payload,

@@ -3,6 +3,7 @@
 
 use super::{EndCondition, Scene};
 use crate::numerics::V3;
+use crate::physics::ElasticBed;
 use crate::physics::bed_friction::{Friction, FrictionModel};
 use crate::solve::State;
 use crate::statics::catenary::{
@@ -110,9 +111,10 @@ impl Scene {
             }
         };
         let up = -down;
-        let reversed = self
-            .seabed()
-            .is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to));
+        let bed = self.seabed().map(|bed| bed.plane_below(&from, &to));
+        let bed = bed.as_ref();
+        let reversed =
+            bed.is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to));
         let sections = self.sections(&down, &mean, of_laws, reversed);
         let (first, last) = if reversed { (to, from) } else { (from, to) };
         let chord = last - first;
@@ -127,7 +129,7 @@ impl Scene {
         } else {
             across(&up)
         };
-        let solution = self.solve_over_bed(first, along, ends, &sections)?;
+        let solution = self.solve_over_bed(bed, (first, along), ends, &sections)?;
         let place = |s: &f64| {
             let point = solution.at(if reversed { whole - s } else { *s });
             first + along * point.x_m + up * point.z_m
@@ -161,12 +163,12 @@ impl Scene {
     /// The closed form over the slope of the bed in the plane of the line; without friction if that fails with it.
     fn solve_over_bed(
         &self,
-        first: V3,
-        along: V3,
+        bed: Option<&ElasticBed>,
+        (first, along): (V3, V3),
         ends: EndOffset,
         sections: &[SectionProperties],
     ) -> Result<Solution, CatenaryError> {
-        let bed = self.seabed().map(|bed| {
+        let bed = bed.map(|bed| {
             let normal = bed.normal(&first);
             let slope = (-normal.dot(&along) / normal.z).atan();
             RigidBed {
@@ -245,13 +247,13 @@ impl Scene {
         let tall = 1e-9 * self.line.arc[nodes.len() - 1];
         for i in self.line.free() {
             let node = &mut nodes[i];
-            let (height, normal) = (bed.height(node), bed.normal(node));
+            let (height, out) = (bed.height(node), bed.way_out(node));
             let area = self.bearing_area(i);
             if height <= tall && area > 0.0 {
-                let give = self.line.weight[i].max(0.0) * normal.z / (bed.stiffness * area);
-                match bed.slope {
-                    None => node.z = bed.z - give,
-                    Some(_) => *node -= normal * (height + give),
+                let give = self.line.weight[i].max(0.0) * out.z / (bed.stiffness * area);
+                match (bed.slope, &bed.grid) {
+                    (None, None) => node.z = bed.z - give,
+                    _ => *node -= out * (height + give),
                 }
             }
         }

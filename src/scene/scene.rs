@@ -93,7 +93,7 @@ impl Scene {
     pub fn lift_to_bed(&self, place: &V3, aside: &V3) -> V3 {
         self.seabed().map_or_else(V3::zeros, |bed| {
             let least = bed.height(place).min(0.0);
-            bed.normal(place) * (least - bed.height(&(place + aside))).max(0.0)
+            bed.way_out(place) * (least - bed.height(&(place + aside))).max(0.0)
         })
     }
 

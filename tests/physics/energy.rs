@@ -22,7 +22,7 @@ fn kinetic(scene: &Scene, state: &State, v: &[V3]) -> f64 {
 /// What the books are out by at most, as a share of all that goes through them: energy gained, less the work of ends and
 /// waves and of what takes energy out, summed over the steps by the trapezoidal rule, and less `v' dM v / 2`, the
 /// growth of the added mass as it turns and gets wet, which is no force's work. The other number is the same without that.
-fn out_by(
+pub(crate) fn out_by(
     scene: &Scene,
     method: impl Stepper<Scene>,
     state: &mut State,

@@ -20,6 +20,7 @@ mod rods;
 mod rope;
 mod sea;
 mod seabed;
+mod seabed_grid;
 mod tangents;
 mod traveller;
 mod wall_tension;

@@ -402,7 +402,7 @@ fn a_slope_holds_below_the_angle_of_friction() {
             "friction = {friction}, damping_n_s_per_m3 = 2e3, slope_deg = {slope}, slope_azimuth_deg = 90.0"
         ));
         // As deep in the bed as it comes to rest.
-        let bed = scene.elements.bed.as_ref().unwrap().seabed;
+        let bed = scene.elements.bed.as_ref().unwrap().seabed.clone();
         for (x, grip) in scene.start.positions.iter_mut().zip(&mut scene.start.grips) {
             *x -= bed.normal(x) * (bed.height(x) + 0.009_806_65 * cos);
             grip.at = *x;

@@ -9,7 +9,7 @@ use seacable::solve::{
 };
 
 /// Two materials, floats, a payload, a current sheared over depth.
-const LINE: &str = r#"
+pub(crate) const LINE: &str = r#"
 [case]
 title = "tangent"
 [current]
@@ -131,7 +131,7 @@ fn line_at_sea(surface: &str, stretching: &str, depth: &str) -> Scene {
 }
 
 /// A state near the straight start, displaced, moving and accelerating at random.
-fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
+pub(crate) fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
     let mut next = numbers.iter().copied().cycle();
     let mut vector = |size: f64| V3::from_fn(|_, _| size * next.next().unwrap());
     let mut state = scene.initial_state();
@@ -145,7 +145,7 @@ fn state(scene: &Scene, numbers: &[f64], strain: f64, speed: f64) -> State {
 }
 
 /// The largest difference between the tangent and central differences, as a share of its largest entry.
-fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
+pub(crate) fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
     let n = scene.nodes();
     let mut tangent = BlockBand::new(n);
     let mut r = vec![V3::zeros(); n];

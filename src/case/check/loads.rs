@@ -2,7 +2,9 @@
 
 use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
-use crate::case::model::{CaseKeys, CurrentKeys, FrictionLaw, OneOrMany, SeabedKeys};
+use crate::case::model::{
+    BedInterpolation, CaseKeys, CurrentKeys, FrictionLaw, OneOrMany, SeabedKeys,
+};
 use crate::case::schema::Key;
 
 /// More output instants than this would fill memory and disk before they help anyone.
@@ -13,7 +15,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = case.current.iter().flat_map(current).collect();
     if let Some(bed) = &case.seabed {
         found.extend(friction(bed));
-        found.extend(level(bed));
+        found.extend(level(bed).into_iter().chain(grid(bed)));
     }
     found.extend(output(case));
     found
@@ -54,6 +56,24 @@ fn friction(bed: &SeabedKeys<'_>) -> Vec<Finding> {
             .collect(),
         None => Vec::new(),
     }
+}
+
+/// Keys of a bed with a grid of depths that say the same otherwise, or are not computed with it.
+fn grid(bed: &SeabedKeys<'_>) -> Vec<Finding> {
+    if !bed.depth_file.is_given() {
+        let problem = "has no effect: the bed has no file of depths";
+        let remedy = "add `depth_file = ...`, or remove this key";
+        let given = bed.interpolation.if_given(problem, remedy);
+        let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
+        return given.filter(|_| differs).into_iter().collect();
+    }
+    let problem = "has no effect: the bed has the depths of depth_file";
+    let slope = bed.slope_deg.if_given(problem, "remove it, or depth_file");
+    let friction = bed.friction.if_given(
+        "is not computed on a bed with a grid of depths",
+        "remove it, or give a plane by depth_m and slope_deg",
+    );
+    slope.into_iter().chain(friction).collect()
 }
 
 /// Where a level bed is how deep, and which way it does not rise. Zero says no more than nothing.

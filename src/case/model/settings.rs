@@ -114,10 +114,10 @@ table! {
 }
 
 table! {
-    /// A sea bed: level, or sloping evenly.
+    /// A sea bed: level, sloping evenly, or with depths over a grid of places.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Seabed => SeabedKeys {
-        /// Depth of the bed below still water, at depth_at_m where it slopes.
+        /// Depth of the bed below still water, at depth_at_m where it slopes; with depth_file that which waves feel.
         depth_m: f64, "depth", range of(0.0, 2e4);
         /// Where the bed has that depth, x and y; matters on a slope.
         depth_at_m: [f64; 2] = [0.0, 0.0], "place of the depth", range of(-1e6, 1e6);
@@ -125,6 +125,10 @@ table! {
         slope_deg: f64 = 0.0, "slope", range of(-80.0, 80.0);
         /// Direction in which the bed rises, from +x towards +y.
         slope_azimuth_deg: f64 = 0.0, "slope azimuth", range of(-360.0, 360.0);
+        /// CSV file of depths, x_m,y_m,depth_m on a rectangular grid, in the place of level and slope; beyond it its edge.
+        depth_file: Option<String>, "file of depths", absent "the bed is level or a plane";
+        /// How the depth goes between the places of that file.
+        interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
         /// Push of the bed per area and depth below it.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
         /// Push of the bed per area and speed into it; with friction, along the bed as well.
@@ -139,6 +143,18 @@ table! {
         grip_stiffness_n_per_m3: Option<f64>, "grip stiffness", range positive(1e12), absent "as the stiffness";
         /// Below it friction by zhu-2017 is in proportion to the speed.
         slip_speed_m_per_s: f64 = 0.01, "slip speed", range positive(10.0);
+    }
+}
+
+words! {
+    /// How the depth of the bed goes between the places of a grid.
+    #[derive(Default)]
+    pub enum BedInterpolation {
+        /// Bilinear: the slope has kinks at the lines of the grid.
+        Bilinear = "bilinear",
+        /// By cubic polynomials, with a continuous slope.
+        #[default]
+        Smooth = "smooth",
     }
 }
 

@@ -1,7 +1,7 @@
 //! What a case states, drawn on the figures of its runs: breaking loads, least bending radii, the sea bed, published values.
 
 use super::{FigureData, FigureId};
-use crate::case::{Case, ChannelQuantity, Material, Published, Statistic, Subject};
+use crate::case::{Case, ChannelQuantity, Material, Published, Seabed, Statistic, Subject};
 use crate::number::si;
 use crate::reference::{Outcome, tolerance};
 use crate::report::chart::{Chart, Limit, LimitLine};
@@ -70,7 +70,8 @@ fn least_radii(case: &Case) -> Vec<Limit> {
 
 /// A level bed; a slope has no one height.
 fn bed(case: &Case) -> Vec<Limit> {
-    let level = case.seabed.iter().filter(|bed| bed.slope_deg.abs() <= 0.0);
+    let is_level = |bed: &&Seabed| bed.slope_deg.abs() <= 0.0 && bed.depth_file.is_none();
+    let level = case.seabed.iter().filter(is_level);
     level
         .map(|bed| Limit::new("sea bed", LimitLine::Bound(-bed.depth_m)))
         .collect()

@@ -1,5 +1,8 @@
 //! Contact of the line with the sea bed: normal springs and dampers and friction at every node.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use crate::case::{self, FrictionLaw};
 use crate::numerics::lanes::outer;
 use crate::numerics::{BlockBand, V3};
@@ -9,6 +12,9 @@ use crate::physics::bed_reaction::BedReaction;
 use crate::scene::element::{At, Element};
 use crate::scene::{EndCondition, LumpedLine, Segment};
 use crate::solve::{Factors, State};
+
+/// The files that a case carries, by their names.
+pub(super) type Attachments = BTreeMap<String, case::Attachment>;
 
 /// The sea bed and the area of line on it.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,7 +40,7 @@ pub(in crate::scene) struct HalfSegment {
 }
 
 /// The bed of the case.
-pub(super) fn seabed(bed: &case::Seabed) -> ElasticBed {
+pub(super) fn seabed(bed: &case::Seabed, files: &Attachments) -> ElasticBed {
     let (slope, azimuth) = (
         bed.slope_deg.to_radians(),
         bed.slope_azimuth_deg.to_radians(),
@@ -46,6 +52,8 @@ pub(super) fn seabed(bed: &case::Seabed) -> ElasticBed {
     ElasticBed {
         z: -bed.depth_m - slope.tan() * (x * azimuth.cos() + y * azimuth.sin()),
         slope: ElasticBed::sloping(slope, azimuth),
+        // Its file was read with the case.
+        grid: case::depth_grid(bed, files).ok().flatten().map(Arc::new),
         stiffness: bed.stiffness_n_per_m3,
         damping: bed.damping_n_s_per_m3,
         friction: friction.map(|axial| Friction {
@@ -92,18 +100,24 @@ impl Element for BedContact {
         let nodes = tangent.diag[..self.footprint.len()].iter_mut().zip(r);
         for (i, (block, out)) in nodes.enumerate() {
             let push = self.push(i, state);
-            let k = c.stiffness * push.by_height + c.damping * push.by_speed;
             if bed.is_plain() {
                 out.z -= push.force;
-                block[(2, 2)] -= k;
+                block[(2, 2)] -= c.stiffness * push.by_height + c.damping * push.by_speed;
                 continue;
             }
             if push.force <= 0.0 {
                 continue;
             }
-            let normal = bed.normal(&state.x[i]);
-            let mut force = normal * push.force;
-            *block -= outer(&normal, &(normal * k));
+            let (x, v) = (&state.x[i], &state.v[i]);
+            let mut force = bed.gradient(x) * push.force;
+            let normal = bed.normal(x);
+            if bed.grid.is_none() {
+                let k = c.stiffness * push.by_height + c.damping * push.by_speed;
+                *block -= outer(&normal, &(normal * k));
+            } else {
+                let [by_position, by_velocity] = bed.slopes(x, v, &push);
+                *block -= by_position * c.stiffness + by_velocity * c.damping;
+            }
             if let Some(friction) = &bed.friction
                 && let Some(held) = friction.with_tangent(
                     &contact(&normal, &push, i, state),
@@ -161,7 +175,7 @@ impl Element for BedContact {
             let push = self.push(i, state);
             let normal = bed.normal(x);
             let elastic = bed.stiffness * self.footprint[i] * depth;
-            taken -= (push.force - elastic) * normal.dot(v);
+            taken -= (push.force - elastic) * bed.gradient(x).dot(v);
             let Some(law) = bed.friction.as_ref().filter(|_| push.force > 0.0) else {
                 continue;
             };
@@ -196,9 +210,9 @@ impl Element for BedContact {
 
 impl BedContact {
     /// The bed of the case under these segments.
-    pub(super) fn new(bed: &case::Seabed, segments: &[Segment]) -> Self {
+    pub(super) fn new((bed, files): (&case::Seabed, &Attachments), segments: &[Segment]) -> Self {
         Self {
-            seabed: seabed(bed),
+            seabed: seabed(bed, files),
             footprint: footprint(segments),
         }
     }
@@ -246,7 +260,7 @@ impl BedContact {
                 state.memory.grips.get(i),
             )
         });
-        normal * push.force + along
+        self.seabed.gradient(&state.x[i]) * push.force + along
     }
 
     /// Friction springs without force at these positions; none for other laws.

@@ -51,7 +51,7 @@ impl BedContact {
     fn force_by_position(&self, i: usize, state: &State) -> M3 {
         let push = self.push(i, state);
         let normal = self.seabed.normal(&state.x[i]);
-        let slope = outer(&normal, &(normal * push.by_height));
+        let [slope, _] = self.seabed.slopes(&state.x[i], &state.v[i], &push);
         let friction = self.seabed.friction.as_ref().filter(|_| push.force > 0.0);
         let friction = friction.and_then(|law| {
             law.with_tangent(

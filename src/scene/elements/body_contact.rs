@@ -119,13 +119,13 @@ impl Element for BodyContact {
     /// the damping lets the bed follow has no reaction, and the energy of the spring is lost.
     fn add_dissipation(&self, at: At<'_>, power: &mut f64) {
         for (number, body) in self.bodies.iter().enumerate() {
-            let normal = self.normal(body, at.state);
+            let gradient = self.gradient(body, at.state);
             let force = self.reaction(number, at.state).map(|r| r.force);
             let depth = (-self.height(body, at.state)).max(0.0);
             if force.is_none() && depth == 0.0 {
                 continue;
             }
-            let elastic = normal * (self.seabed.stiffness * body.area * depth);
+            let elastic = gradient * (self.seabed.stiffness * body.area * depth);
             let viscous = force.unwrap_or_else(V3::zeros) - elastic;
             *power -= viscous.dot(&body.motion(&at.state.v));
         }
@@ -160,7 +160,7 @@ impl BodyContact {
         payload: Option<&RigidPayload>,
         last: usize,
     ) -> Option<Self> {
-        let mut seabed = seabed(case.seabed.as_ref()?);
+        let mut seabed = seabed(case.seabed.as_ref()?, &case.files);
         if let Some(friction) = &mut seabed.friction {
             friction.lateral = friction.axial;
         }
@@ -204,7 +204,7 @@ impl BodyContact {
         Self {
             seabed: ElasticBed {
                 friction: None,
-                ..self.seabed
+                ..self.seabed.clone()
             },
             bodies: self.bodies.clone(),
         }
@@ -236,6 +236,11 @@ impl BodyContact {
     /// Normal of the bed below a body.
     fn normal(&self, body: &BearingBody, state: &State) -> V3 {
         self.seabed.normal(&body.bottom(&state.x))
+    }
+
+    /// Derivative of the height of a body above the bed by its place.
+    fn gradient(&self, body: &BearingBody, state: &State) -> V3 {
+        self.seabed.gradient(&body.bottom(&state.x))
     }
 
     fn push(&self, body: &BearingBody, state: &State) -> BedReaction {
@@ -299,12 +304,17 @@ impl BodyContact {
         if push.force <= 0.0 && suction == (0.0, 0.0) {
             return None;
         }
-        let normal = self.normal(body, state);
-        let across = normal * normal.transpose();
+        let (x, v) = (body.bottom(&state.x), body.motion(&state.v));
+        let held = BedReaction {
+            force: push.force - suction.0,
+            by_height: push.by_height - suction.1,
+            ..push
+        };
+        let [by_position, by_velocity] = self.seabed.slopes(&x, &v, &held);
         let mut reaction = Reaction {
-            force: normal * (push.force - suction.0),
-            by_position: across * (push.by_height - suction.1),
-            by_velocity: across * push.by_speed,
+            force: self.seabed.gradient(&x) * held.force,
+            by_position,
+            by_velocity,
         };
         if let Some(held) = self.friction_on(number, state) {
             reaction.force += held.force;
@@ -350,7 +360,7 @@ impl BodyContact {
     /// The history of a body after a step that is accepted.
     fn history(&self, number: usize, state: &State) -> BodyOnBed {
         let body = &self.bodies[number];
-        let normal = self.normal(body, state);
+        let normal = self.gradient(body, state);
         let height = self.height(body, state);
         let bears = height < 0.0;
         let known = state.memory.bodies.get(number);

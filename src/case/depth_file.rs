@@ -1,0 +1,77 @@
+//! The file of depths that a sea bed names.
+
+use std::collections::BTreeMap;
+
+use super::attachments::{FileSource, placed};
+use super::diagnostic::{Diagnostic, Finding};
+use super::model::{Attachment, BedInterpolation, Seabed};
+use crate::numerics::{DepthGrid, DepthInterpolation};
+
+/// Columns of a table of depths.
+const COLUMNS: [&str; 3] = ["x_m", "y_m", "depth_m"];
+
+/// Depths and places are within these \[m\], as keys of the bed are.
+const FARTHEST: f64 = 1e6;
+
+/// The grid of depths that a bed names, from the files that its case carries; nothing where it names none.
+///
+/// # Errors
+/// The file is not carried, is no table of x_m, y_m and depth_m, or its places make no rectangular grid.
+pub fn depth_grid(
+    bed: &Seabed,
+    files: &BTreeMap<String, Attachment>,
+) -> Result<Option<DepthGrid>, Diagnostic> {
+    let Some(name) = &bed.depth_file else {
+        return Ok(None);
+    };
+    let Some(file) = files.get(name) else {
+        return Err(Diagnostic::whole_file(
+            name,
+            "is not there",
+            "name a file of depths beside the case",
+        ));
+    };
+    read(&file.text, name, bed.interpolation).map(Some)
+}
+
+fn read(text: &str, file: &str, interpolation: BedInterpolation) -> Result<DepthGrid, Diagnostic> {
+    let table = placed(text, file, &COLUMNS.map(str::to_owned))?;
+    for number in table.iter().flatten() {
+        if number.value.abs() > FARTHEST {
+            let problem = format!("{} m is too far", number.value);
+            let remedy = format!("give places and depths up to {FARTHEST} m");
+            return Err(Finding::new(&number.span, "", problem, remedy).at(file, text));
+        }
+    }
+    let rows: Vec<[f64; 3]> = table
+        .iter()
+        .map(|row| [row[0].value, row[1].value, row[2].value])
+        .collect();
+    let how = match interpolation {
+        BedInterpolation::Bilinear => DepthInterpolation::Bilinear,
+        BedInterpolation::Smooth => DepthInterpolation::Smooth,
+    };
+    DepthGrid::of_rows(&rows, how).map_err(|error| {
+        Diagnostic::whole_file(
+            file,
+            format!("makes no grid: {error}"),
+            "give a row x_m,y_m,depth_m for every pair of x and y, each once",
+        )
+    })
+}
+
+impl FileSource<'_> {
+    /// Sees to it that the file of depths of a bed at this key is carried, and that it is a grid.
+    pub(crate) fn take_depths(
+        &self,
+        files: &mut BTreeMap<String, Attachment>,
+        bed: &Seabed,
+        table: &str,
+    ) -> Result<(), Diagnostic> {
+        if let Some(name) = &bed.depth_file {
+            let shown = self.take(files, name, &[table, "depth_file"])?;
+            read(&files[name].text, &shown, bed.interpolation)?;
+        }
+        Ok(())
+    }
+}
