@@ -15,6 +15,7 @@ use std::path::{Path, PathBuf};
 
 use self::fault::Fault;
 use crate::case::Diagnostic;
+use crate::files;
 use crate::kinds::FileType;
 
 /// What is said about a file besides its text.
@@ -69,6 +70,16 @@ pub fn is_foreign(text: &str) -> bool {
         FileType::ALL.into_iter().any(is_of)
     };
     lines().any(|line| line.starts_with("---")) && !lines().any(is_case)
+}
+
+/// Where the case of a file is saved: a case onto itself, one of another program beside its file.
+#[must_use]
+pub fn case_path(path: &Path) -> PathBuf {
+    let is_foreign = files::read_lossy(path).is_ok_and(|text| is_foreign(&text));
+    match is_foreign {
+        true => path.with_extension("toml"),
+        false => path.to_owned(),
+    }
 }
 
 /// The case of a file of another program with this text.

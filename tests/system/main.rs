@@ -9,6 +9,7 @@ mod closed_forms;
 mod creep;
 mod discretised;
 mod floating;
+mod foreign_files;
 mod hauled;
 mod motion;
 mod on_bed;

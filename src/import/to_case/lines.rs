@@ -1,9 +1,9 @@
 //! Lines, and what comes off them.
 
-use super::Context;
 use super::case_text::{CaseText, number, numbers, text};
 use super::joints::{Chain, chains};
 use super::points::name_of;
+use super::{Context, materials};
 use crate::import::mooring::{Attachment, Hold};
 use crate::numerics::V3;
 
@@ -29,7 +29,7 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     }
     if let [(only, _)] = chain.pieces.as_slice() {
         let line = &mooring.lines[*only];
-        let material = text(&context.names.materials[line.of_type.value]);
+        let material = text(&materials::name_of(mooring, &context.names, *only));
         case.given("material", &material, &line.of_type.span, "LineType");
         case.given(
             "length_m",
@@ -116,7 +116,11 @@ fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     for (number_of, _) in &chain.pieces {
         let line = &context.mooring.lines[*number_of];
         case.table("[[lines.sections]]", Some(&line.span));
-        let material = text(&context.names.materials[line.of_type.value]);
+        let material = text(&materials::name_of(
+            context.mooring,
+            &context.names,
+            *number_of,
+        ));
         case.given("material", &material, &line.of_type.span, "LineType");
         case.given(
             "length_m",

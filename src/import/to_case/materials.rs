@@ -1,29 +1,67 @@
 //! Line types as materials.
 
-use super::case_text::{CaseText, number};
-use super::names::Names;
-use crate::import::mooring::{Damping, Given, LineType, Mass, Mooring, Program, Stiffness};
+use std::ops::Range;
 
-/// Writes the materials that lines are made of.
+use super::case_text::{CaseText, number as number_of, numbers, text};
+use super::names::Names;
+use crate::import::mooring::{
+    Damping, Given, LineType, Mass, Mooring, PastTension, Program, Stiffness, Syrope, WorkingCurve,
+    WorkingForm,
+};
+
+/// Writes the materials that lines are made of. Ropes whose strain depends on their past are one for each past.
 pub fn write(case: &mut CaseText<'_>, mooring: &Mooring, names: &Names) {
-    let used = |number: usize| {
-        mooring
-            .lines
-            .iter()
-            .any(|line| line.of_type.value == number)
-    };
-    for (number, of_type) in mooring.line_types.iter().enumerate() {
-        if used(number) {
-            let header = format!("[materials.{}]", names.materials[number]);
-            case.table(&header, Some(&of_type.span));
-            material(case, of_type, mooring.program);
+    let mut written = Vec::new();
+    for (number, line) in mooring.lines.iter().enumerate() {
+        let name = name_of(mooring, names, number);
+        if written.contains(&name) {
+            continue;
         }
+        let of_type = &mooring.line_types[line.of_type.value];
+        case.table(&format!("[materials.{name}]"), Some(&of_type.span));
+        material(case, of_type, mooring.program);
+        if let (Stiffness::Syrope(_), Some(past)) =
+            (&of_type.stiffness.value, past_of(mooring, number))
+        {
+            let greatest = number_of(past.greatest.value);
+            case.given("past_tension_n", &greatest, &past.greatest.span, "Tmax0");
+            if past.mean.value > 0.0 {
+                let mean = number_of(past.mean.value);
+                case.given("initial_mean_tension_n", &mean, &past.mean.span, "Tmean0");
+            }
+        }
+        written.push(name);
     }
+}
+
+/// The material of a line: its type, with the line where others of the type have another past.
+#[must_use]
+pub fn name_of(mooring: &Mooring, names: &Names, line: usize) -> String {
+    let of_type = mooring.lines[line].of_type.value;
+    let name = &names.materials[of_type];
+    let is_syrope = matches!(
+        mooring.line_types[of_type].stiffness.value,
+        Stiffness::Syrope(_)
+    );
+    let values =
+        |line: usize| past_of(mooring, line).map(|past| [past.greatest.value, past.mean.value]);
+    let mut others = mooring.lines.iter().enumerate();
+    let differs =
+        others.any(|(other, keys)| keys.of_type.value == of_type && values(other) != values(line));
+    match is_syrope && differs {
+        true => format!("{name}-{}", names.lines[line]),
+        false => name.clone(),
+    }
+}
+
+fn past_of(mooring: &Mooring, line: usize) -> Option<&PastTension> {
+    let mut all = mooring.past_tensions.iter();
+    all.find(|past| past.lines.contains(&line))
 }
 
 fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
     let mut one = |key: &str, given: &Given<f64>, column: &str| {
-        case.given(key, &number(given.value), &given.span, column);
+        case.given(key, &number_of(given.value), &given.span, column);
     };
     one("diameter_m", &of.diameter, "Diam");
     let (mass, wet) = match of.mass.value {
@@ -42,21 +80,14 @@ fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
             "weight in water",
         );
     }
-    match &of.stiffness.value {
-        Stiffness::Constant(ea) => {
-            one("ea_n", &Given::new(*ea, of.stiffness.span.clone()), "EA");
-        }
-        // Kept to slow motion where the rest is left out.
-        Stiffness::Viscoelastic { slow, .. } => {
-            one(
-                "ea_n",
-                &Given::new(*slow, of.stiffness.span.clone()),
-                "EA of slow motion",
-            );
-        }
-        Stiffness::Table(curve) => secant(&mut one, curve, of),
-        Stiffness::Syrope(rope) => secant(&mut one, &rope.first_loading, of),
+    if let Stiffness::Constant(ea) | Stiffness::Viscoelastic { slow: ea, .. } = &of.stiffness.value
+    {
+        one("ea_n", &Given::new(*ea, of.stiffness.span.clone()), "EA");
     }
+    elasticity(case, of);
+    let mut one = |key: &str, given: &Given<f64>, column: &str| {
+        case.given(key, &number_of(given.value), &given.span, column);
+    };
     if of.bending.value > 0.0 {
         one("ei_n_m2", &of.bending, "EI");
     }
@@ -67,13 +98,6 @@ fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
         }
         Damping::Ratio(ratio) if ratio > 0.0 => {
             one("axial_damping_ratio", &Given::new(ratio, span), "-zeta");
-        }
-        Damping::Two(slow, _) if slow > 0.0 => {
-            one(
-                "axial_damping_n_s",
-                &Given::new(slow, span),
-                "BA of slow motion",
-            );
         }
         _ => {}
     }
@@ -91,14 +115,73 @@ fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
     case.assumed("drag_tangential_width", "\"perimeter\"", why);
 }
 
-/// A curve of tension over strain that is left out, but for its first slope.
-fn secant(one: &mut impl FnMut(&str, &Given<f64>, &str), curve: &[[f64; 2]], of: &LineType) {
-    let slope = curve
-        .get(1)
-        .map_or(0.0, |[strain, tension]| tension / strain);
-    one(
-        "ea_n",
-        &Given::new(slope, of.stiffness.span.clone()),
-        "first slope of its curve",
-    );
+/// Tension by strain, where it is more than one stiffness.
+fn elasticity(case: &mut CaseText<'_>, of: &LineType) {
+    let span = &of.stiffness.span;
+    let curve = match &of.stiffness.value {
+        Stiffness::Table(curve) => Some(curve),
+        Stiffness::Syrope(rope) => Some(&rope.first_loading),
+        Stiffness::Constant(_) | Stiffness::Viscoelastic { .. } => None,
+    };
+    if let Some(curve) = curve {
+        let column = |k: usize| numbers(&curve.iter().map(|row| row[k]).collect::<Vec<f64>>());
+        case.given("strain", &column(0), span, "strains of its curve");
+        case.given("tension_n", &column(1), span, "tensions of its curve");
+    }
+    let (model, fast, per_tension) = match &of.stiffness.value {
+        Stiffness::Viscoelastic {
+            fast, per_tension, ..
+        } => ("viscoelastic", *fast, *per_tension),
+        Stiffness::Syrope(rope) => ("syrope", rope.fast, rope.per_tension),
+        Stiffness::Constant(_) | Stiffness::Table(_) => return,
+    };
+    case.given("creep_model", &text(model), span, "EA");
+    if let Stiffness::Syrope(rope) = &of.stiffness.value {
+        working_curve(case, rope, span);
+    }
+    case.given("dynamic_ea_n", &number_of(fast), span, "EA of fast motion");
+    if per_tension != 0.0 {
+        let growth = number_of(per_tension);
+        case.given(
+            "dynamic_ea_per_tension",
+            &growth,
+            span,
+            "EA by the mean tension",
+        );
+    }
+    if let Damping::Two(slow, fast) = of.damping.value {
+        case.given(
+            "slow_damping_n_s",
+            &number_of(slow),
+            &of.damping.span,
+            "BA of slow motion",
+        );
+        if fast > 0.0 {
+            case.given(
+                "fast_damping_n_s",
+                &number_of(fast),
+                &of.damping.span,
+                "BA of fast motion",
+            );
+        }
+    }
+}
+
+/// The curve below the greatest past tension. A first parameter below 1 is a ratio of strains, above it a stiffness.
+fn working_curve(case: &mut CaseText<'_>, rope: &Syrope, span: &Range<usize>) {
+    let WorkingCurve { form, k1, k2 } = rope.working_curve;
+    let shape = match form {
+        WorkingForm::Linear => "linear",
+        WorkingForm::Quadratic => "quadratic",
+        WorkingForm::Exponential => "exponential",
+    };
+    case.given("working_curve", &text(shape), span, "WCType");
+    if form == WorkingForm::Linear && k1 >= 1.0 {
+        case.given("working_curve_ea_n", &number_of(k1), span, "k1");
+    } else {
+        case.given("permanent_strain_ratio", &number_of(k1), span, "k1");
+    }
+    if form != WorkingForm::Linear {
+        case.given("working_curve_shape", &number_of(k2), span, "k2");
+    }
 }

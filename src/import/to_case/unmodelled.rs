@@ -4,7 +4,7 @@ use super::Context;
 use super::joints::is_inside;
 use crate::import::ImportOptions;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Hold, Stiffness, Unmodelled};
+use crate::import::mooring::{Attachment, Hold, Unmodelled};
 
 /// What is left out, in words.
 ///
@@ -15,7 +15,6 @@ pub fn leave_out(
     options: &ImportOptions,
 ) -> Result<Vec<String>, Vec<Fault>> {
     let mut all = context.mooring.unmodelled.clone();
-    all.extend(ropes(context));
     all.extend(pinned(context));
     all.extend(failures(context));
     all.extend(clamps(context));
@@ -46,33 +45,6 @@ fn fault(one: Unmodelled) -> Fault {
 
 fn with_verb(what: &str) -> String {
     format!("{what}: this is")
-}
-
-/// Ropes whose tension depends on more than their strain.
-fn ropes(context: &Context<'_>) -> Vec<Unmodelled> {
-    let types = context.mooring.line_types.iter();
-    types
-        .filter_map(|of| {
-            let (name, what) = match &of.stiffness.value {
-                Stiffness::Constant(_) => return None,
-                Stiffness::Table(_) => (
-                    "stiffness-curve",
-                    "tension as a curve over strain in a system (its first slope without it)",
-                ),
-                Stiffness::Viscoelastic { .. } => (
-                    "viscoelastic",
-                    "a viscoelastic rope (its stiffness of slow motion without it)",
-                ),
-                Stiffness::Syrope(_) => ("syrope", "a Syrope rope (its first slope without it)"),
-            };
-            Some(Unmodelled {
-                name,
-                span: of.stiffness.span.clone(),
-                key: "LINE TYPES, EA".to_owned(),
-                what: what.to_owned(),
-            })
-        })
-        .collect()
 }
 
 /// Parts that are held but free to turn.

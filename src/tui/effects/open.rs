@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::import::case_path;
 use crate::tui::msg::{FileRead, Msg};
 use crate::tui::state::reading::read_file;
 use crate::tui::{case_library, recovery};
@@ -10,6 +11,8 @@ use crate::tui::{case_library, recovery};
 pub(super) fn read_case(path: &Path) -> Msg {
     match read_file(path) {
         Ok((text, content)) => {
+            // The case of a file of another program is saved beside it, never onto it.
+            let path = &case_path(path);
             let recovered = recovery::find(path);
             let recovered = recovered.filter(|left| left.text != text || !left.kept.is_empty());
             let read = FileRead::new(path.to_owned(), text, content, recovered);
