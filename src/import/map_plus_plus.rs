@@ -85,13 +85,13 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
             )),
         };
     block(Section::LineTypes, &mut |rows, faults| {
-        line_types(rows, &mut mooring, faults)
+        line_types(rows, &mut mooring, faults);
     });
     block(Section::Points, &mut |rows, faults| {
-        nodes(rows, &mut mooring, faults)
+        nodes(rows, &mut mooring, faults);
     });
     block(Section::Lines, &mut |rows, faults| {
-        lines(rows, &mut mooring, faults)
+        lines(rows, &mut mooring, faults);
     });
     if let Some(rows) = sections.block(Section::Options) {
         options(rows, &mut mooring, &mut faults);

@@ -249,15 +249,14 @@ fn bending(row: &TableRow<'_, '_>) -> Result<Given<f64>, Fault> {
     let bending = row.not_negative(5);
     bending.map_err(|fault| {
         let is_file = row.words[5].text.contains('.') && row.words[5].number().is_none();
-        let fault = match is_file {
+        match is_file {
             true => row.fault(
                 5,
                 "a table of moments over curvatures is not modelled",
                 "give one bending stiffness in N m2",
             ),
             false => fault,
-        };
-        fault
+        }
     })
 }
 
@@ -300,9 +299,12 @@ fn stiffness(row: &TableRow<'_, '_>, files: &Files<'_>) -> Result<Given<Stiffnes
             per_tension: factor(per_tension)?,
         }));
     }
+    let begins_as_name = parts[0]
+        .text
+        .starts_with(|letter: char| letter.is_alphabetic() || "./".contains(letter));
     let is_file = parts[0].number().is_none()
-        && parts[0].text.chars().any(char::is_alphabetic)
-        && parts[0].text.contains(['.', '/', '_']);
+        && (begins_as_name && parts[0].text.contains(['.', '/', '_'])
+            || files.path(parts[0].text).is_some());
     match parts.as_slice() {
         [table] if is_file => {
             let curve = files.curve(*table, &key)?;

@@ -67,9 +67,8 @@ impl Motion {
         let layout = layout(&parts, mooring, &rows[0], width - 1).ok_or_else(|| {
             let each: usize = parts.iter().map(|part| degrees(*part)).sum();
             format!(
-                "{file} has {} columns; there are {each} coupled coordinates, so it needs the time and {each} columns, or the time and the 6 \
-                 motions of the whole",
-                width
+                "{file} has {width} columns; there are {each} coupled coordinates, so it needs the time and {each} columns, or the time and the 6 \
+                 motions of the whole"
             )
         })?;
         let start = rows[0][0];
