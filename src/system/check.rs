@@ -105,6 +105,16 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     }
     let drift = body.drift_loads.iter();
     found.extend(headings(drift.map(|(_, row)| &row.heading_deg)));
+    if body.drift_loads.is_empty() {
+        let problem = "has no effect: the body has no drift loads";
+        let remedy = "add [[bodies.NAME.drift_loads]], or remove it";
+        found.extend(body.drift_towards_deg.if_given(problem, remedy));
+    }
+    if !body.bottom_m.is_given() {
+        let problem = "has no effect: nothing of the body bears on the bed";
+        let remedy = "say how far below its origin it bears: `bottom_m`, or remove it";
+        found.extend(body.bed_friction.if_given(problem, remedy));
+    }
     found
 }
 

@@ -326,3 +326,11 @@ fn invalid_responses_are_reported_with_file_line_and_column() {
         .collect();
     ship(Some(aft.join("\n"))).stderr(contains("deg from the bow"));
 }
+
+#[test]
+fn a_coupled_ship_without_water_is_refused() {
+    let dry = rest(&with(&[("ship.water_density_kg_per_m3", "0.0")]));
+    let refused = CoupledAnalysis::new(&dry, None, &AtomicBool::new(false));
+    let why = refused.map(|_| ()).unwrap_err().to_string();
+    assert!(why.contains("no water"), "{why}");
+}

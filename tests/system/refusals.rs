@@ -254,3 +254,30 @@ fn ageing_that_cannot_be_is_refused() {
         &["the corrosion of \"chain\" is given twice"],
     );
 }
+
+#[test]
+fn keys_without_effect_are_named() {
+    let free = |key: &str| format!("kind = \"free\"\nmass_kg = 1e4\n{key}");
+    for (key, words) in [
+        ("bed_friction = 0.5", "nothing of the body bears on the bed"),
+        ("drift_towards_deg = 30.0", "no drift loads"),
+    ] {
+        refused("kind = \"held\"", &free(key), 15, &[words]);
+    }
+}
+
+#[test]
+fn clamps_need_a_line_that_bends_and_a_point_that_does_not_turn() {
+    for (key, line, words) in [
+        ("clamp_a_elevation_deg = 10.0", 33, "does not bend"),
+        ("clamp_a_azimuth_deg = 10.0", 33, "hinged"),
+        (
+            "clamp_b_elevation_deg = 10.0",
+            34,
+            "free or on a body that turns",
+        ),
+    ] {
+        let from = "length_m = 200.0";
+        refused(from, &format!("{from}\n{key}"), line, &[words]);
+    }
+}

@@ -71,6 +71,9 @@ impl<'a> CoupledModel<'a> {
         let missing = CoupledError::Missing;
         let ship = &statics.ship;
         let settings = ship.coupled.as_ref();
+        if ship.ship.water_density_kg_per_m3 <= 0.0 {
+            return Err(missing("there is no water to float in"));
+        }
         let equilibrium = statics.governing();
         let equilibrium =
             equilibrium.ok_or(missing("there is no stable equilibrium to start from"))?;
