@@ -24,6 +24,7 @@
 //! * [`line_types`]: chains, wire ropes and fibre ropes by nominal diameter, from published formulas.
 //! * [`ship`]: a ship at single-point mooring: loads, equilibria, motion.
 //! * [`ropeway`]: a ropeway between a platform and a ship.
+//! * [`import`]: files of other programs: MoorDyn, MoorPy, MAP++.
 //! * [`kinds`]: which of these a file is.
 //! * [`reference`](mod@reference): published data and how a run compares with them.
 //! * [`comparison`]: stored runs compared: inputs, results with error bars, curves.

@@ -138,6 +138,7 @@ fn what_is_not_needed_is_within_the_errors() {
             "drag along the line",
             "bending stiffness",
             "dynamic stiffness",
+            "creep",
             "bed friction",
             "bed damping",
             "current",

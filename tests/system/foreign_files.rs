@@ -137,7 +137,7 @@ fn what_map_is_told_from_outside_is_asked_for() {
 }
 
 /// Faults: what is replaced, by what, the line it is reported on, a word of the problem.
-const FAULTS: [(&str, &str, u32, &str); 17] = [
+const FAULTS: [(&str, &str, u32, &str); 18] = [
     (
         "902.2     20      -\n2",
         "902.2     0      -\n2",
@@ -199,7 +199,18 @@ const FAULTS: [(&str, &str, u32, &str); 17] = [
     ("5     Vessel", "5     Vesel", 14, "what holds it"),
     ("5     Vessel", "5     Body2", 14, "no body `2`"),
     ("LINES ---", "LINNES ---", 16, "not a section"),
-    ("ID   LineType", "Name   EA", 17, "names of its columns"),
+    (
+        "AttachB  UnstrLen  NumSegs",
+        "UnstrLen  AttachB  NumSegs",
+        17,
+        "the header names UnstrLen where AttachB is read",
+    ),
+    (
+        "ID   LineType   AttachA  AttachB  UnstrLen  NumSegs  LineOutputs\n",
+        "",
+        17,
+        "names of its columns",
+    ),
 ];
 
 #[test]
