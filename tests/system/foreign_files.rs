@@ -413,3 +413,21 @@ fn lines_that_bend_run_through_joints_without_length() {
     let tension = value(&system, "tension_n[line1|b]").unwrap();
     assert!(tension > 30.0 * cable, "{tension} N");
 }
+
+#[test]
+fn lines_come_off_where_the_file_says_so() {
+    let options = "---------------------- OPTIONS ";
+    let failure = "--- FAILURE ---\nFailID Point Line(s) FailTime FailTen\n(-)\n1 Point4 1 5.0 0\n";
+    let text = OC3.replacen(options, &format!("{failure}{options}"), 1);
+    let case = read(&text).unwrap().text;
+    assert!(case.contains("release_b_s = 5.0"), "{case}");
+    let dangling = text.replace("1 Point4 1 5.0 0", "1 Point4 7 5.0 0");
+    let all = read(&dangling).unwrap_err();
+    assert!(all[0].problem.contains("no line `7`"), "{all:#?}");
+    let unknown = ImportOptions {
+        without: vec!["vivv".to_owned()],
+        ..ImportOptions::default()
+    };
+    let all = import::read(OC3, "case.dat", &unknown).unwrap_err();
+    assert!(all[0].remedy.contains("viv"), "{all:#?}");
+}

@@ -4,7 +4,7 @@ use super::case_text::{CaseText, number, numbers, text};
 use super::joints::{Chain, chains};
 use super::points::name_of;
 use super::{Context, materials};
-use crate::import::mooring::{Attachment, Hold};
+use crate::import::mooring::{Attachment, Failure, Hold};
 use crate::numerics::V3;
 
 /// The fewest segments of a line here.
@@ -133,16 +133,13 @@ fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
 
 /// Ends that come off in motion.
 fn releases(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
-    if !context.motion.runs() {
-        return;
-    }
-    let is_same = |one: Attachment, other: Attachment| one == other;
-    for failure in &context.mooring.failures {
+    let alone = |failure: &&Failure| failure.lines.len() == 1;
+    for failure in context.mooring.failures.iter().filter(alone) {
         let mine = chain
             .pieces
             .iter()
             .any(|(line, _)| failure.lines.contains(line));
-        let end = (0..2).find(|end| is_same(chain.ends[*end], failure.from.value));
+        let end = (0..2).find(|end| chain.ends[*end] == failure.from.value);
         let Some(end) = end.filter(|_| mine) else {
             continue;
         };

@@ -16,7 +16,7 @@ use self::motion::Motion;
 use self::names::Names;
 use self::sea::{SeaOfCase, sea_of};
 use super::fault::Fault;
-use super::mooring::{Attachment, Hold, Mooring, Program};
+use super::mooring::{Attachment, Hold, Mooring, RodType};
 use super::{ImportOptions, Imported};
 
 /// What the writers of the parts have in common.
@@ -72,24 +72,13 @@ pub fn case_of(
     let left_out = unmodelled::leave_out(&context, options)?;
     let mut case = CaseText::new(source);
     head(&mut case, &context, file, &left_out);
-    sea::write(
-        &mut case,
-        mooring,
-        options,
-        &context.sea,
-        is_in_air(mooring),
-    );
-    let without = |name: &str| options.without.iter().any(|one| one == name);
-    if let Some(profile) = mooring
-        .sea
-        .current
-        .as_ref()
-        .filter(|_| !without("currents"))
-    {
+    let in_air = is_in_air(mooring);
+    sea::write(&mut case, mooring, options, &context.sea, in_air);
+    let acts = |name: &str| !in_air && !options.without.iter().any(|one| one == name);
+    if let Some(profile) = mooring.sea.current.as_ref().filter(|_| acts("currents")) {
         sea::write_current(&mut case, profile);
     }
-    let waves = mooring.sea.waves.as_ref();
-    if let Some(waves) = waves.filter(|_| context.motion.runs() && !without("waves")) {
+    if let Some(waves) = mooring.sea.waves.as_ref().filter(|_| acts("waves")) {
         sea::write_waves(&mut case, waves);
     }
     materials::write(&mut case, mooring, &context.names);
@@ -161,8 +150,17 @@ fn head(case: &mut CaseText<'_>, context: &Context<'_>, file: &str, left_out: &[
     }
     notes.extend(mooring.remarks.iter().cloned());
     notes.extend(context.motion.remarks.iter().cloned());
-    if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) && !mooring.rods.is_empty() {
-        notes.push("Drag and added mass of the ends of rods act in no direction here.".to_owned());
+    let has_ends = |of: &RodType| of.drag_end.value > 0.0 || of.added_mass_end.value > 0.0;
+    let mut rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
+    if rods.any(|rod| has_ends(&mooring.rod_types[rod.of_type.value])) {
+        notes.push("Drag and added mass of the ends of rods (CdEnd, CaEnd) do not act.".to_owned());
+    }
+    let in_motion = mooring.sea.waves.is_some() || !mooring.failures.is_empty();
+    if in_motion && !context.motion.moves() {
+        notes.push(
+            "Waves and lines that come off act in motion: give --motion, or --set solver.duration_s=60."
+                .to_owned(),
+        );
     }
     if !notes.is_empty() {
         case.line(&format!("notes = {}", text(&notes.join(" "))), None);

@@ -102,12 +102,6 @@ impl Motion {
         self.layout != Layout::Still
     }
 
-    /// Whether there is a run in time.
-    #[must_use]
-    pub fn runs(&self) -> bool {
-        self.moves()
-    }
-
     /// Whether the whole moves as one body.
     #[must_use]
     pub fn is_of_one_body(&self) -> bool {
@@ -157,7 +151,7 @@ impl Motion {
 
     /// Writes the run in time.
     pub fn write_run(&self, case: &mut CaseText<'_>) {
-        let Some(duration) = self.times.last().filter(|_| self.runs()) else {
+        let Some(duration) = self.times.last().filter(|_| self.moves()) else {
             return;
         };
         case.table("[solver]", None);

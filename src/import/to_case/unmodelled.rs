@@ -6,14 +6,38 @@ use crate::import::ImportOptions;
 use crate::import::fault::Fault;
 use crate::import::mooring::{Attachment, Hold, Unmodelled};
 
+/// Names by which `--without` leaves out what is not modelled.
+pub const NAMES: [&str; 8] = [
+    "viv",
+    "waves",
+    "currents",
+    "control",
+    "loads",
+    "clamps",
+    "failure",
+    "linear-spring",
+];
+
 /// What is left out, in words.
 ///
 /// # Errors
-/// What is not modelled and not left out.
+/// What is not modelled and not left out; names that are not known.
 pub fn leave_out(
     context: &Context<'_>,
     options: &ImportOptions,
 ) -> Result<Vec<String>, Vec<Fault>> {
+    if let Some(name) = options
+        .without
+        .iter()
+        .find(|name| !NAMES.contains(&name.as_str()))
+    {
+        return Err(vec![Fault::new(
+            0..0,
+            "--without",
+            format!("`{name}` is nothing that can be left out"),
+            format!("it takes {}", NAMES.join(", ")),
+        )]);
+    }
     let mut all = context.mooring.unmodelled.clone();
     all.extend(pinned(context));
     all.extend(failures(context));
