@@ -108,63 +108,41 @@ impl Files<'_> {
         key: &str,
     ) -> Result<(WorkingCurve, Vec<[f64; 2]>), Fault> {
         let text = self.text(name, key)?;
+        let wrong = |problem: String| {
+            let remedy = "it has rows for OWC, WCType (LINEAR, QUADRATIC or EXP), k1 and k2, each value before its name";
+            Fault::new(name.span(), key, problem, remedy)
+        };
         let entry = |wanted: &str| {
-            let found = Row::all(&text).find_map(|row| match row.words().as_slice() {
-                [value, entry, ..] if entry.is(wanted) => Some(value.text.to_owned()),
+            let mut rows = Row::all(&text).map(|row| row.words());
+            let found = rows.find_map(|words| match words.as_slice() {
+                [value, entry, ..] if entry.is(wanted) => Some(*value),
                 _ => None,
             });
-            found.ok_or_else(|| {
-                Fault::new(
-                    name.span(),
-                    key,
-                    format!("`{}` does not give {wanted}", name.text),
-                    "it has rows for OWC, WCType, k1 and k2, each value before its name",
-                )
-            })
+            found.ok_or_else(|| wrong(format!("`{}` does not give {wanted}", name.text)))
         };
         let number = |wanted: &str| {
-            let text = entry(wanted)?;
-            let word = Word {
-                text: &text,
-                start: name.start,
-            };
-            word.number().ok_or_else(|| {
-                Fault::new(
-                    name.span(),
-                    key,
-                    format!("{wanted} in `{}` is `{text}`, not a number", name.text),
-                    "give a number",
-                )
+            let given = entry(wanted)?;
+            given.number().ok_or_else(|| {
+                let (file, text) = (name.text, given.text);
+                wrong(format!("{wanted} in `{file}` is `{text}`, not a number"))
             })
         };
-        let form = match entry("WCType")?.to_uppercase().as_str() {
+        let form = match entry("WCType")?.text.to_uppercase().as_str() {
             "LINEAR" => WorkingForm::Linear,
             "QUADRATIC" => WorkingForm::Quadratic,
             "EXP" => WorkingForm::Exponential,
-            other => {
-                return Err(Fault::new(
-                    name.span(),
-                    key,
-                    format!("WCType in `{}` is `{other}`", name.text),
-                    "it is LINEAR, QUADRATIC or EXP",
-                ));
-            }
-        };
-        let curve = entry("OWC")?;
-        let curve = Word {
-            text: &curve,
-            start: name.start,
+            other => return Err(wrong(format!("WCType in `{}` is `{other}`", name.text))),
         };
         let working = WorkingCurve {
             form,
             k1: number("k1")?,
             k2: number("k2")?,
         };
-        let first_loading = self.curve(curve, key).map_err(|fault| Fault {
-            span: name.span(),
-            ..fault
-        })?;
-        Ok((working, first_loading))
+        let first_loading = self.curve(entry("OWC")?, key);
+        // What is wrong with the curve is shown where its file is named.
+        first_loading
+            .map(|curve| (working, curve))
+            .map_err(|fault| at_option(fault, name))
     }
 
     /// A current by height: z, x, y from a profile of rows z, x, y, z.
@@ -226,7 +204,7 @@ impl Files<'_> {
     }
 }
 
-/// A fault of a file that an option asks for without naming it.
+/// A fault of a file that is not named where it shows, but here.
 fn at_option(fault: Fault, at: Word<'_>) -> Fault {
     Fault {
         span: at.span(),

@@ -264,67 +264,79 @@ fn bending(row: &TableRow<'_, '_>) -> Result<Given<f64>, Fault> {
 fn stiffness(row: &TableRow<'_, '_>, files: &Files<'_>) -> Result<Given<Stiffness>, Fault> {
     let word = row.words[3];
     let key = row.key(3);
-    let given = |value| Ok(Given::new(value, word.span()));
     let parts = word.parts('|');
-    let number = |part: &Word<'_>| -> Result<f64, Fault> {
-        let value = part.required(&key)?;
-        match value > 0.0 {
-            true => Ok(value),
-            false => Err(Fault::new(
-                part.span(),
-                key.clone(),
-                format!("`{}` is not above 0", part.text),
-                "give a positive stiffness in N",
-            )),
+    let value = if parts[0].text.starts_with(SYROPE) {
+        syrope(row, &parts, files)?
+    } else {
+        match parts.as_slice() {
+            [table] if is_file(*table, files) => Stiffness::Table(files.curve(*table, &key)?),
+            [constant] => Stiffness::Constant(above_zero(*constant, &key)?),
+            [slow, fast, rest @ ..] if rest.len() < 2 => Stiffness::Viscoelastic {
+                slow: above_zero(*slow, &key)?,
+                fast: above_zero(*fast, &key)?,
+                per_tension: rest
+                    .first()
+                    .map_or(Ok(0.0), |factor| factor.required(&key))?,
+            },
+            _ => {
+                return Err(row.fault(
+                    3,
+                    "there are more than three stiffnesses between bars",
+                    "write EA, EA|EA of fast motion, or EA|EA of fast motion|its growth by the mean tension",
+                ));
+            }
         }
     };
-    let factor = |part: &Word<'_>| part.required(&key);
-    if let Some(name) = parts[0].text.strip_prefix("SYROPE:") {
-        let [_, fast, per_tension] = parts.as_slice() else {
-            return Err(row.fault(
-                3,
-                "a Syrope rope has three entries between bars",
-                "write SYROPE:file|stiffness|factor of the mean tension",
-            ));
-        };
-        let file = Word {
-            text: name,
-            start: parts[0].start + "SYROPE:".len(),
-        };
-        let (working_curve, first_loading) = files.syrope(file, &key)?;
-        return given(Stiffness::Syrope(Syrope {
-            first_loading,
-            working_curve,
-            fast: number(fast)?,
-            per_tension: factor(per_tension)?,
-        }));
-    }
-    let begins_as_name = parts[0]
-        .text
-        .starts_with(|letter: char| letter.is_alphabetic() || "./".contains(letter));
-    let is_file = parts[0].number().is_none()
-        && (begins_as_name && parts[0].text.contains(['.', '/', '_'])
-            || files.path(parts[0].text).is_some());
-    match parts.as_slice() {
-        [table] if is_file => {
-            let curve = files.curve(*table, &key)?;
-            given(Stiffness::Table(curve))
-        }
-        [constant] => given(Stiffness::Constant(number(constant)?)),
-        [slow, fast] => given(Stiffness::Viscoelastic {
-            slow: number(slow)?,
-            fast: number(fast)?,
-            per_tension: 0.0,
-        }),
-        [slow, fast, per_tension] => given(Stiffness::Viscoelastic {
-            slow: number(slow)?,
-            fast: number(fast)?,
-            per_tension: factor(per_tension)?,
-        }),
-        _ => Err(row.fault(
+    Ok(Given::new(value, word.span()))
+}
+
+/// The word before the file of a Syrope rope.
+const SYROPE: &str = "SYROPE:";
+
+fn syrope(
+    row: &TableRow<'_, '_>,
+    parts: &[Word<'_>],
+    files: &Files<'_>,
+) -> Result<Stiffness, Fault> {
+    let key = row.key(3);
+    let &[named, fast, per_tension] = parts else {
+        return Err(row.fault(
             3,
-            "there are more than three stiffnesses between bars",
-            "write EA, EA|EA of fast motion, or EA|EA of fast motion|its growth by the mean tension",
+            "a Syrope rope has three entries between bars",
+            "write SYROPE:file|stiffness|factor of the mean tension",
+        ));
+    };
+    let file = Word {
+        text: &named.text[SYROPE.len()..],
+        start: named.start + SYROPE.len(),
+    };
+    let (working_curve, first_loading) = files.syrope(file, &key)?;
+    Ok(Stiffness::Syrope(Syrope {
+        first_loading,
+        working_curve,
+        fast: above_zero(fast, &key)?,
+        per_tension: per_tension.required(&key)?,
+    }))
+}
+
+/// Whether an entry names a file rather than a number that is written wrongly.
+fn is_file(entry: Word<'_>, files: &Files<'_>) -> bool {
+    let begins_as_name = |letter: char| letter.is_alphabetic() || "./".contains(letter);
+    let like_a_name =
+        entry.text.starts_with(begins_as_name) && entry.text.contains(['.', '/', '_']);
+    entry.number().is_none() && (like_a_name || files.path(entry.text).is_some())
+}
+
+/// A stiffness \[N\].
+fn above_zero(entry: Word<'_>, key: &str) -> Result<f64, Fault> {
+    let value = entry.required(key)?;
+    match value > 0.0 {
+        true => Ok(value),
+        false => Err(Fault::new(
+            entry.span(),
+            key,
+            format!("`{}` is not above 0", entry.text),
+            "give a positive stiffness in N",
         )),
     }
 }

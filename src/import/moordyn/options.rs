@@ -186,12 +186,10 @@ fn take(
         "waterkin" => {
             let is_off = value.number() == Some(0.0) || value.is("none") || value.text == "-";
             if !is_off {
-                mooring.unmodelled.push(Unmodelled {
-                    name: "waves",
-                    span: value.span(),
-                    key,
-                    what: "a file of water kinematics".to_owned(),
-                });
+                let what = "a file of water kinematics";
+                mooring
+                    .unmodelled
+                    .push(unmodelled(value, &key, "waves", what));
             }
         }
         _ => {}
@@ -212,12 +210,12 @@ fn current(
             let profile = files.current(value, key)?;
             mooring.sea.current = Some(Given::new(profile, value.span()));
         }
-        _ => mooring.unmodelled.push(Unmodelled {
-            name: "currents",
-            span: value.span(),
-            key: key.to_owned(),
-            what: "currents that vary in time or over a grid".to_owned(),
-        }),
+        _ => {
+            let what = "currents that vary in time or over a grid";
+            mooring
+                .unmodelled
+                .push(unmodelled(value, key, "currents", what));
+        }
     }
     Ok(())
 }
@@ -235,12 +233,21 @@ fn waves(
             let components = files.waves(value, key)?;
             mooring.sea.waves = Some(Given::new(components, value.span()));
         }
-        _ => mooring.unmodelled.push(Unmodelled {
-            name: "waves",
-            span: value.span(),
-            key: key.to_owned(),
-            what: "waves given by a history of elevation or from outside".to_owned(),
-        }),
+        _ => {
+            let what = "waves given by a history of elevation or from outside";
+            mooring
+                .unmodelled
+                .push(unmodelled(value, key, "waves", what));
+        }
     }
     Ok(())
+}
+
+fn unmodelled(value: Word<'_>, key: &str, name: &'static str, what: &str) -> Unmodelled {
+    Unmodelled {
+        name,
+        span: value.span(),
+        key: key.to_owned(),
+        what: what.to_owned(),
+    }
 }
