@@ -191,6 +191,14 @@ pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic
             remedy,
         ));
     }
+    let is_yaml = |extension: &std::ffi::OsStr| extension == "yaml" || extension == "yml";
+    if path.is_file() && path.extension().is_some_and(is_yaml) {
+        return Err(Diagnostic::whole_file(
+            &file,
+            "is YAML, as designs of RAFT and of the IEA ontology are: these are not read",
+            "give the mooring as a MoorDyn or MAP++ file, or write a case",
+        ));
+    }
     let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
     String::from_utf8(bytes).or_else(|error| {
         // Files of other programs are read in any encoding: only their remarks are not ASCII.
