@@ -10,6 +10,7 @@ use seacable::numerics::random::Random;
 use seacable::statics::catenary::SectionProperties;
 use seacable::system::SystemFile;
 use seacable::system::analysis::offset::HeldAway;
+use seacable::system::bed::Bed;
 use seacable::system::equilibrium::search;
 use seacable::system::network::{FreePoint, Held, Line, Network, Point, reversed};
 use seacable::system::start::start;
@@ -89,7 +90,7 @@ fn web(lines: usize, free: usize) -> Network {
     let mut network = Network {
         gravity: 9.806_65,
         density: 1025.0,
-        bed_z: Some(-200.0),
+        bed: Some(Bed::Level(-200.0)),
         ..Network::default()
     };
     let mut places = Vec::new();
@@ -133,6 +134,7 @@ fn web(lines: usize, free: usize) -> Network {
             friction: 0.0,
             releases: Default::default(),
             discretised: None,
+            closed_over_flat: false,
         });
     };
     for k in 0..=free {

@@ -68,7 +68,7 @@ pub(crate) fn gather(
         }
     }
     if let Some(bed) = case.seabed.clone() {
-        reading.take_depths(&mut case.files, &bed, "seabed")?;
+        reading.take_depths(&mut case.files, bed.depths(), "seabed")?;
     }
     for number in 0..case.published_curve.len() {
         let curve = &case.published_curve[number];

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::attachments::{FileSource, placed};
+use super::depth_formats::foreign_depths;
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, BedInterpolation, Seabed};
 use crate::numerics::{DepthGrid, DepthInterpolation};
@@ -18,10 +19,10 @@ const FARTHEST: f64 = 1e6;
 /// # Errors
 /// The file is not carried, is no table of x_m, y_m and depth_m, or its places make no rectangular grid.
 pub fn depth_grid(
-    bed: &Seabed,
+    (depth_file, interpolation): (Option<&str>, BedInterpolation),
     files: &BTreeMap<String, Attachment>,
 ) -> Result<Option<DepthGrid>, Diagnostic> {
-    let Some(name) = &bed.depth_file else {
+    let Some(name) = depth_file else {
         return Ok(None);
     };
     let Some(file) = files.get(name) else {
@@ -31,11 +32,15 @@ pub fn depth_grid(
             "name a file of depths beside the case",
         ));
     };
-    read(&file.text, name, bed.interpolation).map(Some)
+    read(&file.text, name, interpolation).map(Some)
 }
 
 fn read(text: &str, file: &str, interpolation: BedInterpolation) -> Result<DepthGrid, Diagnostic> {
-    let table = placed(text, file, &COLUMNS.map(str::to_owned))?;
+    let foreign = foreign_depths(text).map_err(|fault| fault.at(file, text))?;
+    let table = match foreign {
+        Some(rows) => rows.into_iter().map(Vec::from).collect(),
+        None => placed(text, file, &COLUMNS.map(str::to_owned))?,
+    };
     for number in table.iter().flatten() {
         if number.value.abs() > FARTHEST {
             let problem = format!("{} m is too far", number.value);
@@ -55,9 +60,17 @@ fn read(text: &str, file: &str, interpolation: BedInterpolation) -> Result<Depth
         Diagnostic::whole_file(
             file,
             format!("makes no grid: {error}"),
-            "give a row x_m,y_m,depth_m for every pair of x and y, each once",
+            "give a depth for every pair of x and y, each once",
         )
     })
+}
+
+impl Seabed {
+    /// The file of depths that it names, and how the depth goes between its places.
+    #[must_use]
+    pub fn depths(&self) -> (Option<&str>, BedInterpolation) {
+        (self.depth_file.as_deref(), self.interpolation)
+    }
 }
 
 impl FileSource<'_> {
@@ -65,12 +78,12 @@ impl FileSource<'_> {
     pub(crate) fn take_depths(
         &self,
         files: &mut BTreeMap<String, Attachment>,
-        bed: &Seabed,
+        (depth_file, interpolation): (Option<&str>, BedInterpolation),
         table: &str,
     ) -> Result<(), Diagnostic> {
-        if let Some(name) = &bed.depth_file {
+        if let Some(name) = depth_file {
             let shown = self.take(files, name, &[table, "depth_file"])?;
-            read(&files[name].text, &shown, bed.interpolation)?;
+            read(&files[name].text, &shown, interpolation)?;
         }
         Ok(())
     }

@@ -11,6 +11,7 @@ mod channel_id;
 pub mod channels;
 mod check;
 mod depth_file;
+mod depth_formats;
 mod diagnostic;
 mod digest;
 pub mod edit;

@@ -5,6 +5,11 @@
 //! at the edge), hence a continuous slope (Keys 1981, doi 10.1109/TASSP.1981.1163711, here for uneven spacing). Both
 //! reproduce a plane. Beyond the grid the depth is that of its edge.
 
+use std::ops::RangeInclusive;
+
+/// Differences of depths that are rounding, by the depth.
+const FLAT: f64 = 1e-12;
+
 /// How the depth is interpolated between the places of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DepthInterpolation {
@@ -122,6 +127,8 @@ impl DepthGrid {
     pub fn at(&self, x: f64, y: f64) -> DepthAt {
         let along_x = neighbours(&self.x, x, self.interpolation);
         let along_y = neighbours(&self.y, y, self.interpolation);
+        // Depths from one of them: equal ones give that depth, and no slope, to the last bit.
+        let beside = self.depth[along_x.at[1] * self.y.len() + along_y.at[1]];
         let sum = |of_x: usize, of_y: usize| {
             let mut total = 0.0;
             for (i, share_x) in along_x.at.iter().zip(&along_x.shares[of_x]) {
@@ -130,15 +137,61 @@ impl DepthGrid {
                 }
                 let row = &self.depth[i * self.y.len()..][..self.y.len()];
                 let pairs = along_y.at.iter().zip(&along_y.shares[of_y]);
-                total += share_x * pairs.map(|(j, share)| share * row[*j]).sum::<f64>();
+                let row = pairs.map(|(j, share)| share * (row[*j] - beside));
+                total += share_x * row.sum::<f64>();
             }
             total
         };
         DepthAt {
-            depth: sum(0, 0),
+            depth: beside + sum(0, 0),
             slope: [sum(1, 0), sum(0, 1)],
             curvature: [sum(2, 0), sum(1, 1), sum(0, 2)],
         }
+    }
+
+    /// The depth where the grid is flat below the straight way between two places: all depths that count there are equal, to rounding.
+    /// Nothing where they differ.
+    #[must_use]
+    pub fn flat_along(&self, from: [f64; 2], to: [f64; 2]) -> Option<f64> {
+        let mut shares = vec![0.0, 1.0];
+        for (axis, k) in [(&self.x, 0), (&self.y, 1)] {
+            let crossed = axis.iter().map(|line| (line - from[k]) / (to[k] - from[k]));
+            shares.extend(crossed.filter(|share| 0.0 < *share && *share < 1.0));
+        }
+        shares.sort_unstable_by(f64::total_cmp);
+        let mut flat: Option<f64> = None;
+        for pair in shares.windows(2) {
+            let share = 0.5 * (pair[0] + pair[1]);
+            let place = |k: usize| from[k] + share * (to[k] - from[k]);
+            for i in self.counting(&self.x, place(0))? {
+                for j in self.counting(&self.y, place(1))? {
+                    let depth = self.depth[i * self.y.len() + j];
+                    let known = *flat.get_or_insert(depth);
+                    if (depth - known).abs() > FLAT * known.abs() {
+                        return None;
+                    }
+                }
+            }
+        }
+        flat
+    }
+
+    /// The numbers of the places of an axis whose depths count at a place and next to it; nothing for a place that is not finite.
+    fn counting(&self, axis: &[f64], place: f64) -> Option<RangeInclusive<usize>> {
+        let last = axis.len() - 1;
+        let (before, through) = (
+            axis.partition_point(|p| *p < place),
+            axis.partition_point(|p| *p <= place),
+        );
+        let more = match self.interpolation {
+            DepthInterpolation::Bilinear => 0,
+            DepthInterpolation::Smooth => 1,
+        };
+        place.is_finite().then(|| match (before, through) {
+            (_, 0) => 0..=0,
+            (before, _) if before > last => last..=last,
+            _ => before.saturating_sub(1 + more)..=(through + more).min(last),
+        })
     }
 
     /// The least and the greatest depth at the places of the grid \[m\] that are not outside of a box, and those next to it.
@@ -351,6 +404,30 @@ mod tests {
                 let found = hills.at(odd, odd);
                 assert!(found.depth.is_finite() && found.slope.iter().all(|s| s.is_finite()));
             }
+        }
+    }
+
+    #[test]
+    fn flat_parts_are_found_and_exact() {
+        // Flat up to x = 0.5, a slope beyond.
+        let of = |x: f64, _: f64| 33.3 - 0.1 * (x - 0.5).max(0.0);
+        for (interpolation, flat_to) in [(Bilinear, 0.5), (Smooth, -1.0)] {
+            let hills = grid(of, interpolation);
+            for to in [[flat_to - 1e-9, 5.0], [-3.0, 0.0], [-40.0, 70.0]] {
+                assert_eq!(hills.flat_along([-2.5, 1.0], to), Some(33.3), "{to:?}");
+                let [x, y] = to;
+                assert_eq!(hills.at(x, y).depth, 33.3);
+                assert_eq!(hills.at(x, y).slope, [0.0; 2]);
+            }
+            for to in [[flat_to + 0.1, 5.0], [4.0, 1.0], [f64::NAN, 0.0]] {
+                assert_eq!(hills.flat_along([-2.5, 1.0], to), None, "{to:?}");
+            }
+            // Over the slope and back onto the edge, which is flat in itself.
+            assert_eq!(hills.flat_along([-9.0, 1.0], [9.0, 1.0]), None);
+            assert_eq!(
+                hills.flat_along([7.0, 1.0], [9.0, 9.0]),
+                Some(33.3 - 0.1 * 4.5)
+            );
         }
     }
 

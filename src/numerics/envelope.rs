@@ -98,6 +98,39 @@ impl EnvelopeMatrix {
         }
     }
 
+    /// A number; zero outside of the envelope.
+    #[must_use]
+    pub fn at(&self, row: usize, column: usize) -> f64 {
+        let (long, short) = (row.max(column), row.min(column));
+        let (first, numbers) = self.shape.row(long);
+        if short < first {
+            return 0.0;
+        }
+        let numbers_of = if row >= column {
+            &self.lower
+        } else {
+            &self.upper
+        };
+        numbers_of[numbers.start + short - first]
+    }
+
+    /// Adds a multiple of a row to another one, then the same of their columns: `J' K J`, where the unknown `from` follows the unknown
+    /// `to` by this factor. Both have one envelope, as unknowns of one part have.
+    pub fn add_multiple(&mut self, to: usize, from: usize, factor: f64) {
+        for column in 0..self.size() {
+            let value = self.at(from, column);
+            if value != 0.0 {
+                self.add(to, column, factor * value);
+            }
+        }
+        for row in 0..self.size() {
+            let value = self.at(row, from);
+            if value != 0.0 {
+                self.add(row, to, factor * value);
+            }
+        }
+    }
+
     /// The diagonal.
     #[must_use]
     pub fn diagonal(&self) -> DVector<f64> {
@@ -423,6 +456,20 @@ mod tests {
             matrix.add(row, row, diagonal);
         }
         matrix
+    }
+
+    #[test]
+    fn a_row_and_its_column_are_added_to_others() {
+        let mut matrix = ring(5, 4.0, 0.3);
+        let dense = matrix.dense();
+        let n = matrix.size();
+        // Unknowns of one node.
+        let (to, from) = (0, 2);
+        let mut follows = DMatrix::identity(n, n);
+        follows[(from, to)] = 0.7;
+        matrix.add_multiple(to, from, 0.7);
+        let wanted = follows.transpose() * dense * follows;
+        assert!((matrix.dense() - wanted).amax() < 1e-14);
     }
 
     fn right(n: usize) -> DVector<f64> {

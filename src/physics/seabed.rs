@@ -82,6 +82,16 @@ impl ElasticBed {
         Some(M3::new(xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.0))
     }
 
+    /// Derivative of the unit normal by the place \[1/m\], with the gradient g, the normal n and the curvature C: `(I - n n') C / |g|`;
+    /// nothing on a plane.
+    #[must_use]
+    pub fn normal_slope(&self, x: &V3) -> Option<M3> {
+        let curvature = self.curvature(x)?;
+        let gradient = self.gradient(x);
+        let (size, normal) = (gradient.norm(), gradient.normalize());
+        Some((M3::identity() - outer(&normal, &normal)) * curvature / size)
+    }
+
     /// The direction in which a node is put back onto the bed, a metre higher for a metre of it.
     #[must_use]
     pub fn way_out(&self, x: &V3) -> V3 {
@@ -91,23 +101,11 @@ impl ElasticBed {
         }
     }
 
-    /// Derivatives of a push on a node by its position \[N/m\] and velocity \[N s/m\]: with the gradient g of the height h, its curvature C
-    /// and the push P(h, g.v), the force is P g.
-    ///
-    /// ```text
-    /// by position   g (P_h g + P_s C v)' + P C        by velocity   P_s g g'
-    /// ```
+    /// Derivatives of a push on a node by its position \[N/m\] and velocity \[N s/m\]: [`push_slopes`] here.
     #[inline]
     #[must_use]
     pub fn slopes(&self, x: &V3, v: &V3, push: &BedReaction) -> [M3; 2] {
-        let gradient = self.gradient(x);
-        let across = outer(&gradient, &gradient);
-        let (mut by_position, by_velocity) = (across * push.by_height, across * push.by_speed);
-        if let Some(curvature) = self.curvature(x) {
-            by_position += outer(&gradient, &(curvature * v * push.by_speed));
-            by_position += curvature * push.force;
-        }
-        [by_position, by_velocity]
+        push_slopes(&self.gradient(x), self.curvature(x).as_ref(), v, push)
     }
 
     /// The plane through the bed below two places, sloping along the line between them; the bed itself where it is a plane.
@@ -178,6 +176,24 @@ impl ElasticBed {
             }
         }
     }
+}
+
+/// Derivatives of a push of the bed by the position \[N/m\] and the velocity \[N s/m\] of what it pushes: with the gradient g of the height h
+/// above the bed, its curvature C (nothing for a plane) and the push P(h, g.v), the force is P g.
+///
+/// ```text
+/// by position   g (P_h g + P_s C v)' + P C        by velocity   P_s g g'
+/// ```
+#[inline]
+#[must_use]
+pub fn push_slopes(gradient: &V3, curvature: Option<&M3>, v: &V3, push: &BedReaction) -> [M3; 2] {
+    let across = outer(gradient, gradient);
+    let (mut by_position, by_velocity) = (across * push.by_height, across * push.by_speed);
+    if let Some(curvature) = curvature {
+        by_position += outer(gradient, &(curvature * v * push.by_speed));
+        by_position += curvature * push.force;
+    }
+    [by_position, by_velocity]
 }
 
 #[cfg(test)]

@@ -14,6 +14,7 @@ use rayon::prelude::*;
 use crate::numerics::random::Random;
 use crate::numerics::{M3, V3};
 use crate::statics::catenary::SectionProperties;
+use crate::system::bed::Bed;
 use crate::system::network::{
     Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted,
 };
@@ -121,7 +122,7 @@ pub fn network(kind: usize, random: &mut Random) -> Network {
     };
     maker.depth = maker.between(20.0, 600.0);
     if kind == 5 || maker.random.uniform() < 0.7 {
-        maker.network.bed_z = Some(-maker.depth);
+        maker.network.bed = Some(Bed::Level(-maker.depth));
     }
     match kind {
         0 => maker.web(),
@@ -218,6 +219,7 @@ impl Maker<'_> {
         let rough = self.whole(0, 2) == 0;
         let friction = if rough { self.between(0.0, 1.0) } else { 0.0 };
         self.network.lines.push(Line {
+            closed_over_flat: false,
             name,
             from,
             to,

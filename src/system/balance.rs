@@ -13,7 +13,7 @@ use nalgebra::DVector;
 
 use super::body_loads::body_loads;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
-use super::line_at_rest::{LineAtRest, LinePhysics, solve};
+use super::line_at_rest::{LineAtRest, LinePhysics, has_closed_form, solve};
 use super::network::{Held, Network};
 use super::pose::cross;
 use crate::numerics::envelope::EnvelopeMatrix;
@@ -63,7 +63,11 @@ pub fn balance(
         let [a, b] = ends.map(|point| &placement.points[point]);
         let near = before.and_then(|lines| lines.get(index));
         let solved = match &line.discretised {
-            Some(element) if physics == LinePhysics::Full => element.solve((a, b), near),
+            Some(element)
+                if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
+            {
+                element.solve((a, b), near)
+            }
             _ => solve(network, line, (a, b), physics, near).map_err(|error| error.to_string()),
         };
         let at_rest = solved.map_err(|why| UnsolvedLine { line: index, why })?;

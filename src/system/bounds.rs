@@ -1,14 +1,20 @@
-//! Bed and surface as bounds on heights: a free point rests on the bed or floats at the surface, a free body rests on the bed.
+//! Bed and surface as bounds on heights: a free point rests on the bed or floats at the surface, a free body rests on the bed. Where the bed
+//! slopes, what lies on it moves along it ([`along_bed`](super::along_bed)).
 
 use nalgebra::DVector;
 
+use super::bed::Bed;
 use super::freedoms::{Freedoms, Placement};
 use super::network::{Held, Network};
+use crate::numerics::V3;
 
-/// The bounds of each unknown \[m\]; infinite for all but heights.
+/// What bounds each unknown: nothing but heights have any.
 #[derive(Debug, Clone)]
 pub struct Bounds {
-    least: Vec<f64>,
+    bed: Option<Bed>,
+    /// How far below the unknown is what bears on the bed \[m\]; nothing where nothing does.
+    below: Vec<Option<f64>>,
+    /// Greatest height \[m\].
     most: Vec<f64>,
 }
 
@@ -28,20 +34,21 @@ impl Bounds {
     #[must_use]
     pub fn of(network: &Network, freedoms: &Freedoms) -> Self {
         let mut bounds = Self {
-            least: vec![f64::NEG_INFINITY; freedoms.count],
+            bed: network.bed.clone(),
+            below: vec![None; freedoms.count],
             most: vec![f64::INFINITY; freedoms.count],
         };
         for (point, first) in network.points.iter().zip(&freedoms.points) {
             if let (Held::Free(_), Some(first)) = (&point.held, first) {
-                bounds.least[first + 2] = network.bed_z.unwrap_or(f64::NEG_INFINITY);
+                bounds.below[first + 2] = Some(0.0);
                 if network.density > 0.0 {
                     bounds.most[first + 2] = 0.0;
                 }
             }
         }
         for (body, first) in network.bodies.iter().zip(&freedoms.bodies) {
-            if let (Some(first), Some(bed), Some(bottom)) = (first, network.bed_z, body.bottom) {
-                bounds.least[first + 2] = bed + bottom;
+            if let Some(first) = first {
+                bounds.below[first + 2] = body.bottom;
             }
         }
         bounds
@@ -51,19 +58,50 @@ impl Bounds {
     pub fn keep(&self, network: &Network, freedoms: &Freedoms, placement: &mut Placement) {
         for (place, first) in placement.points.iter_mut().zip(&freedoms.points) {
             if let Some(first) = first {
-                place.z = self.within(first + 2, place.z);
+                place.z = self.within(first + 2, place);
             }
         }
         for (pose, first) in placement.bodies.iter_mut().zip(&freedoms.bodies) {
             if let Some(first) = first {
-                pose.origin.z = self.within(first + 2, pose.origin.z);
+                pose.origin.z = self.within(first + 2, &pose.origin);
             }
         }
         placement.carry(network);
     }
 
-    fn within(&self, unknown: usize, z: f64) -> f64 {
-        z.max(self.least[unknown]).min(self.most[unknown])
+    /// Least height of an unknown at a place \[m\].
+    fn least(&self, unknown: usize, place: &V3) -> f64 {
+        let bears = self.bed.as_ref().zip(self.below[unknown]);
+        bears.map_or(f64::NEG_INFINITY, |(bed, below)| bed.z_below(place) + below)
+    }
+
+    fn within(&self, unknown: usize, place: &V3) -> f64 {
+        place
+            .z
+            .max(self.least(unknown, place))
+            .min(self.most[unknown])
+    }
+
+    /// Whether a force presses what is at a place onto the bed: against its normal.
+    fn onto_bed(&self, place: &V3, force: [f64; 3]) -> bool {
+        let gradient = self.bed.as_ref().map(|bed| bed.gradient(place));
+        gradient.is_some_and(|gradient| gradient.dot(&V3::from(force)) < 0.0)
+    }
+
+    /// Lets what lies on the bed follow it after a step, where it is not level.
+    pub fn follow_bed(&self, freedoms: &Freedoms, contacts: &[Contact], placement: &mut Placement) {
+        if self.bed.as_ref().is_none_or(Bed::is_level) {
+            return;
+        }
+        let points = placement.points.iter_mut().zip(&freedoms.points);
+        let bodies = placement.bodies.iter_mut().map(|pose| &mut pose.origin);
+        for (place, first) in points.chain(bodies.zip(&freedoms.bodies)) {
+            let unknown = first.map(|first| first + 2);
+            let lies = unknown.filter(|unknown| contacts.get(*unknown) == Some(&Contact::Bed));
+            if let Some(unknown) = lies {
+                place.z = self.least(unknown, place);
+            }
+        }
     }
 
     /// What bears on each unknown where the forces are these.
@@ -75,18 +113,16 @@ impl Bounds {
         force: &DVector<f64>,
     ) -> Vec<Contact> {
         let mut contacts = vec![Contact::None; freedoms.count];
-        let points = placement.points.iter().map(|place| place.z);
-        let bodies = placement.bodies.iter().map(|pose| pose.origin.z);
-        let heights = points
-            .zip(&freedoms.points)
-            .chain(bodies.zip(&freedoms.bodies));
-        for (z, first) in heights {
+        let points = placement.points.iter().zip(&freedoms.points);
+        let bodies = placement.bodies.iter().map(|pose| &pose.origin);
+        for (place, first) in points.chain(bodies.zip(&freedoms.bodies)) {
             let Some(unknown) = first.map(|first| first + 2) else {
                 continue;
             };
-            if z <= self.least[unknown] && force[unknown] < 0.0 {
+            let onto_bed = || self.onto_bed(place, [0, 1, 2].map(|k| force[unknown - 2 + k]));
+            if place.z <= self.least(unknown, place) && onto_bed() {
                 contacts[unknown] = Contact::Bed;
-            } else if z >= self.most[unknown] && force[unknown] > 0.0 {
+            } else if place.z >= self.most[unknown] && force[unknown] > 0.0 {
                 contacts[unknown] = Contact::Surface;
             }
         }

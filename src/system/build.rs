@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use nalgebra::{Matrix6, Rotation3, Vector6};
 
-use super::discretised::DiscretisedLine;
+use super::bed::Bed;
+use super::discretised::{DiscretisedLine, LineForm};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
     SystemFile,
@@ -21,7 +22,7 @@ use super::parts::{Part, parts};
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::Material;
+use crate::case::{Material, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::sea::Sea;
 use crate::scene::{current_profile, sea};
@@ -52,7 +53,7 @@ pub fn build(
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
         density: file.environment.water_density_kg_per_m3,
-        bed_z: file.seabed.as_ref().map(|bed| -bed.depth_m),
+        bed: bed_of(file),
         current: file
             .current
             .as_ref()
@@ -89,6 +90,14 @@ pub fn build(
     let mut network = builder.network;
     network.payouts = payouts(file, &network);
     Ok(network)
+}
+
+/// The sea bed of a file.
+fn bed_of(file: &SystemFile) -> Option<Bed> {
+    let given = file.seabed.as_ref()?;
+    // Its file was read with the system.
+    let grid = depth_grid(given.depths(), &file.files).ok().flatten();
+    Some(grid.map_or(Bed::Level(-given.depth_m), |grid| Bed::Grid(Arc::new(grid))))
 }
 
 /// The bodies of a file, in these waves; `file` has its rods written out as bodies.
@@ -178,8 +187,10 @@ impl Builder<'_> {
             let discretised = DiscretisedLine::of(self.file, &turned, parts, self.divided);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
+            let form = LineForm::of(self.file, &turned, parts, self.divided);
             self.network.lines.push(Line {
                 discretised,
+                closed_over_flat: form == LineForm::ClosedOverFlat,
                 ..built
             });
         }
@@ -280,6 +291,7 @@ impl Builder<'_> {
                 },
             ],
             discretised: None,
+            closed_over_flat: false,
         }
     }
 

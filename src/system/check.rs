@@ -1,6 +1,7 @@
 //! Checks of the keys of a system against each other: names, ends, places, what holds what.
 
 use super::ageing::check::ageing;
+use super::check_bed::{bed, below_bed};
 use super::model::{
     BodyKeys, BodyKind, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
 };
@@ -52,6 +53,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(of_material(material));
     }
+    found.extend(bed(keys));
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));
     found.extend(motion::motion(keys));
@@ -144,19 +146,6 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
         found.extend(below_bed(keys, end));
     }
     found
-}
-
-/// A place below the bed.
-fn below_bed(keys: &SystemKeys<'_>, place: &Key<'_, [f64; 3]>) -> Option<Finding> {
-    let depth = keys.seabed.as_ref()?.depth_m.value()?;
-    let [_, _, z] = place.value()?;
-    (z < -depth).then(|| {
-        let problem = format!(
-            "lies {} m below the bed, which is {depth} m deep",
-            -depth - z
-        );
-        place.finding(problem, format!("give a z of {} or more", -depth))
-    })
 }
 
 /// A wind that no body states its loads by.

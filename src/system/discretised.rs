@@ -18,6 +18,39 @@ pub const SEGMENTS: usize = 100;
 /// The fewest of a section; its pieces share them.
 const FEWEST: usize = 8;
 
+/// How a line takes part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineForm {
+    /// By its closed form everywhere.
+    Closed,
+    /// By its closed form where the bed below it is flat, else divided into segments.
+    ClosedOverFlat,
+    /// Divided into segments.
+    Divided,
+}
+
+impl LineForm {
+    /// The form of a line of these parts: divided where its file has a current, a material of it bends or has a table, or all are divided.
+    #[must_use]
+    pub fn of(file: &SystemFile, line: &LineInputs, parts: &[Part], divided: Divided) -> Self {
+        let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
+        let still = file.current.is_none() || line.still_water;
+        let tabled = |part: &Part| part.material.strain.is_some();
+        let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
+        if !closed || divided == Divided::All {
+            Self::Divided
+        } else if file
+            .seabed
+            .as_ref()
+            .is_some_and(|bed| bed.depth_file.is_some())
+        {
+            Self::ClosedOverFlat
+        } else {
+            Self::Closed
+        }
+    }
+}
+
 /// A line as the element that is solved between its ends, and the case that states it.
 #[derive(Debug, Clone)]
 pub struct DiscretisedLine {
@@ -37,7 +70,7 @@ pub struct DiscretisedRest {
 }
 
 impl DiscretisedLine {
-    /// The element of a line of these parts, where it needs one: its file has a current, a material of it bends or has a table, or all are divided.
+    /// The element of a line of these parts, where it needs one.
     ///
     /// # Errors
     /// What the element says of the line.
@@ -47,19 +80,15 @@ impl DiscretisedLine {
         parts: &[Part],
         divided: Divided,
     ) -> Result<Option<Arc<Self>>, String> {
-        let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
-        let still = file.current.is_none() || line.still_water;
-        let tabled = |part: &Part| part.material.strain.is_some();
-        let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
-        if closed && divided == Divided::WhereNeeded {
+        if LineForm::of(file, line, parts, divided) == LineForm::Closed {
             return Ok(None);
         }
         let mut case = case(file, line, parts);
         if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
-            // At rest a system's lines are sought between ends that move; in motion they have been laid.
-            let rough = divided == Divided::All;
+            // At rest a system's lines are sought between ends that move; in motion they have been laid. Friction over a grid is refused.
+            let rough = divided == Divided::All && given.depth_file.is_none();
             bed.friction = rough.then(|| line.friction.unwrap_or(given.friction));
         }
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
@@ -152,7 +181,15 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     let mut case = Case::new(&line.name, ends);
     case.environment = file.environment.clone();
     case.current = file.current.clone().filter(|_| !line.still_water);
-    case.seabed = file.seabed.as_ref().map(|bed| Seabed::level(bed.depth_m));
+    case.seabed = file.seabed.as_ref().map(|bed| Seabed {
+        depth_file: bed.depth_file.clone(),
+        interpolation: bed.interpolation,
+        ..Seabed::level(bed.depth_m)
+    });
+    let depths = file.seabed.as_ref().and_then(|bed| bed.depth_file.as_ref());
+    let depths = depths.and_then(|name| file.files.get_key_value(name));
+    case.files
+        .extend(depths.map(|(name, file)| (name.clone(), file.clone())));
     case.solver.method = Method::Static;
     let whole: f64 = parts.iter().map(|part| part.length_m).sum();
     for (k, part) in parts.iter().enumerate() {

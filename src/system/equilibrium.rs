@@ -1,9 +1,10 @@
 //! The system at rest: Newton's method on free points and bodies.
 //!
-//! A line that bears no compression, its weight, a flat bed below and a surface above have together a potential energy
+//! A line that bears no compression, its weight, a level bed below and a surface above have together a potential energy
 //! that is convex in the places of the line; with the line at rest it is convex in its ends. With the bodies held, a system has
 //! therefore one state of least energy (or a connected set of them, all with the same tensions), and a descent from any start
-//! finds it. Friction of the bed, current and wind have no energy: they act in a second search, from the result of the first, as does bending. Free bodies turn, which is
+//! finds it. Friction of the bed, current and wind have no energy: they act in a second search, from the result of the first, as do bending and a bed
+//! that is not level, over which the lines of the first search have level beds of their own. Free bodies turn, which is
 //! not convex: the search ends at the equilibrium that it comes to first.
 //!
 //! A step goes along `K d = F`, with a share of the unit matrix added where K is not positive definite, no further than a
@@ -12,7 +13,9 @@
 
 use nalgebra::DVector;
 
+use super::along_bed::{OnSlope, force_along, on_slope, stiffness_along};
 use super::balance::{Balance, UnsolvedLine, balance};
+use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_at_rest::LinePhysics;
@@ -94,11 +97,16 @@ pub fn search_within(
     most_steps: usize,
 ) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed_z.is_some();
+    let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed.is_some();
     let discretised = network.lines.iter().any(|line| line.discretised.is_some());
     let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
-    search.run(most_steps)?;
-    if rough || discretised || network.flows() {
+    let near = search.run(most_steps);
+    // Closed forms over level beds lead near the equilibrium over another one, and need not end anywhere.
+    let level = network.bed.as_ref().is_none_or(Bed::is_level);
+    if level {
+        near?;
+    }
+    if rough || !level || discretised || network.flows() {
         search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
         search.run(most_steps)?;
@@ -124,6 +132,8 @@ struct Search<'a> {
     physics: LinePhysics,
     placement: Placement,
     here: Balance,
+    /// What bears on each unknown where the step begins.
+    contacts: Vec<Contact>,
     /// Greatest step \[m\].
     reach: f64,
     steps: usize,
@@ -157,6 +167,7 @@ impl<'a> Search<'a> {
             physics,
             placement,
             here,
+            contacts: Vec::new(),
             reach: 0.3 * longest.fold(1e-3, f64::max),
             steps: 0,
             evaluations: std::cell::Cell::new(1),
@@ -230,6 +241,12 @@ impl<'a> Search<'a> {
         (ACCEPTED * self.here.tension).max(rounding).max(2.0 * own)
     }
 
+    /// What lies on a bed that slopes.
+    fn on_slope(&self, placement: &Placement, contacts: &[Contact]) -> Vec<OnSlope> {
+        let bed = self.network.bed.as_ref();
+        on_slope(bed, (&self.freedoms, placement), contacts)
+    }
+
     fn size(&self, force: &DVector<f64>) -> f64 {
         force.component_div(&self.lever).amax()
     }
@@ -240,6 +257,7 @@ impl<'a> Search<'a> {
             .bounds
             .contacts(&self.freedoms, placement, &balance.force);
         let mut force = balance.force.clone();
+        force_along(&self.on_slope(placement, &contacts), &mut force);
         for (unknown, contact) in contacts.iter().enumerate() {
             if *contact != Contact::None {
                 force[unknown] = 0.0;
@@ -250,9 +268,11 @@ impl<'a> Search<'a> {
 
     /// One step; whether anything moved.
     fn step(&mut self, force: &DVector<f64>) -> Result<bool, SystemError> {
-        let held: Vec<bool> = self
+        self.contacts = self
             .bounds
-            .contacts(&self.freedoms, &self.placement, &self.here.force)
+            .contacts(&self.freedoms, &self.placement, &self.here.force);
+        let held: Vec<bool> = self
+            .contacts
             .iter()
             .map(|contact| *contact != Contact::None)
             .collect();
@@ -298,6 +318,9 @@ impl<'a> Search<'a> {
     /// The stiffness with the unknowns that are held standing for themselves.
     fn stiffness(&self, held: &[bool]) -> EnvelopeMatrix {
         let mut stiffness = self.here.stiffness.clone();
+        let lying = self.on_slope(&self.placement, &self.contacts);
+        let bed = self.network.bed.as_ref();
+        stiffness_along(bed, &lying, &self.here.force, &mut stiffness);
         stiffness.hold(held, 1.0);
         stiffness
     }
@@ -402,6 +425,8 @@ impl<'a> Search<'a> {
         let mut place = self
             .placement
             .moved(self.network, &self.freedoms, &(step * share));
+        self.bounds
+            .follow_bed(&self.freedoms, &self.contacts, &mut place);
         self.bounds.keep(self.network, &self.freedoms, &mut place);
         let balance = self.evaluate(&place)?;
         let force = self.unbalanced(&balance, &place);

@@ -56,6 +56,9 @@ impl FileKind for SystemFile {
                 }
             }
         }
+        if let Some(bed) = &self.seabed {
+            source.take_depths(&mut self.files, bed.depths(), "seabed")?;
+        }
         let sea = sea_of(self);
         for body in self.bodies.values() {
             let flow = PotentialFlow::of(self, body)?;

@@ -117,11 +117,12 @@ pub fn solve(
 ) -> Result<LineAtRest, CatenaryError> {
     let from_b = b.z < a.z;
     let (low, high) = if from_b { (b, a) } else { (a, b) };
-    let below = network.bed_z.map_or(f64::INFINITY, |z| low.z - z);
+    let level = level_below(network, (low, high));
+    let below = level.map_or(f64::INFINITY, |z| low.z - z);
     let lies = below.abs() <= ON_BED * (line.length() + low.z.abs());
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
     let mu = if rough && lies { line.friction } else { 0.0 };
-    let given = closed_form(network, line, (low, high), from_b, mu);
+    let given = closed_form(network, line, (low, high), level.map(|z| (z, mu)), from_b);
     let seed = before.filter(|before| before.from_b == from_b);
     let near = seed.and_then(|before| before.solution.as_ref());
     let solve = |line: &CatenaryLine<'_>| match near {
@@ -164,15 +165,38 @@ pub fn solve(
     })
 }
 
-/// The closed form of a line from its lower end, on a bed with this friction.
+/// Whether a line between two places has a closed form: all of it, or where the bed below it is flat or it floats.
+#[must_use]
+pub fn has_closed_form(network: &Network, line: &Line, (a, b): (&V3, &V3)) -> bool {
+    if line.discretised.is_none() || !line.closed_over_flat {
+        return line.discretised.is_none();
+    }
+    let bed = network.bed.as_ref();
+    floats(network, line, a.z.max(b.z)) || bed.is_none_or(|bed| bed.flat_between(a, b).is_some())
+}
+
+/// Whether a line with its upper end at this height \[m\] floats below the surface.
+fn floats(network: &Network, line: &Line, high: f64) -> bool {
+    network.density > 0.0 && line.is_buoyant() && high <= 0.0
+}
+
+/// Height of the level bed that a closed form lies on \[m\]. Where the bed is not flat between the ends, that below the lower one: near the
+/// equilibrium, which divided lines then have.
+fn level_below(network: &Network, (low, high): (&V3, &V3)) -> Option<f64> {
+    let bed = network.bed.as_ref()?;
+    let flat = bed.flat_between(low, high);
+    Some(flat.unwrap_or_else(|| bed.z_below(low).min(low.z)))
+}
+
+/// The closed form of a line from its lower end, on a level bed of this height \[m\] and friction.
 fn closed_form<'a>(
     network: &Network,
     line: &'a Line,
     (low, high): (&V3, &V3),
+    level: Option<(f64, f64)>,
     from_b: bool,
-    friction: f64,
 ) -> CatenaryLine<'a> {
-    let afloat = network.density > 0.0 && line.is_buoyant() && high.z <= 0.0;
+    let afloat = floats(network, line, high.z);
     CatenaryLine {
         ends: EndOffset::between([low.x, low.y, low.z], [high.x, high.y, high.z]),
         sections: if from_b {
@@ -180,7 +204,7 @@ fn closed_form<'a>(
         } else {
             &line.sections
         },
-        bed: network.bed_z.filter(|_| !afloat).map(|z| RigidBed {
+        bed: level.filter(|_| !afloat).map(|(z, friction)| RigidBed {
             below_a_m: low.z - z,
             slope_rad: 0.0,
             friction,

@@ -288,7 +288,8 @@ pub(super) fn buoyancy(network: &Network, placed: &Placed<'_>, sum: &mut LoadSum
     sum.add(&centre, &(up * (volume * weight)));
 }
 
-/// The bed under the ends of a member, each a ball of its radius: a spring that gives way by a millimetre under the body's weight.
+/// The bed under the ends of a member, each a ball of its radius whose lowest point bears on it: a spring that gives way by a millimetre
+/// under the body's weight and pushes along the normal of the bed. Over a slope the height of that point is measured vertically.
 pub(super) fn bed(
     network: &Network,
     body: &Body,
@@ -296,7 +297,7 @@ pub(super) fn bed(
     pose: &MovingPose<'_>,
     sum: &mut LoadSum,
 ) {
-    let Some(bed) = network.bed_z else { return };
+    let Some(bed) = &network.bed else { return };
     let spring = body.weight.max(1.0) / GIVES_WAY;
     let ends = [
         (&member.from, member.radius.0),
@@ -304,9 +305,15 @@ pub(super) fn bed(
     ];
     for (end, radius) in ends {
         let arm = pose.arm(end);
-        let above = pose.origin.z + arm.z - (bed + radius);
+        let place = pose.place(&arm);
+        let here = place.map(|part| part.re);
+        let gradient = bed.gradient(&here);
+        let lower = (place - constant(&here)).dot(&constant(&V3::new(gradient.x, gradient.y, 0.0)));
+        let above = pose.origin.z + arm.z - (bed.z_below(&here) + radius) + lower;
         if above.re < 0.0 {
-            sum.add(&arm, &(constant(&V3::z()) * (above * -spring)));
+            let turned = bed.curvature(&here).unwrap_or_else(M3::zeros);
+            let along = near((&gradient, &turned), &here, &place);
+            sum.add(&arm, &(along * (above * -spring)));
         }
     }
 }

@@ -7,12 +7,15 @@
 //! Lines gain marine growth and lose steel with years, by [`ageing`](mod@ageing).
 
 pub mod ageing;
+pub mod along_bed;
 pub mod analysis;
 pub mod balance;
+pub mod bed;
 pub mod body_loads;
 pub mod bounds;
 pub mod build;
 mod check;
+mod check_bed;
 pub mod connected;
 pub mod discretised;
 pub mod equilibrium;

@@ -14,7 +14,9 @@ pub(crate) use motion::{PayoutKeys, SlidingKeys};
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
-use crate::case::{Attachment, Current, Environment, Mark, Material, OneOrMany, Waves};
+use crate::case::{
+    Attachment, BedInterpolation, Current, Environment, Mark, Material, OneOrMany, Waves,
+};
 use crate::reference::{PublishedHistory, PublishedNumber};
 
 const ON_BODY: Conditions = &[("kind", &["body"])];
@@ -36,7 +38,7 @@ table! {
         waves: Vec<Waves>;
         /// A wind on bodies that state their loads by it.
         wind: Option<SystemWind>;
-        /// The level sea bed; absent means that none is in reach.
+        /// The sea bed; absent means that none is in reach.
         seabed: Option<SystemBed>;
         /// What the lines are made of, by name.
         materials: BTreeMap<String, Material>, required;
@@ -89,17 +91,29 @@ table! {
 }
 
 table! {
-    /// A level, rigid sea bed.
+    /// A sea bed, level or with depths over a grid of places; rigid below lines at rest that are closed forms.
     #[derive(Debug, Clone, PartialEq)]
     pub struct SystemBed => SystemBedKeys {
-        /// Depth of the bed below still water.
+        /// Depth of the bed below still water; with depth_file that which waves feel.
         depth_m: f64, "depth", range of(0.0, 2e4);
+        /// CSV file of depths, x_m,y_m,depth_m on a rectangular grid, in the place of a level bed; beyond it its edge.
+        depth_file: Option<String>, "file of depths", absent "the bed is level";
+        /// How the depth goes between the places of that file.
+        interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
         /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
         /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
         /// Push of the bed per area of line and speed into it, in motion.
         damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);
+    }
+}
+
+impl SystemBed {
+    /// The file of depths that it names, and how the depth goes between its places.
+    #[must_use]
+    pub fn depths(&self) -> (Option<&str>, BedInterpolation) {
+        (self.depth_file.as_deref(), self.interpolation)
     }
 }
 

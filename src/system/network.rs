@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use nalgebra::Matrix6;
 
+use super::bed::Bed;
 use super::discretised::DiscretisedLine;
 use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
@@ -23,8 +24,8 @@ pub struct Network {
     pub gravity: f64,
     /// Density of the water \[kg/m³\].
     pub density: f64,
-    /// Height of the bed \[m\], negative; nothing where none is in reach.
-    pub bed_z: Option<f64>,
+    /// The sea bed; nothing where none is in reach.
+    pub bed: Option<Bed>,
     /// The current on lines, points and bodies, if there is one.
     pub current: Option<CurrentProfile>,
     /// Waves in motion, if there are any.
@@ -273,6 +274,8 @@ pub struct Line {
     pub releases: [ReleaseCondition; 2],
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
+    /// Whether it has a closed form where the bed below it is flat.
+    pub closed_over_flat: bool,
 }
 
 impl Line {

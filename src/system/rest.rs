@@ -73,6 +73,43 @@ fn not_held(network: &Network, part: Loose) -> UnsolvedSystem {
     }
 }
 
+/// How far below the bed a place may be by rounding \[m\].
+const ROUNDED: f64 = 1e-6;
+
+/// The first place given below a bed of depths over a grid: of points, and of the ends of rods. Those below a level bed are found with the
+/// keys.
+#[must_use]
+pub fn below_bed(network: &Network) -> Option<UnsolvedSystem> {
+    let bed = network.bed.as_ref().filter(|bed| !bed.is_level())?;
+    let points = network.points.iter().enumerate();
+    let given = points.filter_map(|(index, point)| match &point.held {
+        Held::At(place) => Some((Loose::Point(index), *place)),
+        Held::Free(free) => free.start.map(|place| (Loose::Point(index), place)),
+        Held::On(..) => None,
+    });
+    let bodies = network.bodies.iter().enumerate();
+    let rods = bodies.filter(|(_, body)| body.spins_about.is_some());
+    let ends = rods.flat_map(|(index, rod)| {
+        let ends = rod.members.iter().flat_map(|rod| [rod.from, rod.to]);
+        ends.map(move |end| (Loose::Body(index), rod.pose.origin + rod.pose.arm(&end)))
+    });
+    let mut below = given.chain(ends);
+    let (part, place) = below.find(|(_, place)| bed.height(place) < -ROUNDED)?;
+    let (name, z) = (part_name(network, part), bed.z_below(&place));
+    Some(UnsolvedSystem {
+        problem: format!(
+            "\"{name}\" lies {:.3} m below the bed, which is {:.3} m deep at x = {:.3} m, y = {:.3} m",
+            z - place.z,
+            -z,
+            place.x,
+            place.y
+        ),
+        remedy: format!("give a z of {:.3} or more there", (z * 1e3).ceil() / 1e3),
+        line: None,
+        part: Some((part, name)),
+    })
+}
+
 /// A search without an answer, in words.
 #[must_use]
 pub fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {

@@ -9,7 +9,7 @@ use super::equilibrium::{Equilibrium, SystemError};
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
 use super::network::Network;
-use super::rest::{UnsolvedSystem, not_divided, refused, rest};
+use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
 use super::stability::{Stability, stability};
 use super::stiffness::of_bodies;
 
@@ -33,13 +33,11 @@ pub struct SolvedSystem {
 }
 
 impl SolvedSystem {
-    /// Whether any of its lines is divided into segments.
+    /// Whether any of its lines rests divided into segments.
     #[must_use]
     pub fn is_discretised(&self) -> bool {
-        self.network
-            .lines
-            .iter()
-            .any(|line| line.discretised.is_some())
+        let lines = &self.rest.balance.lines;
+        lines.iter().any(|line| line.discretised.is_some())
     }
 }
 
@@ -49,6 +47,9 @@ impl SolvedSystem {
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let new = build(&file, &AgedParts::new(), Divided::WhereNeeded).map_err(not_divided)?;
+    if let Some(buried) = below_bed(&new) {
+        return Err(buried);
+    }
     let rest_as_new = rest(&new)?;
     let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
         Some((network, rest, age)) => (network, rest, Some(age)),

@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::along_bed::{on_slope, stiffness_along};
 use super::bounds::Contact;
 use super::equilibrium::{Equilibrium, levers};
 use super::network::Network;
@@ -39,6 +40,9 @@ pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
     // Turns count by the way they move a fairlead, or N m would be held against N/m.
     let by = levers(network, &rest.freedoms).map(|lever| 1.0 / lever);
     let mut stiffness = rest.balance.stiffness.clone();
+    let bed = network.bed.as_ref();
+    let lying = on_slope(bed, (&rest.freedoms, &rest.placement), &rest.contacts);
+    stiffness_along(bed, &lying, &rest.balance.force, &mut stiffness);
     stiffness.scale(&by);
     stiffness.hold(&held, 0.0);
     let most = stiffness.diagonal().amax().max(f64::MIN_POSITIVE);

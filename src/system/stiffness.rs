@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix6};
 
+use super::along_bed::{on_slope, stiffness_along};
 use super::balance::{Balance, UnsolvedLine, balance};
 use super::body_loads::body_loads;
 use super::bounds::Contact;
@@ -9,6 +10,7 @@ use super::equilibrium::Equilibrium;
 use super::freedoms::{Freedoms, UnknownBodies};
 use super::line_at_rest::LinePhysics;
 use super::network::Network;
+use crate::numerics::envelope::EnvelopeMatrix;
 
 /// Stiffness of the lines on a body about its origin: minus the change of their force and moment as the body moves and turns,
 /// everything free in balance \[N/m, N, N m\]. The axes are the earth's; other held bodies stay.
@@ -54,9 +56,20 @@ impl Whole {
         Ok(Self { freedoms, balance })
     }
 
+    /// The stiffness by the motions along the bed of what lies on it where it slopes, but for a body that is moved itself.
+    fn along_bed(&self, network: &Network, rest: &Equilibrium, body: usize) -> EnvelopeMatrix {
+        let mut stiffness = self.balance.stiffness.clone();
+        let contacts = contacts(rest, &self.freedoms);
+        let bed = network.bed.as_ref();
+        let mut lying = on_slope(bed, (&self.freedoms, &rest.placement), &contacts);
+        lying.retain(|part| Some(part.first) != self.freedoms.bodies[body]);
+        stiffness_along(bed, &lying, &self.balance.force, &mut stiffness);
+        stiffness
+    }
+
     fn on_body(&self, network: &Network, rest: &Equilibrium, body: usize) -> Matrix6<f64> {
         let first = self.freedoms.bodies[body].unwrap_or(0);
-        let stiffness = &self.balance.stiffness;
+        let stiffness = &self.along_bed(network, rest, body);
         let mut block = Matrix6::zeros();
         let follow = follows(rest, &self.freedoms, body);
         let columns: Vec<DVector<f64>> = (0..6).map(|k| stiffness.column(first + k)).collect();
@@ -86,6 +99,20 @@ impl Whole {
         let loads = body_loads(network, &network.bodies[body], pose, LinePhysics::Full).1;
         block - loads
     }
+}
+
+/// The contacts of an equilibrium in the numbers of the unknowns of all bodies.
+#[must_use]
+pub fn contacts(rest: &Equilibrium, all: &Freedoms) -> Vec<Contact> {
+    let mut contacts = vec![Contact::None; all.count];
+    let points = all.points.iter().zip(&rest.freedoms.points);
+    let bodies = all.bodies.iter().zip(&rest.freedoms.bodies);
+    for (here, there) in points.chain(bodies) {
+        if let (Some(here), Some(there)) = (here, there) {
+            contacts[here + 2] = rest.contacts[there + 2];
+        }
+    }
+    contacts
 }
 
 /// Whether each unknown follows a body: those of free points and other free bodies, but for heights that bed or surface hold.

@@ -10,6 +10,7 @@ mod creep;
 mod discretised;
 mod floating;
 mod foreign_files;
+mod grid_bed;
 mod hauled;
 mod motion;
 mod on_bed;

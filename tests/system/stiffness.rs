@@ -34,10 +34,19 @@ fn load(network: &Network, body: usize, pose: Pose) -> Vector6<f64> {
 
 /// Stiffness of the lines on a body by differences of their load.
 pub(crate) fn differences(network: &Network, body: usize) -> Matrix6<f64> {
+    differences_by(network, body, [1e-3, 1e-5])
+}
+
+/// The same by these displacements \[m\] and turns \[rad\].
+pub(crate) fn differences_by(
+    network: &Network,
+    body: usize,
+    [far, turned]: [f64; 2],
+) -> Matrix6<f64> {
     let pose = network.bodies[body].pose;
     let mut found = Matrix6::zeros();
     for column in 0..6 {
-        let step = if column < 3 { 1e-3 } else { 1e-5 };
+        let step = if column < 3 { far } else { turned };
         let side = |sign: f64| {
             let mut motion = Vector6::<f64>::zeros();
             motion[column] = sign * step;

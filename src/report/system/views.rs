@@ -88,6 +88,9 @@ fn draw(solved: &SolvedSystem, view: &View) -> Chart {
         drawn.dimmed = tension < 0.25 * greatest;
         series.push(drawn);
     }
+    if view.up.z != 0.0 {
+        series.extend(bed(solved, &flat));
+    }
     let mut marks = Outline::new();
     let size = spread(solved);
     for (index, point) in solved.network.points.iter().enumerate() {
@@ -113,6 +116,25 @@ fn draw(solved: &SolvedSystem, view: &View) -> Chart {
         legend: solved.network.lines.len() <= INKS,
         ..Chart::new(view.title, x, y, series)
     }
+}
+
+/// The bed below every line, where it is not level.
+fn bed(solved: &SolvedSystem, flat: &impl Fn(&V3) -> (f64, f64)) -> Option<Series> {
+    let bed = solved.network.bed.as_ref().filter(|bed| !bed.is_level())?;
+    let places = &solved.rest.placement.points;
+    let mut drawn = Outline::new();
+    for (line, at_rest) in solved.network.lines.iter().zip(&solved.rest.balance.lines) {
+        let ends = [&places[line.from], &places[line.to]];
+        drawn.extend((0..=POINTS).map(|k| {
+            let (place, _) = at_rest.at(f64::from(k) / f64::from(POINTS), ends);
+            flat(&V3::new(place.x, place.y, bed.z_below(&place)))
+        }));
+        drawn.push(BREAK);
+    }
+    Some(Series {
+        dimmed: true,
+        ..Series::new("sea bed", INKS, drawn)
+    })
 }
 
 /// The greatest distance along an axis between two points.

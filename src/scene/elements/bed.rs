@@ -53,7 +53,10 @@ pub(super) fn seabed(bed: &case::Seabed, files: &Attachments) -> ElasticBed {
         z: -bed.depth_m - slope.tan() * (x * azimuth.cos() + y * azimuth.sin()),
         slope: ElasticBed::sloping(slope, azimuth),
         // Its file was read with the case.
-        grid: case::depth_grid(bed, files).ok().flatten().map(Arc::new),
+        grid: case::depth_grid(bed.depths(), files)
+            .ok()
+            .flatten()
+            .map(Arc::new),
         stiffness: bed.stiffness_n_per_m3,
         damping: bed.damping_n_s_per_m3,
         friction: friction.map(|axial| Friction {
@@ -340,7 +343,8 @@ impl BedContact {
         let normal = self.seabed.normal(&at.state.x[node]);
         let push = normal * (-normal.dot(&(pull + load))).max(0.0);
         let beside = if end == 0 { 1 } else { last - 1 };
-        if beside == 0 || beside == last {
+        // Over a grid there is no friction, and the push on that node has another direction.
+        if beside == 0 || beside == last || self.seabed.grid.is_some() {
             return push;
         }
         let force = self.force(beside, at.state);

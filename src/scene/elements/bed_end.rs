@@ -31,7 +31,8 @@ impl BedContact {
         let load = -r - self.force(node, at.state);
         tangent.diag[node] += self.force_by_position(node, at.state);
         let beside = if node == 0 { 1 } else { last - 1 };
-        let by_beside = (beside != 0 && beside != last).then(|| self.force(beside, at.state));
+        let rubs = beside != 0 && beside != last && self.seabed.grid.is_none();
+        let by_beside = rubs.then(|| self.force(beside, at.state));
         let normal = self.seabed.normal(&at.state.x[node]);
         let slopes = slopes_of_end_force(&normal, &load, by_beside);
         let (near, far) = if node == 0 {
@@ -40,6 +41,9 @@ impl BedContact {
             (&mut tangent.lower[last], tangent.far_lower.get_mut(last))
         };
         tangent.diag[node] = slopes.by_load * tangent.diag[node];
+        if let Some(by_place) = self.seabed.normal_slope(&at.state.x[node]) {
+            tangent.diag[node] -= push_by_turning(&normal, &load, &by_place);
+        }
         *near =
             slopes.by_load * *near - slopes.by_beside * self.force_by_position(beside, at.state);
         if let Some(far) = far {
@@ -61,6 +65,16 @@ impl BedContact {
         });
         friction.map_or(slope, |friction| slope + friction.by_position)
     }
+}
+
+/// Derivative of the push `n P`, `P = -n.load` where that is positive, by the place as it turns the normal: N P - n load' N, N the derivative of
+/// the normal.
+fn push_by_turning(normal: &V3, load: &V3, by_place: &M3) -> M3 {
+    let push = (-normal.dot(load)).max(0.0);
+    if push <= 0.0 {
+        return M3::zeros();
+    }
+    by_place * push - outer(normal, &(by_place.transpose() * load))
 }
 
 /// Derivatives of `load + force_on_end(load)`. With n the normal, P = -n.load the push on the end, g the friction on the

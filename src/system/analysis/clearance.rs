@@ -15,7 +15,7 @@ pub struct LineDistances {
     pub line: Option<(usize, f64)>,
     /// From the nearest body with members that none of its ends is on, and which.
     pub body: Option<(usize, f64)>,
-    /// Of its lowest point above the bed.
+    /// Above the bed.
     pub above_bed: Option<f64>,
     /// Of its highest point below the surface.
     pub below_surface: f64,
@@ -111,9 +111,12 @@ fn from_bodies(
     distances.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-/// Height of the lowest point of a line above the bed \[m\], and depth of its highest below the surface; the bed only where there is one.
+/// Least height of a line above the bed \[m\], and depth of its highest point below the surface; the bed only where there is one.
 fn from_bed_and_surface(network: &Network, curve: &[V3]) -> (Option<f64>, f64) {
-    let low = curve.iter().map(|p| p.z).fold(f64::INFINITY, f64::min);
+    let above_bed = network.bed.as_ref().map(|bed| {
+        let heights = curve.iter().map(|place| bed.height(place));
+        heights.fold(f64::INFINITY, f64::min).max(0.0)
+    });
     let high = curve.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
-    (network.bed_z.map(|bed| (low - bed).max(0.0)), -high)
+    (above_bed, -high)
 }

@@ -5,6 +5,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
+use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
 use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
@@ -13,7 +14,7 @@ use super::super::line_at_rest::LinePhysics;
 use super::super::members;
 use super::super::network::{Body, Held, Network};
 use super::super::pose::{Pose, cross};
-use super::super::stiffness::take;
+use super::super::stiffness::{contacts, take};
 
 /// A natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,8 +56,13 @@ pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<SystemMode>,
     let all = Freedoms::of(network, UnknownBodies::All);
     let placement = &rest.placement;
     let lines = Some(rest.balance.lines.as_slice());
-    let balance = balance(network, &all, placement, LinePhysics::Full, lines)
+    let mut balance = balance(network, &all, placement, LinePhysics::Full, lines)
         .map_err(|unsolved| unsolved.why)?;
+    let bed = network.bed.as_ref();
+    // Bodies keep their six directions.
+    let mut lying = on_slope(bed, (&all, placement), &contacts(rest, &all));
+    lying.retain(|part| all.points.contains(&Some(part.first)));
+    stiffness_along(bed, &lying, &balance.force, &mut balance.stiffness);
     let (own, inner) = unknowns(network, rest, &all);
     if own.is_empty() {
         return Ok(Vec::new());
@@ -131,14 +137,32 @@ fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatr
                 masses.view_mut((k, k), (6, 6)).copy_from(&block);
             }
             (Moving::Body(_), _) => {}
-            (Moving::Point(point), _) => {
-                if let Held::Free(free) = &network.points[point].held {
-                    masses[(k, k)] = free.moving_mass;
+            (Moving::Point(point), direction) => {
+                let Held::Free(free) = &network.points[point].held else {
+                    continue;
+                };
+                masses[(k, k)] = free.moving_mass;
+                let lifts = lift(network, rest, point);
+                for (j, other) in own.iter().enumerate() {
+                    if other.of == moving.of {
+                        masses[(k, j)] +=
+                            free.moving_mass * lifts[direction] * lifts[other.direction];
+                    }
                 }
             }
         }
     }
     masses
+}
+
+/// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.
+fn lift(network: &Network, rest: &Equilibrium, point: usize) -> [f64; 3] {
+    let bed = network.bed.as_ref();
+    let lies = rest.contact(point) == Contact::Bed;
+    let gradient = bed
+        .filter(|_| lies)
+        .map(|bed| bed.gradient(&rest.placement.points[point]));
+    gradient.map_or([0.0; 3], |gradient| [-gradient.x, -gradient.y, 0.0])
 }
 
 fn modes(

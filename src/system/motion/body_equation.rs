@@ -241,11 +241,14 @@ pub fn rotation_jacobian(rotation: &UnitQuaternion<f64>, vector: &V3) -> M3 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::{DepthGrid, DepthInterpolation};
     use crate::physics::sea::{
         Component, DepthDecay, Sea, Stretching, WaveField, WaveLoad, WaveSettings,
     };
+    use crate::system::bed::Bed;
     use crate::system::network::{HeadingLoads, Member};
     use nalgebra::UnitQuaternion;
+    use std::sync::Arc;
 
     fn body() -> Body {
         Body {
@@ -301,9 +304,13 @@ mod tests {
 
     #[test]
     fn the_tangent_is_the_derivative_of_the_residual() {
-        for (current_loads, bed_z) in [(None, Some(-0.9)), (Some(loads()), None)] {
+        for (current_loads, bed) in [
+            (None, Some(Bed::Level(-0.9))),
+            (None, Some(hills())),
+            (Some(loads()), None),
+        ] {
             let network = Network {
-                bed_z,
+                bed,
                 gravity: 9.81,
                 density: 1025.0,
                 bodies: vec![Body {
@@ -316,6 +323,21 @@ mod tests {
             };
             check_tangents(&network);
         }
+    }
+
+    /// Hills below the body, of which its foot and its members touch.
+    fn hills() -> Bed {
+        let axis: Vec<f64> = (-6..=6).map(|k| 3.1 * f64::from(k)).collect();
+        let pairs = axis.iter().flat_map(|x| axis.iter().map(move |y| (*x, *y)));
+        let depth = pairs.map(|(x, y)| 0.7 + 0.5 * (0.2 * x).sin() * (0.3 * y).cos() + 0.1 * y);
+        let depth = depth.collect();
+        let grid = DepthGrid::new(
+            axis.clone(),
+            axis.clone(),
+            depth,
+            DepthInterpolation::Smooth,
+        );
+        Bed::Grid(Arc::new(grid.unwrap()))
     }
 
     /// Loads by heading, with which added mass and damping act to first order.

@@ -4,8 +4,10 @@ use crate::numerics::{M3, V3};
 use crate::physics::bed_friction::{Friction, FrictionContact, FrictionModel};
 use crate::physics::bed_reaction::BedReaction;
 use crate::physics::sea::WaterMotion;
+use crate::physics::seabed::push_slopes;
 use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::solve::State;
+use crate::system::bed::Bed;
 use crate::system::network::{FreePoint, Network};
 
 /// How far the bed gives way under the weight of a point that lies on it \[m\].
@@ -165,11 +167,12 @@ fn drag(
     load.lost -= force.dot(v);
 }
 
-/// The push of the bed on a point: a spring and a damper, whose part is held between minus and plus that of the spring, so that the push
-/// grows from nothing where a point lands at speed, and does not pull where it leaves.
-fn push(bed: f64, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
+/// The push of the bed on a point, along the gradient of its height above the bed: a spring and a damper, whose part is held between minus
+/// and plus that of the spring, so that the push grows from nothing where a point lands at speed, and does not pull where it leaves.
+fn push(bed: &Bed, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
     let (stiffness, damping) = springs(point);
-    let (elastic, viscous) = (stiffness * (bed - x.z), -damping * v.z);
+    let speed = bed.gradient(x).dot(v);
+    let (elastic, viscous) = (-stiffness * bed.height(x), -damping * speed);
     let (force, by_height, by_speed) = if elastic <= 0.0 || viscous < -elastic {
         (0.0, 0.0, 0.0)
     } else if viscous > elastic {
@@ -211,16 +214,19 @@ fn bed(
     grip: Option<&FrictionAnchor>,
     load: &mut PointLoad,
 ) {
-    let Some(bed) = network.bed_z.filter(|bed| x.z < *bed) else {
+    let Some(bed) = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0) else {
         return;
     };
     let push = push(bed, point, (x, v));
-    let elastic = springs(point).0 * (bed - x.z);
-    load.energy += 0.5 * elastic * (bed - x.z);
-    load.force.z += push.force;
-    load.by_position[(2, 2)] += push.by_height;
-    load.by_velocity[(2, 2)] += push.by_speed;
-    load.lost += (elastic - push.force) * v.z;
+    let depth = -bed.height(x);
+    let elastic = springs(point).0 * depth;
+    load.energy += 0.5 * elastic * depth;
+    let gradient = bed.gradient(x);
+    let [by_position, by_velocity] = push_slopes(&gradient, bed.curvature(x).as_ref(), v, &push);
+    load.force += gradient * push.force;
+    load.by_position += by_position;
+    load.by_velocity += by_velocity;
+    load.lost += (elastic - push.force) * gradient.dot(v);
     if let Some(grip) = grip.filter(|_| point.friction > 0.0) {
         let held = friction(point).grip(&contact(&push, (x, v)), grip);
         load.force += held.force;
@@ -247,7 +253,7 @@ fn contact<'a>(push: &'a BedReaction, (x, v): (&'a V3, &'a V3)) -> FrictionConta
     }
 }
 
-/// Normal of the bed.
+/// Normal of a level bed: on another one friction is refused.
 const UP: V3 = V3::new(0.0, 0.0, 1.0);
 
 /// An anchor without force where a point is.
@@ -270,7 +276,8 @@ pub(super) fn drag_anchor(
     grip: &mut FrictionAnchor,
 ) {
     let push = network
-        .bed_z
+        .bed
+        .as_ref()
         .map_or_else(BedReaction::default, |bed| push(bed, point, (x, v)));
     let hold = (grip.stiffness, grip.damping);
     *grip = friction(point).slide_grip(&contact(&push, (x, v)), grip, hold, &V3::x());
@@ -285,19 +292,22 @@ pub(super) fn landing_acceleration(
     end: &V3,
 ) -> f64 {
     let Some(bed) = network
-        .bed_z
-        .filter(|bed| between.z >= *bed && end.z < *bed)
+        .bed
+        .as_ref()
+        .filter(|bed| bed.height(between) >= 0.0 && bed.height(end) < 0.0)
     else {
         return 0.0;
     };
-    springs(point).0 * (bed - end.z) / point.moving_mass.max(f64::MIN_POSITIVE)
+    -springs(point).0 * bed.height(end) / point.moving_mass.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::numerics::random::Random;
+    use crate::numerics::{DepthGrid, DepthInterpolation};
     use crate::scene::current_profile;
+    use std::sync::Arc;
 
     /// Waves as a point knows them, with derivatives of any size.
     fn waves(random: &mut Random) -> WaterMotion {
@@ -317,10 +327,35 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_the_force() {
+        check_derivatives(Bed::Level(-50.0), 0.4);
+    }
+
+    #[test]
+    fn derivatives_over_hills_are_those_of_the_force() {
+        let axis: Vec<f64> = (-6..=6).map(|k| 2.5 * f64::from(k)).collect();
+        let pairs = axis.iter().flat_map(|x| axis.iter().map(move |y| (*x, *y)));
+        let hills = pairs.map(|(x, y)| 3.0 * (0.2 * x).sin() * (0.3 * y).cos() - 0.1 * x);
+        let at_point = |depth: &[f64]| {
+            let grid = DepthGrid::new(
+                axis.clone(),
+                axis.clone(),
+                depth.to_vec(),
+                DepthInterpolation::Smooth,
+            );
+            grid.unwrap()
+        };
+        let hills: Vec<f64> = hills.collect();
+        // 50 m below the point that is checked.
+        let up = at_point(&hills).at(1.0, 2.0).depth;
+        let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
+        check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), 0.0);
+    }
+
+    fn check_derivatives(bed: Bed, friction: f64) {
         let network = Network {
             gravity: 9.81,
             density: 1025.0,
-            bed_z: Some(-50.0),
+            bed: Some(bed),
             current: Some(current_profile(None)),
             ..Network::default()
         };
@@ -331,7 +366,7 @@ mod tests {
             added_mass: 300.0,
             drag_area: 1.3,
             load: V3::new(10.0, -20.0, 30.0),
-            friction: 0.4,
+            friction,
             start: None,
         };
         let v = V3::new(0.4, -0.9, 0.3);

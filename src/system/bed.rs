@@ -1,0 +1,76 @@
+//! The sea bed under a system: level, or with depths over a grid of places.
+
+use std::sync::Arc;
+
+use crate::numerics::{DepthGrid, M3, V3};
+
+/// The sea bed under a system.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Bed {
+    /// Level, at this height above still water \[m\], negative.
+    Level(f64),
+    /// With depths over a grid.
+    Grid(Arc<DepthGrid>),
+}
+
+impl Bed {
+    /// Height of the bed below a place \[m\].
+    #[inline]
+    #[must_use]
+    pub fn z_below(&self, place: &V3) -> f64 {
+        match self {
+            Self::Level(z) => *z,
+            Self::Grid(grid) => -grid.at(place.x, place.y).depth,
+        }
+    }
+
+    /// Height of a place above the bed, measured vertically \[m\]; negative below it.
+    #[inline]
+    #[must_use]
+    pub fn height(&self, place: &V3) -> f64 {
+        place.z - self.z_below(place)
+    }
+
+    /// Derivative of that height by the place, along which the bed pushes \[-\]: its normal, longer where it slopes.
+    #[inline]
+    #[must_use]
+    pub fn gradient(&self, place: &V3) -> V3 {
+        match self {
+            Self::Level(_) => V3::z(),
+            Self::Grid(grid) => {
+                let [by_x, by_y] = grid.at(place.x, place.y).slope;
+                V3::new(by_x, by_y, 1.0)
+            }
+        }
+    }
+
+    /// Second derivative of that height \[1/m\]; nothing on a level bed.
+    #[inline]
+    #[must_use]
+    pub fn curvature(&self, place: &V3) -> Option<M3> {
+        match self {
+            Self::Level(_) => None,
+            Self::Grid(grid) => {
+                let [xx, xy, yy] = grid.at(place.x, place.y).curvature;
+                Some(M3::new(xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.0))
+            }
+        }
+    }
+
+    /// Height of the bed \[m\] where it is flat below the straight way between two places; nothing where it is not.
+    #[must_use]
+    pub fn flat_between(&self, from: &V3, to: &V3) -> Option<f64> {
+        match self {
+            Self::Level(z) => Some(*z),
+            Self::Grid(grid) => grid
+                .flat_along([from.x, from.y], [to.x, to.y])
+                .map(|depth| -depth),
+        }
+    }
+
+    /// Whether it has one height everywhere.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        matches!(self, Self::Level(_))
+    }
+}

@@ -1,0 +1,51 @@
+//! Checks of the bed of a system: keys of a grid of depths against others, places below a level bed.
+
+use super::model::SystemKeys;
+use crate::case::schema::Key;
+use crate::case::{BedInterpolation, Finding};
+
+/// Friction is not computed over a grid of depths.
+const FRICTION: &str = "is not computed on a bed with a grid of depths";
+
+/// Keys of a bed with a grid of depths, or without one, that have no effect or are not computed with it.
+pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let Some(bed) = &keys.seabed else {
+        return Vec::new();
+    };
+    if !bed.depth_file.is_given() {
+        let problem = "has no effect: the bed has no file of depths";
+        let remedy = "add `depth_file = ...`, or remove this key";
+        let given = bed.interpolation.if_given(problem, remedy);
+        let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
+        return given.filter(|_| differs).into_iter().collect();
+    }
+    let own = std::iter::once(&bed.friction);
+    let points = keys.points.iter().map(|(_, point)| &point.bed_friction);
+    let bodies = keys.bodies.iter().map(|(_, body)| &body.bed_friction);
+    let given = own.chain(points).chain(bodies);
+    let mut found: Vec<Finding> = given.filter_map(without_friction).collect();
+    let lines = keys.lines.iter().map(|(_, line)| &line.friction);
+    found.extend(lines.filter_map(without_friction));
+    found
+}
+
+fn without_friction(key: &Key<'_, f64>) -> Option<Finding> {
+    key.if_given(FRICTION, "remove it, or give a level bed by depth_m alone")
+}
+
+/// A place below a level bed; over a grid that is found with the depths.
+pub(super) fn below_bed(keys: &SystemKeys<'_>, place: &Key<'_, [f64; 3]>) -> Option<Finding> {
+    let bed = keys.seabed.as_ref()?;
+    if bed.depth_file.is_given() {
+        return None;
+    }
+    let depth = bed.depth_m.value()?;
+    let [_, _, z] = place.value()?;
+    (z < -depth).then(|| {
+        let problem = format!(
+            "lies {} m below the bed, which is {depth} m deep",
+            -depth - z
+        );
+        place.finding(problem, format!("give a z of {} or more", -depth))
+    })
+}
