@@ -55,7 +55,10 @@ impl FileType {
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        Self::of_text(&crate::files::read_lossy(path).unwrap_or_default())
+        match crate::import::yaml::is_named(path) {
+            true => Self::System,
+            false => Self::of_text(&crate::files::read_lossy(path).unwrap_or_default()),
+        }
     }
 
     /// The kind of the file with this text.

@@ -52,7 +52,7 @@ pub fn load_as<K: FileKind>(
     options: &ImportOptions,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
-    if !import::is_foreign(&text) {
+    if !import::is_foreign_file(path, &text) {
         return loaded::<K>(text, path);
     }
     let imported = import::read(&text, &path.display().to_string(), options)?;

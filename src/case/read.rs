@@ -14,7 +14,7 @@ use super::model::{CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::warm_start;
-use crate::import::is_foreign;
+use crate::import::is_foreign_file;
 use crate::kinds::FileType;
 
 /// A case with the text and the file it came from.
@@ -191,19 +191,11 @@ pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic
             remedy,
         ));
     }
-    let is_yaml = |extension: &std::ffi::OsStr| extension == "yaml" || extension == "yml";
-    if path.is_file() && path.extension().is_some_and(is_yaml) {
-        return Err(Diagnostic::whole_file(
-            &file,
-            "is YAML, as designs of RAFT and of the IEA ontology are: these are not read",
-            "give the mooring as a MoorDyn or MAP++ file, or write a case",
-        ));
-    }
     let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
     String::from_utf8(bytes).or_else(|error| {
         // Files of other programs are read in any encoding: only their remarks are not ASCII.
         let text = String::from_utf8_lossy(error.as_bytes());
-        match is_foreign(&text) {
+        match is_foreign_file(path, &text) {
             true => Ok(text.into_owned()),
             false => Err(binary(&file, &error, schema)),
         }

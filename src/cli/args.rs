@@ -113,7 +113,7 @@ pub(super) enum CliCommand {
     /// Prints a drawing of the ropeway and its tables: the inextensible model of the paper, parabola theory, the exact
     /// elastic rope with the cargo on it and the discretised line side by side.
     Ropeway(RopewayArgs),
-    /// Write the case that a file of another program is: MoorDyn (both versions), MoorPy, MAP++.
+    /// Write the case that a file of another program is: MoorDyn (both versions), MoorPy, MAP++, designs of RAFT and the IEA ontology.
     ///
     /// Each value says from which line of the file it comes, and conventions that the file does not speak of are put down as assumed.
     /// `seacable run`, `modes`, `study` and the workbench take such files as they are. What is not modelled is refused, all at once, with line
@@ -371,6 +371,10 @@ pub(super) struct RopewayArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct LinesArgs {
+    /// Take the types of this library, a YAML file of MoorPy with a table lineProps, instead of the program's.
+    #[arg(long, value_name = "FILE.yaml")]
+    pub(super) library: Option<PathBuf>,
+
     /// The line type, such as chain-r4-studless; without one all are listed.
     #[arg(value_name = "TYPE")]
     pub(super) line_type: Option<String>,

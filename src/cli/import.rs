@@ -87,9 +87,9 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
     let source = files::read_lossy(path).map_err(|error| {
         CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
     })?;
-    if !import::is_foreign(&source) {
+    if !import::is_foreign_file(path, &source) {
         let what = format!(
-            "{} is not a file of MoorDyn, MoorPy or MAP++: it has no rows of dashes between its tables.",
+            "{} is not a file of MoorDyn, MoorPy or MAP++, which have rows of dashes between their tables, nor a design in YAML.",
             path.display()
         );
         return Err(CommandError::Usage(what));

@@ -1,24 +1,31 @@
 //! `seacable lines`: the library of line types.
 
-use std::process::ExitCode;
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
 use super::{CommandError, args::LinesArgs, output, output::FileFormat, study_page};
 use crate::{
+    files,
+    import::yaml::library,
     line_types::{
-        LINE_TYPES, LineProperties, LineType, find, material_name, material_table,
+        LINE_TYPES, Library, LineProperties, LineType, find, material_name, material_table,
         nominal_diameter, properties,
     },
     report::line_types as tables,
 };
 
 pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
+    let inputs: Vec<PathBuf> = args.library.iter().cloned().collect();
     let file = output::OutputFile::check(
         args.page.table.output.as_deref(),
         args.page.table.force,
-        &[],
+        &inputs,
     )?;
+    let library = args.library.as_deref().map(read).transpose()?;
     let Some(name) = &args.line_type else {
-        let list = tables::list();
+        let list = library.as_ref().map_or_else(tables::list, tables::library);
         study_page::print(
             "line types",
             &args.page,
@@ -28,7 +35,10 @@ pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
         )?;
         return Ok(ExitCode::SUCCESS);
     };
-    let line = computed(named(name)?, args)?;
+    let line = match &library {
+        Some(library) => of_library(library, name, args)?,
+        None => computed(named(name)?, args)?,
+    };
     if args.toml {
         print_material(&line, args.name.as_deref())?;
         return Ok(ExitCode::SUCCESS);
@@ -42,6 +52,44 @@ pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
         &[],
     )?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A library of the user.
+fn read(path: &Path) -> Result<Library, CommandError> {
+    let text = files::read_lossy(path).map_err(|error| {
+        CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
+    })?;
+    let found = library::read(&text, &path.display().to_string());
+    found.map_err(CommandError::invalid(&text))
+}
+
+/// The properties of a type of a library.
+fn of_library(
+    library: &Library,
+    name: &str,
+    args: &LinesArgs,
+) -> Result<LineProperties, CommandError> {
+    let Some(of) = library.find(name) else {
+        let names: Vec<&str> = library.types.iter().map(|of| of.name.as_str()).collect();
+        return Err(CommandError::Usage(format!(
+            "The library {} has no line type `{name}`. It has {}.",
+            library.file,
+            names.join(", ")
+        )));
+    };
+    let line = diameter(args, &of.name)?;
+    let line = nominal_diameter(line).and_then(|diameter| library.properties(of, diameter));
+    line.map_err(|error| CommandError::Usage(format!("{error}.")))
+}
+
+/// The nominal diameter that was given, as a text.
+fn diameter<'a>(args: &'a LinesArgs, name: &str) -> Result<&'a str, CommandError> {
+    let given = args.size.as_ref().or(args.diameter.as_ref());
+    given.map(String::as_str).ok_or_else(|| {
+        CommandError::Usage(format!(
+            "Give the nominal diameter: `seacable lines {name} 120mm`."
+        ))
+    })
 }
 
 /// The type of a name; the error names those near it.
@@ -66,13 +114,7 @@ fn computed(
     line_type: &'static LineType,
     args: &LinesArgs,
 ) -> Result<LineProperties, CommandError> {
-    let given = args.size.as_ref().or(args.diameter.as_ref());
-    let Some(text) = given else {
-        return Err(CommandError::Usage(format!(
-            "Give the nominal diameter: `seacable lines {} 120mm`.",
-            line_type.name
-        )));
-    };
+    let text = diameter(args, line_type.name)?;
     let line = nominal_diameter(text).and_then(|diameter| properties(line_type, diameter));
     let line = line.map_err(|error| CommandError::Usage(format!("{error}.")))?;
     if let Some(warning) = &line.warning {

@@ -1,19 +1,23 @@
-//! Files of other programs, read as they are: MoorDyn of both versions, MoorPy, MAP++.
+//! Files of other programs, read as they are: MoorDyn of both versions, MoorPy, MAP++, designs of RAFT and of the IEA ontology.
 //!
 //! A reader makes a [`mooring::Mooring`] of a file, in which each value knows where it stands; [`to_case`] makes the text of a case of
 //! it, with a comment for each row that values come from. Computing a file is computing that text, so that both give the same bits.
 
+pub mod beside;
 pub mod fault;
 pub mod map_plus_plus;
 pub mod moordyn;
 pub mod mooring;
 pub mod to_case;
 pub mod words;
+pub mod yaml;
 
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use self::beside::Beside;
 use self::fault::Fault;
+use self::mooring::Mooring;
 use crate::case::Diagnostic;
 use crate::files;
 use crate::kinds::FileType;
@@ -48,6 +52,8 @@ pub struct Imported {
     pub text: String,
     /// Of each of its lines, the bytes of the file that it comes from.
     pub from: Vec<Option<Range<usize>>>,
+    /// A file beside it that its lines are in.
+    pub beside: Option<Beside>,
 }
 
 impl Imported {
@@ -57,11 +63,18 @@ impl Imported {
         let line = found.line.max(1) as usize;
         let here = self.from.iter().take(line).rev();
         let span = here.flatten().next().cloned().unwrap_or(0..0);
-        Fault::new(span, &found.key, &found.problem, &found.remedy).diagnostic(&found.file, source)
+        let fault = Fault::new(span, &found.key, &found.problem, &found.remedy);
+        let beside = self.beside.as_ref();
+        let fault = match beside.filter(|beside| beside.holds(&fault.span)) {
+            Some(beside) => beside.at_its_name(&fault, &fault.key),
+            None => fault,
+        };
+        fault.diagnostic(&found.file, source)
     }
 }
 
-/// Whether a text is a file of another program rather than a case: rows of dashes, and no table that cases begin with.
+/// Whether a text is a file of another program rather than a case: rows of dashes or tables of a design, and no table that cases
+/// begin with.
 #[must_use]
 pub fn is_foreign(text: &str) -> bool {
     let lines = || text.lines().map(str::trim_start);
@@ -69,17 +82,50 @@ pub fn is_foreign(text: &str) -> bool {
         let is_of = |kind: FileType| line.starts_with(&format!("[{}]", kind.table()));
         FileType::ALL.into_iter().any(is_of)
     };
-    lines().any(|line| line.starts_with("---")) && !lines().any(is_case)
+    let has_dashes = lines().any(|line| line.starts_with("---"));
+    (has_dashes || yaml::is_design(text)) && !lines().any(is_case)
+}
+
+/// Whether a file with this text is of another program, by its name or its text.
+#[must_use]
+pub fn is_foreign_file(path: &Path, text: &str) -> bool {
+    yaml::is_named(path) || is_foreign(text)
+}
+
+/// Whether a file is a design in YAML rather than a file with rows of dashes.
+fn is_yaml(path: &Path, text: &str) -> bool {
+    let has_sections = || {
+        let sections = moordyn::sections::Sections::of(text, 0);
+        !sections.blocks.is_empty()
+    };
+    yaml::is_named(path) || yaml::is_design(text) && !has_sections()
 }
 
 /// Where the case of a file is saved: a case onto itself, one of another program beside its file.
 #[must_use]
 pub fn case_path(path: &Path) -> PathBuf {
-    let is_foreign = files::read_lossy(path).is_ok_and(|text| is_foreign(&text));
+    let is_foreign = files::read_lossy(path).is_ok_and(|text| is_foreign_file(path, &text));
     match is_foreign {
         true => path.with_extension("toml"),
         false => path.to_owned(),
     }
+}
+
+/// The mooring of a file of another program with this text.
+///
+/// # Errors
+/// All that is wrong with it, each at its row and column.
+pub fn mooring(text: &str, file: &str) -> Result<Mooring, Vec<Diagnostic>> {
+    let path = Path::new(file);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let read = match is_yaml(path, text) {
+        true => yaml::read(text, folder),
+        false => moordyn::read(text, folder),
+    };
+    read.map_err(|faults| {
+        let all = faults.iter().map(|fault| fault.diagnostic(file, text));
+        all.collect()
+    })
 }
 
 /// The case of a file of another program with this text.
@@ -91,9 +137,8 @@ pub fn read(text: &str, file: &str, options: &ImportOptions) -> Result<Imported,
         let all = faults.iter().map(|fault| fault.diagnostic(file, text));
         all.collect::<Vec<_>>()
     };
+    let mooring = mooring(text, file)?;
     let path = Path::new(file);
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mooring = moordyn::read(text, folder).map_err(diagnostics)?;
     let name = path
         .file_name()
         .unwrap_or(path.as_os_str())

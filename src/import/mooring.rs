@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::beside::Beside;
+
 /// The programs whose files are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Program {
@@ -15,6 +17,8 @@ pub enum Program {
     Raft,
     /// The mooring of a turbine in the IEA ontology.
     Ontology,
+    /// An array of `FAModel`.
+    FaModel,
 }
 
 impl Program {
@@ -27,6 +31,7 @@ impl Program {
             Self::MapPlusPlus => "MAP++",
             Self::Raft => "RAFT",
             Self::Ontology => "the IEA ontology",
+            Self::FaModel => "FAModel",
         }
     }
 }
@@ -61,6 +66,8 @@ pub struct Mooring {
     pub rod_types: Vec<RodType>,
     /// Rigid bodies.
     pub bodies: Vec<Body>,
+    /// How many of the bodies, the first ones, are turbines of an array, which points name by their number.
+    pub turbines: usize,
     /// Rigid rods.
     pub rods: Vec<Rod>,
     /// Points.
@@ -81,6 +88,8 @@ pub struct Mooring {
     pub unmodelled: Vec<Unmodelled>,
     /// What was put down though the file does not say it, and what it says against itself.
     pub remarks: Vec<String>,
+    /// A file beside this one that it has its lines from.
+    pub beside: Option<Beside>,
 }
 
 impl Mooring {
@@ -93,6 +102,7 @@ impl Mooring {
             line_types: Vec::new(),
             rod_types: Vec::new(),
             bodies: Vec::new(),
+            turbines: 0,
             rods: Vec::new(),
             points: Vec::new(),
             lines: Vec::new(),
@@ -103,6 +113,7 @@ impl Mooring {
             settings: Vec::new(),
             unmodelled: Vec::new(),
             remarks: Vec::new(),
+            beside: None,
         }
     }
 
@@ -409,8 +420,10 @@ pub struct Sea {
     pub density: Option<Given<f64>>,
     /// \[m\].
     pub depth: Option<Given<f64>>,
-    /// A file of depths.
+    /// A file of depths over a grid.
     pub depth_file: Option<Given<String>>,
+    /// Its text.
+    pub depth_text: Option<String>,
     /// Push of the bed by area and depth below it \[Pa/m\].
     pub bed_stiffness: Option<Given<f64>>,
     /// Push of the bed by area and speed into it \[Pa s/m\].

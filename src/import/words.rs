@@ -104,7 +104,11 @@ pub struct Row<'t> {
 impl<'t> Row<'t> {
     /// The rows of a text.
     pub fn all(text: &'t str) -> impl Iterator<Item = Self> {
-        let mut start = 0;
+        Self::all_from(text, 0)
+    }
+
+    /// The rows of a text whose first byte is counted as `start`.
+    pub fn all_from(text: &'t str, mut start: usize) -> impl Iterator<Item = Self> {
         text.split_inclusive('\n').map(move |line| {
             let row = Self {
                 text: line.trim_end_matches(['\n', '\r']),

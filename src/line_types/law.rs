@@ -51,7 +51,7 @@ impl Law {
 }
 
 /// A coefficient to seven digits: `19900`, `2.74e7`.
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     if (1e-3..1e5).contains(&value.abs()) {
         return digits(value, 7);
     }

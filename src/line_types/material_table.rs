@@ -18,7 +18,7 @@ pub fn material_name(line: &LineProperties) -> String {
 /// D the outer one, all else in SI.
 #[must_use]
 pub fn material_table(line: &LineProperties, name: &str) -> String {
-    let of = line.line_type;
+    let of = &line.line_type;
     let mut lines = format!("{HEADER} {}.\n", env!("CARGO_PKG_VERSION"));
     lines += &format!(
         "# {}, nominal diameter d = {} mm; D is the outer diameter, by which drag, buoyancy and added mass act.\n",
@@ -43,7 +43,9 @@ pub fn material_table(line: &LineProperties, name: &str) -> String {
         lines += &format!("# WARNING: {warning}\n");
     }
     lines += &format!("[materials.{}]\n", join(&[name]));
-    for (key, property) in keys(line) {
+    let given =
+        |(key, property): &(&str, &Property)| *key != "break_load_n" || property.value > 0.0;
+    for (key, property) in keys(line).into_iter().filter(given) {
         lines += &row(key, property);
     }
     lines + &dynamic_stiffness(line)
@@ -73,18 +75,17 @@ fn row(key: &str, property: &Property) -> String {
 
 /// The keys of stiffness in motion, as comments: a case at rest has no use for them.
 fn dynamic_stiffness(line: &LineProperties) -> String {
-    let Some(stiffness) = line.line_type.dynamic_stiffness else {
+    let Some(([alpha, beta], source)) = &line.line_type.dynamic_stiffness else {
         return String::new();
     };
-    let [alpha, beta] = stiffness.value;
     format!(
         "# In motion ({}), Lm being the mean tension in percent of the breaking load:\n\
          # dynamic_stiffness = \"about-the-mean\"\n\
          # dynamic_alpha = {} # EA = (alpha + beta Lm) times the breaking load\n\
          # dynamic_beta = {}\n",
-        stiffness.source,
-        toml_number(alpha),
-        toml_number(beta)
+        source,
+        toml_number(*alpha),
+        toml_number(*beta)
     )
 }
 

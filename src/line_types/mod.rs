@@ -3,7 +3,7 @@
 //! [`LINE_TYPES`] is the table, a formula with its source for every property. [`properties()`] computes them at a diameter and
 //! converts coefficients on the nominal diameter to those on the volume-equivalent one, which is the
 //! [`diameter_m`](crate::case::Material::diameter_m) of a material. [`material_table()`] writes the material with formulas and sources
-//! as comments.
+//! as comments. A [`Library`] holds types of a file of the user.
 //!
 //! Sources:
 //! * IACS UR W22, *Offshore mooring chain*: proof and breaking loads of chain by grade.
@@ -13,6 +13,7 @@
 //! * NREL, *MoorPy*, default line properties (BSD-3-Clause): fits to makers' data of spiral strand and fibre ropes.
 
 mod law;
+mod library;
 mod material_table;
 mod properties;
 mod table;
@@ -20,8 +21,9 @@ mod table;
 mod tests;
 
 pub use law::Law;
+pub use library::{Library, LibraryType, Polynomial};
 pub use material_table::{material_name, material_table, with_material};
 pub use properties::{
-    LineProperties, NominalDiameterError, Property, nominal_diameter, properties,
+    LineProperties, NominalDiameterError, Property, TypeDescription, nominal_diameter, properties,
 };
 pub use table::{Coefficient, Family, LINE_TYPES, LineType, OuterDiameter, Sourced, find};

@@ -1,9 +1,10 @@
 //! The properties of a line type at a nominal diameter.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::fmt;
 
-use super::{Coefficient, LineType, OuterDiameter, Sourced};
+use super::{Coefficient, Family, LineType, OuterDiameter, Sourced};
 use crate::case::Material;
 use crate::case::fields::TypedNumber;
 use crate::number::digits;
@@ -21,15 +22,50 @@ pub struct Property {
     pub value: f64,
     /// How it is computed, d being the nominal diameter in m and D the outer one.
     pub formula: String,
-    /// The publication.
-    pub source: &'static str,
+    /// The publication or file.
+    pub source: Cow<'static, str>,
+}
+
+/// What a line type is, apart from its properties.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TypeDescription {
+    /// Its name, `chain-r4-studless`.
+    pub name: Cow<'static, str>,
+    /// What it is, in words.
+    pub title: Cow<'static, str>,
+    /// What the nominal diameter is that of, in words.
+    pub nominal: &'static str,
+    /// Stiffness in motion by breaking load, `alpha + beta Lm`, with the mean tension Lm in percent of it, and its source.
+    pub dynamic_stiffness: Option<([f64; 2], Cow<'static, str>)>,
+    /// What a user should know of it; may be empty.
+    pub note: Cow<'static, str>,
+}
+
+impl TypeDescription {
+    /// That of a type of the table.
+    #[must_use]
+    pub fn of(line_type: &LineType) -> Self {
+        let nominal = match line_type.family {
+            Family::Chain => "the diameter of the bar",
+            Family::Wire => "the diameter of the steel",
+            Family::Fibre => "the diameter of the rope",
+        };
+        let dynamic = line_type.dynamic_stiffness;
+        Self {
+            name: line_type.name.into(),
+            title: line_type.title.into(),
+            nominal,
+            dynamic_stiffness: dynamic.map(|of| (of.value, of.source.into())),
+            note: line_type.note.into(),
+        }
+    }
 }
 
 /// A line type at a nominal diameter. Coefficients are on the outer, volume-equivalent diameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineProperties {
     /// The type.
-    pub line_type: &'static LineType,
+    pub line_type: TypeDescription,
     /// Nominal diameter \[m\].
     pub nominal_m: f64,
     /// Outer diameter D by which drag, buoyancy and added mass act \[m\].
@@ -71,6 +107,12 @@ impl fmt::Display for NominalDiameterError {
 
 impl std::error::Error for NominalDiameterError {}
 
+impl NominalDiameterError {
+    pub(super) fn new(message: String) -> Self {
+        Self { message }
+    }
+}
+
 /// The nominal diameter \[m\] of a text: `120mm`, `0.12 m`, `0.12`.
 ///
 /// # Errors
@@ -89,7 +131,7 @@ pub fn nominal_diameter(text: &str) -> Result<f64, NominalDiameterError> {
     })
 }
 
-fn checked(diameter: f64) -> Result<f64, NominalDiameterError> {
+pub(super) fn checked(diameter: f64) -> Result<f64, NominalDiameterError> {
     // Below a micrometre a material's stiffness and mass would underflow.
     if (1e-6..=GREATEST).contains(&diameter) {
         return Ok(diameter);
@@ -104,7 +146,7 @@ fn checked(diameter: f64) -> Result<f64, NominalDiameterError> {
 /// # Errors
 /// The diameter is not positive, or above 0.36 m, from where breaking loads of chain fall.
 pub fn properties(
-    line_type: &'static LineType,
+    line_type: &LineType,
     nominal_m: f64,
 ) -> Result<LineProperties, NominalDiameterError> {
     let d = checked(nominal_m)?;
@@ -112,21 +154,15 @@ pub fn properties(
     let by_law = |law: &Sourced<super::Law>| Property {
         value: law.value.value(d, break_load),
         formula: law.value.formula(),
-        source: law.source,
+        source: law.source.into(),
     };
     let mass = by_law(&line_type.mass);
     let diameter = outer(line_type, d, mass.value);
     let ratio = diameter.value / d;
-    let displaced = 0.25 * PI * diameter.value.powi(2);
-    let wet_weight = Property {
-        value: mass.value - SEA_WATER * displaced,
-        formula: "mass - 1025 pi/4 D^2".to_owned(),
-        source: mass.source,
-    };
     Ok(LineProperties {
-        line_type,
+        line_type: TypeDescription::of(line_type),
         nominal_m: d,
-        wet_weight,
+        wet_weight: wet_weight(&mass, diameter.value),
         ea: by_law(&line_type.ea),
         break_load: by_law(&line_type.break_load),
         proof_load: line_type.proof_load.as_ref().map(by_law),
@@ -140,6 +176,16 @@ pub fn properties(
     })
 }
 
+/// Mass less that of the displaced sea water, with an outer diameter \[m\].
+pub(super) fn wet_weight(mass: &Property, diameter: f64) -> Property {
+    let displaced = 0.25 * PI * diameter.powi(2);
+    Property {
+        value: mass.value - SEA_WATER * displaced,
+        formula: "mass - 1025 pi/4 D^2".to_owned(),
+        source: mass.source.clone(),
+    }
+}
+
 fn outer(line_type: &LineType, nominal: f64, mass: f64) -> Property {
     let (value, formula) = match line_type.outer.value {
         OuterDiameter::Times(ratio) => (ratio * nominal, format!("{} d", digits(ratio, 4))),
@@ -151,7 +197,7 @@ fn outer(line_type: &LineType, nominal: f64, mass: f64) -> Property {
     Property {
         value,
         formula,
-        source: line_type.outer.source,
+        source: line_type.outer.source.into(),
     }
 }
 
@@ -164,7 +210,7 @@ fn on_outer(coefficient: Coefficient, ratio: f64) -> Property {
     Property {
         value: coefficient.value / ratio,
         formula,
-        source: coefficient.source,
+        source: coefficient.source.into(),
     }
 }
 
@@ -172,7 +218,7 @@ fn on_volume(coefficient: Coefficient) -> Property {
     Property {
         value: coefficient.value,
         formula: format!("{} of the displaced volume", digits(coefficient.value, 4)),
-        source: coefficient.source,
+        source: coefficient.source.into(),
     }
 }
 

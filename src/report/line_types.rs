@@ -1,6 +1,8 @@
 //! The library of line types in tables: the list of types, and one type at a diameter.
 
-use crate::line_types::{Family, LINE_TYPES, LineProperties, LineType, Property};
+use crate::line_types::{
+    LINE_TYPES, Library, LibraryType, LineProperties, LineType, OuterDiameter, Property,
+};
 use crate::number::{digits, si};
 use crate::report::table::{NumberFormat, Table};
 
@@ -24,6 +26,31 @@ pub fn list() -> Table {
     ])
 }
 
+/// The types of a library of the user with their formulas.
+#[must_use]
+pub fn library(library: &Library) -> Table {
+    let or_none = |formula: String| match formula.is_empty() {
+        true => "none".to_owned(),
+        false => formula,
+    };
+    let outer = |line: &LibraryType| match line.outer {
+        OuterDiameter::Times(ratio) => format!("{} d", digits(ratio, 4)),
+        OuterDiameter::ByDensity(density) => format!("by {} kg/m^3", digits(density, 6)),
+    };
+    let table = Table::of("Line types of the library", &library.types)
+        .text("type", |line| line.name.as_str())
+        .text("mass", |line| format!("{} d^2", digits(line.mass, 6)))
+        .text("outer diameter", outer)
+        .text("EA", move |line| or_none(line.ea_formula()))
+        .text("breaking load", move |line| {
+            or_none(line.break_load.formula())
+        });
+    table.build().noted([
+        "d is the nominal diameter in m, results are in SI. `seacable lines --library FILE TYPE DIAMETER` computes the properties of one; with \
+         `--toml` as a material.",
+    ])
+}
+
 /// The properties of a type with formulas and sources.
 #[must_use]
 pub fn properties(line: &LineProperties) -> Table {
@@ -32,7 +59,7 @@ pub fn properties(line: &LineProperties) -> Table {
         .text("property", |entry| entry.0)
         .text("value", |entry| si(entry.2.value, entry.1))
         .text("formula", |entry| entry.2.formula.as_str())
-        .text("source", |entry| entry.2.source);
+        .text("source", |entry| entry.2.source.as_ref());
     table.build().noted(notes(line))
 }
 
@@ -46,7 +73,7 @@ pub fn data(line: &LineProperties) -> Table {
         .number("value", EVERY_DIGIT, |entry| entry.2.value)
         .text("unit", |entry| entry.1)
         .text("formula", |entry| entry.2.formula.as_str())
-        .text("source", |entry| entry.2.source);
+        .text("source", |entry| entry.2.source.as_ref());
     table.build().noted(notes(line))
 }
 
@@ -78,23 +105,17 @@ fn entries(line: &LineProperties) -> Vec<Entry<'_>> {
 }
 
 fn notes(line: &LineProperties) -> Vec<String> {
-    let of = line.line_type;
-    let diameter = match of.family {
-        Family::Chain => "the diameter of the bar",
-        Family::Wire => "the diameter of the steel",
-        Family::Fibre => "the diameter of the rope",
-    };
+    let of = &line.line_type;
+    let diameter = of.nominal;
     let mut notes = vec![format!(
         "d is the nominal diameter in m, {diameter}; D displaces the volume of the line, and is `diameter_m` of a material. Results in SI."
     )];
-    notes.extend(of.dynamic_stiffness.map(|stiffness| {
-        let [alpha, beta] = stiffness.value;
+    notes.extend(of.dynamic_stiffness.as_ref().map(|([alpha, beta], source)| {
         format!(
-            "Stiffness in motion: {alpha} + {beta} Lm times the breaking load, with the mean tension Lm in percent of it ({}).",
-            stiffness.source
+            "Stiffness in motion: {alpha} + {beta} Lm times the breaking load, with the mean tension Lm in percent of it ({source})."
         )
     }));
-    notes.extend((!of.note.is_empty()).then(|| of.note.to_owned()));
+    notes.extend((!of.note.is_empty()).then(|| of.note.to_string()));
     notes.extend(
         line.warning
             .as_ref()

@@ -461,3 +461,40 @@ fn line_types_are_listed_computed_and_written_as_materials() {
         .code(2)
         .stderr(contains("such as 120mm"));
 }
+
+#[test]
+fn line_types_of_a_library_are_listed_and_computed() {
+    let dir = tempfile::tempdir().unwrap();
+    let text =
+        "lineProps:\n  rope: {mass_d2: 700, MBL_d2: 300e6, EA_MBL: 15, density: 1400, Cd: 2.0}\n";
+    fs::write(dir.path().join("own.yaml"), text).unwrap();
+    let lines = |args: &[&str]| {
+        let mut command = seacable(dir.path());
+        command.args(["lines", "--library", "own.yaml"]).args(args);
+        command.assert()
+    };
+    lines(&[]).success().stdout(contains("15 times the"));
+    lines(&["rope", "100mm", "--csv"])
+        .success()
+        .stdout(contains("breaking load,3000000,N,3e8 d^2,own.yaml"));
+    lines(&["rope", "100mm", "--toml"])
+        .success()
+        .stdout(contains("[materials.rope-100mm]"));
+    lines(&["chain", "100mm"])
+        .code(2)
+        .stderr(contains("It has rope."));
+    fs::write(dir.path().join("own.yaml"), text.replace("700", "soft")).unwrap();
+    lines(&[]).code(2).stderr(contains("own.yaml:2:19"));
+}
+
+#[test]
+fn a_yaml_file_without_a_mooring_says_what_was_looked_for() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("other.yaml"), "name: nothing\n").unwrap();
+    for command in ["run", "modes", "import"] {
+        let mut program = seacable(dir.path());
+        program.args([command, "other.yaml"]);
+        let said = contains("other.yaml:1:1").and(contains("IEA ontology"));
+        program.assert().code(2).stderr(said);
+    }
+}

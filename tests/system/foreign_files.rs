@@ -431,3 +431,47 @@ fn lines_come_off_where_the_file_says_so() {
     let all = import::read(OC3, "case.dat", &unknown).unwrap_err();
     assert!(all[0].remedy.contains("viv"), "{all:#?}");
 }
+
+/// A grid of depths in the form of MoorDyn: a plane that rises by this slope towards +x, 320 m deep at the anchor of the first line.
+fn seafloor(slope: f64) -> String {
+    let mut text = "3 2\n-1000 0 1000\n-1000 1000\n".to_owned();
+    for x in [-1000.0, 0.0, 1000.0] {
+        for y in [-1000.0, 1000.0] {
+            text += &format!("{x} {y} {}\n", -320.0 + slope * (x - 853.87));
+        }
+    }
+    text
+}
+
+#[test]
+fn a_sea_floor_over_a_grid_is_that_of_the_case() {
+    let folder = std::env::temp_dir().join(format!("seacable-seafloor-{}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    let level = OC3.replace("0.001         FrictionCoefficient\n", "");
+    let over_grid = level.replace(
+        "320           WtrDpth",
+        "depths.txt    SeafloorFile\n320 WtrDpth",
+    );
+    let path = folder.join("oc3.dat");
+    let read = |text: &str, slope: f64| {
+        fs::write(folder.join("depths.txt"), seafloor(slope)).unwrap();
+        fs::write(&path, text).unwrap();
+        kind::load_as::<SystemFile>(&path, &ImportOptions::default())
+    };
+    let tension = |text: &str, slope: f64| {
+        let solved = read(text, slope).unwrap().computed;
+        value(&solved, "tension_n[line1|b]").unwrap()
+    };
+    let flat = tension(&level, 0.0);
+    assert_eq!(tension(&over_grid, 0.0).to_bits(), flat.to_bits());
+    let steep = read(&over_grid, 0.02);
+    assert!(steep.is_ok() || !steep.unwrap_err().is_empty());
+    fs::remove_file(folder.join("depths.txt")).unwrap();
+    fs::write(&path, &over_grid).unwrap();
+    let found = kind::load_as::<SystemFile>(&path, &ImportOptions::default()).unwrap_err();
+    let row = over_grid
+        .lines()
+        .position(|row| row.contains("SeafloorFile"));
+    assert_eq!(found[0].line as usize, row.unwrap() + 1, "{found:?}");
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -28,19 +28,25 @@ pub fn hold(
         Some(base) => (base, true),
         None => (lower.as_str(), false),
     };
-    let base = turbine(base).unwrap_or(base);
-    let hold = if FIXED.contains(&base) {
-        Hold::Fixed
-    } else if COUPLED.contains(&base) || base.is_empty() {
-        Hold::Coupled
-    } else if FREE.contains(&base) {
-        Hold::Free
-    } else if let Some(number) = base.strip_prefix("body") {
+    let of_turbine = turbine(base);
+    let numbered = match of_turbine {
+        Some(number) if mooring.turbines > 0 => Some(number),
+        Some(_) => None,
+        None => base.strip_prefix("body"),
+    };
+    let base = of_turbine.map_or(base, |_| "coupled");
+    let hold = if let Some(number) = numbered {
         let found = mooring
             .bodies
             .iter()
             .position(|body| same(&body.id, number));
         Hold::Body(found.ok_or_else(|| missing(row, column, "body", number))?)
+    } else if FIXED.contains(&base) {
+        Hold::Fixed
+    } else if COUPLED.contains(&base) || base.is_empty() {
+        Hold::Coupled
+    } else if FREE.contains(&base) {
+        Hold::Free
     } else {
         return Err(row.fault(
             column,
@@ -54,14 +60,14 @@ pub fn hold(
     }
 }
 
-/// What is left of the words of a wind farm: `turbine1`.
-fn turbine(word: &str) -> Option<&'static str> {
+/// The number of a turbine in the words of a wind farm: `turbine1`. Without an array of turbines it is coupled.
+fn turbine(word: &str) -> Option<&str> {
     let number = word
         .strip_prefix("turbine")
         .or_else(|| word.strip_prefix('t'))?;
     let number = number.strip_suffix("coupled").unwrap_or(number);
     let is_number = !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit());
-    is_number.then_some("coupled")
+    is_number.then_some(number)
 }
 
 /// What an end of a line is attached to: `3`, `Point3`, `R2A`.

@@ -25,12 +25,25 @@ use super::words::Row;
 /// # Errors
 /// All that is wrong, in the order of the file.
 pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
-    let sections = Sections::of(text);
+    read_into(Mooring::new(Program::MoorDyn), text, 0, folder)
+}
+
+/// Reads a file whose first byte is counted as `start` into a mooring that may have bodies, which points can be on.
+///
+/// # Errors
+/// All that is wrong, in the order of the file.
+pub fn read_into(
+    mooring: Mooring,
+    text: &str,
+    start: usize,
+    folder: &Path,
+) -> Result<Mooring, Vec<Fault>> {
+    let sections = Sections::of(text, start);
     if map_plus_plus::is_map(&sections) {
         return map_plus_plus::read(&sections);
     }
     let mut faults = sections.faults.clone();
-    let mooring = assembled(&sections, folder, &mut faults);
+    let mooring = assembled(mooring, &sections, folder, &mut faults);
     for (section, needed) in [
         (Section::Points, mooring.rods.is_empty()),
         (
@@ -67,14 +80,19 @@ pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
 }
 
 /// The tables in the order in which they name each other.
-fn assembled(sections: &Sections<'_>, folder: &Path, faults: &mut Vec<Fault>) -> Mooring {
+fn assembled(
+    mut mooring: Mooring,
+    sections: &Sections<'_>,
+    folder: &Path,
+    faults: &mut Vec<Fault>,
+) -> Mooring {
     let block = |section| sections.block(section);
     let files = Files { folder };
     let first = block(Section::LineTypes).is_some_and(line_types::is_first_version);
-    let mut mooring = Mooring::new(match first {
+    mooring.program = match first {
         true => Program::MoorDyn1,
         false => Program::MoorDyn,
-    });
+    };
     mooring.title = title(&sections.head);
     if let Some(types) = block(Section::LineTypes) {
         line_types::read_line_types(types, &files, &mut mooring, faults);

@@ -3,7 +3,7 @@
 use super::files::Files;
 use super::sections::Block;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Given, Mooring, Setting, Unmodelled};
+use crate::import::mooring::{Given, Mooring, Sea, Setting, Unmodelled};
 use crate::import::words::{Row, Word};
 
 /// Names of options in small letters, the first by which it is known here, and whether its value is a number.
@@ -173,11 +173,9 @@ fn take(
         "wtrdnsty" => sea.density = number()?,
         "wtrdpth" => match value.number() {
             Some(_) => sea.depth = number()?.map(|given| Given::new(given.value.abs(), given.span)),
-            None => {
-                sea.depth_file = Some(Given::new(value.text.to_owned(), value.span()));
-            }
+            None => depths(value, &key, files, sea)?,
         },
-        "seafloorfile" => sea.depth_file = Some(Given::new(value.text.to_owned(), value.span())),
+        "seafloorfile" => depths(value, &key, files, sea)?,
         "kbot" => sea.bed_stiffness = number()?,
         "cbot" => sea.bed_damping = number()?,
         "frictioncoefficient" => sea.friction = number()?,
@@ -194,6 +192,13 @@ fn take(
         }
         _ => {}
     }
+    Ok(())
+}
+
+/// A file of depths over a grid, which the case carries in it.
+fn depths(value: Word<'_>, key: &str, files: &Files<'_>, sea: &mut Sea) -> Result<(), Fault> {
+    sea.depth_text = Some(files.text(value, key)?);
+    sea.depth_file = Some(Given::new(value.text.to_owned(), value.span()));
     Ok(())
 }
 

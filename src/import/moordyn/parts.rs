@@ -91,7 +91,16 @@ pub fn read_bodies(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
     let table = Table::of(block, &BODY_COLUMNS, 14, faults);
     let mut found = table.read(faults, |row| body(row, mooring));
     unique(&mut found, |one| (&one.id, &one.span), "body", faults);
-    mooring.bodies = found;
+    if mooring.turbines == 0 {
+        mooring.bodies = found;
+    } else if !found.is_empty() {
+        faults.push(Fault::new(
+            block.span.clone(),
+            "BODIES",
+            "the file has bodies besides the turbines of the array",
+            "attach points to turbines (`Turbine1`) and leave the section out",
+        ));
+    }
 }
 
 fn body(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Body, Fault> {

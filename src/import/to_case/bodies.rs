@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::case_text::{CaseText, number, numbers};
-use crate::import::mooring::{Body, Given, Hold, Rod, RodType};
+use crate::import::mooring::{Body, Given, Hold, Program, Rod, RodType};
 use crate::numerics::V3;
 
 /// Mass, centre of gravity and inertia about it.
@@ -16,10 +16,12 @@ struct MassOf {
 pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
     if context.has_vessel {
         case.table(&format!("[bodies.{}]", context.names.vessel), None);
-        case.line(
-            "# What MoorDyn is coupled to, as one rigid body; its origin is that of the file.",
-            None,
-        );
+        let what = match context.mooring.program {
+            Program::Raft | Program::Ontology | Program::FaModel => "The platform",
+            _ => "What MoorDyn is coupled to",
+        };
+        let comment = format!("# {what}, as one rigid body; its origin is that of the file.");
+        case.line(&comment, None);
         let kind = kind_of(&Hold::Coupled, context);
         case.line(&format!("kind = {kind}"), None);
         context.motion.write_vessel(case);

@@ -3,7 +3,10 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use super::columns;
+use crate::import::beside::Beside;
 use crate::import::fault::line_and_column;
+use crate::import::mooring::{Mooring, Program};
 
 /// Column at which comments begin, where the value leaves room.
 const COMMENT_COLUMN: usize = 40;
@@ -12,6 +15,8 @@ const COMMENT_COLUMN: usize = 40;
 #[derive(Debug, Clone)]
 pub struct CaseText<'t> {
     source: &'t str,
+    program: Program,
+    beside: Option<&'t Beside>,
     /// What is written.
     pub text: String,
     /// Of each of its lines, the bytes of the source that it comes from.
@@ -19,11 +24,13 @@ pub struct CaseText<'t> {
 }
 
 impl<'t> CaseText<'t> {
-    /// An empty case of a source.
+    /// An empty case of a mooring that was read from a source.
     #[must_use]
-    pub fn new(source: &'t str) -> Self {
+    pub fn of(source: &'t str, mooring: &'t Mooring) -> Self {
         Self {
             source,
+            program: mooring.program,
+            beside: mooring.beside.as_ref(),
             text: String::new(),
             from: Vec::new(),
         }
@@ -48,6 +55,10 @@ impl<'t> CaseText<'t> {
     /// A key that a column gives.
     pub fn given(&mut self, key: &str, value: &str, from: &Range<usize>, column: &str) {
         let row = self.row_of(from);
+        let column = match self.beside_of(from) {
+            Some(_) => column,
+            None => columns::name(self.program, column),
+        };
         let comment = match column {
             "" => row,
             column => format!("{row}, {column}"),
@@ -60,9 +71,21 @@ impl<'t> CaseText<'t> {
         self.commented(&format!("{key} = {value}"), why, None);
     }
 
+    /// The file beside the source that bytes are of.
+    fn beside_of(&self, span: &Range<usize>) -> Option<&'t Beside> {
+        self.beside.filter(|beside| beside.holds(span))
+    }
+
     /// The row of the source at these bytes: `line 12`.
     #[must_use]
     pub fn row_of(&self, span: &Range<usize>) -> String {
+        if let Some(beside) = self.beside_of(span) {
+            return format!(
+                "{} line {}",
+                beside.name,
+                beside.line_and_column(span.start).0
+            );
+        }
         format!("line {}", line_and_column(self.source, span.start).0)
     }
 
@@ -132,7 +155,8 @@ mod tests {
 
     #[test]
     fn lines_know_their_rows() {
-        let mut case = CaseText::new("one\ntwo 0.09\n");
+        let mooring = Mooring::new(Program::MoorDyn);
+        let mut case = CaseText::of("one\ntwo 0.09\n", &mooring);
         case.table("[materials.two]", Some(&(4..7)));
         case.given("diameter_m", &number(0.09), &(8..12), "Diam");
         case.assumed("gravity", "9.8", "assumed");

@@ -110,6 +110,7 @@ fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
     }
     let why = match program {
         Program::MoorDyn | Program::MoorDyn1 => "as MoorDyn refers CdAx to pi D",
+        Program::Ontology => "as the ontology refers it to pi D",
         _ => "assumed: as MoorDyn refers it to pi D",
     };
     case.assumed("drag_tangential_width", "\"perimeter\"", why);

@@ -2,6 +2,7 @@
 
 pub mod bodies;
 pub mod case_text;
+pub mod columns;
 pub mod joints;
 pub mod lines;
 pub mod materials;
@@ -70,7 +71,7 @@ pub fn case_of(
         motion,
     };
     let left_out = unmodelled::leave_out(&context, options)?;
-    let mut case = CaseText::new(source);
+    let mut case = CaseText::of(source, mooring);
     head(&mut case, &context, file, &left_out);
     let in_air = is_in_air(mooring);
     sea::write(&mut case, mooring, options, &context.sea, in_air);
@@ -87,9 +88,11 @@ pub fn case_of(
     points::write(&mut case, &context);
     lines::write(&mut case, &context);
     context.motion.write_run(&mut case);
+    sea::write_depths(&mut case, mooring);
     Ok(Imported {
         text: case.text,
         from: case.from,
+        beside: mooring.beside.clone(),
     })
 }
 

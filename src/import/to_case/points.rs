@@ -105,8 +105,9 @@ fn held(
         Hold::Free => ("free", None),
         Hold::Body(body) => ("body", Some(&context.names.bodies[*body])),
         Hold::Coupled if vessel => ("body", Some(&context.names.vessel)),
-        Hold::Coupled if context.motion.moves() => ("moved", None),
-        Hold::Fixed | Hold::Coupled | Hold::Pinned(_) => ("fixed", None),
+        // Without a motion it stays where it is.
+        Hold::Coupled => ("moved", None),
+        Hold::Fixed | Hold::Pinned(_) => ("fixed", None),
     };
     case.given("kind", &text(kind), &hold.span, "Attachment");
     if let Some(body) = body {
@@ -118,6 +119,7 @@ fn held(
     };
     case.given("position_m", &numbers(&here), &place[0].span, what);
     if kind == "moved"
+        && context.motion.moves()
         && let Some(number_of) = number_of
     {
         context.motion.write_point(case, number_of);

@@ -2,12 +2,38 @@
 
 use std::f64::consts::TAU;
 
-use super::case_text::{CaseText, number, numbers};
+use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{Given, Hold, Mooring, Program};
-use crate::import::{ImportOptions, fault::Fault};
+use crate::import::{ImportOptions, fault::Fault, yaml};
 
 /// Gravity \[m/s²\] where none is given: that of MoorDyn.
 pub const GRAVITY: f64 = 9.80665;
+
+/// Gravity \[m/s²\] and the program that takes it where a file of this one gives none.
+const fn gravity_of(program: Program) -> f64 {
+    match program {
+        Program::Raft | Program::Ontology | Program::FaModel => yaml::GRAVITY,
+        Program::MoorDyn | Program::MoorDyn1 | Program::MapPlusPlus => GRAVITY,
+    }
+}
+
+/// The program whose defaults a program takes.
+const fn default_of(program: Program) -> &'static str {
+    match program {
+        Program::Raft => "MoorPy, which computes the lines of RAFT,",
+        Program::Ontology => "MoorPy, which computes the lines of WISDEM,",
+        Program::FaModel => "MoorPy, which computes the lines of FAModel,",
+        other => other.name(),
+    }
+}
+
+/// The program whose bed is taken: what MoorPy takes is what MoorDyn does.
+const fn bed_of(program: Program) -> &'static str {
+    match program {
+        Program::Raft | Program::Ontology | Program::FaModel => "MoorPy",
+        Program::MoorDyn | Program::MoorDyn1 | Program::MapPlusPlus => "MoorDyn",
+    }
+}
 /// Density \[kg/m³\] where none is given: that of MoorDyn.
 pub const DENSITY: f64 = 1025.0;
 /// Push of the bed \[Pa/m\] where none is given: that of MoorDyn.
@@ -59,7 +85,7 @@ pub fn sea_of(mooring: &Mooring, options: &ImportOptions) -> Result<SeaOfCase, V
         }
     }
     Ok(SeaOfCase {
-        gravity: gravity.unwrap_or(GRAVITY),
+        gravity: gravity.unwrap_or(gravity_of(mooring.program)),
         density: density.unwrap_or(DENSITY),
         depth: depth.or_else(|| deepest(mooring)),
     })
@@ -84,7 +110,7 @@ pub fn write(
     in_air: bool,
 ) {
     case.table("[environment]", None);
-    let program = mooring.program.name();
+    let program = default_of(mooring.program);
     let mut one =
         |key: &str, option: Option<f64>, given: &Option<Given<f64>>, value: f64, column| match (
             option, given,
@@ -124,6 +150,11 @@ pub fn write(
 
 fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, depth: f64) {
     let sea = &mooring.sea;
+    let program = bed_of(mooring.program);
+    let as_taken = match program {
+        "MoorDyn" => ", as MoorDyn takes it",
+        _ => "",
+    };
     case.table("[seabed]", None);
     match (&sea.depth, options.depth) {
         (Some(given), None) => {
@@ -133,8 +164,16 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
         (None, None) => case.assumed(
             "depth_m",
             &number(depth),
-            "assumed: that of the deepest fixed point, as MoorDyn takes it",
+            &format!("assumed: that of the deepest fixed point{as_taken}"),
         ),
+    }
+    if let Some(file) = &sea.depth_file {
+        case.given("depth_file", &text(&file.value), &file.span, "SeafloorFile");
+        case.assumed(
+            "interpolation",
+            "\"bilinear\"",
+            "as MoorDyn takes it; waves feel depth_m, in MoorDyn the mean of the grid",
+        );
     }
     let rows = [
         (
@@ -148,7 +187,13 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
     for (key, given, default, column) in rows {
         match given {
             Some(given) => case.given(key, &number(given.value), &given.span, column),
-            None => case.assumed(key, &number(default), "assumed: MoorDyn's default"),
+            None => {
+                case.assumed(
+                    key,
+                    &number(default),
+                    &format!("assumed: {program}'s default"),
+                );
+            }
         }
     }
     match &sea.friction {
@@ -160,12 +205,23 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
                 "FrictionCoefficient",
             );
         }
+        // Beds over a grid have none.
+        None if sea.depth_file.is_some() => {}
         None => case.assumed(
             "friction",
             "0.0",
             "assumed: none, as where the file is silent",
         ),
     }
+}
+
+/// Writes the file of depths, which the case carries in it.
+pub fn write_depths(case: &mut CaseText<'_>, mooring: &Mooring) {
+    let (Some(file), Some(depths)) = (&mooring.sea.depth_file, &mooring.sea.depth_text) else {
+        return;
+    };
+    case.table(&format!("[files.{}]", text(&file.value)), Some(&file.span));
+    case.line(&format!("text = {}", text(depths)), Some(&file.span));
 }
 
 /// Writes the current by height.

@@ -1,0 +1,147 @@
+//! Designs in YAML (JSON is a part of it): RAFT, the IEA ontology, arrays of `FAModel`, line-type libraries of MoorPy.
+//!
+//! [`load`] makes a tree of a text, in which every node knows its bytes; which format a file has is seen from its top keys.
+
+pub mod array;
+pub mod famodel;
+pub mod famodel_fairleads;
+pub mod famodel_lines;
+pub mod famodel_rows;
+pub mod joints;
+pub mod library;
+pub mod load;
+pub mod mapping;
+pub mod ontology;
+pub mod ontology_types;
+pub mod raft;
+pub mod system;
+pub mod tree;
+
+use std::path::Path;
+
+use self::mapping::Mapping;
+use self::tree::Node;
+use super::fault::Fault;
+use super::mooring::Mooring;
+
+/// Gravity \[m/s²\] that MoorPy takes where none is given, also for RAFT and WISDEM.
+pub const GRAVITY: f64 = 9.81;
+/// Density \[kg/m³\] that MoorPy takes where none is given, also for RAFT and WISDEM.
+pub const DENSITY: f64 = 1025.0;
+
+/// How many faults are reported at most.
+const GREATEST_FAULTS: usize = 100;
+
+/// Top keys by which a text is known for a design.
+const TOP_KEYS: [&str; 8] = [
+    "mooring",
+    "moorings",
+    "array_mooring",
+    "components",
+    "lineProps",
+    "mooring_systems",
+    "mooring_line_configs",
+    "line_types",
+];
+
+/// Whether a file has the name of a YAML or JSON file.
+#[must_use]
+pub fn is_named(path: &Path) -> bool {
+    let extension = path.extension().unwrap_or_default();
+    ["yaml", "yml", "json"]
+        .iter()
+        .any(|one| extension.eq_ignore_ascii_case(one))
+}
+
+/// Whether a text is a design by its top keys, whatever the name of its file.
+#[must_use]
+pub fn is_design(text: &str) -> bool {
+    let starts_key = |line: &str| {
+        let mut keys = TOP_KEYS.iter();
+        keys.any(|key| {
+            let rest = line.strip_prefix(key).map(str::trim_start);
+            rest.is_some_and(|rest| rest.starts_with(':'))
+        })
+    };
+    let begins = text.trim_start_matches('\u{feff}').trim_start();
+    let in_json = || {
+        let mut keys = TOP_KEYS.iter();
+        keys.any(|key| begins.contains(&format!("\"{key}\"")))
+    };
+    text.lines().any(starts_key) || begins.starts_with('{') && in_json()
+}
+
+/// Reads the mooring of a design. Files that it names are looked for in this folder.
+///
+/// # Errors
+/// All that is wrong, in the order of the file; that it has no mooring that is read.
+pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
+    let (document, mut faults) = load::load(text).map_err(|fault| vec![fault])?;
+    let read = match document.root() {
+        Some(root) if root.is_mapping() => design(root, text, folder),
+        Some(root) => Err(vec![no_design(&root)]),
+        None => Err(Vec::new()),
+    };
+    match read {
+        Ok(mooring) if faults.is_empty() => return Ok(mooring),
+        Ok(_) => {}
+        Err(found) => faults.extend(found),
+    }
+    faults.sort_by_key(|fault| fault.span.start);
+    faults.dedup();
+    Err(first(faults))
+}
+
+/// The first faults, and how many there are more.
+fn first(mut faults: Vec<Fault>) -> Vec<Fault> {
+    let more = faults.len().saturating_sub(GREATEST_FAULTS);
+    faults.truncate(GREATEST_FAULTS);
+    if let Some(last) = faults.last().filter(|_| more > 0) {
+        let problem = format!("{more} more faults follow");
+        let remedy = "correct those before it first";
+        let fault = Fault::new(last.span.clone(), "", problem, remedy);
+        faults.push(fault);
+    }
+    faults
+}
+
+fn design(root: Node<'_>, text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
+    let has = |key: &str| root.get(key);
+    let table = Mapping {
+        node: root,
+        path: String::new(),
+    };
+    if let Some(library) = has("lineProps") {
+        return Err(vec![Fault::new(
+            library.key_span(),
+            "lineProps",
+            "this is a library of line types, not a mooring",
+            "`seacable lines --library FILE` shows its types",
+        )]);
+    }
+    if has("components").is_some() {
+        return ontology::read(&table);
+    }
+    if has("mooring_systems").is_some() || has("mooring_line_configs").is_some() {
+        return famodel::read(&table, folder);
+    }
+    let raft = ["mooring", "moorings", "array_mooring", "array"];
+    if raft.iter().any(|key| has(key).is_some()) {
+        return raft::read(&table, text, folder);
+    }
+    if has("line_types").is_some() && has("lines").is_some() {
+        return raft::read_table(&table, text, folder);
+    }
+    Err(vec![no_design(&root)])
+}
+
+/// A file without any of the tables that moorings are read from.
+fn no_design(root: &Node<'_>) -> Fault {
+    Fault::new(
+        root.span(),
+        "",
+        "this is none of the designs that are read",
+        "looked for, at the top: `mooring` or `array` (RAFT), `components` with `mooring` (IEA ontology), `mooring_systems` (FAModel), `lineProps` (a library of MoorPy, \
+         for `seacable lines --library`)",
+    )
+}
