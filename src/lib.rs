@@ -45,6 +45,7 @@ pub mod cli;
 pub mod comparison;
 pub mod dynamics;
 pub mod equations;
+pub mod export;
 pub mod files;
 pub mod import;
 pub mod kinds;

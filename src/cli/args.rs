@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
@@ -119,6 +120,11 @@ pub(super) enum CliCommand {
     /// `seacable run`, `modes`, `study` and the workbench take such files as they are. What is not modelled is refused, all at once, with line
     /// and column; `--without NAME` leaves it out.
     Import(ImportCommandArgs),
+    /// Write a system as a file of another program: MoorDyn 2 or MAP++.
+    ///
+    /// What that program cannot say and would change results is refused, all at once. A file that was written, read and written again is the
+    /// same text.
+    Export(ExportArgs),
     /// List the keys of a kind of file: range, unit, default, condition and help.
     ///
     /// With `--schema` it prints a JSON Schema, by which editors complete and check files.

@@ -12,6 +12,7 @@ mod compare;
 mod duration;
 mod effects;
 mod error;
+mod export;
 mod import;
 mod inputs;
 mod keys;
@@ -72,6 +73,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Modes(args)) => modes::modes(args),
         Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),
         Some(CliCommand::Import(args)) => import::import(args),
+        Some(CliCommand::Export(args)) => export::export(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
     };

@@ -8,6 +8,7 @@ mod bodies;
 mod closed_forms;
 mod creep;
 mod discretised;
+mod exported;
 mod floating;
 mod foreign_arrays;
 mod foreign_files;

@@ -1,0 +1,173 @@
+//! Lines and the joints between their sections.
+
+use super::Target;
+use super::sheet::{LineRow, PointRow, RodRow, RodTypeRow, Sheet};
+use crate::case::CreepModel;
+use crate::numerics::V3;
+use crate::system::SolvedSystem;
+use crate::system::model::{LineInputs, LineSection};
+use crate::system::parts::sections;
+
+/// Segments of a line that does not say how many.
+const SEGMENTS: usize = 50;
+/// Name of the type of joints.
+const JOINT: &str = "joint";
+
+/// Writes the joints between the sections of a line, number `index` of its network; what lines there are attached to.
+pub fn joints(
+    (solved, index, line): (&SolvedSystem, usize, &LineInputs),
+    target: Target,
+    sheet: &mut Sheet,
+) -> Vec<String> {
+    let sections = sections(line);
+    let total: f64 = sections.iter().map(|section| section.length_m).sum();
+    let mut arc = 0.0;
+    let pairs = sections.windows(2).map(|pair| {
+        arc += pair[0].length_m;
+        let place = place(solved, index, arc / total);
+        joint(solved, (&pair[0], &pair[1]), place, target, sheet)
+    });
+    pairs.collect()
+}
+
+/// Writes a line between its attachments: its ends and the joints between its sections.
+pub fn write(
+    (solved, line): (&SolvedSystem, &LineInputs),
+    attachments: &[String],
+    type_of: &dyn Fn(&str) -> String,
+    target: Target,
+    sheet: &mut Sheet,
+) {
+    let sections = sections(line);
+    let counts = shared(line.segments.unwrap_or(SEGMENTS), &sections);
+    let first = sheet.lines.len();
+    for ((section, segments), ends) in sections.iter().zip(counts).zip(attachments.windows(2)) {
+        sheet.lines.push(LineRow {
+            of_type: type_of(&section.material),
+            ends: [ends[0].clone(), ends[1].clone()],
+            length: section.length_m,
+            segments,
+        });
+    }
+    let ends = [attachments.first(), attachments.last()];
+    let last = sheet.lines.len();
+    for (which, number, time, tension) in [
+        (0, first + 1, line.release_a_s, line.release_a_n),
+        (1, last, line.release_b_s, line.release_b_n),
+    ] {
+        if let Some(end) = ends[which].filter(|_| time.is_some() || tension.is_some()) {
+            let limits = [time.unwrap_or(0.0), tension.unwrap_or(0.0)];
+            sheet.failures.push((end.clone(), number, limits));
+        }
+    }
+    for (number, section) in (first + 1..).zip(&sections) {
+        let material = &solved.file.materials[&section.material];
+        if target == Target::MoorDyn && material.creep_model == CreepModel::Syrope {
+            let mean = material.initial_mean_tension_n.unwrap_or(0.0);
+            sheet.pasts.push((number, [material.past_tension_n, mean]));
+        }
+    }
+}
+
+/// Segments of each section by its length, one at least: the same for the same sum, however often they are shared out.
+fn shared(total: usize, sections: &[LineSection]) -> Vec<usize> {
+    let total = total.max(sections.len());
+    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
+    let spare = (total - sections.len()) as f64;
+    let shares: Vec<f64> = sections
+        .iter()
+        .map(|section| spare * section.length_m / whole)
+        .collect();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count of segments, bounded by the file"
+    )]
+    let mut counts: Vec<usize> = shares
+        .iter()
+        .map(|share| 1 + share.floor() as usize)
+        .collect();
+    let mut order: Vec<usize> = (0..shares.len()).collect();
+    order.sort_by(|a, b| shares[*b].fract().total_cmp(&shares[*a].fract()));
+    let left = total - counts.iter().sum::<usize>();
+    for k in order.into_iter().cycle().take(left) {
+        counts[k] += 1;
+    }
+    counts
+}
+
+/// Where a line is at rest at a share of its length, to the millimetre: it is where a search begins.
+fn place(solved: &SolvedSystem, index: usize, share: f64) -> [f64; 3] {
+    let line = &solved.network.lines[index];
+    let ends = [line.from, line.to].map(|point| &solved.rest.placement.points[point]);
+    let (place, _): (V3, f64) = solved.rest.balance.lines[index].at(share, ends);
+    let mut rounded: [f64; 3] = place.map(|c| (c * 1e3).round() / 1e3).into();
+    // A line sinks into a bed that yields.
+    if let Some(bed) = &solved.file.seabed {
+        rounded[2] = rounded[2].max(-bed.depth_m);
+    }
+    rounded
+}
+
+/// A joint between two sections: a point, or a rod without length where both bend.
+fn joint(
+    solved: &SolvedSystem,
+    (before, behind): (&LineSection, &LineSection),
+    place: [f64; 3],
+    target: Target,
+    sheet: &mut Sheet,
+) -> String {
+    let bends = |section: &LineSection| solved.file.materials[&section.material].ei_n_m2 > 0.0;
+    let clump = before.clump_kg;
+    if target == Target::MoorDyn && clump == 0.0 && bends(before) && bends(behind) {
+        if !sheet.rod_types.iter().any(|of| of.name == JOINT) {
+            sheet.rod_types.push(RodTypeRow {
+                name: JOINT.to_owned(),
+                diameter: 0.1,
+                mass: 0.0,
+                drag: 0.0,
+                added_mass: 0.0,
+            });
+        }
+        sheet.rods.push(RodRow {
+            of_type: JOINT.to_owned(),
+            hold: "Free".to_owned(),
+            ends: [place; 2],
+            segments: 0,
+        });
+        return format!("R{}A", sheet.rods.len());
+    }
+    let density = solved.file.environment.water_density_kg_per_m3;
+    sheet.points.push(PointRow {
+        hold: "Free".to_owned(),
+        place,
+        mass: clump.max(0.0),
+        volume: if clump < 0.0 { -clump / density } else { 0.0 },
+        drag_area: 0.0,
+        added_mass: 0.0,
+        load: [0.0; 3],
+    });
+    sheet.points.len().to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn segments_are_shared_out_the_same_again() {
+        let section = |length_m| LineSection {
+            material: "chain".to_owned(),
+            length_m,
+            clump_kg: 0.0,
+        };
+        let lengths = [516.84, 400.0, 382.762, 33.498, 137.382, 41.197];
+        let sections: Vec<LineSection> = lengths.into_iter().map(section).collect();
+        for total in [1, 6, 7, 40, 74, 75, 1000] {
+            let counts = shared(total, &sections);
+            assert_eq!(counts.iter().sum::<usize>(), total.max(6));
+            assert!(counts.iter().all(|count| *count >= 1));
+            assert_eq!(counts, shared(counts.iter().sum(), &sections));
+        }
+    }
+}

@@ -1,0 +1,222 @@
+//! Materials as line types.
+
+use std::f64::consts::PI;
+
+use super::number::written;
+use super::sheet::{Sheet, TypeRow};
+use super::{Target, Unsayable};
+use crate::case::{CreepModel, DragCoefficient, DragWidth, Material, WorkingCurveShape};
+
+/// Difference of a wet weight from that of the displaced water, by the mass, which is none.
+const SAME: f64 = 1e-9;
+
+/// The line type of a material, with this friction where types have it.
+pub fn line_type(
+    (name, material): (&str, &Material),
+    (density, friction): (f64, f64),
+    target: Target,
+    sheet: &mut Sheet,
+    refused: &mut Vec<Unsayable>,
+) -> TypeRow {
+    let mut refuse = |key: &str, what: &str| {
+        refused.push(Unsayable {
+            key: format!("materials.{name}.{key}"),
+            what: what.to_owned(),
+        });
+    };
+    let diameter = diameter(name, material, density, sheet);
+    let Some(diameter) = diameter else {
+        refuse(
+            "wet_weight_kg_per_m",
+            "a line that weighs more in water than in air",
+        );
+        return blank(name);
+    };
+    // Drag counts by the diameter, added mass by its square.
+    let by = material.diameter_m / diameter;
+    let coefficient = |drag: &DragCoefficient| match drag {
+        DragCoefficient::Constant(value) => *value,
+        DragCoefficient::Named(_) => 0.0,
+    };
+    let along = match material.drag_tangential_width {
+        DragWidth::Diameter => 1.0 / PI,
+        DragWidth::Perimeter => 1.0,
+    };
+    let (ea, damping) = match target {
+        Target::MoorDyn => stiffness(name, material, sheet),
+        Target::MapPlusPlus => (
+            material
+                .representative_ea_n()
+                .map_or_else(String::new, written),
+            written(material.axial_damping_n_s.unwrap_or(0.0)),
+        ),
+    };
+    if ea.is_empty() {
+        refuse("ea_n", "a line without a stiffness");
+    }
+    lost(name, material, target, sheet);
+    TypeRow {
+        name: name.to_owned(),
+        diameter,
+        mass: material.mass_kg_per_m,
+        ea,
+        damping,
+        bending: material.ei_n_m2,
+        drag: [
+            coefficient(&material.drag_normal) * by,
+            coefficient(&material.drag_tangential) * along * by,
+        ],
+        added_mass: [
+            material.added_mass_normal * by * by,
+            material.added_mass_tangential * by * by,
+        ],
+        friction,
+    }
+}
+
+fn blank(name: &str) -> TypeRow {
+    TypeRow {
+        name: name.to_owned(),
+        diameter: 0.0,
+        mass: 0.0,
+        ea: String::new(),
+        damping: String::new(),
+        bending: 0.0,
+        drag: [0.0; 2],
+        added_mass: [0.0; 2],
+        friction: 0.0,
+    }
+}
+
+/// The diameter by which a line displaces what its weight in water says.
+fn diameter(name: &str, material: &Material, density: f64, sheet: &mut Sheet) -> Option<f64> {
+    let own = material.diameter_m;
+    let Some(wet) = material.wet_weight_kg_per_m else {
+        return Some(own);
+    };
+    let displaced = material.mass_kg_per_m - wet;
+    let by_diameter = density * 0.25 * PI * own * own;
+    if (displaced - by_diameter).abs() <= SAME * material.mass_kg_per_m {
+        return Some(own);
+    }
+    if displaced <= 0.0 || density <= 0.0 {
+        return None;
+    }
+    let diameter = (4.0 * displaced / (PI * density)).sqrt();
+    sheet.remarks.push(format!(
+        "{name}: the diameter is {} m in the place of {}, for its weight in water; coefficients of drag and added mass go with it.",
+        written(diameter),
+        written(own)
+    ));
+    Some(diameter)
+}
+
+/// EA and BA in the form of MoorDyn.
+fn stiffness(name: &str, material: &Material, sheet: &mut Sheet) -> (String, String) {
+    let damping = match (material.axial_damping_n_s, material.axial_damping_ratio) {
+        (Some(damping), _) => written(damping),
+        (None, Some(ratio)) => written(-ratio),
+        (None, None) => "0".to_owned(),
+    };
+    let two = || {
+        let slow = written(material.slow_damping_n_s.unwrap_or(0.0));
+        match material.fast_damping_n_s {
+            0.0 => slow,
+            fast => format!("{slow}|{}", written(fast)),
+        }
+    };
+    let fast = material.dynamic_ea_n.unwrap_or(0.0);
+    let growth = material.dynamic_ea_per_tension;
+    match material.creep_model {
+        CreepModel::None => (constant(name, material, sheet), damping),
+        CreepModel::Viscoelastic => {
+            let slow = constant(name, material, sheet);
+            let both = match growth {
+                0.0 => format!("{slow}|{}", written(fast)),
+                growth => format!("{slow}|{}|{}", written(fast), written(growth)),
+            };
+            (both, two())
+        }
+        CreepModel::Syrope => {
+            let file = syrope(name, material, sheet);
+            let all = format!("SYROPE:{file}|{}|{}", written(fast), written(growth));
+            (all, two())
+        }
+    }
+}
+
+/// EA, or the file of a table.
+fn constant(name: &str, material: &Material, sheet: &mut Sheet) -> String {
+    let table = material.strain.as_ref().zip(material.tension_n.as_ref());
+    match (table, material.ea_n) {
+        (Some((strain, tension)), _) => {
+            curve(&format!("{name}_stiffness.txt"), strain, tension, sheet)
+        }
+        (None, Some(ea)) => written(ea),
+        (None, None) => String::new(),
+    }
+}
+
+/// Writes a table of tension over strain beside the file; its name.
+fn curve(file: &str, strain: &[f64], tension: &[f64], sheet: &mut Sheet) -> String {
+    let mut text = "strain  tension\n(-)  (N)\n".to_owned();
+    for (strain, tension) in strain.iter().zip(tension) {
+        text += &format!("{}  {}\n", written(*strain), written(*tension));
+    }
+    sheet.files.push((file.to_owned(), text));
+    file.to_owned()
+}
+
+/// Writes the curves of a Syrope rope beside the file; its name.
+fn syrope(name: &str, material: &Material, sheet: &mut Sheet) -> String {
+    let none = Vec::new();
+    let strain = material.strain.as_ref().unwrap_or(&none);
+    let tension = material.tension_n.as_ref().unwrap_or(&none);
+    let first = curve(&format!("{name}_first_loading.txt"), strain, tension, sheet);
+    let form = match material.working_curve {
+        WorkingCurveShape::Linear => "LINEAR",
+        WorkingCurveShape::Quadratic => "QUADRATIC",
+        WorkingCurveShape::Exponential => "EXP",
+    };
+    let k1 = material
+        .working_curve_ea_n
+        .or(material.permanent_strain_ratio)
+        .unwrap_or(0.0);
+    let k2 = material.working_curve_shape.unwrap_or(0.0);
+    let file = format!("{name}_syrope.txt");
+    let text = format!(
+        "{first}  OWC\n{form}  WCType\n{}  k1\n{}  k2\n",
+        written(k1),
+        written(k2)
+    );
+    sheet.files.push((file.clone(), text));
+    file
+}
+
+/// What a line type does not say.
+fn lost(name: &str, material: &Material, target: Target, sheet: &mut Sheet) {
+    let mut lost = Vec::new();
+    if material.break_load_n.is_some() {
+        lost.push("breaking load");
+    }
+    if material.min_bend_radius_m.is_some() {
+        lost.push("least bending radius");
+    }
+    if material.bore.is_some() {
+        lost.push("bore");
+    }
+    if target == Target::MapPlusPlus {
+        if material.ei_n_m2 > 0.0 {
+            lost.push("bending stiffness");
+        }
+        if material.axial_damping_ratio.is_some() {
+            lost.push("damping ratio");
+        }
+    }
+    if !lost.is_empty() {
+        sheet.remarks.push(format!(
+            "{name}: the file does not say its {}.",
+            lost.join(", ")
+        ));
+    }
+}

@@ -1,0 +1,400 @@
+//! Points, bodies, rods and lines of a system as rows.
+
+use std::collections::BTreeMap;
+
+use super::sheet::{BodyRow, PointRow, RodRow, RodTypeRow, Sheet};
+use super::{ExportOptions, Target, Unsayable, lines, materials, sea};
+use crate::numerics::V3;
+use crate::system::SolvedSystem;
+use crate::system::build::angles;
+use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind, RodInputs};
+use crate::system::network::Held;
+use crate::system::parts::sections;
+
+/// Segments of a rod.
+const ROD_SEGMENTS: usize = 10;
+/// Digits of places at rest behind the point.
+const AT_REST: f64 = 1e6;
+
+/// The rows of a system; what cannot be said is added to `refused`.
+pub fn sheet(
+    solved: &SolvedSystem,
+    target: Target,
+    options: ExportOptions,
+    refused: &mut Vec<Unsayable>,
+) -> Sheet {
+    let mut sheet = Sheet {
+        title: solved.file.about.title.clone(),
+        ..Sheet::default()
+    };
+    let mut writer = Writer {
+        solved,
+        target,
+        options,
+        sheet: &mut sheet,
+        bodies: BTreeMap::new(),
+        rods: BTreeMap::new(),
+        attachments: vec![None; solved.network.points.len()],
+        types: Vec::new(),
+    };
+    writer.number_bodies();
+    writer.types(refused);
+    writer.lines();
+    if target == Target::MoorDyn {
+        let step = step(solved, &sheet);
+        sea::options(solved, step, &mut sheet);
+    }
+    if solved
+        .file
+        .bodies
+        .values()
+        .any(|body| body.kind == BodyKind::Moved)
+        || solved
+            .file
+            .points
+            .values()
+            .any(|point| point.kind == PointKind::Moved)
+    {
+        sheet
+            .remarks
+            .push("The file does not say how coupled parts move.".to_owned());
+    }
+    sheet
+}
+
+/// A stable step of RK4 \[s\], of two digits: the fastest mode of a segment, with its damping.
+fn step(solved: &SolvedSystem, sheet: &Sheet) -> f64 {
+    let steps = sheet.lines.iter().filter_map(|line| {
+        let of = sheet.types.iter().find(|of| of.name == line.of_type)?;
+        let material = solved.file.materials.get(&line.of_type)?;
+        let ea = material
+            .dynamic_ea_n
+            .or_else(|| material.representative_ea_n())?;
+        let segment = line.length / line.segments as f64;
+        let frequency = 2.0 / segment * (ea / of.mass).sqrt();
+        let critical = segment * (ea * of.mass).sqrt();
+        let ratio = match (material.axial_damping_n_s, material.axial_damping_ratio) {
+            (Some(damping), _) => damping / critical,
+            (None, ratio) => ratio.unwrap_or(0.0),
+        };
+        Some(1.0 / (frequency * (1.0 + ratio)))
+    });
+    let longest = steps.fold(0.05, f64::min).max(1e-7);
+    let digit = 10f64.powf(longest.log10().floor() - 1.0);
+    (longest / digit).floor() * digit
+}
+
+/// Where a line type comes from: a material, and the friction where types have it.
+struct TypeOf {
+    material: String,
+    friction: f64,
+    name: String,
+}
+
+struct Writer<'a> {
+    solved: &'a SolvedSystem,
+    target: Target,
+    options: ExportOptions,
+    sheet: &'a mut Sheet,
+    /// Numbers of the free bodies by their places in the network.
+    bodies: BTreeMap<usize, usize>,
+    /// Numbers of the rods by name.
+    rods: BTreeMap<String, usize>,
+    /// What lines that end at each point of the network are attached to.
+    attachments: Vec<Option<String>>,
+    types: Vec<TypeOf>,
+}
+
+impl Writer<'_> {
+    /// Free bodies in the order in which points name them.
+    fn number_bodies(&mut self) {
+        if self.target == Target::MapPlusPlus {
+            return;
+        }
+        let network = &self.solved.network;
+        let of_points = network.points.iter().filter_map(|point| match point.held {
+            Held::On(body, _) => Some(body),
+            _ => None,
+        });
+        for body in of_points.chain(0..network.bodies.len()) {
+            let name = &network.bodies[body].name;
+            let inputs = self.solved.file.bodies.get(name);
+            if let Some(inputs) = inputs.filter(|inputs| inputs.kind == BodyKind::Free)
+                && !self.bodies.contains_key(&body)
+            {
+                let number = self.sheet.bodies.len() + 1;
+                self.bodies.insert(body, number);
+                let row = self.body(body, inputs);
+                self.sheet.bodies.push(row);
+                self.members(number, inputs);
+            }
+        }
+    }
+
+    fn body(&self, number: usize, inputs: &BodyInputs) -> BodyRow {
+        let density = self.solved.file.environment.water_density_kg_per_m3;
+        let (place, angles) = match self.options.at_rest {
+            true => {
+                let pose = &self.solved.rest.placement.bodies[number];
+                let angles = pose.angles().map(|angle| rounded(angle.to_degrees()));
+                (pose.origin.map(rounded).into(), angles)
+            }
+            false => (
+                inputs.position_m,
+                [inputs.roll_deg, inputs.pitch_deg, inputs.yaw_deg],
+            ),
+        };
+        let three = |of: &[f64]| std::array::from_fn(|k| of.get(k).copied().unwrap_or(0.0));
+        let displaced = density * inputs.volume_m3;
+        let added: [f64; 3] = three(&inputs.added_mass);
+        let about: [f64; 3] = three(inputs.quadratic_damping.get(3..).unwrap_or(&[]));
+        let area = inputs.drag_area_m2;
+        let by_density = |damping: f64| match density > 0.0 {
+            true => 2.0 * damping / density,
+            false => 0.0,
+        };
+        BodyRow {
+            hold: "Free",
+            place,
+            angles,
+            mass: inputs.mass_kg.unwrap_or(0.0),
+            centre: inputs.centre_of_gravity_m,
+            inertia: three(&inputs.inertia_kg_m2),
+            volume: inputs.volume_m3,
+            drag_area: [
+                area[0],
+                area[1],
+                area[2],
+                by_density(about[0]),
+                by_density(about[1]),
+                by_density(about[2]),
+            ],
+            added_mass: added.map(|mass| {
+                if displaced > 0.0 {
+                    mass / displaced
+                } else {
+                    0.0
+                }
+            }),
+        }
+    }
+
+    /// Members of a free body as rods without mass, which is in that of the body.
+    fn members(&mut self, body: usize, inputs: &BodyInputs) {
+        for member in &inputs.members {
+            let of_type = self.rod_type(
+                member.diameter_m,
+                0.0,
+                [member.drag_normal, member.added_mass_normal],
+            );
+            self.sheet.rods.push(RodRow {
+                of_type,
+                hold: format!("Body{body}"),
+                ends: [member.from_m, member.to_m],
+                segments: ROD_SEGMENTS,
+            });
+        }
+    }
+
+    /// The name of a rod type with these properties.
+    fn rod_type(&mut self, diameter: f64, mass: f64, [drag, added_mass]: [f64; 2]) -> String {
+        let found = self.sheet.rod_types.iter().find(|of| {
+            [of.diameter, of.mass, of.drag, of.added_mass] == [diameter, mass, drag, added_mass]
+        });
+        if let Some(found) = found {
+            return found.name.clone();
+        }
+        let name = format!("rod{}", self.sheet.rod_types.len() + 1);
+        self.sheet.rod_types.push(RodTypeRow {
+            name: name.clone(),
+            diameter,
+            mass,
+            drag,
+            added_mass,
+        });
+        name
+    }
+
+    /// What a line that ends at a point of the network is attached to. Points are written in the order in which lines name them.
+    fn attachment(&mut self, number: usize) -> String {
+        if let Some(known) = &self.attachments[number] {
+            return known.clone();
+        }
+        let attachment = match self.rod_end(number) {
+            Some(end) => end,
+            None => {
+                let row = self.point(number);
+                self.sheet.points.push(row);
+                self.sheet.points.len().to_string()
+            }
+        };
+        self.attachments[number] = Some(attachment.clone());
+        attachment
+    }
+
+    /// A point at the end of a rod: `R1A`.
+    fn rod_end(&mut self, number: usize) -> Option<String> {
+        if self.target == Target::MapPlusPlus {
+            return None;
+        }
+        let name = &self.solved.network.points[number].name;
+        let rods = self.solved.file.rods.iter();
+        let (rod, inputs, end) = rods
+            .flat_map(|(rod, inputs)| [(rod, inputs, "a"), (rod, inputs, "b")])
+            .find(|(rod, _, end)| *name == format!("{rod}-{end}"))?;
+        let (rod, end) = (rod.clone(), end.to_uppercase());
+        let number = match self.rods.get(&rod) {
+            Some(number) => *number,
+            None => {
+                let row = self.rod(inputs);
+                self.sheet.rods.push(row);
+                self.rods.insert(rod, self.sheet.rods.len());
+                self.sheet.rods.len()
+            }
+        };
+        Some(format!("R{number}{end}"))
+    }
+
+    fn rod(&mut self, inputs: &RodInputs) -> RodRow {
+        let long = (V3::from(inputs.end_b_m) - V3::from(inputs.end_a_m)).norm();
+        let coefficients = [inputs.drag_normal, inputs.added_mass_normal];
+        let of_type = self.rod_type(inputs.diameter_m, inputs.mass_kg / long, coefficients);
+        let hold = match inputs.kind {
+            BodyKind::Held => "Fixed",
+            BodyKind::Free => "Free",
+            BodyKind::Moved => "Coupled",
+        };
+        RodRow {
+            of_type,
+            hold: hold.to_owned(),
+            ends: [inputs.end_a_m, inputs.end_b_m],
+            segments: ROD_SEGMENTS,
+        }
+    }
+
+    fn point(&self, number: usize) -> PointRow {
+        let network = &self.solved.network;
+        let point = &network.points[number];
+        let original = point.name.split('@').next().unwrap_or(&point.name);
+        let inputs = self.solved.file.points.get(original);
+        let rests = self.solved.rest.placement.points[number];
+        let mut row = PointRow {
+            hold: String::new(),
+            place: rests.into(),
+            mass: 0.0,
+            volume: 0.0,
+            drag_area: 0.0,
+            added_mass: 0.0,
+            load: [0.0; 3],
+        };
+        match &point.held {
+            Held::At(place) => {
+                let is_moved = inputs.is_some_and(|inputs| inputs.kind == PointKind::Moved);
+                row.hold = if is_moved { "Coupled" } else { "Fixed" }.to_owned();
+                row.place = (*place).into();
+            }
+            Held::On(body, place) => match self.bodies.get(body) {
+                Some(number) => {
+                    row.hold = format!("Body{number}");
+                    row.place = (*place).into();
+                }
+                None => row.hold = "Coupled".to_owned(),
+            },
+            Held::Free(free) => {
+                row.hold = "Free".to_owned();
+                let start = free.start.filter(|_| !self.options.at_rest);
+                row.place = start.unwrap_or_else(|| rests.map(rounded)).into();
+                let density = self.solved.file.environment.water_density_kg_per_m3;
+                if let Some(inputs) = inputs {
+                    row.mass = inputs.mass_kg;
+                    row.volume = inputs.volume_m3;
+                    row.drag_area = inputs.drag_area_m2;
+                    row.load = inputs.load_n;
+                    let displaced = density * inputs.volume_m3;
+                    row.added_mass = match displaced > 0.0 {
+                        true => inputs.added_mass_kg / displaced,
+                        false => 0.0,
+                    };
+                }
+            }
+        }
+        row
+    }
+
+    /// The line types in the order in which lines name them.
+    fn types(&mut self, refused: &mut Vec<Unsayable>) {
+        let file = &self.solved.file;
+        let density = file.environment.water_density_kg_per_m3;
+        for line in &file.lines {
+            let friction = self.friction(line);
+            for section in sections(line) {
+                let known = |of: &&TypeOf| of.material == section.material;
+                let same = self.types.iter().filter(known);
+                if same.clone().any(|of| of.friction == friction) {
+                    continue;
+                }
+                let name = match same.count() {
+                    0 => section.material.clone(),
+                    count => format!("{}-{}", section.material, count + 1),
+                };
+                let material = &file.materials[&section.material];
+                let row = materials::line_type(
+                    (&name, material),
+                    (density, friction),
+                    self.target,
+                    self.sheet,
+                    refused,
+                );
+                self.sheet.types.push(row);
+                self.types.push(TypeOf {
+                    material: section.material,
+                    friction,
+                    name,
+                });
+            }
+        }
+    }
+
+    /// Friction of a line where types have it, 0 elsewhere.
+    fn friction(&self, line: &LineInputs) -> f64 {
+        let of_bed = self
+            .solved
+            .file
+            .seabed
+            .as_ref()
+            .map_or(0.0, |bed| bed.friction);
+        match self.target {
+            Target::MoorDyn => 0.0,
+            Target::MapPlusPlus => line.friction.unwrap_or(of_bed),
+        }
+    }
+
+    fn lines(&mut self) {
+        let mut index = 0;
+        for line in &self.solved.file.lines {
+            for _ in angles(&line.repeat_at_deg) {
+                let built = &self.solved.network.lines[index];
+                let mut attachments = vec![self.attachment(built.from)];
+                let of = (self.solved, index, line);
+                attachments.extend(lines::joints(of, self.target, self.sheet));
+                attachments.push(self.attachment(built.to));
+                let friction = self.friction(line);
+                let all = &self.types;
+                let type_of = |material: &str| {
+                    let found = all
+                        .iter()
+                        .find(|of| of.material == material && of.friction == friction);
+                    found.map_or_else(|| material.to_owned(), |of| of.name.clone())
+                };
+                let of = (self.solved, line);
+                lines::write(of, &attachments, &type_of, self.target, self.sheet);
+                index += 1;
+            }
+        }
+    }
+}
+
+/// A coordinate at rest.
+fn rounded(value: f64) -> f64 {
+    (value * AT_REST).round() / AT_REST
+}

@@ -1,0 +1,283 @@
+//! What of a system a file of another program cannot say.
+
+use super::{Target, Unsayable};
+use crate::case::{CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
+use crate::numerics::V3;
+use crate::system::SolvedSystem;
+use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind};
+use crate::system::parts::sections;
+
+/// All of it.
+#[must_use]
+pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
+    let file = &solved.file;
+    let mut found = Found::default();
+    let name = target.name();
+    found.add(
+        file.ageing.is_some(),
+        "ageing",
+        "lines that age (leave `[ageing]` out)",
+    );
+    found.add(
+        file.current.is_some() && target == Target::MapPlusPlus,
+        "current",
+        "current",
+    );
+    found.add(
+        file.seabed
+            .as_ref()
+            .is_some_and(|bed| bed.depth_file.is_some()),
+        "seabed.depth_file",
+        "bed by this form of a grid of depths",
+    );
+    for payout in &file.payouts {
+        let key = format!("payouts.{}", payout.line);
+        found.add(true, key, "payout of lines");
+    }
+    for sliding in &file.sliding_points {
+        let key = format!("sliding_points.{}", sliding.point);
+        found.add(true, key, "points that slide along lines");
+    }
+    for (number, waves) in file.waves.iter().enumerate() {
+        let is_plain = waves.kind == WaveKind::Regular && waves.direction_deg == 0.0;
+        found.add(
+            !is_plain && target == Target::MoorDyn,
+            format!("waves[{number}]"),
+            "waves other than regular ones towards +x",
+        );
+    }
+    for (name, material) in &file.materials {
+        let key = |key: &str| format!("materials.{name}.{key}");
+        let drag = [&material.drag_normal, &material.drag_tangential];
+        found.add(
+            drag.iter()
+                .any(|drag| matches!(drag, DragCoefficient::Named(_))),
+            key("drag_normal"),
+            "drag by a law of the Reynolds number",
+        );
+        let by_table = material.strain.is_some() || material.creep_model != CreepModel::None;
+        found.add(
+            by_table && target == Target::MapPlusPlus,
+            key("strain"),
+            "stiffness by strain or time",
+        );
+        found.add(
+            material.dynamic_stiffness != DynamicStiffness::None,
+            key("dynamic_stiffness"),
+            "stiffness by the past tension",
+        );
+    }
+    for (name, point) in &file.points {
+        let key = |key: &str| format!("points.{name}.{key}");
+        let volume_less = point.volume_m3 == 0.0 && point.added_mass_kg > 0.0;
+        found.add(
+            point.kind == PointKind::Free && volume_less && target == Target::MoorDyn,
+            key("added_mass_kg"),
+            "added mass of a point without volume",
+        );
+    }
+    for (name, body) in &file.bodies {
+        if body.kind == BodyKind::Free {
+            free_body(name, body, target, &mut found);
+        }
+    }
+    for (rod, inputs) in &file.rods {
+        let key = |key: &str| format!("rods.{rod}.{key}");
+        found.add(
+            target == Target::MapPlusPlus && inputs.kind == BodyKind::Free,
+            key("kind"),
+            "free rods",
+        );
+        found.add(inputs.load_n != [0.0; 3], key("load_n"), "loads on rods");
+    }
+    for line in &file.lines {
+        of_line(line, solved, target, &mut found);
+    }
+    let in_words = |one: Unsayable| Unsayable {
+        what: format!("a file of {name} has no {}", one.what),
+        ..one
+    };
+    found.0.into_iter().map(in_words).collect()
+}
+
+/// What was found so far.
+#[derive(Debug, Default)]
+struct Found(Vec<Unsayable>);
+
+impl Found {
+    fn add(&mut self, is: bool, key: impl Into<String>, what: &str) {
+        if is {
+            self.0.push(Unsayable {
+                key: key.into(),
+                what: what.to_owned(),
+            });
+        }
+    }
+}
+
+fn free_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found) {
+    let key = |key: &str| format!("bodies.{name}.{key}");
+    if target == Target::MapPlusPlus {
+        // The program that calls MAP++ knows the body.
+        return;
+    }
+    found.add(
+        body.waterplane_stiffness.iter().any(|k| *k != 0.0),
+        key("waterplane_stiffness"),
+        "stiffness of a water-plane",
+    );
+    let files = [
+        &body.radiation_file,
+        &body.excitation_file,
+        &body.drift_file,
+        &body.response_file,
+    ];
+    found.add(
+        files.iter().any(|file| file.is_some()),
+        key("radiation_file"),
+        "coefficients and responses of bodies from files",
+    );
+    found.add(
+        !body.damping.is_empty(),
+        key("damping"),
+        "linear damping of bodies",
+    );
+    let by_heading = body.wind_loads.len() + body.current_loads.len() + body.drift_loads.len();
+    found.add(
+        by_heading > 0,
+        key("wind_loads"),
+        "loads on bodies by heading",
+    );
+    found.add(
+        body.load_n != [0.0; 3] || body.moment_n_m != [0.0; 3],
+        key("load_n"),
+        "loads on bodies",
+    );
+    found.add(
+        body.volume_m3 > 0.0 && body.centre_of_buoyancy_m != body.centre_of_gravity_m,
+        key("centre_of_buoyancy_m"),
+        "a centre of buoyancy apart from that of gravity",
+    );
+    let off_diagonal = body.inertia_kg_m2.get(3..).unwrap_or(&[]);
+    found.add(
+        off_diagonal.iter().any(|i| *i != 0.0),
+        key("inertia_kg_m2"),
+        "products of inertia",
+    );
+    found.add(
+        body.added_mass.len() == 36
+            || body
+                .added_mass
+                .get(3..)
+                .is_some_and(|m| m.iter().any(|m| *m != 0.0)),
+        key("added_mass"),
+        "added mass besides that along the axes",
+    );
+    found.add(
+        body.added_mass.iter().any(|m| *m != 0.0) && body.volume_m3 == 0.0,
+        key("added_mass"),
+        "added mass of a body without volume",
+    );
+    let quadratic = &body.quadratic_damping;
+    found.add(
+        quadratic.len() == 36
+            || quadratic
+                .get(..3)
+                .is_some_and(|d| d.iter().any(|d| *d != 0.0)),
+        key("quadratic_damping"),
+        "quadratic damping besides that about the axes",
+    );
+    for (number, member) in body.members.iter().enumerate() {
+        let cone = member.to_diameter_m.is_some_and(|d| d != member.diameter_m);
+        let key = key(&format!("members[{number}]"));
+        found.add(
+            cone || member.drag_only || !member.repeat_at_deg.is_empty(),
+            key,
+            "members that are cones, have drag alone, or are repeated",
+        );
+    }
+}
+
+fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut Found) {
+    let key = |key: &str| format!("lines.{}.{key}", line.name);
+    let breaks = [line.break_s, line.break_n].iter().any(Option::is_some);
+    found.add(
+        breaks,
+        key("break_at_m"),
+        "lines that break between their ends",
+    );
+    let flows = solved.file.current.is_some() || !solved.file.waves.is_empty();
+    found.add(
+        line.still_water && flows && target == Target::MoorDyn,
+        key("still_water"),
+        "lines in still water beside others in a current or waves",
+    );
+    let of_bed = solved.file.seabed.as_ref().map_or(0.0, |bed| bed.friction);
+    found.add(
+        target == Target::MoorDyn && line.friction.is_some_and(|mu| mu != of_bed),
+        key("friction"),
+        "friction of a single line",
+    );
+    let clamps = [
+        (
+            line.clamp_a_elevation_deg,
+            &line.from,
+            "clamp_a_elevation_deg",
+        ),
+        (
+            line.clamp_b_elevation_deg,
+            &line.to,
+            "clamp_b_elevation_deg",
+        ),
+    ];
+    let bends = sections(line).iter().any(|section| {
+        let material = solved.file.materials.get(&section.material);
+        material.is_some_and(|material| material.ei_n_m2 > 0.0)
+    });
+    for (end, (clamp, at, name)) in clamps.into_iter().enumerate() {
+        let axis = rod_axis(solved, at);
+        let is_of_rod = match (clamp, axis) {
+            (None, axis) => axis.is_none() || !bends,
+            (Some(_), None) => false,
+            (Some(elevation), Some(outwards)) => {
+                let azimuth = [line.clamp_a_azimuth_deg, line.clamp_b_azimuth_deg][end];
+                let (up, turn) = (elevation.to_radians(), azimuth.to_radians());
+                let along = V3::new(up.cos() * turn.cos(), up.cos() * turn.sin(), up.sin());
+                let sign = [1.0, -1.0][end];
+                (along - outwards * sign).norm() < SAME
+            }
+        };
+        found.add(
+            !is_of_rod && target == Target::MoorDyn,
+            key(name),
+            "clamped ends that are not along held rods, and hinges of lines that bend at rods",
+        );
+    }
+    let releases = [
+        line.release_a_s,
+        line.release_b_s,
+        line.release_a_n,
+        line.release_b_n,
+    ];
+    found.add(
+        target == Target::MapPlusPlus && releases.iter().any(Option::is_some),
+        key("release_a_s"),
+        "ends that are let go",
+    );
+}
+
+/// Directions that differ by less are the same \[rad\].
+const SAME: f64 = 1e-6;
+
+/// The direction out of the end of a rod that a point is.
+fn rod_axis(solved: &SolvedSystem, point: &str) -> Option<V3> {
+    let rods = solved.file.rods.iter();
+    rods.filter_map(|(name, rod)| {
+        let axis = (V3::from(rod.end_b_m) - V3::from(rod.end_a_m)).try_normalize(0.0)?;
+        if point == format!("{name}-b") {
+            return Some(axis);
+        }
+        (point == format!("{name}-a")).then_some(-axis)
+    })
+    .next()
+}

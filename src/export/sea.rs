@@ -1,0 +1,111 @@
+//! Gravity, water, bed, current and waves as options.
+
+use std::f64::consts::TAU;
+
+use super::number::written;
+use super::sheet::Sheet;
+use crate::case::{DragLength, OneOrMany};
+use crate::system::SolvedSystem;
+
+/// Push and damping of a bed that nothing touches \[Pa/m, Pa s/m\]: the defaults of MoorDyn.
+const BED: [f64; 2] = [3.0e6, 3.0e5];
+
+/// Writes the options of MoorDyn.
+pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
+    let file = &solved.file;
+    let mut option = |value: String, name: &'static str| sheet.options.push((value, name));
+    option(written(step), "dtM");
+    option("RK4".to_owned(), "tScheme");
+    option(written(file.environment.gravity_m_per_s2), "g");
+    option(
+        written(file.environment.water_density_kg_per_m3),
+        "WtrDnsty",
+    );
+    match &file.seabed {
+        Some(bed) => {
+            option(written(bed.depth_m), "WtrDpth");
+            option(written(bed.stiffness_n_per_m3), "kBot");
+            option(written(bed.damping_n_s_per_m3), "cBot");
+            if bed.friction > 0.0 {
+                option(written(bed.friction), "FrictionCoefficient");
+            }
+        }
+        // Without a depth MoorDyn has its bed at the deepest fixed point.
+        None => {
+            option(written(far_bed(solved)), "WtrDpth");
+            option(written(BED[0]), "kBot");
+            option(written(BED[1]), "cBot");
+        }
+    }
+    if let Some(current) = &file.current {
+        sheet.options.push(("1".to_owned(), "Currents"));
+        let text = profile(
+            &current.speed_m_per_s,
+            &current.direction_deg,
+            current.depth_m.as_deref(),
+        );
+        sheet.files.push(("current_profile.txt".to_owned(), text));
+    }
+    if !file.waves.is_empty() {
+        sheet.options.push(("7".to_owned(), "WaveKin"));
+        sheet
+            .files
+            .push(("wave_frequencies.txt".to_owned(), components(solved)));
+    }
+    if file.environment.drag_length == DragLength::Stretched {
+        sheet.remarks.push(
+            "Drag acts on the unstretched length of lines in MoorDyn, here on the stretched."
+                .to_owned(),
+        );
+    }
+}
+
+/// A depth \[m\] well below everything.
+fn far_bed(solved: &SolvedSystem) -> f64 {
+    let lengths = solved.file.lines.iter().map(|line| {
+        line.length_m
+            .unwrap_or_else(|| line.sections.iter().map(|section| section.length_m).sum())
+    });
+    let longest = lengths.fold(0.0, f64::max);
+    let points = solved.rest.placement.points.iter();
+    let deepest = points.map(|place| -place.z).fold(0.0, f64::max);
+    let far = 2.0 * (deepest + longest);
+    // A round number: the same from places that differ in their last digits.
+    (far / 100.0).ceil() * 100.0
+}
+
+/// Rows of height and velocity.
+fn profile(speed: &OneOrMany, direction: &OneOrMany, depths: Option<&[f64]>) -> String {
+    let at = |of: &OneOrMany, k: usize| match of {
+        OneOrMany::One(value) => *value,
+        OneOrMany::Many(all) => all.get(k).copied().unwrap_or(0.0),
+    };
+    let depths = depths.unwrap_or(&[0.0]);
+    let mut text = "CURRENT PROFILE\nz  ux  uy  uz\n(m)  (m/s)  (m/s)  (m/s)\n".to_owned();
+    for (k, depth) in depths.iter().enumerate() {
+        let (speed, angle) = (at(speed, k), at(direction, k).to_radians());
+        text += &format!(
+            "{}  {}  {}  0\n",
+            written(-depth),
+            written(speed * angle.cos()),
+            written(speed * angle.sin())
+        );
+    }
+    text
+}
+
+/// Rows of angular frequency and complex amplitude.
+fn components(solved: &SolvedSystem) -> String {
+    let mut text = "WAVE FREQUENCIES\nfrequency  real  imaginary\n(rad/s)  (m)  (m)\n".to_owned();
+    for waves in &solved.file.waves {
+        let amplitude = 0.5 * waves.height_m.unwrap_or(0.0);
+        let phase = waves.phase_deg.to_radians();
+        text += &format!(
+            "{}  {}  {}\n",
+            written(TAU / waves.period_s.unwrap_or(1.0)),
+            written(amplitude * phase.cos()),
+            written(amplitude * phase.sin())
+        );
+    }
+    text
+}

@@ -1,0 +1,208 @@
+//! Systems written as files of other programs: read again they are the same system, and written again the same text.
+
+use std::fs;
+use std::path::Path;
+
+use seacable::case::kind;
+use seacable::export::{ExportOptions, Exported, Target, export};
+use seacable::import::ImportOptions;
+use seacable::system::line_at_rest::LineAtRest;
+use seacable::system::quantities::value;
+use seacable::system::{SolvedSystem, SystemFile};
+
+fn folder(name: &str) -> std::path::PathBuf {
+    let folder =
+        std::env::temp_dir().join(format!("seacable-export-{}-{name}", std::process::id()));
+    fs::create_dir_all(&folder).unwrap();
+    folder
+}
+
+fn load(path: &Path, options: &ImportOptions) -> SolvedSystem {
+    let loaded = kind::load_as::<SystemFile>(path, options);
+    loaded
+        .unwrap_or_else(|found| panic!("{}: {found:?}", path.display()))
+        .computed
+}
+
+/// What MAP++ is told from outside.
+fn outside(solved: &SolvedSystem) -> ImportOptions {
+    let environment = &solved.file.environment;
+    ImportOptions {
+        depth: solved
+            .file
+            .seabed
+            .as_ref()
+            .map(|bed| bed.depth_m)
+            .or(Some(5000.0)),
+        density: Some(environment.water_density_kg_per_m3),
+        gravity: Some(environment.gravity_m_per_s2),
+        ..ImportOptions::default()
+    }
+}
+
+/// The system that was written and read again.
+fn again(made: &Exported, folder: &Path, options: &ImportOptions) -> SolvedSystem {
+    for (name, text) in &made.files {
+        fs::write(folder.join(name), text).unwrap();
+    }
+    let path = folder.join("written.dat");
+    fs::write(&path, &made.text).unwrap();
+    load(&path, options)
+}
+
+fn written(solved: &SolvedSystem, target: Target) -> Exported {
+    export(solved, target, ExportOptions::default()).unwrap_or_else(|refused| panic!("{refused:?}"))
+}
+
+#[test]
+fn every_shipped_system_is_refused_or_read_again_as_the_same() {
+    let mut tried = 0;
+    let mut paths: Vec<_> = fs::read_dir("cases/systems")
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|end| end == "toml"))
+        .collect();
+    paths.sort();
+    for path in paths {
+        let name = path.file_stem().unwrap().to_string_lossy().into_owned();
+        let solved = load(&path, &ImportOptions::default());
+        for target in [Target::MoorDyn, Target::MapPlusPlus] {
+            let Ok(made) = export(&solved, target, ExportOptions::default()) else {
+                continue;
+            };
+            let folder = folder(&format!("{name}-{}", target.name().len()));
+            let options = match target {
+                Target::MoorDyn => ImportOptions::default(),
+                Target::MapPlusPlus => outside(&solved),
+            };
+            let read = again(&made, &folder, &options);
+            let twice = written(&read, target).text;
+            assert_eq!(twice, made.text, "{name} {target:?}");
+            same_tensions(&name, &solved, &read);
+            tried += 1;
+            fs::remove_dir_all(&folder).unwrap();
+        }
+    }
+    assert!(tried >= 25, "{tried}");
+}
+
+/// The greatest end tensions of two systems, whose lines may be divided otherwise, and drag in a current by another length.
+fn same_tensions(name: &str, one: &SolvedSystem, other: &SolvedSystem) {
+    let greatest = |solved: &SolvedSystem| {
+        let lines = solved.rest.balance.lines.iter();
+        lines.flat_map(LineAtRest::tensions).fold(0.0, f64::max)
+    };
+    let [one, other] = [one, other].map(greatest);
+    assert!((one / other - 1.0).abs() < 5e-3, "{name}: {one} {other}");
+}
+
+#[test]
+fn places_at_rest_are_where_the_search_ends_at_once() {
+    let text = "\
+[system]
+title = \"A clump in a chain\"
+[seabed]
+depth_m = 200.0
+[materials.chain]
+diameter_m = 0.09
+mass_kg_per_m = 77.7066
+ea_n = 384.243e6
+[points.anchor]
+kind = \"fixed\"
+position_m = [400.0, 0.0, -200.0]
+[points.clump]
+kind = \"free\"
+position_m = [200.0, 0.0, -110.0]
+mass_kg = 20e3
+volume_m3 = 2.0
+[points.top]
+kind = \"fixed\"
+position_m = [0.0, 0.0, -20.0]
+[[lines]]
+name = \"lower\"
+from = \"anchor\"
+to = \"clump\"
+material = \"chain\"
+length_m = 230.0
+[[lines]]
+name = \"upper\"
+from = \"clump\"
+to = \"top\"
+material = \"chain\"
+length_m = 225.0
+";
+    let solved = kind::parse::<SystemFile>(text, "clump.toml").unwrap();
+    let options = ExportOptions { at_rest: true };
+    let made = export(&solved, Target::MoorDyn, options).unwrap();
+    let rests = solved.rest.placement.points[1];
+    let row = made.text.lines().find(|row| row.contains("Free")).unwrap();
+    let z: f64 = row.split_whitespace().nth(4).unwrap().parse().unwrap();
+    assert!((z - rests.z).abs() < 1e-6, "{row}");
+    let folder = folder("at-rest");
+    let read = again(&made, &folder, &ImportOptions::default());
+    let tension =
+        |solved: &SolvedSystem, line: &str| value(solved, &format!("tension_n[{line}|b]"));
+    let (Ok(one), Ok(other)) = (tension(&solved, "upper"), tension(&read, "line2")) else {
+        panic!("tensions are known");
+    };
+    assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn what_cannot_be_said_is_refused_all_at_once() {
+    let text = fs::read_to_string("cases/systems/winch_lowering.toml").unwrap();
+    let solved = kind::parse::<SystemFile>(&text, "cases/systems/winch_lowering.toml").unwrap();
+    let refused = export(&solved, Target::MoorDyn, ExportOptions::default()).unwrap_err();
+    assert!(
+        refused.iter().any(|one| one.key.starts_with("payouts.")),
+        "{refused:?}"
+    );
+}
+
+#[test]
+fn weights_in_water_become_diameters() {
+    let text = "\
+[system]
+title = \"A chain by its weight in water\"
+[materials.chain]
+diameter_m = 0.12
+mass_kg_per_m = 100.0
+wet_weight_kg_per_m = 87.0
+ea_n = 1e9
+drag_normal = 2.4
+added_mass_normal = 1.0
+[points.a]
+kind = \"fixed\"
+position_m = [0.0, 0.0, -10.0]
+[points.b]
+kind = \"fixed\"
+position_m = [80.0, 0.0, -10.0]
+[[lines]]
+name = \"chain\"
+from = \"a\"
+to = \"b\"
+material = \"chain\"
+length_m = 100.0
+";
+    let solved = kind::parse::<SystemFile>(text, "chain.toml").unwrap();
+    let made = written(&solved, Target::MoorDyn);
+    assert!(
+        made.remarks.iter().any(|one| one.contains("diameter")),
+        "{:?}",
+        made.remarks
+    );
+    let folder = folder("wet");
+    let read = again(&made, &folder, &ImportOptions::default());
+    same_tensions("chain", &solved, &read);
+    let material = read.file.materials.values().next().unwrap();
+    let expected = (4.0 * 13.0 / (std::f64::consts::PI * 1025.0)).sqrt();
+    assert!((material.diameter_m / expected - 1.0).abs() < 1e-11);
+    // Drag by length stays what it is.
+    let drag = match material.drag_normal {
+        seacable::case::DragCoefficient::Constant(drag) => drag,
+        seacable::case::DragCoefficient::Named(_) => panic!("a number"),
+    };
+    assert!((drag * material.diameter_m / (2.4 * 0.12) - 1.0).abs() < 1e-10);
+    fs::remove_dir_all(&folder).unwrap();
+}
