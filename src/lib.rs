@@ -39,6 +39,7 @@
 //! Conventions: SI inside, z up with z = 0 at still water, arc length from end A to end B in the
 //! order in which the case lists its sections, angles in radians inside and in degrees in files.
 
+pub mod audit;
 pub mod background;
 pub mod case;
 pub mod cli;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
 
+use super::audit::AuditArgs;
 use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
@@ -125,6 +126,11 @@ pub(super) enum CliCommand {
     /// What that program cannot say and would change results is refused, all at once. A file that was written, read and written again is the
     /// same text.
     Export(ExportArgs),
+    /// Audit a file of another program: a second opinion on its start, time step, segments, conventions and settings.
+    ///
+    /// The file is computed to a known error, and what the program would get wrong with it is listed with figures and remedies, on a page of
+    /// text and, with `--csv`, as a table.
+    Audit(AuditArgs),
     /// List the keys of a kind of file: range, unit, default, condition and help.
     ///
     /// With `--schema` it prints a JSON Schema, by which editors complete and check files.

@@ -6,6 +6,7 @@
 //! stopped by SIGINT and SIGTERM.
 
 mod args;
+mod audit;
 mod cases;
 mod catenary;
 mod compare;
@@ -74,6 +75,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),
         Some(CliCommand::Import(args)) => import::import(args),
         Some(CliCommand::Export(args)) => export::export(args),
+        Some(CliCommand::Audit(args)) => audit::audit(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
     };

@@ -1,5 +1,6 @@
 //! What every view shares: tables, charts and the wording of numbers, as plain text.
 
+pub mod audit;
 pub mod chart;
 pub mod comparison;
 pub mod effects;

@@ -146,6 +146,15 @@ length_m = 225.0
         panic!("tensions are known");
     };
     assert!((one / other - 1.0).abs() < 1e-9, "{one} {other}");
+    // The audit of what was written finds its points at rest.
+    let audit =
+        seacable::audit::audit(&made.text, "written.dat", &ImportOptions::default()).unwrap();
+    let starts = audit.findings.iter();
+    assert!(
+        starts.clone().all(|one| !one.subject.starts_with("point")),
+        "{:?}",
+        audit.findings
+    );
     fs::remove_dir_all(&folder).unwrap();
 }
 

@@ -4,6 +4,7 @@
 
 mod ageing;
 mod analysis;
+mod audit;
 mod bodies;
 mod closed_forms;
 mod creep;

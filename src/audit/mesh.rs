@@ -1,0 +1,207 @@
+//! What the segments of lines cost in tension and curvature, and which tension the program gives.
+
+use super::Audit;
+use super::exact::ExactLine;
+use super::finding::{Finding, Topic};
+use super::lumped::{LumpedModel, build, equilibrium};
+use crate::import::mooring::Mooring;
+use crate::import::to_case::sea::SeaOfCase;
+use crate::number::{digits, percent, si};
+use crate::numerics::V3;
+
+/// Error of a tension by the segments that is a finding.
+const TENSION: f64 = 0.02;
+/// Error of the greatest curvature that is a finding.
+const CURVATURE: f64 = 0.1;
+/// How much finer the mesh is by which curvatures are judged.
+const FINER: usize = 8;
+/// Nodes of that mesh at most.
+const MOST_NODES: usize = 12_000;
+/// Least curvature that counts \[1/m\].
+const STRAIGHT: f64 = 1e-5;
+
+/// A line at rest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LineAudit {
+    /// Its identifier in the file.
+    pub id: String,
+    /// Its segments; 0 where the file has none.
+    pub segments: usize,
+    /// Tension at its end B \[N\], and its error.
+    pub tension: Option<f64>,
+    /// See `tension`.
+    pub error: Option<f64>,
+    /// Tension in the middle of its last segment \[N\], which `MoorDyn` gives as that of end B, before any error of the segments.
+    pub mid_segment: Option<f64>,
+    /// What the lumped masses have there at rest \[N\].
+    pub lumped: Option<f64>,
+    /// Greatest curvature of a line that bends \[1/m\]: of the segments, and of a finer mesh.
+    pub curvature: Option<[f64; 2]>,
+}
+
+impl LineAudit {
+    /// Error of the tension by the segments, by the tension.
+    #[must_use]
+    pub fn by_segments(&self) -> Option<f64> {
+        Some(self.lumped? / self.mid_segment? - 1.0)
+    }
+}
+
+/// The lines alone.
+#[must_use]
+pub fn exact_lines(mooring: &Mooring, exact: &[Option<ExactLine<'_>>]) -> Vec<LineAudit> {
+    let all = mooring.lines.iter().enumerate();
+    all.map(|(k, line)| {
+        let exact = exact.get(k).and_then(Option::as_ref);
+        let segments = line.segments.value;
+        LineAudit {
+            id: line.id.clone(),
+            segments,
+            tension: exact.map(|exact| exact.at(1.0).1),
+            error: exact.and_then(|exact| exact.error),
+            mid_segment: exact
+                .filter(|_| segments > 0)
+                .map(|exact| exact.at(1.0 - 0.5 / segments as f64).1),
+            lumped: None,
+            curvature: None,
+        }
+    })
+    .collect()
+}
+
+/// The lines with what their segments cost; findings go to the audit.
+pub fn lines(
+    mooring: &Mooring,
+    sea: &SeaOfCase,
+    exact: &[Option<ExactLine<'_>>],
+    (model, rest): (&LumpedModel, &[V3]),
+    audit: &mut Audit,
+) -> Vec<LineAudit> {
+    let mut lines = exact_lines(mooring, exact);
+    for (k, line) in lines.iter_mut().enumerate() {
+        line.lumped = Some(model.end_tension(k, rest));
+    }
+    let curvatures = (!model.bends.is_empty()).then(|| curvatures(mooring, sea, model, rest));
+    match curvatures {
+        Some(Ok(curvatures)) => {
+            for (line, curvature) in lines.iter_mut().zip(curvatures) {
+                line.curvature = curvature;
+            }
+        }
+        Some(Err(why)) => audit.not_judged.push(format!("Curvatures: {why}.")),
+        None => {}
+    }
+    findings(mooring, &lines, audit);
+    lines
+}
+
+/// Segments that are too long. Lines of the same figures share a finding.
+fn findings(mooring: &Mooring, lines: &[LineAudit], audit: &mut Audit) {
+    let mut found: Vec<(Finding, Vec<&str>)> = Vec::new();
+    for (line, of) in lines.iter().zip(&mooring.lines) {
+        for finding in [of_tension(line), of_curvature(line)].into_iter().flatten() {
+            match found.iter_mut().find(|(one, _)| one.what == finding.what) {
+                Some((_, ids)) => ids.push(&line.id),
+                None => found.push((finding.at(&of.segments.span), vec![&line.id])),
+            }
+        }
+    }
+    for (mut finding, ids) in found {
+        finding.subject = match ids.as_slice() {
+            [one] => format!("line {one}"),
+            all => format!("lines {}", all.join(", ")),
+        };
+        audit.findings.push(finding);
+    }
+}
+
+fn of_tension(line: &LineAudit) -> Option<Finding> {
+    let off = line.by_segments()?;
+    let (lumped, mid) = (line.lumped?, line.mid_segment?);
+    if off.abs() <= TENSION {
+        return None;
+    }
+    let what = format!(
+        "{} segments give {} at end B where the line has {} ({} off)",
+        line.segments,
+        si(lumped, "N"),
+        si(mid, "N"),
+        percent(off.abs())
+    );
+    let remedy = format!("divide it into {} or more segments", 2 * line.segments);
+    let finding = Finding::new(Topic::Mesh, "", what, remedy);
+    Some(finding.figure(lumped, mid, "N"))
+}
+
+fn of_curvature(line: &LineAudit) -> Option<Finding> {
+    let [coarse, fine] = line.curvature?;
+    let off = coarse / fine - 1.0;
+    if fine <= STRAIGHT || off.abs() <= CURVATURE {
+        return None;
+    }
+    let what = format!(
+        "{} segments give a greatest curvature of {}, {} {} that of a fine mesh, {}",
+        line.segments,
+        si(coarse, "1/m"),
+        percent(off.abs()),
+        if off < 0.0 { "below" } else { "above" },
+        si(fine, "1/m")
+    );
+    // The error falls with the square of the length of the segments.
+    let finer = (off.abs() / CURVATURE).sqrt() * 1.5 * line.segments as f64;
+    let remedy = format!("divide it into some {} segments", digits(finer.ceil(), 2));
+    let finding = Finding::new(Topic::Mesh, "", what, remedy);
+    Some(finding.figure(coarse, fine, "1/m"))
+}
+
+/// Greatest curvature inside each line that bends: by its segments, and by a mesh several times finer.
+fn curvatures(
+    mooring: &Mooring,
+    sea: &SeaOfCase,
+    model: &LumpedModel,
+    rest: &[V3],
+) -> Result<Vec<Option<[f64; 2]>>, String> {
+    let nodes: usize = model.lines.iter().map(|line| line.nodes.len()).sum();
+    let finer = FINER.min(MOST_NODES / nodes.max(1));
+    if finer < 2 {
+        return Err("the lines have too many segments for a finer mesh".to_owned());
+    }
+    let fine = build::lumped(mooring, sea, finer)?;
+    let near = refined(model, &fine, rest, finer);
+    let at_rest = equilibrium::at_rest(&fine, &near)
+        .map_err(|why| format!("the finer mesh was not brought to rest ({why})"))?;
+    let mut all = vec![None; model.lines.len()];
+    for (of, x, which) in [(model, rest, 0), (&fine, at_rest.as_slice(), 1)] {
+        for bend in &of.bends {
+            let entry: &mut [f64; 2] = all[bend.line].get_or_insert([0.0; 2]);
+            entry[which] = entry[which].max(LumpedModel::curvature(bend, x));
+        }
+    }
+    Ok(all)
+}
+
+/// The nodes of a finer mesh on the segments of a coarse one.
+fn refined(model: &LumpedModel, fine: &LumpedModel, rest: &[V3], finer: usize) -> Vec<V3> {
+    let mut near = fine.start.clone();
+    for (coarse, line) in model.lines.iter().zip(&fine.lines) {
+        for (k, node) in line.nodes.iter().enumerate() {
+            let (segment, t) = (k / finer, (k % finer) as f64 / finer as f64);
+            let last = coarse.nodes.len() - 1;
+            let at = |node: usize| rest[coarse.nodes[node.min(last)]];
+            let [before, from, to, behind] = [
+                at(segment.saturating_sub(1)),
+                at(segment),
+                at(segment + 1),
+                at(segment + 2),
+            ];
+            // A cubic through the nodes, so that what bends has no corners.
+            let slopes = [0.5 * (to - before), 0.5 * (behind - from)];
+            let (square, cube) = (t * t, t * t * t);
+            near[*node] = from * (2.0 * cube - 3.0 * square + 1.0)
+                + slopes[0] * (cube - 2.0 * square + t)
+                + to * (3.0 * square - 2.0 * cube)
+                + slopes[1] * (cube - square);
+        }
+    }
+    near
+}

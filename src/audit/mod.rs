@@ -1,0 +1,163 @@
+//! A second opinion on a file of another program: its system computed to a known error, and what that program would get wrong with it.
+//!
+//! The file is read as `run` reads it and solved at rest. Files of `MoorDyn` are then divided into lumped masses as that program divides them
+//! ([`lumped`]), brought to rest as it does, and held against the equilibrium.
+
+pub mod contradictions;
+pub mod exact;
+pub mod finding;
+pub mod lumped;
+pub mod mesh;
+pub mod settings;
+pub mod start;
+pub mod step;
+
+use self::exact::ExactLine;
+use self::finding::{Finding, Topic};
+use self::lumped::LumpedModel;
+use self::mesh::LineAudit;
+use self::start::StartAudit;
+use self::step::StepAudit;
+use crate::case::{Diagnostic, kind};
+use crate::import::mooring::{Mooring, Program};
+use crate::import::to_case::sea::{SeaOfCase, sea_of};
+use crate::import::{self, ImportOptions};
+use crate::numerics::V3;
+use crate::system::{SolvedSystem, SystemFile};
+
+/// What an audit of a file says.
+#[derive(Debug, Clone)]
+pub struct Audit {
+    /// The file.
+    pub file: String,
+    /// Its text.
+    pub text: String,
+    /// The program that it is for.
+    pub program: Program,
+    /// What was left out, as asked for.
+    pub left_out: Vec<String>,
+    /// The lines at rest, with what their segments and the program's convention cost.
+    pub lines: Vec<LineAudit>,
+    /// Where the program's ways to rest stop.
+    pub starts: Vec<StartAudit>,
+    /// The time step.
+    pub step: Option<StepAudit>,
+    /// What was not judged, and why.
+    pub not_judged: Vec<String>,
+    /// What was found, in the order of its topics.
+    pub findings: Vec<Finding>,
+}
+
+/// Audits a file with this text.
+///
+/// # Errors
+/// All that is wrong with the file or not modelled, each at its row and column.
+pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, Vec<Diagnostic>> {
+    let imported = import::read(text, file, options)?;
+    let to_diagnostics = |faults: Vec<import::fault::Fault>| {
+        let all = faults.iter().map(|fault| fault.diagnostic(file, text));
+        all.collect::<Vec<_>>()
+    };
+    let mooring = import::mooring(text, file)?;
+    let sea = sea_of(&mooring, options).map_err(to_diagnostics)?;
+    let mut audit = Audit {
+        file: file.to_owned(),
+        text: text.to_owned(),
+        program: mooring.program,
+        left_out: options.without.clone(),
+        lines: Vec::new(),
+        starts: Vec::new(),
+        step: None,
+        not_judged: Vec::new(),
+        findings: Vec::new(),
+    };
+    contradictions::find(&mooring, &sea, &mut audit.findings);
+    let solved = match kind::parse::<SystemFile>(&imported.text, file) {
+        Ok(solved) => Some(solved),
+        Err(found) => {
+            for one in &found {
+                let one = imported.at_its_row(one, text);
+                audit.findings.push(
+                    Finding::new(Topic::Equilibrium, &one.key, &one.problem, &one.remedy)
+                        .at(&one.span),
+                );
+            }
+            None
+        }
+    };
+    if let Some(solved) = &solved {
+        contradictions::find_at_rest(&mooring, solved, &mut audit.findings);
+    }
+    if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) {
+        settings::find(&mooring, &sea, text, &mut audit.findings);
+    }
+    divided(&mooring, &sea, solved.as_ref(), &mut audit);
+    audit
+        .findings
+        .sort_by_key(|finding| (finding.topic, finding.span.as_ref().map(|span| span.start)));
+    Ok(audit)
+}
+
+/// What the division into lumped masses costs, where the file is divided.
+fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, audit: &mut Audit) {
+    let exact: Vec<Option<ExactLine<'_>>> = match solved {
+        Some(solved) => ExactLine::all(mooring, solved),
+        None => Vec::new(),
+    };
+    let is_divided = matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1);
+    if !is_divided || mooring.lines.is_empty() {
+        audit.lines = mesh::exact_lines(mooring, &exact);
+        return;
+    }
+    if mooring.sea.current.is_some() || mooring.sea.waves.is_some() {
+        audit
+            .not_judged
+            .push("Currents and waves during the relaxation.".to_owned());
+    }
+    if mooring.sea.depth_file.is_some() {
+        audit
+            .not_judged
+            .push("Start, time step and segments: the bed is a grid of depths.".to_owned());
+        audit.lines = mesh::exact_lines(mooring, &exact);
+        return;
+    }
+    let model = match lumped::build::lumped(mooring, sea, 1) {
+        Ok(model) => model,
+        Err(why) => {
+            audit
+                .not_judged
+                .push(format!("Start, time step and segments: {why}."));
+            audit.lines = mesh::exact_lines(mooring, &exact);
+            return;
+        }
+    };
+    let near = near_rest(&model, &exact);
+    let rest = match lumped::equilibrium::at_rest(&model, &near) {
+        Ok(rest) => rest,
+        Err(why) => {
+            audit.not_judged.push(format!(
+                "Start, time step and segments: the lumped masses were not brought to rest ({why})."
+            ));
+            audit.lines = mesh::exact_lines(mooring, &exact);
+            return;
+        }
+    };
+    audit.lines = mesh::lines(mooring, sea, &exact, (&model, &rest), audit);
+    start::find(mooring, &model, &rest, audit);
+    step::find(mooring, &model, &rest, audit);
+}
+
+/// The nodes of a model where the lines are at rest; of lines without equilibrium where the file has them.
+fn near_rest(model: &LumpedModel, exact: &[Option<ExactLine<'_>>]) -> Vec<V3> {
+    let mut near = model.start.clone();
+    for (line, exact) in model.lines.iter().zip(exact) {
+        let Some(exact) = exact else { continue };
+        let last = line.nodes.len() - 1;
+        for (k, node) in line.nodes.iter().enumerate() {
+            if model.free[*node] || model.holds_bodies {
+                near[*node] = exact.at(k as f64 / last as f64).0;
+            }
+        }
+    }
+    near
+}

@@ -1,0 +1,61 @@
+//! `seacable audit`: a second opinion on a file of another program.
+
+use std::{path::PathBuf, process::ExitCode};
+
+use super::{
+    CommandError,
+    import::ImportArgs,
+    output::{self, FileFormat, OutputFile},
+};
+use crate::{audit, files, import, report::audit as page};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct AuditArgs {
+    /// The file of another program.
+    #[arg(value_name = "FILE")]
+    pub(super) file: PathBuf,
+
+    /// Write the findings as a table to this file.
+    #[arg(long, value_name = "FINDINGS.csv")]
+    pub(super) csv: Option<PathBuf>,
+
+    /// Replace the file if it exists.
+    #[arg(long, requires = "csv")]
+    pub(super) force: bool,
+
+    /// Restrict the page to ASCII.
+    #[arg(long)]
+    pub(super) ascii: bool,
+
+    #[command(flatten)]
+    pub(super) import: ImportArgs,
+}
+
+pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
+    let inputs = [args.file.clone()];
+    let file = OutputFile::check(args.csv.as_deref(), args.force, &inputs)?;
+    let text = files::read_lossy(&args.file).map_err(|error| {
+        CommandError::Usage(format!("Reading {} failed: {error}", args.file.display()))
+    })?;
+    if !import::is_foreign_file(&args.file, &text) {
+        let what = format!(
+            "{} is not a file of MoorDyn, MoorPy or MAP++, and no design in YAML.",
+            args.file.display()
+        );
+        return Err(CommandError::Usage(what));
+    }
+    let name = args.file.display().to_string();
+    let audit = audit::audit(&text, &name, &args.import.options());
+    let audit = audit.map_err(CommandError::invalid_file(&args.file))?;
+    if let Some(file) = file {
+        let mut rows = Vec::new();
+        page::findings(&audit)
+            .write_csv(&mut rows)
+            .map_err(|error| {
+                CommandError::Usage(format!("The findings were not written: {error}"))
+            })?;
+        file.write(&rows, FileFormat::Text)?;
+    }
+    output::results(&page::page(&audit), args.ascii)?;
+    Ok(ExitCode::SUCCESS)
+}
