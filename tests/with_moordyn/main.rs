@@ -23,12 +23,16 @@ use seacable::system::motion::run::{MotionRun, run};
 
 use systems::{SYSTEMS, System};
 
-/// Length of the runs, of the ramp of their motions, and of the steps of the table \[s\].
+/// Length of the runs and of the ramp of their motions \[s\].
 const DURATION: f64 = 40.0;
 const RAMP: f64 = 8.0;
+/// Steps of the table of motion here \[s\].
 const STEP: f64 = 0.01;
-/// Rows of the table that MoorDyn prints one of.
-const PRINTED: usize = 10;
+/// Steps of the table for MoorDyn, in which coupled points move at a constant velocity and that changes at once between them: in steps of
+/// 10 ms the waves that this sends along a chain are 1 % of its tension.
+const COUPLING: f64 = 0.001;
+/// Interval of the tensions that are compared \[s\].
+const PRINTED: f64 = 0.1;
 /// Difference by the peak that counts as the same.
 const SAME: f64 = 0.005;
 
@@ -45,11 +49,11 @@ fn moved(system: &System, time: f64) -> Vec<f64> {
     .collect()
 }
 
-fn table(system: &System) -> String {
+fn table(system: &System, interval: f64) -> String {
     let mut text = String::new();
     let mut step = 0;
-    while f64::from(step) * STEP <= DURATION + 1e-9 {
-        let time = f64::from(step) * STEP;
+    while f64::from(step) * interval <= DURATION + 1e-9 {
+        let time = f64::from(step) * interval;
         write!(text, "{time}").unwrap();
         for coordinate in moved(system, time) {
             write!(text, " {coordinate}").unwrap();
@@ -67,6 +71,7 @@ fn by_moordyn(file: &Path, table: &Path) -> Vec<Vec<f64>> {
     let done = Command::new(&python)
         .arg(&script)
         .args([file, table])
+        .arg((PRINTED / COUPLING).round().to_string())
         .output()
         .unwrap();
     let messages = String::from_utf8_lossy(&done.stderr);
@@ -88,8 +93,7 @@ fn here(file: &Path, table: &Path) -> MotionRun {
     };
     let name = file.display().to_string();
     let imported = import::read(&text, &name, &options).unwrap();
-    let interval = STEP * PRINTED as f64;
-    let text = format!("{}\n[output]\ninterval_s = {interval:?}\n", imported.text);
+    let text = format!("{}\n[output]\ninterval_s = {PRINTED:?}\n", imported.text);
     let solved = kind::parse::<SystemFile>(&text, &name).unwrap();
     let mut given = solved.file.solver.clone().unwrap();
     given.error_estimate = false;
@@ -108,15 +112,19 @@ fn eight_systems_move_as_in_moordyn() {
         "system               line  peak, kN  rms, % of peak  greatest, %  mean, %\n".to_owned();
     let mut worst: f64 = 0.0;
     for system in SYSTEMS {
-        let motion = folder.join("motion.txt");
-        fs::write(&motion, table(system)).unwrap();
+        let [motion, coupling] =
+            [("motion.txt", STEP), ("coupling.txt", COUPLING)].map(|(name, interval)| {
+                let path = folder.join(name);
+                fs::write(&path, table(system, interval)).unwrap();
+                path
+            });
         let write = |finer: usize| {
             let path = folder.join(format!("{}-{finer}.dat", system.name));
             fs::write(&path, system.text(finer)).unwrap();
             path
         };
         let (coarse, fine) = (write(1), write(2));
-        let [one, two] = [&coarse, &fine].map(|file| by_moordyn(file, &motion));
+        let [one, two] = [&coarse, &fine].map(|file| by_moordyn(file, &coupling));
         let run = here(&fine, &motion);
         for line in 0..system.lines {
             let name = format!("tension_n[line{}|b]", line + 1);

@@ -1,9 +1,9 @@
 """Runs a file of MoorDyn along a table of motion, and prints the tensions of all lines.
 
-    python march.py FILE TABLE
+    python march.py FILE TABLE EVERY
 
-The table has a row for each step: the time in s and the coordinates of every coupled point in m. A row is printed for every tenth
-step: the time and FairTen of each line in N. MoorDyn's own messages go to standard error.
+The table has a row for each step: the time in s and the coordinates of every coupled point in m. A row is printed for one of EVERY
+steps: the time and FairTen of each line in N. MoorDyn's own messages go to standard error.
 """
 
 import os
@@ -11,7 +11,7 @@ import sys
 
 
 def main():
-    path, table = sys.argv[1:3]
+    path, table, every = sys.argv[1], sys.argv[2], int(sys.argv[3])
     rows = [[float(word) for word in line.split()] for line in open(table)]
     # The library writes its messages to standard output.
     printed = os.dup(1)
@@ -25,7 +25,7 @@ def main():
     lines = [moordyn.GetLine(system, k + 1) for k in range(moordyn.GetNumberLines(system))]
     out = os.fdopen(printed, "w")
     for step, (now, then) in enumerate(zip(rows, rows[1:])):
-        if step % 10 == 0:
+        if step % every == 0:
             tensions = [moordyn.GetLineFairTen(line) for line in lines]
             print(*map(repr, [now[0], *tensions]), file=out)
         length = then[0] - now[0]

@@ -48,7 +48,7 @@ impl System {
         }
         text += &format!(
             "--- OPTIONS ---\n{} dtM\nRK4 tScheme\n{} WtrDpth\n1025 WtrDnsty\n9.80665 g\n1e5 kBot\n1e4 cBot\n1 ICgenDynamic\n20 dtIC\n\
-             150 TmaxIC\n2 CdScaleIC\n1e-5 threshIC\n--- need this line ---\n",
+             300 TmaxIC\n80 CdScaleIC\n1e-7 threshIC\n--- need this line ---\n",
             0.001 / finer as f64,
             self.depth
         );
