@@ -181,6 +181,80 @@ fn slow_motion_meets_the_static_and_fast_motion_the_dynamic_stiffness() {
     }
 }
 
+/// The mean strain of a Syrope rope on its working curve by an equation of its own, `(S + F) w x' = K (e - x) + F e'` with
+/// `w = 1 - T_m'(x) / K`, which the classical Runge-Kutta method solves in this many steps from rest.
+fn syrope_equation(
+    mean: impl Fn(f64) -> (f64, f64),
+    strain: impl Fn(f64) -> (f64, f64),
+    (duration, steps): (f64, u32),
+) -> f64 {
+    let rate = |t: f64, x: f64| {
+        let ((tension, slope), (e, de)) = (mean(x), strain(t));
+        let fast = 1.6e8 + 23.0 * tension;
+        (fast * (e - x) + 1e8 * de) / ((5e10 + 1e8) * (1.0 - slope / fast))
+    };
+    let (mut x, h) = (strain(0.0).0, duration / f64::from(steps));
+    for step in 0..steps {
+        let t = f64::from(step) * h;
+        let k1 = rate(t, x);
+        let k2 = rate(t + 0.5 * h, x + 0.5 * h * k1);
+        let k3 = rate(t + 0.5 * h, x + 0.5 * h * k2);
+        let k4 = rate(t + h, x + h * k3);
+        x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+    }
+    x
+}
+
+/// Mean strains of Syrope ropes against their equation, whose own error is below 1e-10 by steps half as long.
+#[test]
+fn a_syrope_rope_follows_its_equation() {
+    // The tension and its slope by the mean strain on the working curves from 0.006 to the greatest past strain of 0.02.
+    let (peak, greatest, width) = (0.02, 1.3e6, 0.7 * 0.02);
+    let place = |x: f64| (x - (peak - width)) / width;
+    type Curve = fn(f64) -> (f64, f64);
+    let shapes: [(CurveShape, Curve); 3] = [
+        (CurveShape::Linear, |s| (s, 1.0)),
+        (CurveShape::Quadratic(0.8), |s| {
+            (0.8 * s * s + 0.2 * s, 1.6 * s + 0.2)
+        }),
+        (CurveShape::Exponential(1.5), |s| {
+            let whole = 1.5_f64.exp() - 1.0;
+            (
+                ((1.5 * s).exp() - 1.0) / whole,
+                1.5 * (1.5 * s).exp() / whole,
+            )
+        }),
+    ];
+    let strain = |t: f64| 0.013 + 0.001 * (0.05 * t).sin();
+    let strain_and_rate = |t: f64| (strain(t), 0.001 * 0.05 * (0.05 * t).cos());
+    for (shape, curve) in shapes {
+        let mean = |x: f64| {
+            let (value, slope) = curve(place(x));
+            (greatest * value, greatest * slope / width)
+        };
+        let rope = syrope(shape);
+        for duration in [20.0, 100.0, 400.0] {
+            let own = |steps| syrope_equation(mean, strain_and_rate, (duration, steps));
+            let (expected, coarse) = (own(40_000), own(20_000));
+            assert!(
+                (coarse / expected - 1.0).abs() < 1e-10,
+                "{coarse} {expected}"
+            );
+            let steps = 40_000;
+            let dt = duration / f64::from(steps);
+            let (now, tension) = marched(&rope, rope.begin(strain(0.0)), steps, dt, strain);
+            let off = now.mean / expected - 1.0;
+            assert!(off.abs() < 1e-6, "{shape:?} {duration}: {off:e}");
+            // The tension that the parts in series share.
+            let ((level, _), (e, de)) = (mean(expected), strain_and_rate(duration));
+            let fast = 1.6e8 + 23.0 * level;
+            let slow_rate = (fast * (e - expected) + 1e8 * de) / (5e10 + 1e8);
+            let shared = level + 5e10 * slow_rate;
+            assert!((tension / shared - 1.0).abs() < 1e-6, "{tension} {shared}");
+        }
+    }
+}
+
 /// The midpoint rule is of second order, also with both dampers and a table.
 #[test]
 fn the_mean_strain_is_of_second_order() {
