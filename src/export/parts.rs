@@ -133,17 +133,17 @@ impl Writer<'_> {
 
     fn body(&self, number: usize, inputs: &BodyInputs) -> BodyRow {
         let density = self.solved.file.environment.water_density_kg_per_m3;
-        let (place, angles) = match self.options.at_rest {
+        let given = &self.solved.network.bodies[number].pose;
+        let (place, pose) = match self.options.at_rest {
             true => {
                 let pose = &self.solved.rest.placement.bodies[number];
-                let angles = pose.angles().map(|angle| rounded(angle.to_degrees()));
-                (pose.origin.map(rounded).into(), angles)
+                (pose.origin.map(rounded).into(), pose)
             }
-            false => (
-                inputs.position_m,
-                [inputs.roll_deg, inputs.pitch_deg, inputs.yaw_deg],
-            ),
+            false => (inputs.position_m, given),
         };
+        let angles = pose
+            .angles_roll_first()
+            .map(|angle| rounded(angle.to_degrees()) + 0.0);
         let three = |of: &[f64]| std::array::from_fn(|k| of.get(k).copied().unwrap_or(0.0));
         let displaced = density * inputs.volume_m3;
         let added: [f64; 3] = three(&inputs.added_mass);

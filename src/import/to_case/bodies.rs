@@ -2,8 +2,9 @@
 
 use super::Context;
 use super::case_text::{CaseText, number, numbers};
-use crate::import::mooring::{Body, Given, Hold, Program, Rod, RodType};
+use crate::import::mooring::{Body, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
+use crate::system::pose::Pose;
 
 /// Mass, centre of gravity and inertia about it.
 struct MassOf {
@@ -52,12 +53,10 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
         &body.place[0].span,
         "X0 Y0 Z0",
     );
-    for (key, angle) in ["roll_deg", "pitch_deg", "yaw_deg"]
-        .iter()
-        .zip(&body.angles)
-    {
-        if angle.value != 0.0 {
-            case.given(key, &number(angle.value), &angle.span, "");
+    let keys = ["roll_deg", "pitch_deg", "yaw_deg"];
+    for ((key, angle), given) in keys.iter().zip(yaw_first(body)).zip(&body.angles) {
+        if angle != 0.0 {
+            case.given(key, &number(angle), &given.span, "r0 p0 y0");
         }
     }
     if body.hold.value == Hold::Coupled {
@@ -65,8 +64,9 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
     }
     let rods: Vec<(usize, &Rod)> = rods_on(context, number_of);
     if body.hold.value == Hold::Free {
-        inertia(case, context, body, &rods);
-        water(case, context, body);
+        let points = points_on(context, number_of);
+        inertia(case, context, body, (&rods, &points));
+        water(case, context, body, &points);
     }
     for (_, rod) in &rods {
         let header = format!("[[bodies.{}.members]]", context.names.bodies[number_of]);
@@ -87,6 +87,17 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
     }
 }
 
+/// The angles of a body \[deg\] in the order of a case: yaw first, where `MoorDyn` has roll first.
+fn yaw_first(body: &Body) -> [f64; 3] {
+    let given = body.angles.each_ref().map(|angle| angle.value);
+    // One angle alone is the same in every order.
+    if given.iter().filter(|angle| **angle != 0.0).count() < 2 {
+        return given;
+    }
+    let pose = Pose::of_roll_first(V3::zeros(), given.map(f64::to_radians));
+    pose.angles().map(f64::to_degrees)
+}
+
 /// The rods on a body that have a length.
 fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
     let rods = context.mooring.rods.iter().enumerate();
@@ -94,9 +105,31 @@ fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
         .collect()
 }
 
-/// Mass, centre of gravity, moments of inertia of a body and of the rods on it.
-fn inertia(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, rods: &[(usize, &Rod)]) {
-    if rods.is_empty() {
+/// The points on a body, whose mass and volume MoorDyn adds to those of the body.
+fn points_on<'m>(context: &Context<'m>, body: usize) -> Vec<&'m Point> {
+    let points = context.mooring.points.iter();
+    points
+        .filter(|point| point.hold.value == Hold::Body(body))
+        .collect()
+}
+
+/// The place of a point \[m\], of one on a body in the frame of the body.
+fn place_of(point: &Point) -> V3 {
+    V3::from(point.place.each_ref().map(|given| given.value))
+}
+
+/// Mass, centre of gravity, moments of inertia of a body and of the rods and points on it.
+fn inertia(
+    case: &mut CaseText<'_>,
+    context: &Context<'_>,
+    body: &Body,
+    (rods, points): (&[(usize, &Rod)], &[&Point]),
+) {
+    let points: Vec<&&Point> = points
+        .iter()
+        .filter(|point| point.mass.value > 0.0)
+        .collect();
+    if rods.is_empty() && points.is_empty() {
         case.given("mass_kg", &number(body.mass.value), &body.mass.span, "Mass");
         if body.centre.value != [0.0; 3] {
             let centre = numbers(&body.centre.value);
@@ -114,8 +147,16 @@ fn inertia(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, rods: &[
     for (_, rod) in rods {
         parts.push(mass_of(rod, &context.mooring.rod_types[rod.of_type.value]));
     }
+    parts.extend(points.iter().map(|point| MassOf {
+        mass: point.mass.value,
+        centre: place_of(point),
+        inertia: nalgebra::Matrix3::zeros(),
+    }));
     let whole = together(&parts);
-    let what = "with the rods on it";
+    let what = match points.is_empty() {
+        true => "with the rods on it",
+        false => "with the rods and points on it",
+    };
     case.given("mass_kg", &number(whole.mass), &body.mass.span, what);
     let centre = numbers(whole.centre.as_slice());
     case.given("centre_of_gravity_m", &centre, &body.centre.span, what);
@@ -162,39 +203,56 @@ fn together(parts: &[MassOf]) -> MassOf {
     }
 }
 
-/// Volume, added mass and drag of a body. `MoorDyn` lets weight and buoyancy act at the same point.
-fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
-    let volume = body.volume.value;
+/// Volume, added mass and drag of a body and of the points on it. `MoorDyn` lets weight and buoyancy of the body act at the same point;
+/// drag and added mass of its points act here at its origin.
+fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, points: &[&Point]) {
+    let of_points: f64 = points.iter().map(|point| point.volume.value).sum();
+    let volume = body.volume.value + of_points;
     if volume > 0.0 {
-        case.given("volume_m3", &number(volume), &body.volume.span, "Volume");
-        if body.centre.value != [0.0; 3] {
-            let centre = numbers(&body.centre.value);
+        let with = |what: &str| match of_points > 0.0 {
+            true => format!("{what}, with the points on it"),
+            false => what.to_owned(),
+        };
+        case.given(
+            "volume_m3",
+            &number(volume),
+            &body.volume.span,
+            &with("Volume"),
+        );
+        let centre = centre_of_buoyancy(body, points, volume);
+        if centre != V3::zeros() {
             case.given(
                 "centre_of_buoyancy_m",
-                &centre,
+                &numbers(centre.as_slice()),
                 &body.centre.span,
-                "CG, as in MoorDyn",
+                &with("CG, as in MoorDyn"),
             );
         }
+        let of_points: f64 = points
+            .iter()
+            .map(|point| point.added_mass.value * point.volume.value)
+            .sum();
         let added = body
             .added_mass
             .value
-            .map(|ca| ca * volume * context.sea.density);
+            .map(|ca| (ca * body.volume.value + of_points) * context.sea.density);
         if added != [0.0; 3] {
             let six = [added[0], added[1], added[2], 0.0, 0.0, 0.0];
             case.given(
                 "added_mass",
                 &numbers(&six),
                 &body.added_mass.span,
-                "Ca on the volume",
+                &with("Ca on the volume"),
             );
         }
     }
+    let of_points: f64 = points.iter().map(|point| point.drag_area.value).sum();
     let area = body.drag_area.value;
-    if area[..3] != [0.0; 3] {
+    let along = [0, 1, 2].map(|axis| area[axis] + of_points);
+    if along != [0.0; 3] {
         case.given(
             "drag_area_m2",
-            &numbers(&area[..3]),
+            &numbers(&along),
             &body.drag_area.span,
             "CdA",
         );
@@ -208,6 +266,19 @@ fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
             &body.drag_area.span,
             "CdA about its axes",
         );
+    }
+}
+
+/// Where the buoyancy of a body and of the points on it acts \[m\], in the frame of the body.
+fn centre_of_buoyancy(body: &Body, points: &[&Point], volume: f64) -> V3 {
+    let centre = V3::from(body.centre.value);
+    let floating = points.iter().filter(|point| point.volume.value > 0.0);
+    let moment: V3 = floating
+        .map(|point| place_of(point) * point.volume.value)
+        .sum();
+    match moment == V3::zeros() && volume == body.volume.value {
+        true => centre,
+        false => (centre * body.volume.value + moment) / volume,
     }
 }
 

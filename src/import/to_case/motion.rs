@@ -4,6 +4,8 @@ use std::path::Path;
 
 use super::case_text::{CaseText, number, numbers};
 use crate::import::mooring::{Hold, Mooring};
+use crate::numerics::V3;
+use crate::system::pose::Pose;
 
 /// Greatest distance \[m\] of the first row from the places in the file, for coordinates to be those of the parts.
 const NEAR: f64 = 0.5;
@@ -204,21 +206,45 @@ impl Motion {
                 .flat_map(|(_, first)| first + 3..first + 6)
                 .collect(),
         };
-        if in_degrees || angles.is_empty() {
+        if angles.is_empty() {
             return;
         }
+        if in_degrees {
+            return self.angles_yaw_first(&angles);
+        }
         let mut turns = false;
-        for column in angles {
-            for value in &mut self.columns[column] {
+        for column in &angles {
+            for value in &mut self.columns[*column] {
                 turns |= *value != 0.0;
                 *value = value.to_degrees();
             }
         }
+        self.angles_yaw_first(&angles);
         if turns {
             self.remarks.push(
                 "Angles of the table of the motion are taken in radians; a head with `deg` says otherwise."
                     .to_owned(),
             );
+        }
+    }
+}
+
+impl Motion {
+    /// Turns the angles in these columns \[deg\], three a body, from roll first, as MoorDyn takes them, into yaw first.
+    fn angles_yaw_first(&mut self, columns: &[usize]) {
+        for three in columns.chunks_exact(3) {
+            let &[roll, pitch, yaw] = three else { continue };
+            for row in 0..self.times.len() {
+                let given = [roll, pitch, yaw].map(|column| self.columns[column][row]);
+                if given.iter().filter(|angle| **angle != 0.0).count() < 2 {
+                    continue;
+                }
+                let pose = Pose::of_roll_first(V3::zeros(), given.map(f64::to_radians));
+                let angles = pose.angles().map(f64::to_degrees);
+                for (column, angle) in three.iter().zip(angles) {
+                    self.columns[*column][row] = angle;
+                }
+            }
         }
     }
 }

@@ -40,6 +40,7 @@ pub fn leave_out(
     }
     let mut all = context.mooring.unmodelled.clone();
     all.extend(pinned(context));
+    all.extend(loads(context));
     all.extend(failures(context));
     all.extend(clamps(context));
     all.sort_by_key(|one| one.span.start);
@@ -84,6 +85,26 @@ fn pinned(context: &Context<'_>) -> Vec<Unmodelled> {
             span: hold.span.clone(),
             key: format!("{table}, Attachment"),
             what: "what is held and free to turn (pinned)".to_owned(),
+        })
+        .collect()
+}
+
+/// Loads of points on free bodies: as the body turns, their lever does.
+fn loads(context: &Context<'_>) -> Vec<Unmodelled> {
+    let mooring = context.mooring;
+    let is_on_free_body = |hold: &Hold| match hold {
+        Hold::Body(body) => mooring.bodies[*body].hold.value == Hold::Free,
+        _ => false,
+    };
+    let points = mooring.points.iter();
+    points
+        .filter(|point| is_on_free_body(&point.hold.value))
+        .filter_map(|point| point.load.iter().find(|part| part.value != 0.0))
+        .map(|load| Unmodelled {
+            name: "loads",
+            span: load.span.clone(),
+            key: "POINTS, FX FY FZ".to_owned(),
+            what: "a load on a point of a free body".to_owned(),
         })
         .collect()
 }
