@@ -76,7 +76,7 @@ pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, V
         Ok(solved) => Some(solved),
         Err(found) => {
             for one in &found {
-                let one = imported.at_its_row(one, text);
+                let one = imported.at_its_row(one, file, text);
                 audit.findings.push(
                     Finding::new(Topic::Equilibrium, &one.key, &one.problem, &one.remedy)
                         .at(&one.span),

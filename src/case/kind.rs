@@ -55,9 +55,10 @@ pub fn load_as<K: FileKind>(
     if !import::is_foreign_file(path, &text) {
         return loaded::<K>(text, path);
     }
-    let imported = import::read(&text, &path.display().to_string(), options)?;
+    let file = path.display().to_string();
+    let imported = import::read(&text, &file, options)?;
     loaded::<K>(imported.text.clone(), path).map_err(|found| {
-        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, &text);
+        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, &file, &text);
         found.iter().map(at_its_row).collect()
     })
 }

@@ -15,7 +15,14 @@ pub struct Fault {
     pub problem: String,
     /// What would be right.
     pub remedy: String,
+    /// The row of a table that has it.
+    pub row: Option<Part>,
+    /// The row of another table that is not there.
+    pub refers_to: Option<Part>,
 }
+
+/// A row of a table: the title of its section, and its identifier.
+pub type Part = (&'static str, String);
 
 impl Fault {
     /// A fault at these bytes.
@@ -31,6 +38,8 @@ impl Fault {
             key: key.into(),
             problem: problem.into(),
             remedy: remedy.into(),
+            row: None,
+            refers_to: None,
         }
     }
 
@@ -48,6 +57,19 @@ impl Fault {
             span: self.span.clone(),
         }
     }
+}
+
+/// Leaves out the faults of references to rows, or to tables, that have a fault themselves.
+pub fn without_followers(faults: &mut Vec<Fault>) {
+    let all = faults.clone();
+    let same = |one: &Part, other: &Part| one.0 == other.0 && one.1.eq_ignore_ascii_case(&other.1);
+    let is_at_fault = |part: &Part| {
+        all.iter().any(|fault| match &fault.row {
+            Some(row) => same(row, part),
+            None => fault.refers_to.is_none() && fault.key == part.0,
+        })
+    };
+    faults.retain(|fault| !fault.refers_to.as_ref().is_some_and(is_at_fault));
 }
 
 /// Line and column, in characters, both from 1, of a byte of a text.

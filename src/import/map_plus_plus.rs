@@ -3,7 +3,7 @@
 //! Gravity, density and depth come from the program that calls MAP++ and are asked for. A number behind `#` is one that MAP++ solves for:
 //! here it is where the search begins. `repeat` copies all lines about the vertical axis through the origin.
 
-use super::fault::Fault;
+use super::fault::{Fault, without_followers};
 use super::moordyn::holds::{missing, same};
 use super::moordyn::line_types::unique;
 use super::moordyn::parts::type_of;
@@ -99,6 +99,7 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
     if faults.is_empty() {
         return Ok(mooring);
     }
+    without_followers(&mut faults);
     faults.sort_by_key(|fault| fault.span.start);
     Err(faults)
 }
@@ -206,7 +207,10 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
                 .points
                 .iter()
                 .position(|point| same(&point.id, word.text));
-            let point = point.ok_or_else(|| missing(row, column, "node", word.text))?;
+            let point = point.ok_or_else(|| Fault {
+                problem: format!("there is no node `{}`", word.text),
+                ..missing(row, column, Section::Points, word.text)
+            })?;
             Ok(Given::new(Attachment::Point(point), word.span()))
         };
         for flag in &row.words[5..] {
@@ -220,7 +224,7 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
         Ok(Line {
             id: row.words[0].text.to_owned(),
             span: row.row.span(),
-            of_type: type_of(row, 1, &types, "line type")?,
+            of_type: type_of(row, 1, &types, Section::LineTypes)?,
             ends,
             length: row.positive(2)?,
             segments: Given::new(0, row.row.span()),

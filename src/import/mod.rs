@@ -59,17 +59,37 @@ pub struct Imported {
 impl Imported {
     /// A diagnostic of the case at the row of the file that it comes from.
     #[must_use]
-    pub fn at_its_row(&self, found: &Diagnostic, source: &str) -> Diagnostic {
+    pub fn at_its_row(&self, found: &Diagnostic, file: &str, source: &str) -> Diagnostic {
         let line = found.line.max(1) as usize;
         let here = self.from.iter().take(line).rev();
         let span = here.flatten().next().cloned().unwrap_or(0..0);
         let fault = Fault::new(span, &found.key, &found.problem, &found.remedy);
+        if let Some(named) = self.named(found) {
+            return named.diagnostic(file, source);
+        }
         let beside = self.beside.as_ref();
         let fault = match beside.filter(|beside| beside.holds(&fault.span)) {
             Some(beside) => beside.at_its_name(&fault, &fault.key),
             None => fault,
         };
-        fault.diagnostic(&found.file, source)
+        fault.diagnostic(file, source)
+    }
+
+    /// The fault of a file that the case carries with it, such as depths over a grid, where the source names that file.
+    fn named(&self, found: &Diagnostic) -> Option<Fault> {
+        let name = Path::new(&found.file).file_name()?.to_str()?;
+        let mut rows = self.text.lines().zip(&self.from);
+        let (_, from) = rows.find(|(row, _)| row.contains("depth_file") && row.contains(name))?;
+        let at = match found.line {
+            0 => String::new(),
+            line => format!(", line {line}, column {}", found.column),
+        };
+        Some(Fault::new(
+            from.clone()?,
+            "OPTIONS, SeafloorFile",
+            format!("in `{name}`{at}: {}", found.problem),
+            &found.remedy,
+        ))
     }
 }
 
@@ -77,6 +97,7 @@ impl Imported {
 /// begin with.
 #[must_use]
 pub fn is_foreign(text: &str) -> bool {
+    let text = text.trim_start_matches('\u{feff}');
     let lines = || text.lines().map(str::trim_start);
     let is_case = |line: &str| {
         let is_of = |kind: FileType| line.starts_with(&format!("[{}]", kind.table()));

@@ -32,7 +32,7 @@ impl<'t> Word<'t> {
         parts
     }
 
-    /// The number it is, in the ways of C and of Fortran (1.5D3); infinite and NaN are none.
+    /// The number it is, in the ways of C and of Fortran (1.5D3, 1.5+3); infinite and NaN are none.
     #[must_use]
     pub fn number(&self) -> Option<f64> {
         let number = |text: &str| text.parse::<f64>().ok().filter(|value| value.is_finite());
@@ -40,8 +40,12 @@ impl<'t> Word<'t> {
             .text
             .bytes()
             .all(|byte| byte.is_ascii_digit() || b"+-.eEdD".contains(&byte));
+        let of_fortran = || {
+            number(&self.text.replace(['d', 'D'], "e"))
+                .or_else(|| number(&with_exponent(self.text)?))
+        };
         plain
-            .then(|| number(self.text).or_else(|| number(&self.text.replace(['d', 'D'], "e"))))
+            .then(|| number(self.text).or_else(of_fortran))
             .flatten()
     }
 
@@ -92,6 +96,13 @@ impl<'t> Word<'t> {
     }
 }
 
+/// A number whose exponent has a sign and no letter, as Fortran writes and reads it, with the letter.
+fn with_exponent(text: &str) -> Option<String> {
+    let (digits, exponent) = text.split_at(text.rfind(['+', '-'])?);
+    let is_plain = digits.ends_with(|letter: char| letter.is_ascii_digit() || letter == '.');
+    is_plain.then(|| format!("{digits}e{exponent}"))
+}
+
 /// A row of a file: one line of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Row<'t> {
@@ -127,10 +138,10 @@ impl<'t> Row<'t> {
         start..start + self.text.trim().len()
     }
 
-    /// Its words, up to a remark: what follows `#` or `!` at the beginning of a word.
+    /// Its words, up to a remark: what follows `#` or `%` at the beginning of a word, or `!` anywhere.
     #[must_use]
     pub fn words(&self) -> Vec<Word<'t>> {
-        self.up_to(&['#', '!'])
+        self.up_to(&['#', '%', '!'])
     }
 
     /// Its words where `#` marks numbers: up to what follows `!`.
@@ -141,14 +152,15 @@ impl<'t> Row<'t> {
 
     fn up_to(&self, remarks: &[char]) -> Vec<Word<'t>> {
         let mut words = Vec::new();
-        let mut rest = self.text;
+        let mut rest = self.text.split('!').next().unwrap_or_default();
+        let end = rest.len();
         loop {
             let trimmed = rest.trim_start();
             if trimmed.is_empty() || trimmed.starts_with(remarks) {
                 return words;
             }
             let length = trimmed.find(char::is_whitespace).unwrap_or(trimmed.len());
-            let start = self.start + (self.text.len() - trimmed.len());
+            let start = self.start + (end - trimmed.len());
             words.push(Word {
                 text: &trimmed[..length],
                 start,
@@ -186,6 +198,19 @@ mod tests {
         assert_eq!(parts[0].number(), Some(400.0));
         assert_eq!(&text[parts[1].span()], "5");
         assert_eq!(parts[1].whole("x"), Ok(5));
+    }
+
+    #[test]
+    fn remarks_and_exponents_are_those_of_fortran() {
+        let row = Row::all("1.2+9 .25!remark % 7").next().unwrap();
+        let words = row.words();
+        let texts: Vec<&str> = words.iter().map(|word| word.text).collect();
+        assert_eq!(texts, ["1.2+9", ".25"]);
+        assert_eq!(words[0].number(), Some(1.2e9));
+        assert_eq!(words[1].start, 6);
+        let plain = |text| Word { text, start: 0 }.number();
+        assert_eq!(plain("1-2-3"), None);
+        assert_eq!(plain("-5"), Some(-5.0));
     }
 
     #[test]

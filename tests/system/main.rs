@@ -12,6 +12,7 @@ mod discretised;
 mod exported;
 mod floating;
 mod foreign_arrays;
+mod foreign_dialects;
 mod foreign_files;
 mod foreign_yaml;
 mod foreign_yaml_faults;

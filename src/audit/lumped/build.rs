@@ -32,7 +32,7 @@ pub fn lumped(mooring: &Mooring, sea: &SeaOfCase, refined: usize) -> Result<Lump
     let mut model = LumpedModel {
         gravity: sea.gravity,
         density: sea.density,
-        bed_z: sea.depth.map(|depth| -depth),
+        bed_z: sea.depth.map(|depth| -depth.max(deepest(mooring))),
         bed_stiffness: given(&mooring.sea.bed_stiffness, BED[0]),
         bed_damping: given(&mooring.sea.bed_damping, BED[1]),
         ..LumpedModel::default()
@@ -68,6 +68,13 @@ pub fn lumped(mooring: &Mooring, sea: &SeaOfCase, refined: usize) -> Result<Lump
     Ok(model)
 }
 
+/// Depth of the deepest fixed point \[m\], above which `MoorDyn` has no bed.
+fn deepest(mooring: &Mooring) -> f64 {
+    let points = mooring.points.iter();
+    let fixed = points.filter(|point| point.hold.value == Hold::Fixed);
+    fixed.map(|point| -point.place[2].value).fold(0.0, f64::max)
+}
+
 /// Nodes of what lines end at.
 #[derive(Debug, Default)]
 struct EndNodes {
@@ -91,7 +98,7 @@ fn add(model: &mut LumpedModel, mooring: &Mooring, hold: &Hold, place: V3) -> us
             let body = &mooring.bodies[*body];
             let origin = V3::from(body.place.each_ref().map(|given| given.value));
             let angles = body.angles.each_ref().map(|given| given.value.to_radians());
-            let pose = Pose::new(origin, angles[0], angles[1], angles[2]);
+            let pose = Pose::of_roll_first(origin, angles);
             origin + pose.arm(&place)
         }
         _ => place,

@@ -1,7 +1,7 @@
 //! The tables FAILURE, SYROPE IC, CONTROL and EXTERNAL LOADS.
 
 use super::holds::{attachment, missing, same};
-use super::sections::Block;
+use super::sections::{Block, Section};
 use super::table::{Column, Table, TableRow};
 use crate::import::fault::Fault;
 use crate::import::mooring::{Failure, Mooring, PastTension, Unmodelled};
@@ -34,10 +34,21 @@ pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<
                 "give one of them above 0",
             ));
         }
+        let from = attachment(row, 1, mooring)?;
+        let lines = lines(row, 2, mooring)?;
+        let ends_there = |line: &usize| mooring.lines[*line].ends.iter().any(|end| end.value == from.value);
+        if let Some(other) = lines.iter().find(|line| !ends_there(line)) {
+            let id = &mooring.lines[*other].id;
+            return Err(row.fault(
+                2,
+                format!("line {id} does not end at `{}`", row.words[1].text),
+                "name the point or the end of a rod that the line comes off, and lines that end there",
+            ));
+        }
         Ok(Failure {
             span: row.row.span(),
-            from: attachment(row, 1, mooring)?,
-            lines: lines(row, 2, mooring)?,
+            from,
+            lines,
             time: Some(time).filter(|time| time.value > 0.0),
             tension: Some(tension).filter(|tension| tension.value > 0.0),
         })
@@ -91,7 +102,7 @@ fn lines(row: &TableRow<'_, '_>, column: usize, mooring: &Mooring) -> Result<Vec
         let line = mooring.lines.iter().position(|line| same(&line.id, number));
         line.ok_or_else(|| Fault {
             span: part.span(),
-            ..missing(row, column, "line", part.text)
+            ..missing(row, column, Section::Lines, number)
         })
     });
     found.collect()

@@ -49,6 +49,7 @@ impl Files<'_> {
     /// Where a file lies that is named, if it is there.
     #[must_use]
     pub fn path(&self, name: &str) -> Option<PathBuf> {
+        let name = name.trim_matches(['"', '\'']);
         let whole = self.folder.join(name);
         let last = Path::new(name)
             .file_name()

@@ -1,12 +1,13 @@
 //! What holds a point, rod or body, and what lines are attached to, by the words of the tables.
 
+use super::sections::Section;
 use super::table::TableRow;
 use crate::import::fault::Fault;
 use crate::import::mooring::{Attachment, Given, Hold, Mooring};
 
 const FIXED: [&str; 4] = ["fixed", "fix", "anchor", "ground"];
 const COUPLED: [&str; 5] = ["coupled", "vessel", "ves", "cpld", "fairlead"];
-const FREE: [&str; 4] = ["free", "connect", "con", "point"];
+const FREE: [&str; 7] = ["free", "connect", "con", "point", "p", "rod", "r"];
 const PINNED: [&str; 2] = ["pinned", "pin"];
 
 /// What holds a part, by a word such as `Fixed`, `Body2`, `CoupledPinned`.
@@ -40,7 +41,7 @@ pub fn hold(
             .bodies
             .iter()
             .position(|body| same(&body.id, number));
-        Hold::Body(found.ok_or_else(|| missing(row, column, "body", number))?)
+        Hold::Body(found.ok_or_else(|| missing(row, column, Section::Bodies, number))?)
     } else if FIXED.contains(&base) {
         Hold::Fixed
     } else if COUPLED.contains(&base) || base.is_empty() {
@@ -61,7 +62,7 @@ pub fn hold(
 }
 
 /// The number of a turbine in the words of a wind farm: `turbine1`. Without an array of turbines it is coupled.
-fn turbine(word: &str) -> Option<&str> {
+pub fn turbine(word: &str) -> Option<&str> {
     let number = word
         .strip_prefix("turbine")
         .or_else(|| word.strip_prefix('t'))?;
@@ -85,19 +86,23 @@ pub fn attachment(
         .strip_prefix("rod")
         .or_else(|| lower.strip_prefix('r'));
     if let Some(rest) = rod {
-        let (number, end) = match rest.strip_suffix('a') {
-            Some(number) => (number, Some(0)),
-            None => (rest.trim_end_matches('b'), rest.ends_with('b').then_some(1)),
+        let digits = rest
+            .find(|letter: char| !letter.is_ascii_digit())
+            .unwrap_or(rest.len());
+        let (number, end) = rest.split_at(digits);
+        let end = match end {
+            "a" => 0,
+            "b" => 1,
+            _ => {
+                return Err(row.fault(
+                    column,
+                    format!("`{}` does not say which end of the rod", word.text),
+                    format!("write R{number}A or R{number}B"),
+                ));
+            }
         };
-        let end = end.ok_or_else(|| {
-            row.fault(
-                column,
-                format!("`{}` does not say which end of the rod", word.text),
-                format!("write R{number}A or R{number}B"),
-            )
-        })?;
         let found = mooring.rods.iter().position(|rod| same(&rod.id, number));
-        let rod = found.ok_or_else(|| missing(row, column, "rod", number))?;
+        let rod = found.ok_or_else(|| missing(row, column, Section::Rods, number))?;
         return Ok(Given::new(Attachment::Rod(rod, end), word.span()));
     }
     let plain = ["point", "con", "p", "c", "n"];
@@ -109,7 +114,7 @@ pub fn attachment(
         .points
         .iter()
         .position(|point| same(&point.id, number));
-    let point = found.ok_or_else(|| missing(row, column, "point", word.text))?;
+    let point = found.ok_or_else(|| missing(row, column, Section::Points, number))?;
     Ok(Given::new(Attachment::Point(point), word.span()))
 }
 
@@ -121,11 +126,16 @@ pub fn same(id: &str, other: &str) -> bool {
     }
 }
 
-/// A reference to a part that is not there.
-pub fn missing(row: &TableRow<'_, '_>, column: usize, what: &str, number: &str) -> Fault {
-    row.fault(
+/// A reference to a row of a section that is not there.
+pub fn missing(row: &TableRow<'_, '_>, column: usize, section: Section, number: &str) -> Fault {
+    let what = section.of_one();
+    let fault = row.fault(
         column,
         format!("there is no {what} `{number}`"),
         format!("give the number of a {what} of its table"),
-    )
+    );
+    Fault {
+        refers_to: Some((section.title(), number.to_owned())),
+        ..fault
+    }
 }

@@ -7,7 +7,7 @@ use crate::import::fault::Fault;
 use crate::import::mooring::{
     Damping, Given, LineType, Mass, Mooring, Program, RodType, Stiffness, Syrope, Unmodelled,
 };
-use crate::import::words::Word;
+use crate::import::words::{Row, Word};
 
 /// Coefficients of the water: headers have them in another order than the program reads, see [`coefficients_by_name`].
 const COEFFICIENTS: &[&str] = &[
@@ -57,7 +57,7 @@ const ROD_COLUMNS: [Column; 7] = [
 /// Whether the header of a block has a column for bending stiffness: the first version has none.
 #[must_use]
 pub fn is_first_version(block: &Block<'_>) -> bool {
-    let header = block.rows.iter().map(super::Row::words).find(|words| {
+    let header = block.rows.iter().map(Row::words).find(|words| {
         let is = |name: &str| words.iter().any(|word| word.is(name));
         is("EA")
     });
@@ -76,7 +76,7 @@ pub fn read_line_types(
         true => (&COLUMNS_1, 9),
         false => (&COLUMNS, 10),
     };
-    let order = coefficients_by_name(block, first);
+    let order = coefficients_by_name(block, first, faults);
     if !first && order == Order::AddedMassFirst {
         mooring.remarks.push(
             "The header of the line types names Can Cat Cdn Cdt; MoorDyn 2 reads these four columns as Cd Ca CdAx CaAx, by their \
@@ -87,8 +87,9 @@ pub fn read_line_types(
     let table = Table::of(block, columns, required, faults);
     let mut unmodelled = Vec::new();
     let mut found: Vec<LineType> = table.read(faults, |row| {
-        if !first {
-            vortices(row, &mut unmodelled)?;
+        match first {
+            true => nine_columns(row)?,
+            false => vortices(row, &mut unmodelled)?,
         }
         line_type(row, files, first, order)
     });
@@ -145,6 +146,35 @@ pub fn unique<T>(
     });
 }
 
+/// What one of the four coefficients of the water is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Coefficient {
+    DragNormal,
+    AddedNormal,
+    DragTangential,
+    AddedTangential,
+}
+
+use Coefficient::{AddedNormal, AddedTangential, DragNormal, DragTangential};
+
+/// The order in which the second version reads them.
+const DRAG_FIRST: [Coefficient; 4] = [DragNormal, AddedNormal, DragTangential, AddedTangential];
+/// The order in which the first version reads them.
+const ADDED_MASS_FIRST: [Coefficient; 4] =
+    [AddedNormal, AddedTangential, DragNormal, DragTangential];
+
+/// Names in headers.
+const NAMES: [(&str, Coefficient); 8] = [
+    ("Cd", DragNormal),
+    ("Cdn", DragNormal),
+    ("Ca", AddedNormal),
+    ("Can", AddedNormal),
+    ("CdAx", DragTangential),
+    ("Cdt", DragTangential),
+    ("CaAx", AddedTangential),
+    ("Cat", AddedTangential),
+];
+
 /// Which of the four coefficients come first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Order {
@@ -152,23 +182,63 @@ enum Order {
     AddedMassFirst,
 }
 
-/// The order that the header names.
-fn coefficients_by_name(block: &Block<'_>, first: bool) -> Order {
-    let at = |words: &[Word<'_>], names: &[&str]| {
-        words
+/// The order that the header names; a fault where it is none of the two that files have.
+fn coefficients_by_name<'t>(block: &Block<'t>, first: bool, faults: &mut Vec<Fault>) -> Order {
+    let coefficient = |word: &Word<'t>| {
+        let known = NAMES
             .iter()
-            .position(|word| names.iter().any(|name| word.is(name)))
+            .find(|(name, _)| word.is(name.trim_end_matches('*')));
+        known.map(|(_, coefficient)| (*word, *coefficient))
     };
-    let named = block
-        .rows
-        .iter()
-        .map(super::Row::words)
-        .find_map(|words| at(&words, &["Can", "Ca"]).zip(at(&words, &["Cdn", "Cd"])));
-    match named {
-        Some((added_mass, drag)) if drag < added_mass => Order::DragFirst,
-        Some(_) => Order::AddedMassFirst,
-        None if first => Order::AddedMassFirst,
-        None => Order::DragFirst,
+    let named = |row: &Row<'t>| {
+        row.words()
+            .iter()
+            .filter_map(coefficient)
+            .collect::<Vec<_>>()
+    };
+    let header = block.rows.iter().map(named).find(|named| named.len() == 4);
+    let Some(header) = header else {
+        return match first {
+            true => Order::AddedMassFirst,
+            false => Order::DragFirst,
+        };
+    };
+    let order: Vec<Coefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
+    if order == ADDED_MASS_FIRST {
+        return Order::AddedMassFirst;
+    }
+    if order != DRAG_FIRST {
+        let read = if first { ADDED_MASS_FIRST } else { DRAG_FIRST };
+        let names = if first {
+            "Can Cat Cdn Cdt"
+        } else {
+            "Cd Ca CdAx CaAx"
+        };
+        let out_of_place = header
+            .iter()
+            .zip(read)
+            .find(|((_, named), read)| named != read);
+        let word = out_of_place.map_or(header[0].0, |((word, _), _)| *word);
+        faults.push(Fault::new(
+            word.span(),
+            format!("LINE TYPES, {}", word.text),
+            "the header names the coefficients of the water in an order that MoorDyn does not read",
+            format!("columns are read by their order: {names}"),
+        ));
+    }
+    Order::DragFirst
+}
+
+/// Refuses a row with more numbers than the header has names: which of the columns the header leaves out is not known.
+fn nine_columns(row: &TableRow<'_, '_>) -> Result<(), Fault> {
+    let behind = row.words.get(COLUMNS_1.len());
+    match behind.filter(|word| word.number().is_some()) {
+        None => Ok(()),
+        Some(_) => Err(row.fault(
+            COLUMNS_1.len(),
+            format!("the row has more columns than the {} that the header names", COLUMNS_1.len()),
+            "name all columns in the header: the second version of MoorDyn has EI in front of the coefficients of the water",
+        )),
     }
 }
 

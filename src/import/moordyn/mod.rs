@@ -15,9 +15,9 @@ use std::path::Path;
 
 use self::files::Files;
 use self::sections::{Section, Sections};
-use super::fault::Fault;
+use super::fault::{Fault, without_followers};
 use super::map_plus_plus;
-use super::mooring::{Mooring, Program};
+use super::mooring::{Hold, Mooring, Point, Program};
 use super::words::Row;
 
 /// Reads a file. Files that it names are looked for in this folder.
@@ -38,6 +38,11 @@ pub fn read_into(
     start: usize,
     folder: &Path,
 ) -> Result<Mooring, Vec<Fault>> {
+    // Some editors put a mark of the encoding before the first letter.
+    let (text, start) = match text.strip_prefix('\u{feff}') {
+        Some(rest) => (rest, start + '\u{feff}'.len_utf8()),
+        None => (text, start),
+    };
     let sections = Sections::of(text, start);
     if map_plus_plus::is_map(&sections) {
         return map_plus_plus::read(&sections);
@@ -74,6 +79,7 @@ pub fn read_into(
     if faults.is_empty() {
         return Ok(mooring);
     }
+    without_followers(&mut faults);
     faults.sort_by_key(|fault| fault.span.start);
     faults.dedup();
     Err(faults)
@@ -137,7 +143,23 @@ fn assembled(
     if let Some(rows) = block(Section::Options) {
         options::read_options(rows, &files, &mut mooring, faults);
     }
+    without_depth(&mut mooring);
     mooring
+}
+
+/// Takes a depth of 0 for one that is not given, as `MoorDyn` does, which then has the bed at the deepest fixed point.
+fn without_depth(mooring: &mut Mooring) {
+    let is_below = |point: &Point| point.hold.value == Hold::Fixed && point.place[2].value < 0.0;
+    let is_zero = mooring
+        .sea
+        .depth
+        .as_ref()
+        .is_some_and(|depth| depth.value == 0.0);
+    if is_zero && mooring.points.iter().any(is_below) {
+        mooring.sea.depth = None;
+        let remark = "A depth of 0 m is that of the deepest fixed point, as MoorDyn takes it.";
+        mooring.remarks.push(remark.to_owned());
+    }
 }
 
 /// The first row before the tables that says something.

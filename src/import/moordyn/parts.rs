@@ -1,11 +1,12 @@
 //! The tables BODIES, RODS, POINTS, LINES.
 
-use super::holds::{attachment, hold};
+use super::holds::{attachment, hold, turbine};
 use super::line_types::unique;
-use super::sections::Block;
-use super::table::{Column, Table, TableRow};
+use super::sections::{Block, Section};
+use super::table::{Column, Table, TableRow, is_named};
 use crate::import::fault::Fault;
-use crate::import::mooring::{Body, Given, Line, Mooring, Point, Rod};
+use crate::import::mooring::{Body, Given, Hold, Line, Mooring, Point, Rod};
+use crate::import::words::Word;
 
 const BODY_COLUMNS: [Column; 14] = [
     ("ID", &["#", "Name", "Body"]),
@@ -111,29 +112,49 @@ fn body(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Body, Fault> {
         place: row.triple(2)?,
         angles: row.triple(5)?,
         mass: row.not_negative(8)?,
-        centre: counts(row, 9, |numbers| match *numbers {
-            [z] => Some([0.0, 0.0, z]),
-            [x, y, z] => Some([x, y, z]),
-            _ => None,
-        })?,
-        inertia: counts(row, 10, |numbers| match *numbers {
-            [all] => Some([all; 3]),
-            [x, y, z] => Some([x, y, z]),
-            _ => None,
-        })?,
+        centre: counts(
+            row,
+            9,
+            "one number for the height, or three",
+            |numbers| match *numbers {
+                [z] => Some([0.0, 0.0, z]),
+                [x, y, z] => Some([x, y, z]),
+                _ => None,
+            },
+        )?,
+        inertia: counts(
+            row,
+            10,
+            "one number for all axes, or three",
+            |numbers| match *numbers {
+                [all] => Some([all; 3]),
+                [x, y, z] => Some([x, y, z]),
+                _ => None,
+            },
+        )?,
         volume: row.not_negative(11)?,
-        drag_area: counts(row, 12, |numbers| match *numbers {
-            [all] => Some([all; 6]),
-            [along, about] => Some([along, along, along, about, about, about]),
-            [x, y, z] => Some([x, y, z, x, y, z]),
-            [x, y, z, rx, ry, rz] => Some([x, y, z, rx, ry, rz]),
-            _ => None,
-        })?,
-        added_mass: counts(row, 13, |numbers| match *numbers {
-            [all] => Some([all; 3]),
-            [x, y, z] => Some([x, y, z]),
-            _ => None,
-        })?,
+        drag_area: counts(
+            row,
+            12,
+            "one number, two for directions and turns, three for axes, or six",
+            |numbers| match *numbers {
+                [all] => Some([all; 6]),
+                [along, about] => Some([along, along, along, about, about, about]),
+                [x, y, z] => Some([x, y, z, x, y, z]),
+                [x, y, z, rx, ry, rz] => Some([x, y, z, rx, ry, rz]),
+                _ => None,
+            },
+        )?,
+        added_mass: counts(
+            row,
+            13,
+            "one number for all directions, or three",
+            |numbers| match *numbers {
+                [all] => Some([all; 3]),
+                [x, y, z] => Some([x, y, z]),
+                _ => None,
+            },
+        )?,
     })
 }
 
@@ -141,6 +162,7 @@ fn body(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Body, Fault> {
 fn counts<const N: usize>(
     row: &TableRow<'_, '_>,
     column: usize,
+    counts: &str,
     take: impl Fn(&[f64]) -> Option<[f64; N]>,
 ) -> Result<Given<[f64; N]>, Fault> {
     let given = row.bars(column)?;
@@ -149,7 +171,7 @@ fn counts<const N: usize>(
         None => Err(row.fault(
             column,
             format!("there are {} numbers between bars", given.value.len()),
-            "give one for all directions, or one for each",
+            format!("give {counts}"),
         )),
     }
 }
@@ -171,7 +193,7 @@ fn rod(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Rod, Fault> {
     Ok(Rod {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, &types, "rod type")?,
+        of_type: type_of(row, 1, &types, Section::RodTypes)?,
         hold: hold(row, 2, mooring)?,
         ends: [row.triple(3)?, row.triple(6)?],
         segments: whole(row, 9)?,
@@ -190,12 +212,24 @@ pub fn read_points(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
         false => (&POINT_COLUMNS, 9),
     };
     let table = Table::of(block, columns, required, faults);
-    let mut found = table.read(faults, |row| point(row, mooring, has_loads));
+    let mut turbines: Vec<String> = Vec::new();
+    let mut found = table.read(faults, |row| {
+        one_turbine(row, mooring, &mut turbines)?;
+        point(row, mooring, has_loads)
+    });
     unique(&mut found, |one| (&one.id, &one.span), "point", faults);
     mooring.points = found;
 }
 
 fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<Point, Fault> {
+    let numbers = row.words.iter().skip(2).map_while(Word::number).count();
+    if !has_loads && numbers >= 10 {
+        return Err(row.fault(
+            7,
+            format!("the row has {} columns where the header names {}", 2 + numbers, POINT_COLUMNS.len()),
+            "name FX FY FZ in the header, as which MoorDyn takes the columns behind Volume in rows of 12",
+        ));
+    }
     let none = || Given::new(0.0, row.row.span());
     let (load, last) = match has_loads {
         true => (row.triple(7)?, 10),
@@ -204,7 +238,7 @@ fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<P
     Ok(Point {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        hold: hold(row, 1, mooring)?,
+        hold: hold_of_point(row, mooring)?,
         place: row.triple(2)?,
         mass: row.not_negative(5)?,
         volume: row.not_negative(6)?,
@@ -214,11 +248,49 @@ fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<P
     })
 }
 
+/// Refuses points of a second turbine where no array says the places of the turbines: those of the points are about them.
+fn one_turbine(
+    row: &TableRow<'_, '_>,
+    mooring: &Mooring,
+    seen: &mut Vec<String>,
+) -> Result<(), Fault> {
+    let word = row.words[1].text.to_lowercase();
+    let Some(number) = turbine(&word).filter(|_| mooring.turbines == 0) else {
+        return Ok(());
+    };
+    match seen.first() {
+        None => seen.push(number.to_owned()),
+        Some(first) if first != number => {
+            return Err(row.fault(
+                1,
+                format!("points of turbine {first} are about that turbine, those of turbine {number} about another: where the turbines are is not in this file"),
+                "give the array in a RAFT design that names this file as array_mooring, or the points as Body1, Body2 of a table BODIES",
+            ));
+        }
+        Some(_) => {}
+    }
+    Ok(())
+}
+
+/// What holds a point, which has no directions that could be free: on a body it is there, and else it is not pinned.
+fn hold_of_point(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Given<Hold>, Fault> {
+    let given = hold(row, 1, mooring)?;
+    match given.value {
+        Hold::Pinned(held) if matches!(*held, Hold::Body(_)) => Ok(Given::new(*held, given.span)),
+        Hold::Pinned(_) => Err(row.fault(
+            1,
+            "a point cannot be pinned: it has no directions",
+            "write Fixed, Free, Coupled, or Body with the number of a body",
+        )),
+        _ => Ok(given),
+    }
+}
+
 /// Reads the lines.
 pub fn read_lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let length_first = block.rows.iter().take(2).any(|row| {
         let third = row.words().get(2).copied();
-        third.is_some_and(|word| word.is("UnstrLen"))
+        third.is_some_and(|word| is_named(&LINE_COLUMNS[4], word.text))
     });
     let (columns, at): (&[Column], [usize; 4]) = match length_first {
         true => (&LINE_COLUMNS_1, [4, 5, 2, 3]),
@@ -255,7 +327,7 @@ fn line(
     Ok(Line {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, &types, "line type")?,
+        of_type: type_of(row, 1, &types, Section::LineTypes)?,
         ends,
         length: row.positive(length)?,
         segments: divided,
@@ -272,7 +344,7 @@ pub fn type_of(
     row: &TableRow<'_, '_>,
     column: usize,
     types: &[&str],
-    what: &str,
+    section: Section,
 ) -> Result<Given<usize>, Fault> {
     let word = row.words[column];
     let exact = types.iter().position(|name| *name == word.text);
@@ -284,14 +356,15 @@ pub fn type_of(
     found
         .map(|number| Given::new(number, word.span()))
         .ok_or_else(|| {
+            let what = section.of_one();
             let remedy = match types {
                 [] => format!("give a table of {what}s"),
                 names => format!("{what}s are {}", names.join(", ")),
             };
-            row.fault(
-                column,
-                format!("there is no {what} `{}`", word.text),
-                remedy,
-            )
+            let problem = format!("there is no {what} `{}`", word.text);
+            Fault {
+                refers_to: Some((section.title(), word.text.to_owned())),
+                ..row.fault(column, problem, remedy)
+            }
         })
 }

@@ -84,6 +84,20 @@ impl Section {
             Self::Outputs => "OUTPUTS",
         }
     }
+
+    /// What one of its rows is.
+    #[must_use]
+    pub const fn of_one(self) -> &'static str {
+        match self {
+            Self::LineTypes => "line type",
+            Self::RodTypes => "rod type",
+            Self::Bodies => "body",
+            Self::Rods => "rod",
+            Self::Points => "point",
+            Self::Lines => "line",
+            _ => "row",
+        }
+    }
 }
 
 /// A section with its rows, blank ones left out.
@@ -118,6 +132,10 @@ impl<'t> Sections<'t> {
             match title(row.text) {
                 Some(title) => open = sections.begin(&title, row),
                 None if row.is_blank() && row.text.trim().is_empty() => {}
+                None if let Some(fault) = too_few_dashes(&row) => {
+                    sections.faults.push(fault);
+                    open = false;
+                }
                 None if !open => {}
                 None => match sections.blocks.last_mut() {
                     Some(block) => block.rows.push(row),
@@ -177,6 +195,20 @@ fn title(text: &str) -> Option<String> {
         .map(str::to_uppercase)
         .collect();
     Some(words.join(" "))
+}
+
+/// The fault of the title of a section behind one dash or two, which the programs take for a row of the section before.
+fn too_few_dashes(row: &Row<'_>) -> Option<Fault> {
+    let text = row.text.trim();
+    let inner = text.strip_prefix('-')?.strip_suffix('-')?;
+    let title = title(&format!("---{inner}---"))?;
+    let (known, _) = TITLES.iter().find(|(known, _)| title == *known)?;
+    Some(Fault::new(
+        row.span(),
+        *known,
+        "the title of a section stands behind three dashes or more",
+        format!("write `--- {known} ---`"),
+    ))
 }
 
 /// Whether a title comes near to that of a section.

@@ -99,7 +99,10 @@ impl<'t> Table<'t> {
             let read = row.is_complete().and_then(|()| read(&row));
             match read {
                 Ok(item) => all.push(item),
-                Err(fault) => faults.push(fault),
+                Err(fault) => faults.push(Fault {
+                    row: row.words.first().map(|id| (self.title, id.text.to_owned())),
+                    ..fault
+                }),
             }
         }
         all
@@ -142,8 +145,10 @@ impl<'t> TableRow<'_, 't> {
     /// The key of a column in messages.
     #[must_use]
     pub fn key(&self, column: usize) -> String {
-        let name = self.table.columns.get(column).map_or("", |(name, _)| name);
-        format!("{}, {name}", self.table.title)
+        match self.table.columns.get(column) {
+            Some((name, _)) => format!("{}, {name}", self.table.title),
+            None => self.table.title.to_owned(),
+        }
     }
 
     /// The number in a column.
@@ -247,8 +252,10 @@ fn is_count(row: &Row<'_>) -> bool {
             && name.number().is_none() && row.text.to_lowercase().contains("number of"))
 }
 
+/// Whether a row behind a header has the units: `MoorDyn` passes over it whatever it has, but a row of the table has numbers.
 fn is_units(row: &Row<'_>) -> bool {
-    row.text.trim_start().starts_with(['(', '['])
+    let is_in_brackets = row.text.trim_start().starts_with(['(', '[']);
+    is_in_brackets || row.words().iter().all(|word| word.number().is_none())
 }
 
 /// Whether a row names columns: two of its words at least are among their names, and one in three.
@@ -261,7 +268,8 @@ fn is_header(row: &Row<'_>, columns: &[Column]) -> bool {
     known >= 2 && 3 * known >= words.len()
 }
 
-fn is_named((name, others): &Column, word: &str) -> bool {
+/// Whether a header names a column so.
+pub fn is_named((name, others): &Column, word: &str) -> bool {
     let word = word.trim_end_matches(['*', ',']);
     name.trim_end_matches('*').eq_ignore_ascii_case(word)
         || others.iter().any(|other| other.eq_ignore_ascii_case(word))

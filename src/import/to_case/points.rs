@@ -117,7 +117,8 @@ fn held(
         true => "X Y Z; its search begins at the surface",
         false => "X Y Z",
     };
-    case.given("position_m", &numbers(&here), &place[0].span, what);
+    // Most that can be wrong with a place is its height.
+    case.given("position_m", &numbers(&here), &place[2].span, what);
     if kind == "moved"
         && context.motion.moves()
         && let Some(number_of) = number_of
