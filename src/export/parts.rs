@@ -40,6 +40,7 @@ pub fn sheet(
     writer.number_bodies();
     writer.types(refused);
     writer.lines();
+    writer.turning_rods();
     if target == Target::MoorDyn {
         let step = step(solved, &sheet);
         sea::options(solved, step, &mut sheet);
@@ -48,7 +49,7 @@ pub fn sheet(
         .file
         .bodies
         .values()
-        .any(|body| body.kind == BodyKind::Moved)
+        .any(|body| matches!(body.kind, BodyKind::Moved | BodyKind::Pinned))
         || solved
             .file
             .points
@@ -96,7 +97,7 @@ struct Writer<'a> {
     target: Target,
     options: ExportOptions,
     sheet: &'a mut Sheet,
-    /// Numbers of the free bodies by their places in the network.
+    /// Numbers of the bodies that turn by their places in the network.
     bodies: BTreeMap<usize, usize>,
     /// Numbers of the rods by name.
     rods: BTreeMap<String, usize>,
@@ -106,7 +107,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Free bodies in the order in which points name them.
+    /// Bodies that turn, in the order in which points name them.
     fn number_bodies(&mut self) {
         if self.target == Target::MapPlusPlus {
             return;
@@ -119,7 +120,9 @@ impl Writer<'_> {
         for body in of_points.chain(0..network.bodies.len()) {
             let name = &network.bodies[body].name;
             let inputs = self.solved.file.bodies.get(name);
-            if let Some(inputs) = inputs.filter(|inputs| inputs.kind == BodyKind::Free)
+            let turns =
+                |inputs: &&BodyInputs| matches!(inputs.kind, BodyKind::Free | BodyKind::Pinned);
+            if let Some(inputs) = inputs.filter(turns)
                 && !self.bodies.contains_key(&body)
             {
                 let number = self.sheet.bodies.len() + 1;
@@ -154,7 +157,11 @@ impl Writer<'_> {
             false => 0.0,
         };
         BodyRow {
-            hold: "Free",
+            hold: match inputs.kind {
+                // `MoorDyn` has no pin of a body but that of one whose origin it is given.
+                BodyKind::Pinned => "CoupledPinned",
+                _ => "Free",
+            },
             place,
             angles,
             mass: inputs.mass_kg.unwrap_or(0.0),
@@ -243,16 +250,31 @@ impl Writer<'_> {
             .flat_map(|(rod, inputs)| [(rod, inputs, "a"), (rod, inputs, "b")])
             .find(|(rod, _, end)| *name == format!("{rod}-{end}"))?;
         let (rod, end) = (rod.clone(), end.to_uppercase());
-        let number = match self.rods.get(&rod) {
-            Some(number) => *number,
-            None => {
-                let row = self.rod(inputs);
-                self.sheet.rods.push(row);
-                self.rods.insert(rod, self.sheet.rods.len());
-                self.sheet.rods.len()
-            }
-        };
+        let number = self.number_of_rod(&rod, inputs);
         Some(format!("R{number}{end}"))
+    }
+
+    /// The number of a rod, whose row is written the first time.
+    fn number_of_rod(&mut self, rod: &str, inputs: &RodInputs) -> usize {
+        if let Some(number) = self.rods.get(rod) {
+            return *number;
+        }
+        let row = self.rod(inputs);
+        self.sheet.rods.push(row);
+        self.rods.insert(rod.to_owned(), self.sheet.rods.len());
+        self.sheet.rods.len()
+    }
+
+    /// The rods that turn without a line that ends at them.
+    fn turning_rods(&mut self) {
+        if self.target == Target::MapPlusPlus {
+            return;
+        }
+        let solved = self.solved;
+        let turns = |inputs: &RodInputs| matches!(inputs.kind, BodyKind::Free | BodyKind::Pinned);
+        for (name, inputs) in solved.file.rods.iter().filter(|(_, inputs)| turns(inputs)) {
+            self.number_of_rod(name, inputs);
+        }
     }
 
     fn rod(&mut self, inputs: &RodInputs) -> RodRow {
@@ -263,6 +285,7 @@ impl Writer<'_> {
             BodyKind::Held => "Fixed",
             BodyKind::Free => "Free",
             BodyKind::Moved => "Coupled",
+            BodyKind::Pinned => "Pinned",
         };
         RodRow {
             of_type,

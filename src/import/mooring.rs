@@ -266,6 +266,24 @@ pub enum Hold {
     Pinned(Box<Hold>),
 }
 
+impl Hold {
+    /// Whether it is the program that this one is coupled to, of a pin too.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        match self {
+            Self::Coupled => true,
+            Self::Pinned(of) => of.is_coupled(),
+            Self::Free | Self::Fixed | Self::Body(_) => false,
+        }
+    }
+
+    /// Whether a body that is held so has unknowns of its own.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self, Self::Free | Self::Pinned(_))
+    }
+}
+
 /// A rigid body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {

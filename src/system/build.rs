@@ -351,9 +351,10 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
     let pose = Pose::new(V3::from(given.position_m), roll, pitch, yaw);
     Body {
         name: name.to_owned(),
-        motion: (given.kind == BodyKind::Moved).then(|| body_motion(given)),
+        motion: is_moved(given).then(|| body_motion(given)),
         pose,
         free: given.kind == BodyKind::Free,
+        pinned: given.kind == BodyKind::Pinned,
         mass,
         weight: mass * network.gravity,
         centre_of_gravity: V3::from(given.centre_of_gravity_m),
@@ -380,6 +381,12 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         potential_flow: None,
         spins_about: None,
     }
+}
+
+/// Whether a body follows a prescribed motion; of one that is pinned its origin does.
+fn is_moved(given: &BodyInputs) -> bool {
+    let has_motion = || given.amplitude_m != [0.0; 3] || !given.table_time_s.is_empty();
+    given.kind == BodyKind::Moved || given.kind == BodyKind::Pinned && has_motion()
 }
 
 /// A member and its copies about the z axis of its body.

@@ -53,6 +53,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(of_material(material));
     }
+    found.extend(without_unknowns(keys));
     found.extend(bed(keys));
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));
@@ -69,11 +70,14 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
 /// A body by itself: mass, matrices, members, loads by heading.
 fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
-    if body.kind.is(&BodyKind::Free) {
-        found.extend(
-            body.mass_kg
-                .if_missing("a free body needs its mass: add `mass_kg`"),
-        );
+    let needs_mass = match body.kind.value() {
+        Some(BodyKind::Free) => Some("a free body needs its mass: add `mass_kg`"),
+        Some(BodyKind::Pinned) => Some("a pinned body needs its mass: add `mass_kg`"),
+        _ => None,
+    };
+    found.extend(needs_mass.and_then(|remedy| body.mass_kg.if_missing(remedy)));
+    if body.kind.is(&BodyKind::Pinned) {
+        found.extend(pinned(body));
     }
     found.extend(matrix(
         &body.waterplane_stiffness,
@@ -120,6 +124,50 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// Keys that a body which turns about its origin has no use for, or that are not covered for it.
+fn pinned(body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let problem = "is not covered for a pinned body";
+    let remedy = "leave it out, or make the body free";
+    for file in [
+        &body.radiation_file,
+        &body.excitation_file,
+        &body.drift_file,
+        &body.response_file,
+    ] {
+        found.extend(file.if_given(problem, remedy));
+    }
+    found.extend(body.bottom_m.if_given(problem, remedy));
+    let problem =
+        "has no effect: the origin of a pinned body is where its position and its motion have it";
+    found.extend(body.start_offset_m.if_given(problem, "remove it"));
+    let problem = "has no effect: a pinned body is free to turn";
+    let remedy = "remove it, or make the body moved";
+    found.extend(body.amplitude_deg.if_given(problem, remedy));
+    for column in [
+        &body.table_roll_deg,
+        &body.table_pitch_deg,
+        &body.table_yaw_deg,
+    ] {
+        found.extend(column.if_given(problem, remedy));
+    }
+    found
+}
+
+/// A system in which nothing has an equilibrium to be found.
+fn without_unknowns(keys: &SystemKeys<'_>) -> Option<Finding> {
+    let is_held = |kind: &Key<'_, BodyKind>| kind.is(&BodyKind::Held);
+    let bodies = keys.bodies.iter().map(|(_, body)| &body.kind);
+    let rods = keys.rods.iter().map(|(_, rod)| &rod.kind);
+    let all_held = bodies.chain(rods).all(is_held);
+    (keys.lines.is_empty() && all_held).then(|| {
+        keys.place.finding(
+            "nothing in the system moves or comes to an equilibrium",
+            "add [[lines]] with [points.<name>] and [materials.<name>], or a body or rod that is free or pinned",
+        )
+    })
+}
+
 /// A rod without length, or one with the name of a body.
 fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -132,6 +180,11 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
     if keys.bodies.iter().any(|(known, _)| known == name) {
         let problem = format!("there is a body named \"{name}\" too");
         found.push(rod.place.finding(problem, "give the rod another name"));
+    }
+    if rod.kind.is(&BodyKind::Pinned) {
+        let problem = "is not covered for a pinned rod";
+        let remedy = "make it a body of one member, with `load_n` and `moment_n_m`";
+        found.extend(rod.load_n.if_given(problem, remedy));
     }
     for end in rods::ends(name) {
         if keys.points.iter().any(|(known, _)| *known == end) {

@@ -1,4 +1,5 @@
-//! Which numbers of a system are unknown: three of a free point, six of a body.
+//! Which numbers of a system are unknown: three of a free point, six of a body. Of a body that is pinned the first three stay
+//! ([`Contact::Pin`](super::bounds::Contact::Pin)).
 
 use std::sync::Arc;
 
@@ -25,7 +26,7 @@ pub struct Freedoms {
 /// Which bodies are unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnknownBodies {
-    /// The free ones.
+    /// Those that are free or pinned.
     Free,
     /// All of them: for the stiffness of what is held.
     All,
@@ -36,7 +37,7 @@ impl Freedoms {
     #[must_use]
     pub fn of(network: &Network, which: UnknownBodies) -> Self {
         let points = network.points.len();
-        let unknown = |body: usize| network.bodies[body].free || which == UnknownBodies::All;
+        let unknown = |body: usize| network.bodies[body].turns() || which == UnknownBodies::All;
         let part = |point: usize| match &network.points[point].held {
             Held::At(_) => None,
             Held::On(body, _) => unknown(*body).then_some(points + body),

@@ -20,6 +20,7 @@ mod hauled;
 mod motion;
 mod on_bed;
 mod payout;
+mod pinned;
 mod potential_flow;
 mod published;
 mod random;

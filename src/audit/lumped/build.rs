@@ -60,7 +60,7 @@ pub fn lumped(mooring: &Mooring, sea: &SeaOfCase, refined: usize) -> Result<Lump
     model.holds_bodies |= mooring
         .bodies
         .iter()
-        .any(|body| body.hold.value == Hold::Free);
+        .any(|body| matches!(body.hold.value, Hold::Free | Hold::Pinned(_)));
     for line in &mooring.lines {
         add_line(&mut model, mooring, line, &nodes, refined)?;
     }
@@ -107,11 +107,11 @@ fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2
     if rod.is_joint() {
         return [add(model, mooring, hold, V3::from(rod.end(0))); 2];
     }
-    model.holds_bodies |= *hold == Hold::Free;
-    let held = if *hold == Hold::Free {
-        &Hold::Fixed
-    } else {
-        hold
+    model.holds_bodies |= matches!(hold, Hold::Free | Hold::Pinned(_));
+    let held = match hold {
+        Hold::Free => &Hold::Fixed,
+        Hold::Pinned(of) => of,
+        _ => hold,
     };
     [0, 1].map(|end| add(model, mooring, held, V3::from(rod.end(end))))
 }

@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::case_text::{CaseText, number, numbers};
-use crate::import::mooring::{Body, Given, Hold, Program, Rod, RodType};
+use crate::import::mooring::{Body, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
 
 /// Mass, centre of gravity and inertia about it.
@@ -37,6 +37,7 @@ pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
 fn kind_of(hold: &Hold, context: &Context<'_>) -> &'static str {
     match hold {
         Hold::Free => "\"free\"",
+        Hold::Pinned(_) => "\"pinned\"",
         Hold::Coupled if context.motion.moves() => "\"moved\"",
         _ => "\"held\"",
     }
@@ -60,12 +61,13 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
             case.given(key, &number(angle.value), &angle.span, "");
         }
     }
-    if body.hold.value == Hold::Coupled {
-        context.motion.write_body(case, number_of);
+    if body.hold.value.is_coupled() {
+        let is_pinned = body.hold.value != Hold::Coupled;
+        context.motion.write_body(case, number_of, is_pinned);
     }
     let rods: Vec<(usize, &Rod)> = rods_on(context, number_of);
-    if body.hold.value == Hold::Free {
-        inertia(case, context, body, &rods);
+    if body.hold.value.turns() {
+        inertia(case, context, (number_of, body), &rods);
         water(case, context, body);
     }
     for (_, rod) in &rods {
@@ -94,9 +96,21 @@ fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
         .collect()
 }
 
-/// Mass, centre of gravity, moments of inertia of a body and of the rods on it.
-fn inertia(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, rods: &[(usize, &Rod)]) {
-    if rods.is_empty() {
+/// Points on a body that have a mass.
+fn weights_on<'m>(context: &Context<'m>, body: usize) -> impl Iterator<Item = &'m Point> {
+    let points = context.mooring.points.iter();
+    points.filter(move |point| point.hold.value == Hold::Body(body) && point.mass.value > 0.0)
+}
+
+/// Mass, centre of gravity, moments of inertia of a body and of the rods and points on it.
+fn inertia(
+    case: &mut CaseText<'_>,
+    context: &Context<'_>,
+    (number_of, body): (usize, &Body),
+    rods: &[(usize, &Rod)],
+) {
+    let weights: Vec<&Point> = weights_on(context, number_of).collect();
+    if rods.is_empty() && weights.is_empty() {
         case.given("mass_kg", &number(body.mass.value), &body.mass.span, "Mass");
         if body.centre.value != [0.0; 3] {
             let centre = numbers(&body.centre.value);
@@ -114,8 +128,18 @@ fn inertia(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, rods: &[
     for (_, rod) in rods {
         parts.push(mass_of(rod, &context.mooring.rod_types[rod.of_type.value]));
     }
+    for point in &weights {
+        parts.push(MassOf {
+            mass: point.mass.value,
+            centre: V3::from(point.place.each_ref().map(|given| given.value)),
+            inertia: nalgebra::Matrix3::zeros(),
+        });
+    }
     let whole = together(&parts);
-    let what = "with the rods on it";
+    let what = match weights.is_empty() {
+        true => "with the rods on it",
+        false => "with the rods and points on it",
+    };
     case.given("mass_kg", &number(whole.mass), &body.mass.span, what);
     let centre = numbers(whole.centre.as_slice());
     case.given("centre_of_gravity_m", &centre, &body.centre.span, what);

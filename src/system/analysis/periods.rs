@@ -100,7 +100,8 @@ fn unknowns(
         let Some(first) = first.filter(|_| network.bodies[body].mass > 0.0) else {
             continue;
         };
-        own.extend((0..6).map(|direction| MovingUnknown {
+        let first_free = first_direction(&network.bodies[body]);
+        own.extend((first_free..6).map(|direction| MovingUnknown {
             of: Moving::Body(body),
             direction,
             unknown: first + direction,
@@ -126,15 +127,24 @@ fn unknowns(
     (own, inner)
 }
 
+/// The first direction that a body moves in: one that is pinned turns alone.
+fn first_direction(body: &Body) -> usize {
+    if body.pinned { 3 } else { 0 }
+}
+
 /// The masses of the unknowns that have inertia.
 fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatrix<f64> {
     let mut masses = DMatrix::zeros(own.len(), own.len());
     for (k, moving) in own.iter().enumerate() {
         match (moving.of, moving.direction) {
-            (Moving::Body(body), 0) => {
+            (Moving::Body(body), direction)
+                if direction == first_direction(&network.bodies[body]) =>
+            {
                 let pose = &rest.placement.bodies[body];
                 let block = mass_matrix(network, &network.bodies[body], pose);
-                masses.view_mut((k, k), (6, 6)).copy_from(&block);
+                let size = 6 - direction;
+                let block = block.view((direction, direction), (size, size));
+                masses.view_mut((k, k), (size, size)).copy_from(&block);
             }
             (Moving::Body(_), _) => {}
             (Moving::Point(point), direction) => {
@@ -212,6 +222,17 @@ fn most_energy(
     let mut energy = DVector::zeros(own.len());
     for (k, moving) in own.iter().enumerate() {
         match (moving.of, moving.direction) {
+            (Moving::Body(body), 3) if network.bodies[body].pinned => {
+                let (body, pose) = (&network.bodies[body], &rest.placement.bodies[body]);
+                let axes = pose.matrix();
+                let mass = mass_matrix(network, body, pose);
+                let mass = mass.fixed_view::<3, 3>(3, 3);
+                let mass = axes.matrix().transpose() * mass * axes.matrix();
+                let here = axes.matrix().transpose() * motion.fixed_rows::<3>(k);
+                for j in 0..3 {
+                    energy[k + j] = mass[(j, j)] * here[j] * here[j];
+                }
+            }
             (Moving::Body(body), 0) => {
                 let (body, pose) = (&network.bodies[body], &rest.placement.bodies[body]);
                 let mut shift = Matrix6::identity();

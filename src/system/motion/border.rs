@@ -38,7 +38,8 @@ pub struct Border {
 
 /// How an end of a line moves with a body.
 struct Arm {
-    origin: usize,
+    /// The row of its origin; nothing where it is pinned.
+    origin: Option<usize>,
     rotation: usize,
     /// From changes of the rotation vector to the displacement of the end.
     by_turn: M3,
@@ -97,8 +98,8 @@ impl Border {
     #[must_use]
     pub fn new(system: &MovingSystem, state: &SystemState) -> Self {
         let nodes = || state.lines.iter().map(|line| line.x.len());
-        let free = |number: &usize| system.network.bodies[*number].free;
-        let bodies = (0..system.network.bodies.len()).filter(free);
+        let turns = |number: &usize| system.network.bodies[*number].turns();
+        let bodies = (0..system.network.bodies.len()).filter(turns);
         let tangent = |(scene, nodes): (&crate::scene::Scene, usize)| {
             let mut tangent = BlockBand::new(nodes);
             if scene.is_pentadiagonal() {
@@ -145,7 +146,7 @@ impl Border {
         driven.map(|one| one.missed(system, c)).fold(0.0, f64::max)
     }
 
-    /// The free bodies.
+    /// The bodies that turn.
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {
         &self.bodies
@@ -273,9 +274,11 @@ impl Border {
                     self.own[*row] += own[i];
                 }
                 End::Body(arm) => {
-                    self.rows[arm.origin] += left[i];
+                    if let Some(origin) = arm.origin {
+                        self.rows[origin] += left[i];
+                        self.own[origin] += own[i];
+                    }
                     self.rows[arm.rotation] += arm.lever * left[i];
-                    self.own[arm.origin] += own[i];
                     self.own[arm.rotation] += arm.lever * own[i];
                     // The arm turns under the force.
                     let turned = cross(&own[i]) * arm.arm * stiffness;
@@ -298,17 +301,27 @@ impl Border {
             (End::Nothing, _) | (_, End::Nothing) => {}
             (End::Point(row), End::Point(column)) => add(*row, *column, *block),
             (End::Point(row), End::Body(by)) => {
-                add(*row, by.origin, *block);
+                if let Some(origin) = by.origin {
+                    add(*row, origin, *block);
+                }
                 add(*row, by.rotation, block * by.by_turn);
             }
             (End::Body(on), End::Point(column)) => {
-                add(on.origin, *column, *block);
+                if let Some(origin) = on.origin {
+                    add(origin, *column, *block);
+                }
                 add(on.rotation, *column, on.lever * block);
             }
             (End::Body(on), End::Body(by)) => {
-                add(on.origin, by.origin, *block);
-                add(on.origin, by.rotation, block * by.by_turn);
-                add(on.rotation, by.origin, on.lever * block);
+                if let Some(origin) = by.origin {
+                    add(on.rotation, origin, on.lever * block);
+                }
+                if let Some(origin) = on.origin {
+                    add(origin, by.rotation, block * by.by_turn);
+                }
+                if let (Some(row), Some(column)) = (on.origin, by.origin) {
+                    add(row, column, *block);
+                }
                 add(on.rotation, by.rotation, on.lever * block * by.by_turn);
             }
         }
@@ -347,26 +360,29 @@ impl Border {
 
     fn free_bodies(&mut self, system: &MovingSystem, state: &SystemState, c: Factors) {
         for body in &self.bodies {
-            let origin = system.joints.bodies[body.number];
-            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
-            let [Some(first), Some(second)] = rows else {
+            let joints = &system.joints;
+            let rotation = joints.rotations[body.number];
+            let Some(second) = joints.row(rotation) else {
                 continue;
             };
+            let first = joints.row(joints.bodies[body.number]);
             let motion = system.body(state, body.number);
-            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]);
             let around = system.water_around(state, body.number);
             let (residual, tangent) =
                 body.residual(&system.network, &motion, &around, &jacobian, c);
             // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
             let rows = [
                 (first, 0, M3::identity()),
-                (second, 3, jacobian.transpose()),
+                (Some(second), 3, jacobian.transpose()),
             ];
             for (row, from, along) in rows {
+                let Some(row) = row else { continue };
                 let own = along * residual.fixed_rows::<3>(from);
                 self.rows[row] += own;
                 self.own[row] += own;
-                for (column, to) in [(first, 0), (second, 3)] {
+                for (column, to) in [(first, 0), (Some(second), 3)] {
+                    let Some(column) = column else { continue };
                     let block = along * tangent.fixed_view::<3, 3>(from, to);
                     *self.matrix.block(row, column) += block;
                 }
@@ -407,7 +423,10 @@ pub(super) fn set_ends(
         x[node] = match end(system, state, joint) {
             End::Nothing => V3::zeros(),
             End::Point(row) => rows[row],
-            End::Body(arm) => rows[arm.origin] + arm.by_turn * rows[arm.rotation],
+            End::Body(arm) => {
+                let origin = arm.origin.map_or_else(V3::zeros, |origin| rows[origin]);
+                origin + arm.by_turn * rows[arm.rotation]
+            }
         };
     }
 }
@@ -424,7 +443,9 @@ pub(super) fn add_to_rows(
             End::Nothing => {}
             End::Point(row) => rows[row] += left,
             End::Body(arm) => {
-                rows[arm.origin] += left;
+                if let Some(origin) = arm.origin {
+                    rows[origin] += left;
+                }
                 rows[arm.rotation] += arm.lever * left;
             }
         }
@@ -442,18 +463,18 @@ fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
         Follows::Nothing => End::Nothing,
         Follows::Row(row) => End::Point(row),
         Follows::Body(body, at) => {
-            let origin = system.joints.bodies[body];
-            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
-            let [Some(first), Some(second)] = rows else {
+            let joints = &system.joints;
+            let rotation = joints.rotations[body];
+            let Some(row) = joints.row(rotation) else {
                 return End::Nothing;
             };
             let motion: BodyMotion = system.body(state, body);
-            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]);
             let arm = cross(&motion.pose.arm(&at));
             let by_turn = -arm * jacobian;
             End::Body(Arm {
-                origin: first,
-                rotation: second,
+                origin: joints.row(joints.bodies[body]),
+                rotation: row,
                 by_turn,
                 lever: by_turn.transpose(),
                 arm,

@@ -66,7 +66,7 @@ impl MovingSystem {
         let joints = Joints::new(&network);
         let moves = |point: usize| {
             joints.row(joints.points[point]).is_some()
-                || matches!(joints.roles[joints.points[point]], Role::OnBody(body, _) if network.bodies[body].free)
+                || matches!(joints.roles[joints.points[point]], Role::OnBody(body, _) if network.bodies[body].turns())
         };
         for (line, scene) in network.lines.iter().zip(&mut scenes) {
             // An end that other lines and bodies move is no support of this one.
@@ -219,8 +219,12 @@ impl MovingSystem {
     /// Sets what is prescribed at time t \[s\]: points, bodies, and points on such bodies.
     pub fn prescribe(&self, t: f64, state: &mut SystemState) {
         for (number, body) in self.network.bodies.iter().enumerate() {
-            if let (false, Some(motion)) = (body.free, &body.motion) {
-                state.set_body(&self.joints, number, &motion.at(t));
+            let Some(motion) = body.motion.as_ref().filter(|_| !body.free) else {
+                continue;
+            };
+            match body.pinned {
+                true => state.set_pin(&self.joints, number, &motion.at(t)),
+                false => state.set_body(&self.joints, number, &motion.at(t)),
             }
         }
         for joint in 0..self.joints.free.start {
@@ -230,7 +234,7 @@ impl MovingSystem {
                         set(&mut state.joints, joint, motion.at(t));
                     }
                 }
-                Role::OnBody(body, at) if !self.network.bodies[body].free => {
+                Role::OnBody(body, at) if !self.network.bodies[body].turns() => {
                     let motion = state.body(&self.joints, body);
                     set(&mut state.joints, joint, motion.of(&at));
                 }
@@ -267,11 +271,11 @@ impl MovingSystem {
         format!("payout of {}", lines.collect::<Vec<_>>().join(" and "))
     }
 
-    /// Sets what follows the unknowns: points on free bodies, and the ends of the lines.
+    /// Sets what follows the unknowns: points on bodies that turn, and the ends of the lines.
     pub fn follow(&self, state: &mut SystemState) {
         for joint in 0..self.joints.free.start {
             if let Role::OnBody(body, at) = self.joints.roles[joint]
-                && self.network.bodies[body].free
+                && self.network.bodies[body].turns()
             {
                 let motion = state.body(&self.joints, body);
                 set(&mut state.joints, joint, motion.of(&at));
