@@ -281,18 +281,40 @@ impl Writer<'_> {
         let long = (V3::from(inputs.end_b_m) - V3::from(inputs.end_a_m)).norm();
         let coefficients = [inputs.drag_normal, inputs.added_mass_normal];
         let of_type = self.rod_type(inputs.diameter_m, inputs.mass_kg / long, coefficients);
-        let hold = match inputs.kind {
-            BodyKind::Held => "Fixed",
-            BodyKind::Free => "Free",
-            BodyKind::Moved => "Coupled",
-            BodyKind::Pinned => "Pinned",
+        let given = [inputs.end_a_m, inputs.end_b_m];
+        let (hold, ends) = match inputs.kind {
+            BodyKind::Held => ("Fixed".to_owned(), given),
+            BodyKind::Free => ("Free".to_owned(), given),
+            BodyKind::Moved => ("Coupled".to_owned(), given),
+            BodyKind::Pinned => match &inputs.pinned_to {
+                Some(body) => self.pin_on(body, given),
+                None => ("Pinned".to_owned(), given),
+            },
         };
         RodRow {
             of_type,
-            hold: hold.to_owned(),
-            ends: [inputs.end_a_m, inputs.end_b_m],
+            hold,
+            ends,
             segments: ROD_SEGMENTS,
         }
+    }
+
+    /// The word for the pin of a rod on a body, and its ends: in the frame of a body that is written, else where that body has them.
+    fn pin_on(&self, body: &str, ends: [[f64; 3]; 2]) -> (String, [[f64; 3]; 2]) {
+        let network = &self.solved.network;
+        let Some(number) = network.body(body) else {
+            return ("Pinned".to_owned(), ends);
+        };
+        if let Some(written) = self.bodies.get(&number) {
+            return (format!("Body{written}Pinned"), ends);
+        }
+        let pose = &network.bodies[number].pose;
+        let there = ends.map(|end| (pose.origin + pose.arm(&V3::from(end))).into());
+        let word = match network.bodies[number].motion {
+            Some(_) => "CoupledPinned",
+            None => "Pinned",
+        };
+        (word.to_owned(), there)
     }
 
     fn point(&self, number: usize) -> PointRow {

@@ -85,6 +85,11 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             format!("bodies.{name}.kind"),
             "pinned bodies",
         );
+        found.add(
+            body.pinned_to.is_some(),
+            format!("bodies.{name}.pinned_to"),
+            "bodies that are pinned to bodies",
+        );
     }
     for (rod, inputs) in &file.rods {
         let key = |key: &str| format!("rods.{rod}.{key}");
@@ -97,6 +102,12 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             target == Target::MapPlusPlus && inputs.kind == BodyKind::Pinned,
             key("kind"),
             "pinned rods",
+        );
+        let to_rod = inputs.pinned_to.as_ref();
+        found.add(
+            to_rod.is_some_and(|to| file.rods.contains_key(to)),
+            key("pinned_to"),
+            "rods that are pinned to rods",
         );
         found.add(inputs.load_n != [0.0; 3], key("load_n"), "loads on rods");
     }

@@ -270,10 +270,15 @@ impl Hold {
     /// Whether it is the program that this one is coupled to, of a pin too.
     #[must_use]
     pub fn is_coupled(&self) -> bool {
+        *self.base() == Self::Coupled
+    }
+
+    /// What a pin is on, of other holds themselves.
+    #[must_use]
+    pub fn base(&self) -> &Self {
         match self {
-            Self::Coupled => true,
-            Self::Pinned(of) => of.is_coupled(),
-            Self::Free | Self::Fixed | Self::Body(_) => false,
+            Self::Pinned(of) => of.base(),
+            of => of,
         }
     }
 

@@ -20,12 +20,20 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(body_of(keys, point));
         found.extend(outside_water(keys, point));
     }
-    for (_, body) in &keys.bodies {
+    for (name, body) in &keys.bodies {
         found.extend(body_alone(body));
+        found.extend(pinned_to(keys, name, &body.kind, &body.pinned_to));
+        if body.pinned_to.is_given() {
+            let problem = "is not covered for a body that is pinned to another";
+            let remedy = "leave it out, or pin the body to the earth";
+            found.extend(body.amplitude_m.if_given(problem, remedy));
+            found.extend(body.table_time_s.if_given(problem, remedy));
+        }
         found.extend(motion::potential_flow(body));
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));
+        found.extend(pinned_to(keys, name, &rod.kind, &rod.pinned_to));
     }
     for (_, line) in &keys.lines {
         found.extend(ends(keys, line));
@@ -154,6 +162,34 @@ fn pinned(body: &BodyKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// What a body or rod is pinned to: another one, which is not pinned to a third.
+fn pinned_to(
+    keys: &SystemKeys<'_>,
+    name: &str,
+    kind: &Key<'_, BodyKind>,
+    to: &Key<'_, String>,
+) -> Option<Finding> {
+    let known = to.get()?;
+    if !kind.is(&BodyKind::Pinned) {
+        let problem = "is given for a body that is not pinned";
+        return Some(to.finding(problem, "set kind = \"pinned\", or remove it"));
+    }
+    if known == name {
+        return Some(to.finding("is the body itself", "name another body, or remove it"));
+    }
+    let bodies = keys
+        .bodies
+        .iter()
+        .map(|(name, body)| (name, &body.pinned_to));
+    let rods = keys.rods.iter().map(|(name, rod)| (name, &rod.pinned_to));
+    let third = bodies.chain(rods).find(|(other, _)| *other == known);
+    if third.is_some_and(|(_, third)| third.is_given()) {
+        let problem = "is pinned to a third body, which is not covered";
+        return Some(to.finding(problem, "pin both to the same body"));
+    }
+    unknown(to, &body_names(keys), "body", "system")
+}
+
 /// A system in which nothing has an equilibrium to be found.
 fn without_unknowns(keys: &SystemKeys<'_>) -> Option<Finding> {
     let is_held = |kind: &Key<'_, BodyKind>| kind.is(&BodyKind::Held);
@@ -195,8 +231,9 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
             );
         }
     }
+    // Ends in the frame of another body are checked where that has them.
     for end in [&rod.end_a_m, &rod.end_b_m] {
-        found.extend(below_bed(keys, end));
+        found.extend(below_bed(keys, end).filter(|_| !rod.pinned_to.is_given()));
     }
     found
 }

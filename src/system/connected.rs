@@ -25,13 +25,14 @@ pub fn loose(network: &Network) -> Option<Loose> {
             Held::Free(_) => {}
         }
     }
-    for (index, _) in network
+    for (index, body) in network
         .bodies
         .iter()
         .enumerate()
         .filter(|(_, body)| !body.free)
     {
-        groups.join(points + index, earth);
+        let held_by = body.carrier.map_or(earth, |(carrier, _)| points + carrier);
+        groups.join(points + index, held_by);
     }
     for line in &network.lines {
         groups.join(line.from, line.to);

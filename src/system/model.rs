@@ -225,6 +225,7 @@ words! {
 
 const FLOATING: Conditions = &[("kind", &["free"])];
 const TURNING: Conditions = &[("kind", &["free", "pinned"])];
+const PINNED: Conditions = &[("kind", &["pinned"])];
 const CARRIED: Conditions = &[("kind", &["moved", "pinned"])];
 const IN_WAVES: Conditions = &[("kind", &["free", "moved"])];
 
@@ -234,6 +235,8 @@ table! {
     pub struct BodyInputs => BodyKeys {
         /// What holds it.
         kind: BodyKind, "kind";
+        /// The body that its origin is pinned to; its position and angles are then those in the frame of that body.
+        pinned_to: Option<String>, "pinned to", kind Name, absent "the earth", matters PINNED;
         /// Place of its origin; of a free body the place that its hydrostatics refer to, where the search begins.
         position_m: [f64; 3] = [0.0, 0.0, 0.0], "position", range of(-1e6, 1e6);
         /// Turn about x, after the two others.
@@ -329,6 +332,8 @@ table! {
     pub struct RodInputs => RodKeys {
         /// What holds it.
         kind: BodyKind, "kind";
+        /// The body that its end A is pinned to; its ends are then places in the frame of that body.
+        pinned_to: Option<String>, "pinned to", kind Name, absent "the earth", matters PINNED;
         /// Its end A; of a free rod where the search begins.
         end_a_m: [f64; 3], "end A", range of(-1e6, 1e6);
         /// Its end B.

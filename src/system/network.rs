@@ -122,6 +122,8 @@ pub struct Body {
     pub free: bool,
     /// Whether it is pinned: its origin is held or moved, and it is free to turn.
     pub pinned: bool,
+    /// The body that it is pinned to, and where in the frame of that body \[m\]; nothing for the earth.
+    pub carrier: Option<(usize, V3)>,
     /// Mass in air \[kg\] and weight in air \[N\]; zero while a held body does not say its mass.
     pub mass: f64,
     /// See `mass`.

@@ -56,6 +56,7 @@ fn body(rod: &RodInputs) -> BodyInputs {
     let centre = 0.5 * (from + to);
     BodyInputs {
         kind: rod.kind,
+        pinned_to: rod.pinned_to.clone(),
         position_m: a.lerp(&b, -from / long).into(),
         pitch_deg: -axis.z.clamp(-1.0, 1.0).asin().to_degrees(),
         yaw_deg: axis.y.atan2(axis.x).to_degrees(),

@@ -13,6 +13,7 @@ mod exported;
 mod floating;
 mod foreign_arrays;
 mod foreign_files;
+mod foreign_pinned;
 mod foreign_yaml;
 mod foreign_yaml_faults;
 mod grid_bed;

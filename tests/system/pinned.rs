@@ -275,6 +275,189 @@ fn both_methods_move_a_pinned_body_on_a_line_alike() {
     assert!(one.balance.relative_drift() < 1e-3, "{:?}", one.balance);
 }
 
+/// Two arms in air, the second pinned to the end of the first; `first` is what holds that.
+fn two_arms(first: &str, second: &str) -> String {
+    format!(
+        "{AIR}[bodies.upper]\n{first}\nmass_kg = 80.0\ncentre_of_gravity_m = [0.0, 0.0, -1.0]\ninertia_kg_m2 = [40.0, 40.0, 4.0]
+        [bodies.lower]\nkind = \"pinned\"\npinned_to = \"upper\"\nposition_m = [0.0, 0.0, -2.0]\nmass_kg = 30.0\ncentre_of_gravity_m = [0.0, 0.0, -0.5]
+        inertia_kg_m2 = [6.0, 6.0, 1.0]\n{second}\n"
+    )
+}
+
+const PINNED: &str = "kind = \"pinned\"\nposition_m = [1.0, 2.0, 3.0]";
+
+#[test]
+fn a_body_pinned_to_a_pinned_body_is_a_double_pendulum() {
+    let system = at_rest(&two_arms(PINNED, "pitch_deg = 40.0\nroll_deg = 10.0"));
+    let pins =
+        ["upper", "lower"].map(|name| value(&system, &format!("pin_force_z_n[{name}]")).unwrap());
+    assert_near(pins[0], 110.0 * G, 1e-12);
+    assert_near(pins[1], 30.0 * G, 1e-12);
+    let lower = system.rest.placement.bodies[system.network.body("lower").unwrap()];
+    assert!((lower.origin - nalgebra::Vector3::new(1.0, 2.0, 1.0)).norm() < 1e-9);
+    // (I1 + m2 L^2) a" + m2 L l2 b" + (m1 l1 + m2 L) g a = 0 and m2 L l2 a" + I2 b" + m2 l2 g b = 0, inertias about the pins.
+    let (a, b, c) = (120.0 + 30.0 * 4.0, 30.0 * 2.0 * 0.5, 6.0 + 30.0 * 0.25);
+    let (k, l) = ((80.0 + 60.0) * G, 15.0 * G);
+    let (p, q, r) = (a * c - b * b, -(a * l + c * k), k * l);
+    let root = (q * q - 4.0 * p * r).sqrt();
+    let slow = TAU / ((-q - root) / (2.0 * p)).sqrt();
+    let fast = TAU / ((-q + root) / (2.0 * p)).sqrt();
+    let names = ["period_s[1]", "period_s[2]", "period_s[3]", "period_s[4]"];
+    for (found, known) in results(&system, names).iter().zip([slow, slow, fast, fast]) {
+        assert_near(*found, known, 1e-8);
+    }
+}
+
+#[test]
+fn a_double_pendulum_keeps_its_energy_and_both_methods_move_it_alike() {
+    let text = |method: &str, step: f64| {
+        let solver = fixed_steps(method, 3.0, step, 1.0)
+            .replace(&format!("interval_s = {step:?}"), "interval_s = 0.05");
+        let first = format!("{PINNED}\nstart_offset_deg = [30.0, 40.0, 0.0]");
+        let arms = two_arms(&first, "start_offset_deg = [10.0, -50.0, 0.0]");
+        format!("{arms}[solver]\nerror_estimate = false\n{solver}\n")
+    };
+    let runs = [("alpha", 1e-3), ("alpha", 5e-4), ("rk4", 1e-3)]
+        .map(|(method, step)| moved(&text(method, step)));
+    for name in [
+        "x_m[lower]",
+        "z_m[lower]",
+        "pin_force_z_n[lower]",
+        "pin_force_x_n[upper]",
+    ] {
+        let [coarse, fine, truth] = [0, 1, 2].map(|run| channel(&runs[run], name));
+        let range = |values: &[f64]| {
+            values
+                .iter()
+                .map(|v| (v - truth[0]).abs())
+                .fold(0.0, f64::max)
+        };
+        let off = |values: &[f64]| {
+            let parts = values.iter().zip(truth).map(|(a, b)| (a - b).abs());
+            parts.fold(0.0, f64::max)
+        };
+        assert!(
+            off(fine) < 2e-3 * range(truth),
+            "{name}: {} of {}",
+            off(fine),
+            range(truth)
+        );
+        let order = (off(coarse) / off(fine)).log2();
+        assert!((1.8..2.2).contains(&order), "{name}: {order}");
+    }
+    for run in &runs {
+        assert!(run.balance.relative_drift() < 1e-4, "{:?}", run.balance);
+    }
+    assert!(runs[2].balance.relative_drift() < 1e-6);
+}
+
+#[test]
+fn a_body_pinned_to_a_held_or_moved_one_is_pinned_to_the_place() {
+    let moves = "amplitude_m = [0.2, 0.0, 0.1]\nperiod_s = [2.0]\nramp_s = 1.0\n";
+    let solver = "[solver]\nduration_s = 3.0\ntime_step_s = 0.002\nrho_inf = 1.0\nerror_estimate = false\n[output]\ninterval_s = 0.1\n";
+    let run = |first: &str| {
+        let arms = two_arms(first, "start_offset_deg = [0.0, 20.0, 0.0]");
+        moved(&format!("{arms}{solver}"))
+    };
+    let place = "position_m = [1.0, 2.0, 3.0]";
+    let alone = |motion: &str| {
+        moved(&format!(
+            "{AIR}[bodies.lower]\nkind = \"pinned\"\nposition_m = [1.0, 2.0, 1.0]\nmass_kg = 30.0\ncentre_of_gravity_m = [0.0, 0.0, -0.5]
+            inertia_kg_m2 = [6.0, 6.0, 1.0]\nstart_offset_deg = [0.0, 20.0, 0.0]\n{motion}{solver}"
+        ))
+    };
+    let pairs = [
+        (run(&format!("kind = \"held\"\n{place}")), alone("")),
+        (
+            run(&format!("kind = \"moved\"\n{place}\n{moves}")),
+            alone(moves),
+        ),
+    ];
+    for (on_body, alone) in pairs {
+        for name in ["pitch_deg[lower]", "pin_force_z_n[lower]", "x_m[lower]"] {
+            for (a, b) in channel(&on_body, name).iter().zip(channel(&alone, name)) {
+                assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{name}: {a} {b}");
+            }
+        }
+        for run in [on_body, alone] {
+            assert!(run.balance.relative_drift() < 1e-4, "{:?}", run.balance);
+        }
+    }
+}
+
+/// A body on a line, with a rod on it, and a line from the far end of the rod to the earth.
+fn crane(more: &str) -> String {
+    format!(
+        "{FRESH}[materials.wire]\nmass_kg_per_m = 5.0\ndiameter_m = 0.03\nea_n = 2e6\naxial_damping_n_s = 1e4
+        [points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -5.0]\n[points.side]\nkind = \"fixed\"\nposition_m = [25.0, 4.0, -30.0]
+        [points.eye]\nkind = \"body\"\nbody = \"hull\"\nposition_m = [0.2, 0.0, 2.0]
+        [bodies.hull]\nkind = \"free\"\nposition_m = [0.0, 0.0, -28.0]\nmass_kg = 6e3\nvolume_m3 = 3.0\ninertia_kg_m2 = [5e3, 6e3, 7e3]
+        added_mass = [2e3, 2e3, 3e3, 1e3, 1e3, 1e3]\n{more}
+        [rods.jib]\nkind = \"pinned\"\npinned_to = \"hull\"\nend_a_m = [1.5, 0.0, 0.0]\nend_b_m = [6.0, 1.0, -1.0]\ndiameter_m = 0.3\nmass_kg = 900.0
+        [[lines]]\nname = \"hoist\"\nfrom = \"eye\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 20.0\nsegments = 8
+        [[lines]]\nname = \"guy\"\nfrom = \"jib-b\"\nto = \"side\"\nmaterial = \"wire\"\nlength_m = 19.0\nsegments = 8\n"
+    )
+}
+
+#[test]
+fn a_rod_pinned_to_a_free_body_balances_with_it() {
+    let system = at_rest(&crane(""));
+    let network = &system.network;
+    let [hull, jib] = ["hull", "jib"].map(|name| network.body(name).unwrap());
+    let lines = &system.rest.balance.lines;
+    let [hoist, guy] = ["hoist", "guy"].map(|name| lines[network.line(name).unwrap()].force_a);
+    let up = nalgebra::Vector3::z();
+    let on_jib = (0.25 * PI * 0.09 * 1000.0 * (4.5_f64.powi(2) + 2.0).sqrt() - 900.0) * G;
+    let of_pin =
+        ["x", "y", "z"].map(|axis| value(&system, &format!("pin_force_{axis}_n[jib]")).unwrap());
+    let of_pin = nalgebra::Vector3::from(of_pin);
+    let scale = 6e3 * G;
+    assert!((of_pin + guy + up * on_jib).norm() < 1e-7 * scale);
+    assert!((hoist - of_pin + up * ((3e3 - 6e3) * G)).norm() < 1e-7 * scale);
+    let pose = system.rest.placement.bodies[jib];
+    let end = nalgebra::Vector3::from(crate::place(&system, "jib-b")) - pose.origin;
+    let moment = end.cross(&guy) + (end * 0.5).cross(&(up * on_jib));
+    assert!(moment.norm() < 1e-6 * scale, "{moment}");
+    let carrier = system.rest.placement.bodies[hull];
+    let pin = carrier.arm(&nalgebra::Vector3::new(1.5, 0.0, 0.0));
+    assert!((carrier.origin + pin - pose.origin).norm() < 1e-12);
+    let eye = carrier.arm(&nalgebra::Vector3::new(0.2, 0.0, 2.0));
+    let moment = eye.cross(&hoist) - pin.cross(&of_pin);
+    assert!(moment.norm() < 1e-6 * scale, "{moment}");
+}
+
+#[test]
+fn a_rod_pinned_to_a_free_body_moves_alike_by_both_methods() {
+    let run = |method: &str, step: f64| {
+        let solver = fixed_steps(method, 4.0, step, 0.9)
+            .replace(&format!("interval_s = {step:?}"), "interval_s = 0.1");
+        let aside = crane("start_offset_deg = [2.0, 4.0, 5.0]\n");
+        moved(&format!(
+            "{aside}[solver]\nerror_estimate = false\n{solver}\n"
+        ))
+    };
+    let (one, other) = (run("alpha", 2e-3), run("rk4", 5e-4));
+    for name in [
+        "pitch_deg[hull]",
+        "z_m[jib-b]",
+        "x_m[jib]",
+        "tension_n[guy|a]",
+        "pin_force_z_n[jib]",
+    ] {
+        let (one, other) = (channel(&one, name), channel(&other, name));
+        let size = other
+            .iter()
+            .map(|v| (v - other[0]).abs())
+            .fold(0.0, f64::max);
+        assert!(size > 0.0 && size.is_finite(), "{name}");
+        for (a, b) in one.iter().zip(other) {
+            assert!((a - b).abs() < 1e-2 * size, "{name}: {a} {b} of {size}");
+        }
+    }
+    assert!(one.balance.relative_drift() < 2e-3, "{:?}", one.balance);
+    assert!(other.balance.relative_drift() < 1e-4, "{:?}", other.balance);
+}
+
 #[test]
 fn a_pinned_rod_stays_where_it_rests() {
     let text = format!(

@@ -105,13 +105,12 @@ fn add(model: &mut LumpedModel, mooring: &Mooring, hold: &Hold, place: V3) -> us
 fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2] {
     let hold = &rod.hold.value;
     if rod.is_joint() {
-        return [add(model, mooring, hold, V3::from(rod.end(0))); 2];
+        return [add(model, mooring, hold.base(), V3::from(rod.end(0))); 2];
     }
     model.holds_bodies |= matches!(hold, Hold::Free | Hold::Pinned(_));
     let held = match hold {
         Hold::Free => &Hold::Fixed,
-        Hold::Pinned(of) => of,
-        _ => hold,
+        _ => hold.base(),
     };
     [0, 1].map(|end| add(model, mooring, held, V3::from(rod.end(end))))
 }

@@ -1,7 +1,7 @@
 //! Bodies and rods.
 
 use super::Context;
-use super::case_text::{CaseText, number, numbers};
+use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{Body, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
 
@@ -256,6 +256,10 @@ pub fn write_rods(case: &mut CaseText<'_>, context: &Context<'_>) {
         case.table(&header, Some(&rod.span));
         let kind = kind_of(&rod.hold.value, context);
         case.given("kind", kind, &rod.hold.span, "Attachment");
+        if let Hold::Body(body) = rod.hold.value.base() {
+            let name = text(&context.names.bodies[*body]);
+            case.given("pinned_to", &name, &rod.hold.span, "Attachment");
+        }
         case.given(
             "end_a_m",
             &numbers(&rod.end(0)),

@@ -123,7 +123,7 @@ fn motion_of(mooring: &Mooring, options: &ImportOptions) -> Result<Motion, Vec<F
 /// Whether all points and ends of rods are above still water.
 #[must_use]
 pub fn is_in_air(mooring: &Mooring) -> bool {
-    let held = |hold: &Hold| !matches!(hold, Hold::Body(_));
+    let held = |hold: &Hold| !matches!(hold.base(), Hold::Body(_));
     let points = mooring
         .points
         .iter()

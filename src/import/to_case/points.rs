@@ -104,7 +104,12 @@ fn held(
         here[2] = 0.0;
     }
     let vessel = context.has_vessel && hold.value == Hold::Coupled;
-    let (kind, body) = match &hold.value {
+    let on_body = matches!(hold.value.base(), Hold::Body(_));
+    let (kind, body) = match if on_body {
+        hold.value.base()
+    } else {
+        &hold.value
+    } {
         Hold::Free => ("free", None),
         Hold::Body(body) => ("body", Some(&context.names.bodies[*body])),
         Hold::Coupled if vessel => ("body", Some(&context.names.vessel)),

@@ -81,7 +81,7 @@ fn pinned(context: &Context<'_>) -> Vec<Unmodelled> {
             return None;
         };
         let what = match **to {
-            Hold::Body(_) => "a rod that is pinned to a body",
+            Hold::Body(_) if table == "BODIES" => "a body that is pinned to a body",
             Hold::Coupled if table == "RODS" && context.motion.moves() => {
                 "a pinned rod whose end follows a motion"
             }

@@ -43,6 +43,7 @@ impl HeldAway {
         let mut network = network.clone();
         network.bodies[body].free = false;
         network.bodies[body].pinned = false;
+        network.bodies[body].carrier = None;
         network.bodies[body].pose = rest.placement.bodies[body];
         Self {
             network,

@@ -3,7 +3,7 @@
 //! K is the exact stiffness of lines, hydrostatics and weights, condensed onto the bodies and points that have a mass; M their mass and
 //! inertia with the added mass given. The lines bring no inertia here, and points without mass follow at once.
 
-use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix6, SMatrix, SymmetricEigen};
 
 use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
@@ -15,6 +15,7 @@ use super::super::members;
 use super::super::network::{Body, Held, Network};
 use super::super::pose::{Pose, cross};
 use super::super::stiffness::{contacts, take};
+use crate::numerics::V3;
 
 /// A natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,7 +163,41 @@ fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatr
             }
         }
     }
+    for (number, body) in network.bodies.iter().enumerate() {
+        if let Some((carrier, at)) = &body.carrier {
+            carry((network, rest), own, (number, *carrier, at), &mut masses);
+        }
+    }
     masses
+}
+
+/// Adds the mass of a body that is pinned to another, at a place of that one, to the unknowns of that one.
+fn carry(
+    (network, rest): (&Network, &Equilibrium),
+    own: &[MovingUnknown],
+    (number, carrier, at): (usize, usize, &V3),
+    masses: &mut DMatrix<f64>,
+) {
+    let first = |body: usize| own.iter().position(|known| known.of == Moving::Body(body));
+    let (Some(row), Some(on)) = (first(number), first(carrier)) else {
+        return;
+    };
+    let poses = &rest.placement.bodies;
+    let mass = mass_matrix(network, &network.bodies[number], &poses[number]);
+    let mut by = SMatrix::<f64, 3, 6>::identity();
+    let arm = poses[carrier].arm(at);
+    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
+    let skipped = first_direction(&network.bodies[carrier]);
+    let by = by.columns(skipped, 6 - skipped);
+    let size = by.ncols();
+    let straight = by.transpose() * mass.fixed_view::<3, 3>(0, 0) * by;
+    let mut block = masses.view_mut((on, on), (size, size));
+    block += straight;
+    let across = by.transpose() * mass.fixed_view::<3, 3>(0, 3);
+    masses.view_mut((on, row), (size, 3)).copy_from(&across);
+    masses
+        .view_mut((row, on), (3, size))
+        .copy_from(&across.transpose());
 }
 
 /// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.

@@ -67,13 +67,17 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
     sum
 }
 
-/// The power of what moves the origin of a body that is pinned to it \[W\].
+/// The power of what moves the origin of a body that is pinned to it \[W\]; none between bodies that both turn.
 fn power_of_pin(system: &MovingSystem, body: &MovingBody, state: &SystemState) -> f64 {
-    let of_network = &system.network.bodies[body.number];
-    if !of_network.pinned || of_network.motion.is_none() {
+    let bodies = &system.network.bodies;
+    let pinned = &bodies[body.number];
+    let on_unknown = pinned
+        .carrier
+        .is_some_and(|(carrier, _)| bodies[carrier].turns());
+    let velocity = system.body(state, body.number).velocity;
+    if !pinned.pinned || on_unknown || velocity == V3::zeros() {
         return 0.0;
     }
-    let velocity = system.body(state, body.number).velocity;
     pin_force(system, std::slice::from_ref(body), state, body.number).dot(&velocity)
 }
 

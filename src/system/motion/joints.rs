@@ -36,6 +36,8 @@ pub struct Joints {
     pub bodies: Vec<usize>,
     /// The rotation of each body of the network; of one that is pinned it is free where the origin is not.
     pub rotations: Vec<usize>,
+    /// The body that each body of the network is pinned to, and where in its frame.
+    carriers: Vec<Option<(usize, V3)>>,
     /// The joint of each end of each line that may be let go.
     pub released: Vec<[Option<usize>; 2]>,
     /// The joint of each payout of the network.
@@ -106,6 +108,7 @@ impl Joints {
             points: list.points.into_values().collect(),
             bodies: list.origins.into_values().collect(),
             rotations: list.rotations.into_values().collect(),
+            carriers: network.bodies.iter().map(|body| body.carrier).collect(),
             released,
             payouts,
             free: held..count,
@@ -137,7 +140,9 @@ impl Joints {
             }
         }
         for (origin, rotation) in self.bodies.iter().zip(&self.rotations) {
-            join(*origin, *rotation);
+            for one in self.unknowns_of(*origin) {
+                join(one, *rotation);
+            }
         }
         for list in &mut neighbours {
             list.sort_unstable();
@@ -158,12 +163,19 @@ impl Joints {
         }
     }
 
-    /// The joints that a joint moves with: itself, or origin and rotation of its body.
+    /// The joints that a joint moves with: itself, or origin and rotation of its body, or those of what that is pinned to.
     fn unknowns_of(&self, joint: usize) -> Vec<usize> {
-        match self.roles[joint] {
-            Role::OnBody(body, _) => vec![self.bodies[body], self.rotations[body]],
-            _ => vec![joint],
-        }
+        let body = match self.roles[joint] {
+            Role::OnBody(body, _) => Some(body),
+            Role::Origin(body) => self.carriers[body].map(|(carrier, _)| carrier),
+            _ => None,
+        };
+        let Some(body) = body else {
+            return vec![joint];
+        };
+        let mut all = self.unknowns_of(self.bodies[body]);
+        all.push(self.rotations[body]);
+        all
     }
 
     /// The row of a joint among the unknowns; nothing where it is prescribed or carried.
@@ -175,12 +187,17 @@ impl Joints {
     /// How a joint moves with the unknowns.
     #[must_use]
     pub fn follows(&self, joint: usize) -> Follows {
-        match self.roles[joint] {
-            Role::OnBody(body, at) => match self.rows[self.rotations[body]] {
+        let on = match self.roles[joint] {
+            Role::OnBody(body, at) => Some((body, at)),
+            Role::Origin(body) => self.carriers[body],
+            _ => None,
+        };
+        match on {
+            Some((body, at)) => match self.rows[self.rotations[body]] {
                 Some(_) => Follows::Body(body, at),
                 None => Follows::Nothing,
             },
-            _ => self.rows[joint].map_or(Follows::Nothing, Follows::Row),
+            None => self.rows[joint].map_or(Follows::Nothing, Follows::Row),
         }
     }
 }

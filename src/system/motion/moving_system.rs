@@ -227,6 +227,7 @@ impl MovingSystem {
                 false => state.set_body(&self.joints, number, &motion.at(t)),
             }
         }
+        self.carry(state, false);
         for joint in 0..self.joints.free.start {
             match self.joints.roles[joint] {
                 Role::Prescribed(point) => {
@@ -271,8 +272,22 @@ impl MovingSystem {
         format!("payout of {}", lines.collect::<Vec<_>>().join(" and "))
     }
 
-    /// Sets what follows the unknowns: points on bodies that turn, and the ends of the lines.
+    /// Sets the origins of bodies that are pinned to others: to those that turn, or to those that do not.
+    fn carry(&self, state: &mut SystemState, that_turn: bool) {
+        for (number, body) in self.network.bodies.iter().enumerate() {
+            if let Some((carrier, at)) = &body.carrier
+                && self.network.bodies[*carrier].turns() == that_turn
+            {
+                let motion = state.body(&self.joints, *carrier);
+                let origin = self.joints.bodies[number];
+                set(&mut state.joints, origin, motion.of(at));
+            }
+        }
+    }
+
+    /// Sets what follows the unknowns: points and pins on bodies that turn, and the ends of the lines.
     pub fn follow(&self, state: &mut SystemState) {
+        self.carry(state, true);
         for joint in 0..self.joints.free.start {
             if let Role::OnBody(body, at) = self.joints.roles[joint]
                 && self.network.bodies[body].turns()

@@ -167,7 +167,7 @@ fn carried(network: &Network, placement: &mut Placement) {
         }
     }
     for (body, pose) in network.bodies.iter().zip(&mut placement.bodies) {
-        if !body.free {
+        if !body.free && body.carrier.is_none() {
             pose.origin = body.pose.origin;
         }
         if !body.turns() {
