@@ -137,7 +137,7 @@ fn place(mooring: &Mooring, at: Attachment) -> Option<V3> {
         Attachment::Rod(rod, end) => {
             let rod = &mooring.rods[rod];
             let end = if rod.is_joint() { 0 } else { end };
-            let is_here = !matches!(rod.hold.value, Hold::Body(_));
+            let is_here = !matches!(rod.hold.value.base(), Hold::Body(_));
             is_here.then(|| V3::from(rod.end(end)))
         }
     }

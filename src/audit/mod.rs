@@ -105,6 +105,11 @@ fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, au
         None => Vec::new(),
     };
     let is_divided = matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1);
+    if mooring.lines.is_empty() {
+        audit
+            .not_judged
+            .push("Start, time step and segments: there are no lines.".to_owned());
+    }
     if !is_divided || mooring.lines.is_empty() {
         audit.lines = mesh::exact_lines(mooring, &exact);
         return;

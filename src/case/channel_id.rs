@@ -78,6 +78,12 @@ channel_quantities! {
     ForceY: "force_y_n", "N", "force", "Force on the ends, y";
     /// Vertical component of the line's force on a held end \[N\].
     ForceZ: "force_z_n", "N", "force", "Force on the ends, z";
+    /// First component of the force of a pin on its body \[N\].
+    PinForceX: "pin_force_x_n", "N", "force", "Force of the pins, x";
+    /// Second component of the force of a pin on its body \[N\].
+    PinForceY: "pin_force_y_n", "N", "force", "Force of the pins, y";
+    /// Vertical component of the force of a pin on its body \[N\].
+    PinForceZ: "pin_force_z_n", "N", "force", "Force of the pins, z";
     /// Normal force of the sea bed on a body or a loose end \[N\]; negative where suction holds it.
     BedForce: "bed_force_n", "N", "force", "Force of the bed";
     /// Speed normal to the bed at which a body landed, the greatest so far \[m/s\]; 0 before.
@@ -103,6 +109,8 @@ impl ChannelQuantity {
     pub const ANGLES: [Self; 3] = [Self::Roll, Self::Pitch, Self::Yaw];
     /// Components of a force, x first.
     pub const FORCE: [Self; 3] = [Self::ForceX, Self::ForceY, Self::ForceZ];
+    /// Components of the force of a pin, x first.
+    pub const PIN_FORCE: [Self; 3] = [Self::PinForceX, Self::PinForceY, Self::PinForceZ];
     /// Quantities of dynamic stiffness.
     pub const ROPE: [Self; 3] = [Self::MeanLoad, Self::LoadDeviation, Self::Stiffness];
 

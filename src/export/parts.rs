@@ -40,6 +40,7 @@ pub fn sheet(
     writer.number_bodies();
     writer.types(refused);
     writer.lines();
+    writer.turning_rods();
     if target == Target::MoorDyn {
         let step = step(solved, &sheet);
         sea::options(solved, step, &mut sheet);
@@ -48,7 +49,7 @@ pub fn sheet(
         .file
         .bodies
         .values()
-        .any(|body| body.kind == BodyKind::Moved)
+        .any(|body| matches!(body.kind, BodyKind::Moved | BodyKind::Pinned))
         || solved
             .file
             .points
@@ -96,7 +97,7 @@ struct Writer<'a> {
     target: Target,
     options: ExportOptions,
     sheet: &'a mut Sheet,
-    /// Numbers of the free bodies by their places in the network.
+    /// Numbers of the bodies that turn by their places in the network.
     bodies: BTreeMap<usize, usize>,
     /// Numbers of the rods by name.
     rods: BTreeMap<String, usize>,
@@ -106,7 +107,7 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// Free bodies in the order in which points name them.
+    /// Bodies that turn, in the order in which points name them.
     fn number_bodies(&mut self) {
         if self.target == Target::MapPlusPlus {
             return;
@@ -119,7 +120,9 @@ impl Writer<'_> {
         for body in of_points.chain(0..network.bodies.len()) {
             let name = &network.bodies[body].name;
             let inputs = self.solved.file.bodies.get(name);
-            if let Some(inputs) = inputs.filter(|inputs| inputs.kind == BodyKind::Free)
+            let turns =
+                |inputs: &&BodyInputs| matches!(inputs.kind, BodyKind::Free | BodyKind::Pinned);
+            if let Some(inputs) = inputs.filter(turns)
                 && !self.bodies.contains_key(&body)
             {
                 let number = self.sheet.bodies.len() + 1;
@@ -154,7 +157,11 @@ impl Writer<'_> {
             false => 0.0,
         };
         BodyRow {
-            hold: "Free",
+            hold: match inputs.kind {
+                // `MoorDyn` has no pin of a body but that of one whose origin it is given.
+                BodyKind::Pinned => "CoupledPinned",
+                _ => "Free",
+            },
             place,
             angles,
             mass: inputs.mass_kg.unwrap_or(0.0),
@@ -243,33 +250,71 @@ impl Writer<'_> {
             .flat_map(|(rod, inputs)| [(rod, inputs, "a"), (rod, inputs, "b")])
             .find(|(rod, _, end)| *name == format!("{rod}-{end}"))?;
         let (rod, end) = (rod.clone(), end.to_uppercase());
-        let number = match self.rods.get(&rod) {
-            Some(number) => *number,
-            None => {
-                let row = self.rod(inputs);
-                self.sheet.rods.push(row);
-                self.rods.insert(rod, self.sheet.rods.len());
-                self.sheet.rods.len()
-            }
-        };
+        let number = self.number_of_rod(&rod, inputs);
         Some(format!("R{number}{end}"))
+    }
+
+    /// The number of a rod, whose row is written the first time.
+    fn number_of_rod(&mut self, rod: &str, inputs: &RodInputs) -> usize {
+        if let Some(number) = self.rods.get(rod) {
+            return *number;
+        }
+        let row = self.rod(inputs);
+        self.sheet.rods.push(row);
+        self.rods.insert(rod.to_owned(), self.sheet.rods.len());
+        self.sheet.rods.len()
+    }
+
+    /// The rods that turn without a line that ends at them.
+    fn turning_rods(&mut self) {
+        if self.target == Target::MapPlusPlus {
+            return;
+        }
+        let solved = self.solved;
+        let turns = |inputs: &RodInputs| matches!(inputs.kind, BodyKind::Free | BodyKind::Pinned);
+        for (name, inputs) in solved.file.rods.iter().filter(|(_, inputs)| turns(inputs)) {
+            self.number_of_rod(name, inputs);
+        }
     }
 
     fn rod(&mut self, inputs: &RodInputs) -> RodRow {
         let long = (V3::from(inputs.end_b_m) - V3::from(inputs.end_a_m)).norm();
         let coefficients = [inputs.drag_normal, inputs.added_mass_normal];
         let of_type = self.rod_type(inputs.diameter_m, inputs.mass_kg / long, coefficients);
-        let hold = match inputs.kind {
-            BodyKind::Held => "Fixed",
-            BodyKind::Free => "Free",
-            BodyKind::Moved => "Coupled",
+        let given = [inputs.end_a_m, inputs.end_b_m];
+        let (hold, ends) = match inputs.kind {
+            BodyKind::Held => ("Fixed".to_owned(), given),
+            BodyKind::Free => ("Free".to_owned(), given),
+            BodyKind::Moved => ("Coupled".to_owned(), given),
+            BodyKind::Pinned => match &inputs.pinned_to {
+                Some(body) => self.pin_on(body, given),
+                None => ("Pinned".to_owned(), given),
+            },
         };
         RodRow {
             of_type,
-            hold: hold.to_owned(),
-            ends: [inputs.end_a_m, inputs.end_b_m],
+            hold,
+            ends,
             segments: ROD_SEGMENTS,
         }
+    }
+
+    /// The word for the pin of a rod on a body, and its ends: in the frame of a body that is written, else where that body has them.
+    fn pin_on(&self, body: &str, ends: [[f64; 3]; 2]) -> (String, [[f64; 3]; 2]) {
+        let network = &self.solved.network;
+        let Some(number) = network.body(body) else {
+            return ("Pinned".to_owned(), ends);
+        };
+        if let Some(written) = self.bodies.get(&number) {
+            return (format!("Body{written}Pinned"), ends);
+        }
+        let pose = &network.bodies[number].pose;
+        let there = ends.map(|end| (pose.origin + pose.arm(&V3::from(end))).into());
+        let word = match network.bodies[number].motion {
+            Some(_) => "CoupledPinned",
+            None => "Pinned",
+        };
+        (word.to_owned(), there)
     }
 
     fn point(&self, number: usize) -> PointRow {

@@ -77,9 +77,19 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         );
     }
     for (name, body) in &file.bodies {
-        if body.kind == BodyKind::Free {
-            free_body(name, body, target, &mut found);
+        if matches!(body.kind, BodyKind::Free | BodyKind::Pinned) {
+            turning_body(name, body, target, &mut found);
         }
+        found.add(
+            target == Target::MapPlusPlus && body.kind == BodyKind::Pinned,
+            format!("bodies.{name}.kind"),
+            "pinned bodies",
+        );
+        found.add(
+            body.pinned_to.is_some(),
+            format!("bodies.{name}.pinned_to"),
+            "bodies that are pinned to bodies",
+        );
     }
     for (rod, inputs) in &file.rods {
         let key = |key: &str| format!("rods.{rod}.{key}");
@@ -87,6 +97,17 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             target == Target::MapPlusPlus && inputs.kind == BodyKind::Free,
             key("kind"),
             "free rods",
+        );
+        found.add(
+            target == Target::MapPlusPlus && inputs.kind == BodyKind::Pinned,
+            key("kind"),
+            "pinned rods",
+        );
+        let to_rod = inputs.pinned_to.as_ref();
+        found.add(
+            to_rod.is_some_and(|to| file.rods.contains_key(to)),
+            key("pinned_to"),
+            "rods that are pinned to rods",
         );
         found.add(inputs.load_n != [0.0; 3], key("load_n"), "loads on rods");
     }
@@ -115,7 +136,7 @@ impl Found {
     }
 }
 
-fn free_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found) {
+fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found) {
     let key = |key: &str| format!("bodies.{name}.{key}");
     if target == Target::MapPlusPlus {
         // The program that calls MAP++ knows the body.

@@ -266,6 +266,29 @@ pub enum Hold {
     Pinned(Box<Hold>),
 }
 
+impl Hold {
+    /// Whether it is the program that this one is coupled to, of a pin too.
+    #[must_use]
+    pub fn is_coupled(&self) -> bool {
+        *self.base() == Self::Coupled
+    }
+
+    /// What a pin is on, of other holds themselves.
+    #[must_use]
+    pub fn base(&self) -> &Self {
+        match self {
+            Self::Pinned(of) => of.base(),
+            of => of,
+        }
+    }
+
+    /// Whether a body that is held so has unknowns of its own.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        matches!(self, Self::Free | Self::Pinned(_))
+    }
+}
+
 /// A rigid body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {

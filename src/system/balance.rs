@@ -9,13 +9,14 @@
 //!
 //! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included.
 
-use nalgebra::DVector;
+use nalgebra::{DVector, SMatrix};
 
 use super::body_loads::body_loads;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
 use super::line_at_rest::{LineAtRest, LinePhysics, has_closed_form, solve};
 use super::network::{Held, Network};
 use super::pose::cross;
+use crate::numerics::V3;
 use crate::numerics::envelope::EnvelopeMatrix;
 
 /// Forces and stiffness of a system at a placement.
@@ -94,10 +95,39 @@ pub fn balance(
             out.stiffness.add_block(*first, *first, &stiffness);
         }
     }
+    for (index, body) in network.bodies.iter().enumerate() {
+        let carried = freedoms.bodies[index].zip(body.carrier);
+        let Some((own, (carrier, at))) = carried else {
+            continue;
+        };
+        if let Some(on) = freedoms.bodies[carrier] {
+            out.pin(own, on, &placement.bodies[carrier].arm(&at));
+        }
+    }
     Ok(out)
 }
 
 impl Balance {
+    /// Adds the force on the origin of a body that is pinned to another, at an arm from the origin of that one, to its unknowns:
+    /// `u = du + dt x r`. `own` and `on` are their first unknowns.
+    fn pin(&mut self, own: usize, on: usize, arm: &V3) {
+        let force = self.force.fixed_rows::<3>(own).into_owned();
+        let mut by = SMatrix::<f64, 3, 6>::zeros();
+        by.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
+        by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(arm));
+        let mut rows = self.force.fixed_rows_mut::<6>(on);
+        rows += by.transpose() * force;
+        let turning = -(cross(&force) * cross(arm));
+        self.stiffness.add_block(on + 3, on + 3, &turning);
+        for k in 0..3 {
+            for (unknown, factor) in by.row(k).iter().enumerate() {
+                if *factor != 0.0 {
+                    self.stiffness.add_multiple(on + unknown, own + k, *factor);
+                }
+            }
+        }
+    }
+
     /// Adds a line on the unknowns that its ends follow.
     fn line(&mut self, line: &LineAtRest, followers: &[Option<Follower>; 2]) {
         let forces = [line.force_a, line.force_b];

@@ -1,5 +1,5 @@
 //! Bed and surface as bounds on heights: a free point rests on the bed or floats at the surface, a free body rests on the bed. Where the bed
-//! slopes, what lies on it moves along it ([`along_bed`](super::along_bed)).
+//! slopes, what lies on it moves along it ([`along_bed`](super::along_bed)). The origin of a body that is pinned has no way to go at all.
 
 use nalgebra::DVector;
 
@@ -8,7 +8,7 @@ use super::freedoms::{Freedoms, Placement};
 use super::network::{Held, Network};
 use crate::numerics::V3;
 
-/// What bounds each unknown: nothing but heights have any.
+/// What bounds each unknown: nothing but heights and pins.
 #[derive(Debug, Clone)]
 pub struct Bounds {
     bed: Option<Bed>,
@@ -16,6 +16,8 @@ pub struct Bounds {
     below: Vec<Option<f64>>,
     /// Greatest height \[m\].
     most: Vec<f64>,
+    /// First unknowns of the bodies that are pinned.
+    pins: Vec<usize>,
 }
 
 /// What bears on an unknown.
@@ -27,6 +29,8 @@ pub enum Contact {
     Bed,
     /// The surface: part of the body is out of the water.
     Surface,
+    /// A pin: the origin of the body does not move.
+    Pin,
 }
 
 impl Bounds {
@@ -37,6 +41,7 @@ impl Bounds {
             bed: network.bed.clone(),
             below: vec![None; freedoms.count],
             most: vec![f64::INFINITY; freedoms.count],
+            pins: Vec::new(),
         };
         for (point, first) in network.points.iter().zip(&freedoms.points) {
             if let (Held::Free(_), Some(first)) = (&point.held, first) {
@@ -47,8 +52,10 @@ impl Bounds {
             }
         }
         for (body, first) in network.bodies.iter().zip(&freedoms.bodies) {
-            if let Some(first) = first {
-                bounds.below[first + 2] = body.bottom;
+            let Some(first) = first else { continue };
+            match body.pinned {
+                true => bounds.pins.push(*first),
+                false => bounds.below[first + 2] = body.bottom,
             }
         }
         bounds
@@ -125,6 +132,9 @@ impl Bounds {
             } else if place.z >= self.most[unknown] && force[unknown] > 0.0 {
                 contacts[unknown] = Contact::Surface;
             }
+        }
+        for first in &self.pins {
+            contacts[*first..first + 3].fill(Contact::Pin);
         }
         contacts
     }

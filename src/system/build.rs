@@ -136,7 +136,28 @@ fn bodies(
         };
         built
     });
-    built.collect()
+    let mut built: Vec<Body> = built.collect();
+    carry(file, &mut built);
+    built
+}
+
+/// Puts bodies that are pinned to others where these have them.
+fn carry(file: &SystemFile, bodies: &mut [Body]) {
+    for number in 0..bodies.len() {
+        let to = file.bodies.get(&bodies[number].name);
+        let Some(to) = to.and_then(|given| given.pinned_to.as_ref()) else {
+            continue;
+        };
+        let Some(carrier) = bodies.iter().position(|body| body.name == *to) else {
+            continue;
+        };
+        let (on, own) = (bodies[carrier].pose, bodies[number].pose);
+        bodies[number].carrier = Some((carrier, own.origin));
+        bodies[number].pose = Pose {
+            origin: on.origin + on.arm(&own.origin),
+            rotation: on.rotation * own.rotation,
+        };
+    }
 }
 
 /// The waves of a system; nothing without any.
@@ -351,9 +372,11 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
     let pose = Pose::new(V3::from(given.position_m), roll, pitch, yaw);
     Body {
         name: name.to_owned(),
-        motion: (given.kind == BodyKind::Moved).then(|| body_motion(given)),
+        motion: is_moved(given).then(|| body_motion(given)),
         pose,
         free: given.kind == BodyKind::Free,
+        pinned: given.kind == BodyKind::Pinned,
+        carrier: None,
         mass,
         weight: mass * network.gravity,
         centre_of_gravity: V3::from(given.centre_of_gravity_m),
@@ -380,6 +403,12 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         potential_flow: None,
         spins_about: None,
     }
+}
+
+/// Whether a body follows a prescribed motion; of one that is pinned its origin does.
+fn is_moved(given: &BodyInputs) -> bool {
+    let has_motion = || given.amplitude_m != [0.0; 3] || !given.table_time_s.is_empty();
+    given.kind == BodyKind::Moved || given.kind == BodyKind::Pinned && has_motion()
 }
 
 /// A member and its copies about the z axis of its body.

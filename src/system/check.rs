@@ -20,12 +20,20 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(body_of(keys, point));
         found.extend(outside_water(keys, point));
     }
-    for (_, body) in &keys.bodies {
+    for (name, body) in &keys.bodies {
         found.extend(body_alone(body));
+        found.extend(pinned_to(keys, name, &body.kind, &body.pinned_to));
+        if body.pinned_to.is_given() {
+            let problem = "is not covered for a body that is pinned to another";
+            let remedy = "leave it out, or pin the body to the earth";
+            found.extend(body.amplitude_m.if_given(problem, remedy));
+            found.extend(body.table_time_s.if_given(problem, remedy));
+        }
         found.extend(motion::potential_flow(body));
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));
+        found.extend(pinned_to(keys, name, &rod.kind, &rod.pinned_to));
     }
     for (_, line) in &keys.lines {
         found.extend(ends(keys, line));
@@ -53,6 +61,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(of_material(material));
     }
+    found.extend(without_unknowns(keys));
     found.extend(bed(keys));
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));
@@ -69,11 +78,14 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
 /// A body by itself: mass, matrices, members, loads by heading.
 fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
-    if body.kind.is(&BodyKind::Free) {
-        found.extend(
-            body.mass_kg
-                .if_missing("a free body needs its mass: add `mass_kg`"),
-        );
+    let needs_mass = match body.kind.value() {
+        Some(BodyKind::Free) => Some("a free body needs its mass: add `mass_kg`"),
+        Some(BodyKind::Pinned) => Some("a pinned body needs its mass: add `mass_kg`"),
+        _ => None,
+    };
+    found.extend(needs_mass.and_then(|remedy| body.mass_kg.if_missing(remedy)));
+    if body.kind.is(&BodyKind::Pinned) {
+        found.extend(pinned(body));
     }
     found.extend(matrix(
         &body.waterplane_stiffness,
@@ -120,6 +132,78 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// Keys that a body which turns about its origin has no use for, or that are not covered for it.
+fn pinned(body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let problem = "is not covered for a pinned body";
+    let remedy = "leave it out, or make the body free";
+    for file in [
+        &body.radiation_file,
+        &body.excitation_file,
+        &body.drift_file,
+        &body.response_file,
+    ] {
+        found.extend(file.if_given(problem, remedy));
+    }
+    found.extend(body.bottom_m.if_given(problem, remedy));
+    let problem =
+        "has no effect: the origin of a pinned body is where its position and its motion have it";
+    found.extend(body.start_offset_m.if_given(problem, "remove it"));
+    let problem = "has no effect: a pinned body is free to turn";
+    let remedy = "remove it, or make the body moved";
+    found.extend(body.amplitude_deg.if_given(problem, remedy));
+    for column in [
+        &body.table_roll_deg,
+        &body.table_pitch_deg,
+        &body.table_yaw_deg,
+    ] {
+        found.extend(column.if_given(problem, remedy));
+    }
+    found
+}
+
+/// What a body or rod is pinned to: another one, which is not pinned to a third.
+fn pinned_to(
+    keys: &SystemKeys<'_>,
+    name: &str,
+    kind: &Key<'_, BodyKind>,
+    to: &Key<'_, String>,
+) -> Option<Finding> {
+    let known = to.get()?;
+    if !kind.is(&BodyKind::Pinned) {
+        let problem = "is given for a body that is not pinned";
+        return Some(to.finding(problem, "set kind = \"pinned\", or remove it"));
+    }
+    if known == name {
+        return Some(to.finding("is the body itself", "name another body, or remove it"));
+    }
+    let bodies = keys
+        .bodies
+        .iter()
+        .map(|(name, body)| (name, &body.pinned_to));
+    let rods = keys.rods.iter().map(|(name, rod)| (name, &rod.pinned_to));
+    let third = bodies.chain(rods).find(|(other, _)| *other == known);
+    if third.is_some_and(|(_, third)| third.is_given()) {
+        let problem = "is pinned to a third body, which is not covered";
+        return Some(to.finding(problem, "pin both to the same body"));
+    }
+    unknown(to, &body_names(keys), "body", "system")
+}
+
+/// A system in which nothing has an equilibrium to be found.
+fn without_unknowns(keys: &SystemKeys<'_>) -> Option<Finding> {
+    let is_held = |kind: &Key<'_, BodyKind>| kind.is(&BodyKind::Held);
+    let bodies = keys.bodies.iter().map(|(_, body)| &body.kind);
+    let rods = keys.rods.iter().map(|(_, rod)| &rod.kind);
+    let all_held = bodies.chain(rods).all(is_held);
+    (keys.lines.is_empty() && all_held).then(|| {
+        keys.place.finding(
+            "nothing in the system moves or comes to an equilibrium",
+            "add [[lines]] with [points.<name>] and [materials.<name>], or a body or rod that is free or pinned",
+        )
+    })
+}
+
 /// A rod without length, or one with the name of a body.
 fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -133,6 +217,11 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
         let problem = format!("there is a body named \"{name}\" too");
         found.push(rod.place.finding(problem, "give the rod another name"));
     }
+    if rod.kind.is(&BodyKind::Pinned) {
+        let problem = "is not covered for a pinned rod";
+        let remedy = "make it a body of one member, with `load_n` and `moment_n_m`";
+        found.extend(rod.load_n.if_given(problem, remedy));
+    }
     for end in rods::ends(name) {
         if keys.points.iter().any(|(known, _)| *known == end) {
             let problem = format!("its end is named \"{end}\", as a point is");
@@ -142,8 +231,9 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
             );
         }
     }
+    // Ends in the frame of another body are checked where that has them.
     for end in [&rod.end_a_m, &rod.end_b_m] {
-        found.extend(below_bed(keys, end));
+        found.extend(below_bed(keys, end).filter(|_| !rod.pinned_to.is_given()));
     }
     found
 }

@@ -1,6 +1,6 @@
 //! Parts of a system that nothing holds.
 
-use super::network::{Held, Network};
+use super::network::{Body, Held, Member, Network};
 
 /// A free point or body that no line joins, directly or over others, to anything held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,23 +25,50 @@ pub fn loose(network: &Network) -> Option<Loose> {
             Held::Free(_) => {}
         }
     }
-    for (index, _) in network
+    for (index, body) in network
         .bodies
         .iter()
         .enumerate()
         .filter(|(_, body)| !body.free)
     {
-        groups.join(points + index, earth);
+        let held_by = body.carrier.map_or(earth, |(carrier, _)| points + carrier);
+        groups.join(points + index, held_by);
     }
     for line in &network.lines {
         groups.join(line.from, line.to);
     }
+    for (index, body) in network.bodies.iter().enumerate() {
+        if bears_itself(network, index, body) {
+            groups.join(points + index, earth);
+        }
+    }
     let ground = groups.root(earth);
     let part = (0..earth).find(|&part| groups.root(part) != ground)?;
     Some(match part.checked_sub(points) {
-        None => Loose::Point(part),
+        // What carries a point is what has to be held.
+        None => match network.points[part].held {
+            Held::On(body, _) => Loose::Body(body),
+            Held::At(_) | Held::Free(_) => Loose::Point(part),
+        },
         Some(body) => Loose::Body(body),
     })
+}
+
+/// Whether a body that no line ends at may come to rest by itself: it floats, or lies on the bed.
+fn bears_itself(network: &Network, number: usize, body: &Body) -> bool {
+    let is_on_it =
+        |point: &usize| matches!(network.points[*point].held, Held::On(on, _) if on == number);
+    let mut ends = network.lines.iter().flat_map(|line| [line.from, line.to]);
+    if ends.any(|end| is_on_it(&end)) {
+        return false;
+    }
+    let displacing = body.members.iter().filter(|member| !member.drag_only);
+    let volume: f64 = displacing.map(Member::volume).sum();
+    let most = body.buoyancy + network.density * network.gravity * volume;
+    let lies = body.bottom.is_some() && network.bed.is_some();
+    // Without members or a water-plane more buoyancy than weight lifts it without end.
+    let floats = volume > 0.0 || body.waterplane[(2, 2)] > 0.0 || body.buoyancy == body.weight;
+    body.waterplane[(2, 2)] > 0.0 || body.weight <= most && floats || lies && body.weight >= most
 }
 
 /// Sets joined step by step.

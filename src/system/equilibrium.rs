@@ -19,7 +19,7 @@ use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_at_rest::LinePhysics;
-use super::network::{Held, Network};
+use super::network::{Body, Held, Network};
 use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
 
 /// A system at rest.
@@ -134,6 +134,8 @@ struct Search<'a> {
     here: Balance,
     /// What bears on each unknown where the step begins.
     contacts: Vec<Contact>,
+    /// Force that those of bodies are held against beside the tensions \[N\]: see [`weight_of_bodies`].
+    weight: f64,
     /// Greatest step \[m\].
     reach: f64,
     steps: usize,
@@ -160,9 +162,12 @@ impl<'a> Search<'a> {
         let here =
             balance(network, &freedoms, &placement, physics, None).map_err(SystemError::Line)?;
         let longest = network.lines.iter().map(super::network::Line::length);
+        let longest = longest.chain(network.bodies.iter().filter_map(size_of_pinned));
+        let longest = longest.chain(ways_without_lines(network));
         Ok(Self {
             network,
             lever: levers(network, &freedoms),
+            weight: weight_of_bodies(network),
             bounds,
             physics,
             placement,
@@ -195,7 +200,7 @@ impl<'a> Search<'a> {
         for _ in 0..most_steps {
             let force = self.unbalanced(&self.here, &self.placement);
             let residual = self.size(&force);
-            if residual <= ROUNDING * self.here.tension || residual <= NOTHING {
+            if residual <= ROUNDING * self.force_scale() || residual <= NOTHING {
                 return Ok(());
             }
             idle = if residual < 0.5 * best { 0 } else { idle + 1 };
@@ -224,6 +229,11 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// The typical force: the greatest tension, or the weight of a body.
+    fn force_scale(&self) -> f64 {
+        self.here.tension.max(self.weight)
+    }
+
     /// Residual that may remain: a share of the tension, or what the rounding of the places makes of the stiffness.
     fn accepted(&self) -> f64 {
         let places = self.placement.points.iter().map(nalgebra::Matrix::amax);
@@ -238,7 +248,7 @@ impl<'a> Search<'a> {
             .iter()
             .filter_map(|line| line.discretised.as_ref());
         let own: f64 = own.map(|line| line.found.residual_n).sum();
-        (ACCEPTED * self.here.tension).max(rounding).max(2.0 * own)
+        (ACCEPTED * self.force_scale()).max(rounding).max(2.0 * own)
     }
 
     /// What lies on a bed that slopes.
@@ -332,7 +342,7 @@ impl<'a> Search<'a> {
         let most = most
             .component_div(&self.lever)
             .amax()
-            .max(1e-9 * self.here.tension);
+            .max(1e-9 * self.force_scale());
         // Friction, and moments out of balance, make it oblique.
         let oblique = is_oblique(&stiffness);
         let mut added = 0.0;
@@ -482,6 +492,26 @@ fn solved(stiffness: &EnvelopeMatrix, force: &DVector<f64>) -> Option<DVector<f6
     stiffness.solve(std::slice::from_ref(force))?.pop()
 }
 
+/// Size of a body that is pinned, which turns under its own weight \[m\]; nothing of others, which lines hold.
+fn size_of_pinned(body: &Body) -> Option<f64> {
+    body.pinned.then(|| body.size())
+}
+
+/// How far bodies may go where no line gives a measure \[m\]: by their size, and to the surface.
+fn ways_without_lines(network: &Network) -> impl Iterator<Item = f64> {
+    let alone = network.lines.is_empty();
+    let bodies = network.bodies.iter().filter(move |_| alone);
+    bodies.map(|body| body.size().max(body.pose.origin.z.abs()))
+}
+
+/// Greatest weight or buoyancy of a body that is in balance by itself \[N\]: one that is pinned, or any where there are no lines.
+pub(super) fn weight_of_bodies(network: &Network) -> f64 {
+    let alone = network.lines.is_empty();
+    let bodies = network.bodies.iter().filter(|body| body.pinned || alone);
+    let greatest = bodies.map(|body| body.weight.max(body.buoyancy));
+    greatest.fold(0.0, f64::max)
+}
+
 /// 1 for steps; for turns the greatest arm of a point on the body \[m\].
 pub(super) fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
     let mut arms = vec![0.0_f64; network.bodies.len()];
@@ -489,6 +519,9 @@ pub(super) fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
         if let Held::On(body, at) = &point.held {
             arms[*body] = arms[*body].max(at.norm());
         }
+    }
+    for (arm, body) in arms.iter_mut().zip(&network.bodies) {
+        *arm = arm.max(size_of_pinned(body).unwrap_or(0.0));
     }
     let mut levers = DVector::from_element(freedoms.count, 1.0);
     for (first, arm) in freedoms.bodies.iter().zip(arms) {

@@ -1,4 +1,5 @@
-//! Which numbers of a system are unknown: three of a free point, six of a body.
+//! Which numbers of a system are unknown: three of a free point, six of a body. Of a body that is pinned the first three stay
+//! ([`Contact::Pin`](super::bounds::Contact::Pin)).
 
 use std::sync::Arc;
 
@@ -25,7 +26,7 @@ pub struct Freedoms {
 /// Which bodies are unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnknownBodies {
-    /// The free ones.
+    /// Those that are free or pinned.
     Free,
     /// All of them: for the stiffness of what is held.
     All,
@@ -36,7 +37,7 @@ impl Freedoms {
     #[must_use]
     pub fn of(network: &Network, which: UnknownBodies) -> Self {
         let points = network.points.len();
-        let unknown = |body: usize| network.bodies[body].free || which == UnknownBodies::All;
+        let unknown = |body: usize| network.bodies[body].turns() || which == UnknownBodies::All;
         let part = |point: usize| match &network.points[point].held {
             Held::At(_) => None,
             Held::On(body, _) => unknown(*body).then_some(points + body),
@@ -49,6 +50,7 @@ impl Freedoms {
                 neighbours[b].push(a);
             }
         }
+        join_carriers(network, &mut neighbours, &unknown);
         let free = |point: usize| matches!(network.points[point].held, Held::Free(_));
         let of_points = (0..points).map(|point| if free(point) { 3 } else { 0 });
         let of_bodies = (0..network.bodies.len()).map(|body| if unknown(body) { 6 } else { 0 });
@@ -81,6 +83,27 @@ impl Freedoms {
             }
         }
         String::new()
+    }
+}
+
+/// Joins what touches a body that is pinned to another to that one too: its forces act there.
+fn join_carriers(
+    network: &Network,
+    neighbours: &mut [Vec<usize>],
+    unknown: &impl Fn(usize) -> bool,
+) {
+    let points = network.points.len();
+    for (number, body) in network.bodies.iter().enumerate() {
+        let Some((carrier, _)) = body.carrier.filter(|(carrier, _)| unknown(*carrier)) else {
+            continue;
+        };
+        let (own, on) = (points + number, points + carrier);
+        let mut touched = neighbours[own].clone();
+        touched.push(own);
+        for part in touched.into_iter().filter(|part| *part != on) {
+            neighbours[on].push(part);
+            neighbours[part].push(on);
+        }
     }
 }
 
@@ -118,8 +141,19 @@ impl Placement {
         moved
     }
 
-    /// Puts points on bodies where their bodies have them.
+    /// Puts the origins of bodies that are pinned to others where these have them.
+    fn carry_bodies(&mut self, network: &Network) {
+        for (number, body) in network.bodies.iter().enumerate() {
+            if let Some((carrier, at)) = &body.carrier {
+                let pose = self.bodies[*carrier];
+                self.bodies[number].origin = pose.origin + pose.arm(at);
+            }
+        }
+    }
+
+    /// Puts points on bodies, and bodies that are pinned to others, where their bodies have them.
     pub fn carry(&mut self, network: &Network) {
+        self.carry_bodies(network);
         for (place, point) in self.points.iter_mut().zip(&network.points) {
             if let Held::On(body, at) = &point.held {
                 let pose = &self.bodies[*body];

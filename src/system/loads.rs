@@ -30,6 +30,13 @@ pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
     (force, moment)
 }
 
+/// Force of its pin on a body \[N\]: what balances all else; nothing for a body that is not pinned.
+#[must_use]
+pub fn of_pin(network: &Network, rest: &Equilibrium, body: usize) -> Option<V3> {
+    let first = rest.freedoms.bodies[body].filter(|_| network.bodies[body].pinned)?;
+    Some(-rest.balance.force.fixed_rows::<3>(first))
+}
+
 /// The greatest tension over breaking load of a line, at the ends of its sections \[-\]; nothing where none states one.
 #[must_use]
 pub fn share_of_breaking_load(network: &Network, rest: &Equilibrium, line: usize) -> Option<f64> {

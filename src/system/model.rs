@@ -41,15 +41,15 @@ table! {
         /// The sea bed; absent means that none is in reach.
         seabed: Option<SystemBed>;
         /// What the lines are made of, by name.
-        materials: BTreeMap<String, Material>, required;
+        materials: BTreeMap<String, Material>;
         /// The bodies that points are on, by name.
         bodies: BTreeMap<String, BodyInputs>;
         /// Rigid rods, by name; lines end at their points NAME-a and NAME-b.
         rods: BTreeMap<String, RodInputs>;
         /// The ends of the lines, by name.
-        points: BTreeMap<String, PointInputs>, required;
-        /// The lines, from one point to another.
-        lines: Vec<LineInputs>, required;
+        points: BTreeMap<String, PointInputs>;
+        /// The lines, from one point to another; none where bodies float or turn by themselves.
+        lines: Vec<LineInputs>;
         /// Lines that are paid out or hauled in, in motion.
         payouts: Vec<PayoutInputs>;
         /// Points that slide along lines, in motion.
@@ -216,12 +216,17 @@ words! {
         Held = "held",
         /// Free in all six directions.
         Free = "free",
+        /// Free to turn about its origin, of a rod its end A, which is held or follows a prescribed motion.
+        Pinned = "pinned",
         /// Follows a prescribed motion about its pose; held there at rest.
         Moved = "moved",
     }
 }
 
 const FLOATING: Conditions = &[("kind", &["free"])];
+const TURNING: Conditions = &[("kind", &["free", "pinned"])];
+const PINNED: Conditions = &[("kind", &["pinned"])];
+const CARRIED: Conditions = &[("kind", &["moved", "pinned"])];
 const IN_WAVES: Conditions = &[("kind", &["free", "moved"])];
 
 table! {
@@ -230,6 +235,8 @@ table! {
     pub struct BodyInputs => BodyKeys {
         /// What holds it.
         kind: BodyKind, "kind";
+        /// The body that its origin is pinned to; its position and angles are then those in the frame of that body.
+        pinned_to: Option<String>, "pinned to", kind Name, absent "the earth", matters PINNED;
         /// Place of its origin; of a free body the place that its hydrostatics refer to, where the search begins.
         position_m: [f64; 3] = [0.0, 0.0, 0.0], "position", range of(-1e6, 1e6);
         /// Turn about x, after the two others.
@@ -253,13 +260,13 @@ table! {
         /// Added mass about its origin, along its axes: 36 numbers row by row, or the diagonal; for natural periods.
         added_mass: Vec<f64>, "added mass", unit "kg, kg m, kg m2", range of(-1e18, 1e18), absent "none";
         /// Damping about its origin, along its axes, in motion: 36 numbers row by row, or the diagonal.
-        damping: Vec<f64>, "damping", unit "N s/m, N s, N m s", range of(-1e18, 1e18), absent "none", matters FLOATING;
+        damping: Vec<f64>, "damping", unit "N s/m, N s, N m s", range of(-1e18, 1e18), absent "none", matters TURNING;
         /// The same by the squares of the six velocities, each with its sign.
-        quadratic_damping: Vec<f64>, "quadratic damping", unit "N s2/m2, N s2, N m s2", range of(-1e18, 1e18), absent "none", matters FLOATING;
+        quadratic_damping: Vec<f64>, "quadratic damping", unit "N s2/m2, N s2, N m s2", range of(-1e18, 1e18), absent "none", matters TURNING;
         /// Steady load at its origin along x, y, z, in the earth's directions.
-        load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
+        load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters TURNING;
         /// Steady moment about its origin, in the earth's directions.
-        moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters FLOATING;
+        moment_n_m: [f64; 3] = [0.0, 0.0, 0.0], "steady moment", unit "N m", range of(-1e15, 1e15), matters TURNING;
         /// From its origin down to what bears on the bed.
         bottom_m: Option<f64>, "bottom", range of(-1e3, 1e3), absent "it does not touch the bed", matters FLOATING;
         /// Friction on the bed, by the push of the bed; in motion. It acts at its origin, as that push does: a body on the bed does not tip.
@@ -273,23 +280,23 @@ table! {
         /// Length by which the numbers of these files are scaled (ULEN).
         wamit_length_m: f64 = 1.0, "length of the files", range positive(1e4), matters FLOATING;
         /// Drag coefficient times area along its x, y and z, at its origin.
-        drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters FLOATING;
+        drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters TURNING;
         /// Amplitudes of its motion: surge, sway, heave along x, y, z of the earth.
-        amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters MOVED;
+        amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters CARRIED;
         /// Amplitudes of its roll, pitch and yaw.
         amplitude_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion angles", range of(-180.0, 180.0), matters MOVED;
         /// Periods of its six motions: one for all, or six.
-        period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters MOVED;
+        period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters CARRIED;
         /// Phases of its six motions, A sin(2 pi t / T + phase): six numbers.
-        phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters MOVED;
+        phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters CARRIED;
         /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run; splines through its rows.
-        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters MOVED;
+        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters CARRIED;
         /// x from its position at these times.
-        table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters CARRIED;
         /// y from its position at these times.
-        table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters CARRIED;
         /// z from its position at these times.
-        table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters CARRIED;
         /// Roll from that of its pose at these times.
         table_roll_deg: Vec<f64>, "roll of the table", range of(-360.0, 360.0), absent "0", matters MOVED;
         /// Pitch from that of its pose at these times.
@@ -297,13 +304,13 @@ table! {
         /// Yaw from that of its pose at these times.
         table_yaw_deg: Vec<f64>, "yaw of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
-        ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
+        ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters CARRIED;
         /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.
         response_file: Option<String>, "responses", absent "none", matters IN_WAVES;
         /// Displacement at time zero from where it rests, along x, y, z of the earth: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
         /// Roll, pitch and yaw at time zero beyond those at rest.
-        start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-90.0, 90.0), matters FLOATING;
+        start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-90.0, 90.0), matters TURNING;
         /// Direction towards which the waves of its mean drift run, from +x towards +y.
         drift_towards_deg: f64 = 0.0, "drift direction", range of(-360.0, 360.0), matters FLOATING;
     }
@@ -325,6 +332,8 @@ table! {
     pub struct RodInputs => RodKeys {
         /// What holds it.
         kind: BodyKind, "kind";
+        /// The body that its end A is pinned to; its ends are then places in the frame of that body.
+        pinned_to: Option<String>, "pinned to", kind Name, absent "the earth", matters PINNED;
         /// Its end A; of a free rod where the search begins.
         end_a_m: [f64; 3], "end A", range of(-1e6, 1e6);
         /// Its end B.
@@ -337,7 +346,7 @@ table! {
         drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
         /// Added mass coefficient across it, on the displaced volume; for natural periods.
         added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
-        /// Steady load at its middle, along x, y, z.
+        /// Steady load at its middle, along x, y, z; not of a rod that is pinned.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
     }
 }

@@ -120,6 +120,10 @@ pub struct Body {
     pub pose: Pose,
     /// Whether it is free.
     pub free: bool,
+    /// Whether it is pinned: its origin is held or moved, and it is free to turn.
+    pub pinned: bool,
+    /// The body that it is pinned to, and where in the frame of that body \[m\]; nothing for the earth.
+    pub carrier: Option<(usize, V3)>,
     /// Mass in air \[kg\] and weight in air \[N\]; zero while a held body does not say its mass.
     pub mass: f64,
     /// See `mass`.
@@ -176,10 +180,29 @@ impl Body {
         pose.arm(&upright).angle(&V3::z())
     }
 
+    /// Whether its rotation is unknown.
+    #[must_use]
+    pub fn turns(&self) -> bool {
+        self.free || self.pinned
+    }
+
+    /// The greatest arm of its centres and of its members from its origin \[m\].
+    #[must_use]
+    pub fn size(&self) -> f64 {
+        let ends = self
+            .members
+            .iter()
+            .flat_map(|member| [member.from, member.to]);
+        let centres = [self.centre_of_gravity, self.centre_of_buoyancy];
+        ends.chain(centres)
+            .map(|arm| arm.norm())
+            .fold(0.0, f64::max)
+    }
+
     /// Whether it is let go aside from where it rests.
     #[must_use]
     pub fn starts_aside(&self) -> bool {
-        self.free && self.start_offset != [V3::zeros(); 2]
+        self.turns() && self.start_offset != [V3::zeros(); 2]
     }
 
     /// Where it is let go, if it rests at this pose.
@@ -221,6 +244,16 @@ pub struct Member {
     pub added_mass: f64,
     /// Whether it has drag alone, and displaces no water of its own.
     pub drag_only: bool,
+}
+
+impl Member {
+    /// Its volume \[m³\]: of a cone from end to end.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let (a, b) = self.radius;
+        let long = (self.to - self.from).norm();
+        std::f64::consts::PI / 3.0 * long * (a * a + a * b + b * b)
+    }
 }
 
 /// Loads of a flow by its heading.

@@ -50,7 +50,7 @@ const fn quantity(
 
 /// All results.
 #[rustfmt::skip] // one a line
-static QUANTITIES: [Quantity; 12] = [
+static QUANTITIES: [Quantity; 15] = [
     quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line"),
     quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
@@ -58,12 +58,18 @@ static QUANTITIES: [Quantity; 12] = [
     quantity("clearance_m", "m", Subject::Line, "least distance of a line from another that shares no point with it"),
     quantity("uplift_n", "N", Subject::Point, "upward pull of the lines on a point"),
     quantity("offset_m", "m", Subject::Body, "distance in plan of a free body from the place given"),
+    quantity("pin_force_x_n", "N", Subject::Body, "x of the force of its pin on a body"),
+    quantity("pin_force_y_n", "N", Subject::Body, "y of the force of its pin on a body"),
+    quantity("pin_force_z_n", "N", Subject::Body, "z of the force of its pin on a body"),
     quantity("period_s", "s", Subject::Period, "natural period by its number, the longest first, or longest of one that is mostly of a body and a direction"),
     quantity("x_m", "m", Subject::Point, "x of a point"),
     quantity("y_m", "m", Subject::Point, "y of a point"),
     quantity("z_m", "m", Subject::Point, "z of a point"),
     quantity("stiffness", "N/m, N, N m", Subject::Stiffness, "stiffness of the lines on a body, by row and column from 1 to 6"),
 ];
+
+/// Components of the force of a pin.
+const PIN_FORCE: [&str; 3] = ["pin_force_x_n", "pin_force_y_n", "pin_force_z_n"];
 
 /// Name and places of a result: `tension_n[mooring|b]` is `tension_n`, `mooring`, `b`.
 fn parts(name: &str) -> Option<(&'static Quantity, &str, &str)> {
@@ -140,6 +146,10 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
         }
         Subject::Body => {
             let index = network.body(subject).ok_or_else(missing)?;
+            if let Some(axis) = PIN_FORCE.iter().position(|name| *name == quantity.name) {
+                let force = loads::of_pin(network, &solved.rest, index);
+                return force.map(|force| force[axis]).ok_or_else(missing);
+            }
             let here = solved.rest.placement.bodies[index].origin;
             Ok((here - network.bodies[index].pose.origin).xy().norm())
         }
@@ -177,6 +187,9 @@ pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
         .collect();
     let free = network.bodies.iter().filter(|body| body.free);
     names.extend(free.map(|body| format!("offset_m[{}]", body.name)));
+    for body in network.bodies.iter().filter(|body| body.pinned) {
+        names.extend(PIN_FORCE.map(|name| format!("{name}[{}]", body.name)));
+    }
     // By number: as inputs change, modes of a part and a direction may mix.
     let modes = periods(network, rest).unwrap_or_default();
     let finite = modes

@@ -60,7 +60,7 @@ pub fn lumped(mooring: &Mooring, sea: &SeaOfCase, refined: usize) -> Result<Lump
     model.holds_bodies |= mooring
         .bodies
         .iter()
-        .any(|body| body.hold.value == Hold::Free);
+        .any(|body| matches!(body.hold.value, Hold::Free | Hold::Pinned(_)));
     for line in &mooring.lines {
         add_line(&mut model, mooring, line, &nodes, refined)?;
     }
@@ -112,13 +112,12 @@ fn add(model: &mut LumpedModel, mooring: &Mooring, hold: &Hold, place: V3) -> us
 fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2] {
     let hold = &rod.hold.value;
     if rod.is_joint() {
-        return [add(model, mooring, hold, V3::from(rod.end(0))); 2];
+        return [add(model, mooring, hold.base(), V3::from(rod.end(0))); 2];
     }
-    model.holds_bodies |= *hold == Hold::Free;
-    let held = if *hold == Hold::Free {
-        &Hold::Fixed
-    } else {
-        hold
+    model.holds_bodies |= matches!(hold, Hold::Free | Hold::Pinned(_));
+    let held = match hold {
+        Hold::Free => &Hold::Fixed,
+        _ => hold.base(),
     };
     [0, 1].map(|end| add(model, mooring, held, V3::from(rod.end(end))))
 }

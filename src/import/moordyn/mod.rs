@@ -50,7 +50,10 @@ pub fn read_into(
     let mut faults = sections.faults.clone();
     let mooring = assembled(mooring, &sections, folder, &mut faults);
     for (section, needed) in [
-        (Section::Points, mooring.rods.is_empty()),
+        (
+            Section::Points,
+            mooring.rods.is_empty() && mooring.bodies.is_empty(),
+        ),
         (
             Section::Lines,
             mooring.rods.is_empty() && mooring.bodies.is_empty(),
@@ -66,14 +69,14 @@ pub fn read_into(
             ));
         }
     }
-    if faults.is_empty() && mooring.lines.is_empty() {
+    if faults.is_empty() && mooring.lines.is_empty() && !has_bodies(&mooring) {
         faults.push(Fault::new(
             sections
                 .block(Section::Lines)
                 .map_or(0..0, |block| block.span.clone()),
             "LINES",
-            "the file has no lines; a system here has one at least",
-            "hold what floats by a line, or add a slack one between two fixed points",
+            "the file has no lines, and no body or rod that is free, pinned or coupled",
+            "add a line: nothing in the file moves or comes to an equilibrium",
         ));
     }
     if faults.is_empty() {
@@ -83,6 +86,14 @@ pub fn read_into(
     faults.sort_by_key(|fault| fault.span.start);
     faults.dedup();
     Err(faults)
+}
+
+/// Whether a body, or a rod with a length, moves or comes to an equilibrium.
+fn has_bodies(mooring: &Mooring) -> bool {
+    let bodies = mooring.bodies.iter().map(|body| &body.hold.value);
+    let rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
+    let mut holds = bodies.chain(rods.map(|rod| &rod.hold.value));
+    holds.any(|hold| !matches!(hold, Hold::Fixed | Hold::Body(_)))
 }
 
 /// The tables in the order in which they name each other.

@@ -1,7 +1,7 @@
 //! Bodies and rods.
 
 use super::Context;
-use super::case_text::{CaseText, number, numbers};
+use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{Body, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
 use crate::system::pose::Pose;
@@ -38,6 +38,7 @@ pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
 fn kind_of(hold: &Hold, context: &Context<'_>) -> &'static str {
     match hold {
         Hold::Free => "\"free\"",
+        Hold::Pinned(_) => "\"pinned\"",
         Hold::Coupled if context.motion.moves() => "\"moved\"",
         _ => "\"held\"",
     }
@@ -59,11 +60,12 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
             case.given(key, &number(angle), &given.span, "r0 p0 y0");
         }
     }
-    if body.hold.value == Hold::Coupled {
-        context.motion.write_body(case, number_of);
+    if body.hold.value.is_coupled() {
+        let is_pinned = body.hold.value != Hold::Coupled;
+        context.motion.write_body(case, number_of, is_pinned);
     }
     let rods: Vec<(usize, &Rod)> = rods_on(context, number_of);
-    if body.hold.value == Hold::Free {
+    if body.hold.value.turns() {
         let points = points_on(context, number_of);
         inertia(case, context, body, (&rods, &points));
         water(case, context, body, &points);
@@ -303,6 +305,10 @@ pub fn write_rods(case: &mut CaseText<'_>, context: &Context<'_>) {
         case.table(&header, Some(&rod.span));
         let kind = kind_of(&rod.hold.value, context);
         case.given("kind", kind, &rod.hold.span, "Attachment");
+        if let Hold::Body(body) = rod.hold.value.base() {
+            let name = text(&context.names.bodies[*body]);
+            case.given("pinned_to", &name, &rod.hold.span, "Attachment");
+        }
         case.given(
             "end_a_m",
             &numbers(&rod.end(0)),

@@ -123,7 +123,7 @@ fn motion_of(mooring: &Mooring, options: &ImportOptions) -> Result<Motion, Vec<F
 /// Whether all points and ends of rods are above still water.
 #[must_use]
 pub fn is_in_air(mooring: &Mooring) -> bool {
-    let held = |hold: &Hold| !matches!(hold, Hold::Body(_));
+    let held = |hold: &Hold| !matches!(hold.base(), Hold::Body(_));
     let points = mooring
         .points
         .iter()
@@ -153,6 +153,14 @@ fn head(case: &mut CaseText<'_>, context: &Context<'_>, file: &str, left_out: &[
     }
     notes.extend(mooring.remarks.iter().cloned());
     notes.extend(context.motion.remarks.iter().cloned());
+    let is_pinned = |hold: &Hold| *hold == Hold::Pinned(Box::new(Hold::Fixed));
+    if mooring
+        .bodies
+        .iter()
+        .any(|body| is_pinned(&body.hold.value))
+    {
+        notes.push("MoorDyn takes a body that is `Pinned` as free; here it is pinned.".to_owned());
+    }
     let has_ends = |of: &RodType| of.drag_end.value > 0.0 || of.added_mass_end.value > 0.0;
     let mut rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
     if rods.any(|rod| has_ends(&mooring.rod_types[rod.of_type.value])) {

@@ -15,6 +15,8 @@ const NEAR: f64 = 0.5;
 enum Part {
     Body(usize),
     Rod(usize),
+    /// The end A of a rod that is pinned.
+    PinnedRod(usize),
     Point(usize),
 }
 
@@ -123,13 +125,17 @@ impl Motion {
         }
     }
 
-    /// Writes the motion of a body.
-    pub fn write_body(&self, case: &mut CaseText<'_>, body: usize) {
+    /// Writes the motion of a body; of one that is pinned that of its origin.
+    pub fn write_body(&self, case: &mut CaseText<'_>, body: usize, is_pinned: bool) {
         match &self.layout {
             Layout::Vessel => self.write_table(case, 0, [0.0; 6]),
             Layout::Each(_) => {
-                if let Some((first, rest)) = self.of(Part::Body(body)) {
-                    self.write_table(case, first, rest);
+                let Some((first, rest)) = self.of(Part::Body(body)) else {
+                    return;
+                };
+                match is_pinned {
+                    true => self.write_places(case, first, rest),
+                    false => self.write_table(case, first, rest),
                 }
             }
             Layout::Still => {}
@@ -138,9 +144,13 @@ impl Motion {
 
     /// Writes the motion of a point.
     pub fn write_point(&self, case: &mut CaseText<'_>, point: usize) {
-        let Some((first, rest)) = self.of(Part::Point(point)) else {
-            return;
-        };
+        if let Some((first, rest)) = self.of(Part::Point(point)) {
+            self.write_places(case, first, rest);
+        }
+    }
+
+    /// Writes the motion of a place.
+    fn write_places(&self, case: &mut CaseText<'_>, first: usize, rest: [f64; 6]) {
         case.assumed(
             "table_time_s",
             &numbers(&self.times),
@@ -253,21 +263,24 @@ impl Motion {
 fn degrees(part: Part) -> usize {
     match part {
         Part::Body(_) | Part::Rod(_) => 6,
-        Part::Point(_) => 3,
+        Part::PinnedRod(_) | Part::Point(_) => 3,
     }
 }
 
 /// Coupled parts in the order of MoorDyn: bodies, rods, points.
 fn coupled(mooring: &Mooring) -> Vec<Part> {
     let bodies = mooring.bodies.iter().enumerate();
-    let bodies = bodies.filter(|(_, body)| body.hold.value == Hold::Coupled);
+    let bodies = bodies.filter(|(_, body)| body.hold.value.is_coupled());
     let rods = mooring.rods.iter().enumerate();
-    let rods = rods.filter(|(_, rod)| rod.hold.value == Hold::Coupled);
+    let rods = rods.filter(|(_, rod)| rod.hold.value.is_coupled());
     let points = mooring.points.iter().enumerate();
     let points = points.filter(|(_, point)| point.hold.value == Hold::Coupled);
     bodies
         .map(|(number, _)| Part::Body(number))
-        .chain(rods.map(|(number, _)| Part::Rod(number)))
+        .chain(rods.map(|(number, rod)| match rod.hold.value {
+            Hold::Coupled => Part::Rod(number),
+            _ => Part::PinnedRod(number),
+        }))
         .chain(points.map(|(number, _)| Part::Point(number)))
         .collect()
 }
@@ -287,7 +300,7 @@ fn layout(parts: &[Part], mooring: &Mooring, first: &[f64], count: usize) -> Opt
     let is_near = |(part, column): &(Part, usize)| {
         let place = match part {
             Part::Body(body) => &mooring.bodies[*body].place,
-            Part::Rod(rod) => &mooring.rods[*rod].ends[0],
+            Part::Rod(rod) | Part::PinnedRod(rod) => &mooring.rods[*rod].ends[0],
             Part::Point(point) => &mooring.points[*point].place,
         };
         let here = first.get(1 + column..4 + column);

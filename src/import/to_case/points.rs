@@ -20,7 +20,10 @@ pub fn name_of(context: &Context<'_>, end: Attachment) -> String {
 /// Writes the points that lines end at.
 pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
     for (number_of, point) in context.mooring.points.iter().enumerate() {
-        if context.is_used(Attachment::Point(number_of)) {
+        // Without lines points say where places of bodies are.
+        let is_place =
+            context.mooring.lines.is_empty() && matches!(point.hold.value, Hold::Body(_));
+        if is_place || context.is_used(Attachment::Point(number_of)) {
             let header = format!("[points.{}]", context.names.points[number_of]);
             case.table(&header, Some(&point.span));
             one_point(case, context, number_of, point);
@@ -101,7 +104,12 @@ fn held(
         here[2] = 0.0;
     }
     let vessel = context.has_vessel && hold.value == Hold::Coupled;
-    let (kind, body) = match &hold.value {
+    let on_body = matches!(hold.value.base(), Hold::Body(_));
+    let (kind, body) = match if on_body {
+        hold.value.base()
+    } else {
+        &hold.value
+    } {
         Hold::Free => ("free", None),
         Hold::Body(body) => ("body", Some(&context.names.bodies[*body])),
         Hold::Coupled if vessel => ("body", Some(&context.names.vessel)),

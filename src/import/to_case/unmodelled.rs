@@ -72,28 +72,40 @@ fn with_verb(what: &str) -> String {
     format!("{what}: this is")
 }
 
-/// Parts that are held but free to turn.
+/// Parts that are pinned to what moves, as far as that is not covered.
 fn pinned(context: &Context<'_>) -> Vec<Unmodelled> {
     let mooring = context.mooring;
     let bodies = mooring.bodies.iter().map(|body| (&body.hold, "BODIES"));
     let rods = mooring.rods.iter().map(|rod| (&rod.hold, "RODS"));
-    bodies
-        .chain(rods)
-        .filter(|(hold, _)| matches!(hold.value, Hold::Pinned(_)))
-        .map(|(hold, table)| Unmodelled {
+    let found = bodies.chain(rods).filter_map(|(hold, table)| {
+        let Hold::Pinned(to) = &hold.value else {
+            return None;
+        };
+        let what = match **to {
+            Hold::Body(_) if table == "BODIES" => "a body that is pinned to a body",
+            Hold::Coupled if table == "RODS" && context.motion.moves() => {
+                "a pinned rod whose end follows a motion"
+            }
+            Hold::Coupled if context.motion.is_of_one_body() => {
+                "a pinned body that the motion of the whole carries"
+            }
+            _ => return None,
+        };
+        Some(Unmodelled {
             name: "",
             span: hold.span.clone(),
             key: format!("{table}, Attachment"),
-            what: "what is held and free to turn (pinned)".to_owned(),
+            what: what.to_owned(),
         })
-        .collect()
+    });
+    found.collect()
 }
 
 /// Loads of points on free bodies: as the body turns, their lever does.
 fn loads(context: &Context<'_>) -> Vec<Unmodelled> {
     let mooring = context.mooring;
     let is_on_free_body = |hold: &Hold| match hold {
-        Hold::Body(body) => mooring.bodies[*body].hold.value == Hold::Free,
+        Hold::Body(body) => mooring.bodies[*body].hold.value.turns(),
         _ => false,
     };
     let points = mooring.points.iter();
@@ -133,7 +145,8 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
             let Attachment::Rod(rod, _) = end.value else {
                 continue;
             };
-            let holds = !matches!(mooring.rods[rod].hold.value, Hold::Free | Hold::Body(_));
+            let hold = &mooring.rods[rod].hold.value;
+            let holds = !hold.turns() && !matches!(hold, Hold::Body(_));
             if is_inside(mooring, rod)
                 || is_hinge(context, rod)
                 || holds && !context.motion.is_of_one_body()
@@ -152,8 +165,15 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
     found
 }
 
-/// A free joint at which a single line ends, which nothing holds.
+/// A joint at which a line ends that nothing but other lines hold the direction of: a free one, or a pinned one of a single line.
 fn is_hinge(context: &Context<'_>, rod: usize) -> bool {
     let joint = &context.mooring.rods[rod];
-    joint.is_joint() && joint.hold.value == Hold::Free
+    let ends = context.mooring.lines.iter().flat_map(|line| &line.ends);
+    let here = ends.filter(|end| matches!(end.value, Attachment::Rod(at, _) if at == rod));
+    let is_free = match joint.hold.value {
+        Hold::Free => true,
+        Hold::Pinned(_) => here.count() == 1,
+        _ => false,
+    };
+    joint.is_joint() && is_free
 }

@@ -265,7 +265,7 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
     let others = others.iter().map(|(rest, how)| (rest, how));
     let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
     let free: Vec<usize> = (0..network.bodies.len())
-        .filter(|body| network.bodies[*body].free)
+        .filter(|body| network.bodies[*body].turns())
         .collect();
     let mut table = Table::of("Equilibria that were found", &all)
         .text("at rest", |(_, how)| match how {

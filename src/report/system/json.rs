@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::tables::hold_of;
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::ageing::SettledAge;
@@ -99,7 +100,7 @@ fn point(solved: &SolvedSystem, index: usize) -> Value {
         Held::At(_) => "fixed",
         Held::On(..) => "body",
         Held::Free(_) => match solved.rest.contact(index) {
-            Contact::None => "free",
+            Contact::None | Contact::Pin => "free",
             Contact::Bed => "on bed",
             Contact::Surface => "afloat",
         },
@@ -130,8 +131,9 @@ fn body(solved: &SolvedSystem, index: usize) -> Value {
         .collect();
     json!({
         "name": body.name,
-        "held": if body.free { "free" } else { "held" },
+        "held": hold_of(body),
         "pose": pose(&solved.rest.placement.bodies[index]),
+        "pin_force_n": loads::of_pin(&solved.network, &solved.rest, index).as_ref().map(three),
         "lines_force_n": three(&force),
         "lines_moment_n_m": three(&moment),
         "stiffness": rows,

@@ -36,22 +36,30 @@ pub fn report(
     for warning in tables::warnings(solved) {
         page.hanging("! ", &warning);
     }
-    page.heading("Lines");
-    page.chart(&views::plan(solved), LINES, glyphs);
-    page.chart(&views::side(solved), LINES, glyphs);
-    page.table(&tables::lines(solved));
+    let network = &solved.network;
+    let has_lines = !network.lines.is_empty();
+    if has_lines {
+        page.heading("Lines");
+        page.chart(&views::plan(solved), LINES, glyphs);
+        page.chart(&views::side(solved), LINES, glyphs);
+        page.table(&tables::lines(solved));
+    }
     page.heading("Points and bodies");
-    page.table(&tables::points(solved));
-    if !solved.network.bodies.is_empty() {
+    if has_lines || !network.points.is_empty() {
+        page.table(&tables::points(solved));
+    }
+    if !network.bodies.is_empty() {
         page.table(&tables::bodies(solved));
-        for body in 0..solved.network.bodies.len() {
+        for body in (0..network.bodies.len()).filter(|_| has_lines) {
             page.table(&tables::stiffness(solved, body));
         }
     }
     if !analyses.others.is_empty() {
         page.table(&analysis::equilibria(solved, &analyses.others));
     }
-    page.table(&analysis::clearances(solved, &analyses.clearances));
+    if has_lines {
+        page.table(&analysis::clearances(solved, &analyses.clearances));
+    }
     match &analyses.periods {
         Ok(modes) if modes.is_empty() => {}
         Ok(modes) => page.table(&analysis::periods(solved, modes)),

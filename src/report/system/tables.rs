@@ -9,7 +9,7 @@ use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
 use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
-use crate::system::network::Held;
+use crate::system::network::{Body, Held};
 use crate::system::potential_flow::wave_loads::energy_above;
 use crate::system::stability::Stability;
 use crate::system::{SolvedSystem, SystemFile};
@@ -25,6 +25,15 @@ type Numbered = usize;
 #[must_use]
 pub fn summary(solved: &SolvedSystem) -> String {
     let (network, rest) = (&solved.network, &solved.rest);
+    if network.lines.is_empty() {
+        return format!(
+            "{} bodies at rest without lines. {} Forces out of balance {}; {} steps.",
+            network.bodies.len(),
+            stability(solved),
+            NEWTONS.write(rest.residual),
+            rest.steps,
+        ) + &in_motion(solved);
+    }
     let share = rest.residual / rest.balance.tension.max(f64::MIN_POSITIVE);
     format!(
         "{} lines, {} points, {} bodies at rest: {}. {} Forces out of balance {}, {share:.1e} of the greatest tension; {} steps, {} evaluations of all lines.",
@@ -78,7 +87,7 @@ fn stability(solved: &SolvedSystem) -> String {
         Stability::Stable => "The equilibrium is stable.".to_owned(),
         Stability::Neutral(name) => {
             // With bodies held the energy is convex: states of the same energy have the same tensions.
-            let turns = solved.network.bodies.iter().any(|body| body.free);
+            let turns = solved.network.bodies.iter().any(Body::turns);
             let same = match turns {
                 true => "",
                 false => "; the tensions are the same all along",
@@ -243,7 +252,7 @@ const FAR_TILTED: f64 = 0.35;
 fn far_tilted(solved: &SolvedSystem) -> Vec<String> {
     let poses = &solved.rest.placement.bodies;
     let bodies = solved.network.bodies.iter().zip(poses);
-    let free = bodies.filter(|(body, _)| body.free && body.waterplane.amax() > 0.0);
+    let free = bodies.filter(|(body, _)| body.turns() && body.waterplane.amax() > 0.0);
     let tilts = free.map(|(body, pose)| (body, body.tilt(pose)));
     tilts
         .filter(|(_, tilt)| *tilt > FAR_TILTED)
@@ -365,7 +374,7 @@ fn held(solved: &SolvedSystem, point: usize) -> String {
         Held::At(_) => "fixed".to_owned(),
         Held::On(body, _) => format!("on {}", solved.network.bodies[*body].name),
         Held::Free(_) => match solved.rest.contact(point) {
-            Contact::None => "free",
+            Contact::None | Contact::Pin => "free",
             Contact::Bed => "on the bed",
             Contact::Surface => "afloat",
         }
@@ -373,7 +382,17 @@ fn held(solved: &SolvedSystem, point: usize) -> String {
     }
 }
 
-/// The bodies: pose and force of the lines.
+/// What holds a body, in a word.
+#[must_use]
+pub fn hold_of(body: &Body) -> &'static str {
+    match (body.free, body.pinned) {
+        (true, _) => "free",
+        (false, true) => "pinned",
+        (false, false) => "held",
+    }
+}
+
+/// The bodies: pose, force of the lines, and of their pins where any is pinned.
 #[must_use]
 pub fn bodies(solved: &SolvedSystem) -> Table {
     let network = &solved.network;
@@ -385,15 +404,9 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .map(|k| loads::on_body(network, &solved.rest, *k))
         .collect();
     let force = balanced(solved);
-    Table::of("Bodies", &numbers)
+    let table = Table::of("Bodies", &numbers)
         .text("body", |k| network.bodies[*k].name.as_str())
-        .text("held", |k| {
-            if network.bodies[*k].free {
-                "free"
-            } else {
-                "held"
-            }
-        })
+        .text("held", |k| hold_of(&network.bodies[*k]))
         .number("x", METRES, |k| pose(k).origin.x)
         .number("y", METRES, |k| pose(k).origin.y)
         .number("z", METRES, |k| pose(k).origin.z)
@@ -402,7 +415,18 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .number("yaw", DEGREES, |k| angle(k, 2))
         .number("lines x", NEWTONS, |k| force(loads[*k].0.x))
         .number("lines y", NEWTONS, |k| force(loads[*k].0.y))
-        .number("lines z", NEWTONS, |k| force(loads[*k].0.z))
+        .number("lines z", NEWTONS, |k| force(loads[*k].0.z));
+    if !network.bodies.iter().any(|body| body.pinned) {
+        return table.build();
+    }
+    let pin = |k: &usize, axis: usize| {
+        let at_pin = loads::of_pin(network, &solved.rest, *k);
+        at_pin.map_or(f64::NAN, |at_pin| force(at_pin[axis]))
+    };
+    table
+        .number("pin x", NEWTONS, |k| pin(k, 0))
+        .number("pin y", NEWTONS, |k| pin(k, 1))
+        .number("pin z", NEWTONS, |k| pin(k, 2))
         .build()
 }
 

@@ -52,7 +52,13 @@ impl Analyses {
     #[must_use]
     pub fn of(solved: &SolvedSystem) -> Self {
         let (file, network, rest) = (&solved.file, &solved.network, &solved.rest);
-        let others = equilibria::others(network, rest).into_iter();
+        // What is neutral and on no line rests wherever it is put.
+        let drifts = network.lines.is_empty() && matches!(solved.stability, Stability::Neutral(_));
+        let others = match drifts {
+            true => Vec::new(),
+            false => equilibria::others(network, rest),
+        };
+        let others = others.into_iter();
         let others = others.map(|other| {
             let how = stability(network, &other);
             (other, how)

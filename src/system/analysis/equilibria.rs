@@ -26,7 +26,7 @@ const SAME: f64 = 1e-5;
 #[must_use]
 pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
     let mut found: Vec<Equilibrium> = Vec::new();
-    let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].free);
+    let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].turns());
     for body in free {
         for turn in TURNS {
             let mut from = start(network);

@@ -42,6 +42,8 @@ impl HeldAway {
     pub fn new(network: &Network, rest: &Equilibrium, body: usize) -> Self {
         let mut network = network.clone();
         network.bodies[body].free = false;
+        network.bodies[body].pinned = false;
+        network.bodies[body].carrier = None;
         network.bodies[body].pose = rest.placement.bodies[body];
         Self {
             network,

@@ -3,7 +3,7 @@
 //! K is the exact stiffness of lines, hydrostatics and weights, condensed onto the bodies and points that have a mass; M their mass and
 //! inertia with the added mass given. The lines bring no inertia here, and points without mass follow at once.
 
-use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix6, SMatrix, SymmetricEigen};
 
 use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
@@ -15,6 +15,7 @@ use super::super::members;
 use super::super::network::{Body, Held, Network};
 use super::super::pose::{Pose, cross};
 use super::super::stiffness::{contacts, take};
+use crate::numerics::V3;
 
 /// A natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -100,7 +101,8 @@ fn unknowns(
         let Some(first) = first.filter(|_| network.bodies[body].mass > 0.0) else {
             continue;
         };
-        own.extend((0..6).map(|direction| MovingUnknown {
+        let first_free = first_direction(&network.bodies[body]);
+        own.extend((first_free..6).map(|direction| MovingUnknown {
             of: Moving::Body(body),
             direction,
             unknown: first + direction,
@@ -126,15 +128,24 @@ fn unknowns(
     (own, inner)
 }
 
+/// The first direction that a body moves in: one that is pinned turns alone.
+fn first_direction(body: &Body) -> usize {
+    if body.pinned { 3 } else { 0 }
+}
+
 /// The masses of the unknowns that have inertia.
 fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatrix<f64> {
     let mut masses = DMatrix::zeros(own.len(), own.len());
     for (k, moving) in own.iter().enumerate() {
         match (moving.of, moving.direction) {
-            (Moving::Body(body), 0) => {
+            (Moving::Body(body), direction)
+                if direction == first_direction(&network.bodies[body]) =>
+            {
                 let pose = &rest.placement.bodies[body];
                 let block = mass_matrix(network, &network.bodies[body], pose);
-                masses.view_mut((k, k), (6, 6)).copy_from(&block);
+                let size = 6 - direction;
+                let block = block.view((direction, direction), (size, size));
+                masses.view_mut((k, k), (size, size)).copy_from(&block);
             }
             (Moving::Body(_), _) => {}
             (Moving::Point(point), direction) => {
@@ -152,7 +163,41 @@ fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatr
             }
         }
     }
+    for (number, body) in network.bodies.iter().enumerate() {
+        if let Some((carrier, at)) = &body.carrier {
+            carry((network, rest), own, (number, *carrier, at), &mut masses);
+        }
+    }
     masses
+}
+
+/// Adds the mass of a body that is pinned to another, at a place of that one, to the unknowns of that one.
+fn carry(
+    (network, rest): (&Network, &Equilibrium),
+    own: &[MovingUnknown],
+    (number, carrier, at): (usize, usize, &V3),
+    masses: &mut DMatrix<f64>,
+) {
+    let first = |body: usize| own.iter().position(|known| known.of == Moving::Body(body));
+    let (Some(row), Some(on)) = (first(number), first(carrier)) else {
+        return;
+    };
+    let poses = &rest.placement.bodies;
+    let mass = mass_matrix(network, &network.bodies[number], &poses[number]);
+    let mut by = SMatrix::<f64, 3, 6>::identity();
+    let arm = poses[carrier].arm(at);
+    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
+    let skipped = first_direction(&network.bodies[carrier]);
+    let by = by.columns(skipped, 6 - skipped);
+    let size = by.ncols();
+    let straight = by.transpose() * mass.fixed_view::<3, 3>(0, 0) * by;
+    let mut block = masses.view_mut((on, on), (size, size));
+    block += straight;
+    let across = by.transpose() * mass.fixed_view::<3, 3>(0, 3);
+    masses.view_mut((on, row), (size, 3)).copy_from(&across);
+    masses
+        .view_mut((row, on), (3, size))
+        .copy_from(&across.transpose());
 }
 
 /// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.
@@ -212,6 +257,17 @@ fn most_energy(
     let mut energy = DVector::zeros(own.len());
     for (k, moving) in own.iter().enumerate() {
         match (moving.of, moving.direction) {
+            (Moving::Body(body), 3) if network.bodies[body].pinned => {
+                let (body, pose) = (&network.bodies[body], &rest.placement.bodies[body]);
+                let axes = pose.matrix();
+                let mass = mass_matrix(network, body, pose);
+                let mass = mass.fixed_view::<3, 3>(3, 3);
+                let mass = axes.matrix().transpose() * mass * axes.matrix();
+                let here = axes.matrix().transpose() * motion.fixed_rows::<3>(k);
+                for j in 0..3 {
+                    energy[k + j] = mass[(j, j)] * here[j] * here[j];
+                }
+            }
             (Moving::Body(body), 0) => {
                 let (body, pose) = (&network.bodies[body], &rest.placement.bodies[body]);
                 let mut shift = Matrix6::identity();

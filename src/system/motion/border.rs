@@ -36,28 +36,67 @@ pub struct Border {
     driven: Vec<DrivenPayout>,
 }
 
-/// How an end of a line moves with a body.
+/// How a place moves with the unknowns: rows, each with the displacement of the place by it; as itself where that is nothing. A force there is
+/// on each row that force by the transpose. A place on a body that is pinned to another has four.
+#[derive(Default)]
+struct Place {
+    parts: [(usize, Option<M3>); 4],
+    count: usize,
+    arms: [Option<Arm>; 2],
+}
+
+/// An arm that turns under the force on its place.
+#[derive(Clone, Copy)]
 struct Arm {
-    origin: usize,
     rotation: usize,
-    /// From changes of the rotation vector to the displacement of the end.
-    by_turn: M3,
-    /// From the force on the end to the moment along the same axes: its transpose.
-    lever: M3,
-    /// The arm as the matrix of its cross product.
+    /// As the matrix of its cross product.
     arm: M3,
     jacobian: M3,
 }
 
-/// The rows that an end of a line acts on.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "two of them live on the stack while a line is joined"
-)]
-enum End {
-    Nothing,
-    Point(usize),
-    Body(Arm),
+impl Place {
+    fn push(&mut self, row: usize, by: Option<M3>) {
+        if let Some(part) = self.parts.get_mut(self.count) {
+            *part = (row, by);
+            self.count += 1;
+        }
+    }
+
+    /// Adds the rotation of a body that the place is on.
+    fn turn(&mut self, arm: Arm) {
+        self.push(arm.rotation, Some(-arm.arm * arm.jacobian));
+        if let Some(free) = self.arms.iter_mut().find(|known| known.is_none()) {
+            *free = Some(arm);
+        }
+    }
+
+    fn parts(&self) -> &[(usize, Option<M3>)] {
+        &self.parts[..self.count]
+    }
+
+    fn arms(&self) -> impl Iterator<Item = &Arm> {
+        self.arms.iter().flatten()
+    }
+
+    /// The displacement of the place by those of the unknowns.
+    fn displacement(&self, rows: &[V3]) -> V3 {
+        let parts = self.parts().iter();
+        let moved = parts.map(|(row, by)| match by {
+            Some(by) => by * rows[*row],
+            None => rows[*row],
+        });
+        moved.reduce(|sum, part| sum + part).unwrap_or_default()
+    }
+
+    /// Adds a force at the place to the rows of the unknowns.
+    fn add(&self, force: &V3, rows: &mut [V3]) {
+        for (row, by) in self.parts() {
+            rows[*row] += match by {
+                Some(by) => by.transpose() * force,
+                None => *force,
+            };
+        }
+    }
 }
 
 /// Accelerations of a state from its positions and velocities, by the forces.
@@ -97,8 +136,8 @@ impl Border {
     #[must_use]
     pub fn new(system: &MovingSystem, state: &SystemState) -> Self {
         let nodes = || state.lines.iter().map(|line| line.x.len());
-        let free = |number: &usize| system.network.bodies[*number].free;
-        let bodies = (0..system.network.bodies.len()).filter(free);
+        let turns = |number: &usize| system.network.bodies[*number].turns();
+        let bodies = (0..system.network.bodies.len()).filter(turns);
         let tangent = |(scene, nodes): (&crate::scene::Scene, usize)| {
             let mut tangent = BlockBand::new(nodes);
             if scene.is_pentadiagonal() {
@@ -145,7 +184,7 @@ impl Border {
         driven.map(|one| one.missed(system, c)).fold(0.0, f64::max)
     }
 
-    /// The free bodies.
+    /// The bodies that turn.
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {
         &self.bodies
@@ -252,7 +291,7 @@ impl Border {
         let own = [r[0], r[last]];
         let condensed = self.condensations[line].condense_loaded(tangent, r);
         let (blocks, left) = condensed.map_err(|singular| singular.node)?;
-        let ends = state.attached[line].map(|joint| end(system, state, joint));
+        let ends = state.attached[line].map(|joint| place(system, state, joint));
         self.join(&ends, &blocks, (&left, &own), c.stiffness);
         Ok(())
     }
@@ -260,56 +299,42 @@ impl Border {
     /// Adds the condensed line to the rows of its ends; `own` are the residuals of the end nodes themselves.
     fn join(
         &mut self,
-        ends: &[End; 2],
+        ends: &[Place; 2],
         blocks: &EndBlocks,
         (left, own): (&[V3; 2], &[V3; 2]),
         stiffness: f64,
     ) {
         for (i, on) in ends.iter().enumerate() {
-            match on {
-                End::Nothing => continue,
-                End::Point(row) => {
-                    self.rows[*row] += left[i];
-                    self.own[*row] += own[i];
-                }
-                End::Body(arm) => {
-                    self.rows[arm.origin] += left[i];
-                    self.rows[arm.rotation] += arm.lever * left[i];
-                    self.own[arm.origin] += own[i];
-                    self.own[arm.rotation] += arm.lever * own[i];
-                    // The arm turns under the force.
-                    let turned = cross(&own[i]) * arm.arm * stiffness;
-                    *self.matrix.block(arm.rotation, arm.rotation) +=
-                        arm.jacobian.transpose() * turned * arm.jacobian;
-                }
-            }
+            on.add(&left[i], &mut self.rows);
+            on.add(&own[i], &mut self.own);
+            self.turn_arms(on, &own[i], stiffness);
             for (j, by) in ends.iter().enumerate() {
                 self.couple(on, by, &blocks[i][j]);
             }
         }
     }
 
-    /// Adds a block between two ends.
-    fn couple(&mut self, on: &End, by: &End, block: &M3) {
-        let mut add = |row: usize, column: usize, value: M3| {
-            *self.matrix.block(row, column) += value;
-        };
-        match (on, by) {
-            (End::Nothing, _) | (_, End::Nothing) => {}
-            (End::Point(row), End::Point(column)) => add(*row, *column, *block),
-            (End::Point(row), End::Body(by)) => {
-                add(*row, by.origin, *block);
-                add(*row, by.rotation, block * by.by_turn);
-            }
-            (End::Body(on), End::Point(column)) => {
-                add(on.origin, *column, *block);
-                add(on.rotation, *column, on.lever * block);
-            }
-            (End::Body(on), End::Body(by)) => {
-                add(on.origin, by.origin, *block);
-                add(on.origin, by.rotation, block * by.by_turn);
-                add(on.rotation, by.origin, on.lever * block);
-                add(on.rotation, by.rotation, on.lever * block * by.by_turn);
+    /// Adds how the moment of a force changes as its arms turn.
+    fn turn_arms(&mut self, on: &Place, force: &V3, stiffness: f64) {
+        for arm in on.arms() {
+            let turned = cross(force) * arm.arm * stiffness;
+            *self.matrix.block(arm.rotation, arm.rotation) +=
+                arm.jacobian.transpose() * turned * arm.jacobian;
+        }
+    }
+
+    /// Adds a block between two places.
+    fn couple(&mut self, on: &Place, by: &Place, block: &M3) {
+        for (row, lever) in on.parts() {
+            for (column, moved) in by.parts() {
+                let mut value = *block;
+                if let Some(lever) = lever {
+                    value = lever.transpose() * value;
+                }
+                if let Some(moved) = moved {
+                    value *= moved;
+                }
+                *self.matrix.block(*row, *column) += value;
             }
         }
     }
@@ -345,30 +370,37 @@ impl Border {
         }
     }
 
+    /// The bodies that turn; what is on the origin of one that is pinned to another goes to that one.
     fn free_bodies(&mut self, system: &MovingSystem, state: &SystemState, c: Factors) {
-        for body in &self.bodies {
-            let origin = system.joints.bodies[body.number];
-            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
-            let [Some(first), Some(second)] = rows else {
+        for number in 0..self.bodies.len() {
+            let body = &self.bodies[number];
+            let joints = &system.joints;
+            let rotation = joints.rotations[body.number];
+            let Some(row) = joints.row(rotation) else {
                 continue;
             };
             let motion = system.body(state, body.number);
-            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
+            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]);
             let around = system.water_around(state, body.number);
             let (residual, tangent) =
                 body.residual(&system.network, &motion, &around, &jacobian, c);
+            let mut origin = Place::default();
+            add_parts(system, state, joints.bodies[body.number], &mut origin);
             // Moments along the axes of the rotation vector: whatever the heading, the pivots are those of a stiffness.
-            let rows = [
-                (first, 0, M3::identity()),
-                (second, 3, jacobian.transpose()),
-            ];
-            for (row, from, along) in rows {
-                let own = along * residual.fixed_rows::<3>(from);
-                self.rows[row] += own;
-                self.own[row] += own;
-                for (column, to) in [(first, 0), (second, 3)] {
+            let mut turn = Place::default();
+            turn.push(row, None);
+            let along = jacobian.transpose();
+            let force = residual.fixed_rows::<3>(0).into_owned();
+            let moment = along * residual.fixed_rows::<3>(3);
+            for (place, load) in [(&origin, &force), (&turn, &moment)] {
+                place.add(load, &mut self.rows);
+                place.add(load, &mut self.own);
+            }
+            self.turn_arms(&origin, &force, c.stiffness);
+            for (on, from, along) in [(&origin, 0, M3::identity()), (&turn, 3, along)] {
+                for (by, to) in [(&origin, 0), (&turn, 3)] {
                     let block = along * tangent.fixed_view::<3, 3>(from, to);
-                    *self.matrix.block(row, column) += block;
+                    self.couple(on, by, &block);
                 }
             }
         }
@@ -404,11 +436,7 @@ pub(super) fn set_ends(
 ) {
     let last = x.len() - 1;
     for (node, joint) in [0, last].into_iter().zip(state.attached[line]) {
-        x[node] = match end(system, state, joint) {
-            End::Nothing => V3::zeros(),
-            End::Point(row) => rows[row],
-            End::Body(arm) => rows[arm.origin] + arm.by_turn * rows[arm.rotation],
-        };
+        x[node] = place(system, state, joint).displacement(rows);
     }
 }
 
@@ -420,14 +448,7 @@ pub(super) fn add_to_rows(
     rows: &mut [V3],
 ) {
     for (left, joint) in left.iter().zip(state.attached[line]) {
-        match end(system, state, joint) {
-            End::Nothing => {}
-            End::Point(row) => rows[row] += left,
-            End::Body(arm) => {
-                rows[arm.origin] += left;
-                rows[arm.rotation] += arm.lever * left;
-            }
-        }
+        place(system, state, joint).add(left, rows);
     }
 }
 
@@ -436,29 +457,31 @@ fn node(state: &State, joint: usize) -> (&V3, &V3, &V3) {
     (&state.x[joint], &state.v[joint], &state.a[joint])
 }
 
-/// How the end of a line at a joint moves.
-fn end(system: &MovingSystem, state: &SystemState, joint: usize) -> End {
+/// How a joint moves.
+fn place(system: &MovingSystem, state: &SystemState, joint: usize) -> Place {
+    let mut place = Place::default();
+    add_parts(system, state, joint, &mut place);
+    place
+}
+
+/// Adds the unknowns that a joint moves with: of one on a body those of its origin, and the rotation.
+fn add_parts(system: &MovingSystem, state: &SystemState, joint: usize, place: &mut Place) {
     match system.joints.follows(joint) {
-        Follows::Nothing => End::Nothing,
-        Follows::Row(row) => End::Point(row),
+        Follows::Nothing => {}
+        Follows::Row(row) => place.push(row, None),
         Follows::Body(body, at) => {
-            let origin = system.joints.bodies[body];
-            let rows = [origin, origin + 1].map(|joint| system.joints.row(joint));
-            let [Some(first), Some(second)] = rows else {
-                return End::Nothing;
+            let joints = &system.joints;
+            let rotation = joints.rotations[body];
+            let Some(row) = joints.row(rotation) else {
+                return;
             };
+            add_parts(system, state, joints.bodies[body], place);
             let motion: BodyMotion = system.body(state, body);
-            let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[origin + 1]);
-            let arm = cross(&motion.pose.arm(&at));
-            let by_turn = -arm * jacobian;
-            End::Body(Arm {
-                origin: first,
-                rotation: second,
-                by_turn,
-                lever: by_turn.transpose(),
-                arm,
-                jacobian,
-            })
+            place.turn(Arm {
+                rotation: row,
+                arm: cross(&motion.pose.arm(&at)),
+                jacobian: rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]),
+            });
         }
     }
 }

@@ -1,10 +1,13 @@
 //! What is recorded of a system in motion.
 
+use super::body_equation::MovingBody;
 use super::breaks;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
+use super::pins::pin_force;
 use super::system_state::SystemState;
 use crate::case::{ChannelId, ChannelQuantity};
+use crate::numerics::V3;
 use crate::system::network::{Body, Held, Network};
 
 /// What a channel reads.
@@ -16,6 +19,8 @@ enum Source {
     Place(usize, usize),
     /// Roll, pitch or yaw of a body.
     Angle(usize, usize),
+    /// A component of the force of the pin of a body.
+    Pin(usize, usize),
     /// Height of the waves over the gauge.
     Elevation,
     /// Unstretched length of a line that is paid out, by its number among those.
@@ -63,6 +68,11 @@ impl Channels {
                     channels.add(quantity.at(body.name.as_str()), Source::Angle(number, axis));
                 }
             }
+            if body.pinned {
+                for (axis, quantity) in ChannelQuantity::PIN_FORCE.into_iter().enumerate() {
+                    channels.add(quantity.at(body.name.as_str()), Source::Pin(number, axis));
+                }
+            }
         }
         if system.network.sea.is_some() {
             let id = ChannelQuantity::WaveElevation.at("gauge");
@@ -86,9 +96,17 @@ impl Channels {
         self.sources.push(source);
     }
 
-    /// Their values at time t \[s\], in order.
-    pub fn read(&self, system: &MovingSystem, t: f64, state: &SystemState, values: &mut Vec<f64>) {
+    /// Their values at time t \[s\], in order; `bodies` are those that turn, with their mass.
+    pub fn read(
+        &self,
+        (system, bodies): (&MovingSystem, &[MovingBody]),
+        t: f64,
+        state: &SystemState,
+        values: &mut Vec<f64>,
+    ) {
         let network = &system.network;
+        // Its three components come one after the other.
+        let mut pin = V3::zeros();
         values.clear();
         values.extend(self.sources.iter().map(|source| match *source {
             Source::Tension(line, end) => {
@@ -96,6 +114,12 @@ impl Channels {
                 scene.tension_at(end * (line.x.len() - 1), line)
             }
             Source::Place(joint, axis) => state.joints.x[joint][axis],
+            Source::Pin(body, axis) => {
+                if axis == 0 {
+                    pin = pin_force(system, bodies, state, body);
+                }
+                pin[axis]
+            }
             Source::Elevation => {
                 let sea = network.sea.as_ref();
                 sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
@@ -116,7 +140,7 @@ fn moves(system: &MovingSystem, body: usize) -> bool {
 }
 
 fn is_moving(body: &Body) -> bool {
-    body.free || body.motion.is_some()
+    body.turns() || body.motion.is_some()
 }
 
 /// The quantities that runs of a system record.
@@ -133,6 +157,9 @@ pub fn quantities(network: &Network) -> Vec<ChannelQuantity> {
     }
     if bodies_move {
         all.extend(ChannelQuantity::ANGLES);
+    }
+    if network.bodies.iter().any(|body| body.pinned) {
+        all.extend(ChannelQuantity::PIN_FORCE);
     }
     all.extend(
         network

@@ -121,7 +121,8 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
         ];
         found.extend(motion_table(&body.table_time_s, &columns, until));
         let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
-        if body.kind.is(&BodyKind::Moved) && moves {
+        let follows = body.kind.is(&BodyKind::Moved) || body.kind.is(&BodyKind::Pinned);
+        if follows && moves {
             let remedy = "add the period of its motion: `period_s = [10.0]`, or six of them";
             found.extend(body.period_s.if_missing(remedy));
         }

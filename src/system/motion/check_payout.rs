@@ -4,7 +4,7 @@ use super::check::motion_table;
 use crate::case::schema::Key;
 use crate::case::{CreepModel, Finding, MaterialKeys, unknown};
 use crate::system::model::{
-    BodyKind, LineKeys, PayoutKeys, PointKind, SlidingKeys, SystemKeys, WhichEnd,
+    BodyKeys, BodyKind, LineKeys, PayoutKeys, PointKind, SlidingKeys, SystemKeys, WhichEnd,
 };
 
 /// Payouts that contradict themselves, each other, or their line.
@@ -229,7 +229,8 @@ fn is_prescribed(keys: &SystemKeys<'_>, point: &Key<'_, String>) -> bool {
         Some(PointKind::Body) => {
             let mut bodies = keys.bodies.iter();
             let body = bodies.find(|(name, _)| Some(name) == point.body.get());
-            body.is_some_and(|(_, body)| !body.kind.is(&BodyKind::Free))
+            let is = |body: &BodyKeys<'_>, kind| body.kind.is(kind);
+            body.is_some_and(|(_, body)| !is(body, &BodyKind::Free) && !is(body, &BodyKind::Pinned))
         }
         kind => kind != Some(PointKind::Free),
     })

@@ -9,6 +9,7 @@ use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::drives;
+use super::pins::pin_force;
 use super::point_loads::{Around, point_load};
 use super::system_state::SystemState;
 use crate::numerics::V3;
@@ -29,7 +30,7 @@ pub struct Energy {
     pub remeshed: f64,
 }
 
-/// The energy of a state at time t \[s\]; `bodies` are the free bodies with their mass.
+/// The energy of a state at time t \[s\]; `bodies` are those that turn, with their mass.
 #[must_use]
 pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &SystemState) -> Energy {
     let mut sum = Energy::default();
@@ -61,11 +62,26 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
     for body in bodies {
         sum.stored += body.kinetic_energy(&system.body(state, body.number));
         sum.power_in += power_of_loads(system, body, state);
+        sum.power_in += power_of_pin(system, body, state);
     }
     sum
 }
 
-/// The power of all loads on a free body but those of lines \[W\].
+/// The power of what moves the origin of a body that is pinned to it \[W\]; none between bodies that both turn.
+fn power_of_pin(system: &MovingSystem, body: &MovingBody, state: &SystemState) -> f64 {
+    let bodies = &system.network.bodies;
+    let pinned = &bodies[body.number];
+    let on_unknown = pinned
+        .carrier
+        .is_some_and(|(carrier, _)| bodies[carrier].turns());
+    let velocity = system.body(state, body.number).velocity;
+    if !pinned.pinned || on_unknown || velocity == V3::zeros() {
+        return 0.0;
+    }
+    pin_force(system, std::slice::from_ref(body), state, body.number).dot(&velocity)
+}
+
+/// The power of all loads on a body that turns but those of lines \[W\].
 fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState) -> f64 {
     const STILL: Factors = Factors {
         mass: 0.0,

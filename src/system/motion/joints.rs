@@ -13,7 +13,7 @@ pub enum Role {
     Prescribed(usize),
     /// A point at a place of a body.
     OnBody(usize, V3),
-    /// Origin of a body, followed by its rotation.
+    /// Origin of a body.
     Origin(usize),
     /// Rotation of a body.
     Rotation(usize),
@@ -34,6 +34,10 @@ pub struct Joints {
     pub points: Vec<usize>,
     /// The origin of each body of the network.
     pub bodies: Vec<usize>,
+    /// The rotation of each body of the network; of one that is pinned it is free where the origin is not.
+    pub rotations: Vec<usize>,
+    /// The body that each body of the network is pinned to, and where in its frame.
+    carriers: Vec<Option<(usize, V3)>>,
     /// The joint of each end of each line that may be let go.
     pub released: Vec<[Option<usize>; 2]>,
     /// The joint of each payout of the network.
@@ -61,8 +65,11 @@ impl Joints {
             });
         }
         let bodies = || network.bodies.iter().enumerate();
-        for (number, _) in bodies().filter(|(_, body)| !body.free) {
-            list.body(number);
+        for (number, body) in bodies().filter(|(_, body)| !body.free) {
+            list.origin(number);
+            if !body.pinned {
+                list.rotation(number);
+            }
         }
         let mut payouts = vec![0; network.payouts.len()];
         let mut pass = |roles: &mut Vec<Role>, free: bool| {
@@ -80,8 +87,11 @@ impl Joints {
             list.points.insert(number, list.roles.len());
             list.roles.push(Role::Free(number));
         }
-        for (number, _) in bodies().filter(|(_, body)| body.free) {
-            list.body(number);
+        for (number, body) in bodies().filter(|(_, body)| body.turns()) {
+            if body.free {
+                list.origin(number);
+            }
+            list.rotation(number);
         }
         let mut released = vec![[None; 2]; network.lines.len()];
         for (line, ends) in released.iter_mut().enumerate() {
@@ -96,7 +106,9 @@ impl Joints {
         let mut joints = Self {
             roles: list.roles,
             points: list.points.into_values().collect(),
-            bodies: list.bodies.into_values().collect(),
+            bodies: list.origins.into_values().collect(),
+            rotations: list.rotations.into_values().collect(),
+            carriers: network.bodies.iter().map(|body| body.carrier).collect(),
             released,
             payouts,
             free: held..count,
@@ -127,8 +139,10 @@ impl Joints {
                 }
             }
         }
-        for &origin in &self.bodies {
-            join(origin, origin + 1);
+        for (origin, rotation) in self.bodies.iter().zip(&self.rotations) {
+            for one in self.unknowns_of(*origin) {
+                join(one, *rotation);
+            }
         }
         for list in &mut neighbours {
             list.sort_unstable();
@@ -149,12 +163,19 @@ impl Joints {
         }
     }
 
-    /// The joints that a joint moves with: itself, or origin and rotation of its body.
+    /// The joints that a joint moves with: itself, or origin and rotation of its body, or those of what that is pinned to.
     fn unknowns_of(&self, joint: usize) -> Vec<usize> {
-        match self.roles[joint] {
-            Role::OnBody(body, _) => vec![self.bodies[body], self.bodies[body] + 1],
-            _ => vec![joint],
-        }
+        let body = match self.roles[joint] {
+            Role::OnBody(body, _) => Some(body),
+            Role::Origin(body) => self.carriers[body].map(|(carrier, _)| carrier),
+            _ => None,
+        };
+        let Some(body) = body else {
+            return vec![joint];
+        };
+        let mut all = self.unknowns_of(self.bodies[body]);
+        all.push(self.rotations[body]);
+        all
     }
 
     /// The row of a joint among the unknowns; nothing where it is prescribed or carried.
@@ -166,12 +187,17 @@ impl Joints {
     /// How a joint moves with the unknowns.
     #[must_use]
     pub fn follows(&self, joint: usize) -> Follows {
-        match self.roles[joint] {
-            Role::OnBody(body, at) => match self.rows[self.bodies[body]] {
+        let on = match self.roles[joint] {
+            Role::OnBody(body, at) => Some((body, at)),
+            Role::Origin(body) => self.carriers[body],
+            _ => None,
+        };
+        match on {
+            Some((body, at)) => match self.rows[self.rotations[body]] {
                 Some(_) => Follows::Body(body, at),
                 None => Follows::Nothing,
             },
-            _ => self.rows[joint].map_or(Follows::Nothing, Follows::Row),
+            None => self.rows[joint].map_or(Follows::Nothing, Follows::Row),
         }
     }
 }
@@ -183,7 +209,7 @@ pub enum Follows {
     Nothing,
     /// It is the unknown of this row.
     Row(usize),
-    /// It is at a place of a free body.
+    /// It is at a place of a body that is free or pinned.
     Body(usize, V3),
 }
 
@@ -192,13 +218,18 @@ pub enum Follows {
 struct Roles {
     roles: Vec<Role>,
     points: std::collections::BTreeMap<usize, usize>,
-    bodies: std::collections::BTreeMap<usize, usize>,
+    origins: std::collections::BTreeMap<usize, usize>,
+    rotations: std::collections::BTreeMap<usize, usize>,
 }
 
 impl Roles {
-    fn body(&mut self, number: usize) {
-        self.bodies.insert(number, self.roles.len());
+    fn origin(&mut self, number: usize) {
+        self.origins.insert(number, self.roles.len());
         self.roles.push(Role::Origin(number));
+    }
+
+    fn rotation(&mut self, number: usize) {
+        self.rotations.insert(number, self.roles.len());
         self.roles.push(Role::Rotation(number));
     }
 }

@@ -31,6 +31,7 @@ pub mod moving_system;
 mod new_node;
 pub mod payout;
 mod payout_border;
+pub mod pins;
 mod point_loads;
 pub mod pose_motion;
 pub mod recorder;

@@ -66,7 +66,7 @@ impl MovingSystem {
         let joints = Joints::new(&network);
         let moves = |point: usize| {
             joints.row(joints.points[point]).is_some()
-                || matches!(joints.roles[joints.points[point]], Role::OnBody(body, _) if network.bodies[body].free)
+                || matches!(joints.roles[joints.points[point]], Role::OnBody(body, _) if network.bodies[body].turns())
         };
         for (line, scene) in network.lines.iter().zip(&mut scenes) {
             // An end that other lines and bodies move is no support of this one.
@@ -219,10 +219,15 @@ impl MovingSystem {
     /// Sets what is prescribed at time t \[s\]: points, bodies, and points on such bodies.
     pub fn prescribe(&self, t: f64, state: &mut SystemState) {
         for (number, body) in self.network.bodies.iter().enumerate() {
-            if let (false, Some(motion)) = (body.free, &body.motion) {
-                state.set_body(&self.joints, number, &motion.at(t));
+            let Some(motion) = body.motion.as_ref().filter(|_| !body.free) else {
+                continue;
+            };
+            match body.pinned {
+                true => state.set_pin(&self.joints, number, &motion.at(t)),
+                false => state.set_body(&self.joints, number, &motion.at(t)),
             }
         }
+        self.carry(state, false);
         for joint in 0..self.joints.free.start {
             match self.joints.roles[joint] {
                 Role::Prescribed(point) => {
@@ -230,7 +235,7 @@ impl MovingSystem {
                         set(&mut state.joints, joint, motion.at(t));
                     }
                 }
-                Role::OnBody(body, at) if !self.network.bodies[body].free => {
+                Role::OnBody(body, at) if !self.network.bodies[body].turns() => {
                     let motion = state.body(&self.joints, body);
                     set(&mut state.joints, joint, motion.of(&at));
                 }
@@ -267,11 +272,25 @@ impl MovingSystem {
         format!("payout of {}", lines.collect::<Vec<_>>().join(" and "))
     }
 
-    /// Sets what follows the unknowns: points on free bodies, and the ends of the lines.
+    /// Sets the origins of bodies that are pinned to others: to those that turn, or to those that do not.
+    fn carry(&self, state: &mut SystemState, that_turn: bool) {
+        for (number, body) in self.network.bodies.iter().enumerate() {
+            if let Some((carrier, at)) = &body.carrier
+                && self.network.bodies[*carrier].turns() == that_turn
+            {
+                let motion = state.body(&self.joints, *carrier);
+                let origin = self.joints.bodies[number];
+                set(&mut state.joints, origin, motion.of(at));
+            }
+        }
+    }
+
+    /// Sets what follows the unknowns: points and pins on bodies that turn, and the ends of the lines.
     pub fn follow(&self, state: &mut SystemState) {
+        self.carry(state, true);
         for joint in 0..self.joints.free.start {
             if let Role::OnBody(body, at) = self.joints.roles[joint]
-                && self.network.bodies[body].free
+                && self.network.bodies[body].turns()
             {
                 let motion = state.body(&self.joints, body);
                 set(&mut state.joints, joint, motion.of(&at));

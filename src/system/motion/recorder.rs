@@ -212,7 +212,8 @@ impl Recorder {
             Step::default()
         };
         step.time = t;
-        self.channels.read(system, t, state, &mut step.values);
+        self.channels
+            .read((system, bodies), t, state, &mut step.values);
         self.summarise(&step);
         self.add_energy(&energy(system, bodies, t, state), t);
         self.steps.push(step);
@@ -239,7 +240,8 @@ impl Recorder {
             time: t,
             values: Vec::new(),
         };
-        self.channels.read(system, t, state, &mut step.values);
+        self.channels
+            .read((system, bodies), t, state, &mut step.values);
         self.summarise(&step);
         let now = energy(system, bodies, t, state);
         self.balance.remeshed += now.stored - self.last_energy.stored;

@@ -12,7 +12,7 @@ use crate::physics::sea::Harmonics;
 use crate::scene::Scene;
 use crate::solve::StaticSearch;
 use crate::system::model::{MotionInputs, MotionMethod};
-use crate::system::network::{Line, ReleaseCondition};
+use crate::system::network::{Body, Line, Network, ReleaseCondition};
 
 /// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
 const STEPS_A_PERIOD: f64 = 20.0;
@@ -138,16 +138,26 @@ fn explicit_limit_of_drives(system: &MovingSystem) -> f64 {
 
 /// The longest step that sees what is prescribed; error control shortens it where it must.
 fn longest_step(system: &MovingSystem) -> f64 {
-    let bounce = system
-        .scenes
-        .iter()
-        .map(bounce_period)
-        .fold(0.0, f64::max)
-        .max(f64::MIN_POSITIVE);
+    let bounce = system.scenes.iter().map(bounce_period);
+    let own = bounce.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
+    let own = match system.scenes.is_empty() {
+        true => swing_period(&system.network),
+        false => own,
+    };
     let surface = surface(system);
     let prescribed = motions(system).chain(&surface);
     let prescribed = prescribed.filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
-    prescribed.fold(bounce / STEPS_A_PERIOD, f64::min)
+    prescribed.fold(own / STEPS_A_PERIOD, f64::min)
+}
+
+/// Period of a pendulum as long as the smallest body, where there are no lines \[s\].
+fn swing_period(network: &Network) -> f64 {
+    let sizes = network.bodies.iter().map(Body::size);
+    let smallest = sizes
+        .filter(|size| *size > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let length = if smallest.is_finite() { smallest } else { 1.0 };
+    TAU * (length / network.gravity.max(1.0)).sqrt()
 }
 
 /// Period of a line bouncing along itself \[s\].

@@ -15,11 +15,12 @@ use crate::system::SolvedSystem;
 use crate::system::balance::balance;
 use crate::system::build::{AgedParts, Divided, build};
 use crate::system::discretised::SEGMENTS;
-use crate::system::equilibrium::SystemError;
+use crate::system::equilibrium::{SystemError, weight_of_bodies};
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
 use crate::system::line_at_rest::{LineAtRest, LinePhysics};
 use crate::system::model::SystemFile;
 use crate::system::network::{Body, Held, Line, Network};
+use crate::system::pose::Pose;
 use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
 
 /// Iterations from the equilibrium of held ends to that of everything on its bed.
@@ -145,7 +146,14 @@ fn moved_to_start(
     }
     for body in &mut network.bodies {
         if let Some(motion) = &body.motion {
-            body.pose = motion.at(0.0).pose;
+            let at_start = motion.at(0.0).pose;
+            body.pose = match body.pinned {
+                true => Pose {
+                    origin: at_start.origin,
+                    ..body.pose
+                },
+                false => at_start,
+            };
         }
     }
     Ok(network)
@@ -159,8 +167,11 @@ fn carried(network: &Network, placement: &mut Placement) {
         }
     }
     for (body, pose) in network.bodies.iter().zip(&mut placement.bodies) {
-        if !body.free {
-            *pose = body.pose;
+        if !body.free && body.carrier.is_none() {
+            pose.origin = body.pose.origin;
+        }
+        if !body.turns() {
+            pose.rotation = body.pose.rotation;
         }
     }
     placement.carry(network);
@@ -237,7 +248,7 @@ fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonE
         .scenes
         .iter()
         .map(StaticSearch::force_scale)
-        .fold(0.0, f64::max);
+        .fold(weight_of_bodies(&system.network), f64::max);
     let mut border = Border::new(system, state);
     let (mut mass, mut before, mut last) = (least, f64::INFINITY, (0, f64::INFINITY));
     let mut kept = state.clone();
@@ -287,14 +298,14 @@ fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonE
     })
 }
 
-/// Turns the bases of the free bodies by their rotation vectors, which start anew.
+/// Turns the bases of the bodies that turn by their rotation vectors, which start anew.
 pub(super) fn turn_bases(system: &MovingSystem, state: &mut SystemState) {
     for (number, body) in system.network.bodies.iter().enumerate() {
-        if body.free {
+        if body.turns() {
             let mut rotation = system.body(state, number).pose.rotation;
             rotation.renormalize();
             state.bases[number] = rotation;
-            state.joints.x[system.joints.bodies[number] + 1] = V3::zeros();
+            state.joints.x[system.joints.rotations[number]] = V3::zeros();
         }
     }
 }

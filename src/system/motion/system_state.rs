@@ -121,26 +121,34 @@ impl SystemState {
     /// A body in motion.
     #[must_use]
     pub fn body(&self, joints: &Joints, body: usize) -> BodyMotion {
-        let at = joints.bodies[body];
+        let (at, turned) = (joints.bodies[body], joints.rotations[body]);
         let (x, v, a) = (&self.joints.x, &self.joints.v, &self.joints.a);
-        let turn = UnitQuaternion::from_scaled_axis(x[at + 1]);
+        let turn = UnitQuaternion::from_scaled_axis(x[turned]);
         BodyMotion {
             pose: Pose {
                 origin: x[at],
                 rotation: self.bases[body] * turn,
             },
             velocity: v[at],
-            spin: v[at + 1],
+            spin: v[turned],
             acceleration: a[at],
-            spin_rate: a[at + 1],
+            spin_rate: a[turned],
         }
+    }
+
+    /// Writes the origin of a body that is pinned to what moves.
+    pub fn set_pin(&mut self, joints: &Joints, body: usize, motion: &BodyMotion) {
+        let at = joints.bodies[body];
+        self.joints.x[at] = motion.pose.origin;
+        self.joints.v[at] = motion.velocity;
+        self.joints.a[at] = motion.acceleration;
     }
 
     /// Writes a body that is prescribed.
     pub fn set_body(&mut self, joints: &Joints, body: usize, motion: &BodyMotion) {
-        let at = joints.bodies[body];
+        let (at, turned) = (joints.bodies[body], joints.rotations[body]);
         let node = |list: &mut Vec<V3>, place: V3, turn: V3| {
-            (list[at], list[at + 1]) = (place, turn);
+            (list[at], list[turned]) = (place, turn);
         };
         node(&mut self.joints.x, motion.pose.origin, V3::zeros());
         node(&mut self.joints.v, motion.velocity, motion.spin);

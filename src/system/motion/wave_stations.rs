@@ -17,7 +17,7 @@ pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
     let range = |body: &Body| {
         // Only drag and members feel the water itself.
         let feels =
-            waves && body.free && (body.drag_area != V3::zeros() || !body.members.is_empty());
+            waves && body.turns() && (body.drag_area != V3::zeros() || !body.members.is_empty());
         let count = if feels {
             1 + STATIONS * body.members.len()
         } else {
