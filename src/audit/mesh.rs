@@ -122,8 +122,8 @@ fn of_tension(line: &LineAudit) -> Option<Finding> {
         return None;
     }
     let what = format!(
-        "{} segments give {} at end B where the line has {} ({} off)",
-        line.segments,
+        "{} {} at end B where the line has {} ({} off)",
+        give(line.segments),
         si(lumped, "N"),
         si(mid, "N"),
         percent(off.abs())
@@ -133,6 +133,14 @@ fn of_tension(line: &LineAudit) -> Option<Finding> {
     Some(finding.figure(lumped, mid, "N"))
 }
 
+/// So many segments and their verb.
+fn give(segments: usize) -> String {
+    match segments {
+        1 => "1 segment gives".to_owned(),
+        count => format!("{count} segments give"),
+    }
+}
+
 fn of_curvature(line: &LineAudit) -> Option<Finding> {
     let [coarse, fine] = line.curvature?;
     let off = coarse / fine - 1.0;
@@ -140,8 +148,8 @@ fn of_curvature(line: &LineAudit) -> Option<Finding> {
         return None;
     }
     let what = format!(
-        "{} segments give a greatest curvature of {}, {} {} that of a fine mesh, {}",
-        line.segments,
+        "{} a greatest curvature of {}, {} {} that of a fine mesh, {}",
+        give(line.segments),
         si(coarse, "1/m"),
         percent(off.abs()),
         if off < 0.0 { "below" } else { "above" },

@@ -25,6 +25,9 @@ use crate::import::{self, ImportOptions};
 use crate::numerics::V3;
 use crate::system::{SolvedSystem, SystemFile};
 
+/// Most segments of a file that are repeated as lumped masses.
+const MOST_SEGMENTS: f64 = 12_000.0;
+
 /// What an audit of a file says.
 #[derive(Debug, Clone)]
 pub struct Audit {
@@ -123,6 +126,15 @@ fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, au
         audit
             .not_judged
             .push("Start, time step and segments: the bed is a grid of depths.".to_owned());
+        audit.lines = mesh::exact_lines(mooring, &exact);
+        return;
+    }
+    let segments = mooring.lines.iter().map(|line| line.segments.value as f64);
+    let segments: f64 = segments.sum();
+    if segments > MOST_SEGMENTS {
+        audit.not_judged.push(format!(
+            "Start, time step and segments: {segments} segments are more than the {MOST_SEGMENTS} that are repeated here."
+        ));
         audit.lines = mesh::exact_lines(mooring, &exact);
         return;
     }

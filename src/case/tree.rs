@@ -3,6 +3,7 @@
 //! `toml_edit` keeps standard tables, inline tables, dotted keys and arrays of tables apart; for
 //! checks they are the same. The tree here forgets the difference and keeps the spans.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use toml_edit::{Document, Item, Table, TomlError, Value};
@@ -153,7 +154,7 @@ impl TomlNode {
                 items.get(["x", "y", "z"].iter().position(|axis| *axis == first)?)?
             }
             TomlData::List(items) => {
-                let position = element_names(items).iter().position(|name| name == first)?;
+                let position = position_of(items, first)?;
                 items.get(position)?
             }
             _ => self.get(first)?,
@@ -166,17 +167,33 @@ impl TomlNode {
 /// `section` for floats; where that is missing or taken by an earlier element, the number from 1.
 pub(crate) fn element_names(items: &[TomlNode]) -> Vec<String> {
     let mut names: Vec<String> = Vec::with_capacity(items.len());
+    let mut taken: HashSet<String> = HashSet::with_capacity(items.len());
     for (index, item) in items.iter().enumerate() {
-        let own = ["name", "section"]
-            .iter()
-            .find_map(|key| item.get(key)?.text());
-        let name = match own {
-            Some(name) if !names.iter().any(|earlier| earlier == name) => name.to_owned(),
+        let name = match own_name(item) {
+            Some(name) if !taken.contains(name) => name.to_owned(),
             _ => (index + 1).to_string(),
         };
+        taken.insert(name.clone());
         names.push(name);
     }
     names
+}
+
+/// The name that an element of a list gives itself.
+fn own_name(item: &TomlNode) -> Option<&str> {
+    ["name", "section"]
+        .iter()
+        .find_map(|key| item.get(key)?.text())
+}
+
+/// Where the element of a name is in a list.
+fn position_of(items: &[TomlNode], name: &str) -> Option<usize> {
+    let is_number = name.bytes().all(|byte| byte.is_ascii_digit());
+    match is_number {
+        // It may be the number of an element without a name.
+        true => element_names(items).iter().position(|one| one == name),
+        false => items.iter().position(|item| own_name(item) == Some(name)),
+    }
 }
 
 fn table(table: &Table, fallback: &Range<usize>) -> TomlNode {

@@ -120,22 +120,8 @@ fn joint(
     let bends = |section: &LineSection| solved.file.materials[&section.material].ei_n_m2 > 0.0;
     let clump = before.clump_kg;
     if target == Target::MoorDyn && clump == 0.0 && bends(before) && bends(behind) {
-        if !sheet.rod_types.iter().any(|of| of.name == JOINT) {
-            sheet.rod_types.push(RodTypeRow {
-                name: JOINT.to_owned(),
-                diameter: 0.1,
-                mass: 0.0,
-                drag: 0.0,
-                added_mass: 0.0,
-            });
-        }
-        sheet.rods.push(RodRow {
-            of_type: JOINT.to_owned(),
-            hold: "Free".to_owned(),
-            ends: [place; 2],
-            segments: 0,
-        });
-        return format!("R{}A", sheet.rods.len());
+        let number = rod_without_length("Free", [place; 2], sheet);
+        return format!("R{number}A");
     }
     let density = solved.file.environment.water_density_kg_per_m3;
     sheet.points.push(PointRow {
@@ -148,6 +134,26 @@ fn joint(
         load: [0.0; 3],
     });
     sheet.points.len().to_string()
+}
+
+/// Writes a rod of no segments, which is a joint with a direction; its number.
+pub fn rod_without_length(hold: &str, ends: [[f64; 3]; 2], sheet: &mut Sheet) -> usize {
+    if !sheet.rod_types.iter().any(|of| of.name == JOINT) {
+        sheet.rod_types.push(RodTypeRow {
+            name: JOINT.to_owned(),
+            diameter: 0.1,
+            mass: 0.0,
+            drag: 0.0,
+            added_mass: 0.0,
+        });
+    }
+    sheet.rods.push(RodRow {
+        of_type: JOINT.to_owned(),
+        hold: hold.to_owned(),
+        ends,
+        segments: 0,
+    });
+    sheet.rods.len()
 }
 
 #[cfg(test)]

@@ -239,6 +239,31 @@ impl Writer<'_> {
         attachment
     }
 
+    /// What an end of a line is attached to: where it is clamped at a held point, a rod of no segments in the direction of the clamp.
+    fn end(&mut self, line: &LineInputs, end: usize, number: usize) -> String {
+        let elevation = [line.clamp_a_elevation_deg, line.clamp_b_elevation_deg][end];
+        let Some(elevation) = elevation.filter(|_| self.target == Target::MoorDyn) else {
+            return self.attachment(number);
+        };
+        let point = &self.solved.network.points[number];
+        let (Held::At(place), Some(inputs)) =
+            (&point.held, self.solved.file.points.get(&point.name))
+        else {
+            return self.attachment(number);
+        };
+        let azimuth = [line.clamp_a_azimuth_deg, line.clamp_b_azimuth_deg][end];
+        let (up, turn) = (elevation.to_radians(), azimuth.to_radians());
+        let along = V3::new(up.cos() * turn.cos(), up.cos() * turn.sin(), up.sin());
+        let hold = match inputs.kind {
+            PointKind::Moved => "Coupled",
+            _ => "Fixed",
+        };
+        let ends = [*place, place + along].map(Into::into);
+        let rod = lines::rod_without_length(hold, ends, self.sheet);
+        // The line leaves the rod at its end B, and enters it at its end A.
+        format!("R{rod}{}", ["B", "A"][end])
+    }
+
     /// A point at the end of a rod: `R1A`.
     fn rod_end(&mut self, number: usize) -> Option<String> {
         if self.target == Target::MapPlusPlus {
@@ -419,10 +444,10 @@ impl Writer<'_> {
         for line in &self.solved.file.lines {
             for _ in angles(&line.repeat_at_deg) {
                 let built = &self.solved.network.lines[index];
-                let mut attachments = vec![self.attachment(built.from)];
+                let mut attachments = vec![self.end(line, 0, built.from)];
                 let of = (self.solved, index, line);
                 attachments.extend(lines::joints(of, self.target, self.sheet));
-                attachments.push(self.attachment(built.to));
+                attachments.push(self.end(line, 1, built.to));
                 let friction = self.friction(line);
                 let all = &self.types;
                 let type_of = |material: &str| {

@@ -1,9 +1,10 @@
 //! What of a system a file of another program cannot say.
 
 use super::{Target, Unsayable};
-use crate::case::{CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
+use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
+use crate::system::bed::Bed;
 use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind};
 use crate::system::parts::sections;
 
@@ -24,11 +25,14 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         "current",
     );
     found.add(
-        file.seabed
-            .as_ref()
-            .is_some_and(|bed| bed.depth_file.is_some()),
+        target == Target::MapPlusPlus && is_grid(solved),
         "seabed.depth_file",
-        "bed by this form of a grid of depths",
+        "depths over a grid",
+    );
+    found.add(
+        target == Target::MoorDyn && is_smooth(solved),
+        "seabed.interpolation",
+        "smooth bed between the depths of a grid; its bed is bilinear",
     );
     for payout in &file.payouts {
         let key = format!("payouts.{}", payout.line);
@@ -121,6 +125,22 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
     found.0.into_iter().map(in_words).collect()
 }
 
+/// Whether the depths of the bed are over a grid.
+fn is_grid(solved: &SolvedSystem) -> bool {
+    matches!(solved.network.bed, Some(Bed::Grid(_)))
+}
+
+/// Whether a bed over a grid is smooth and not flat.
+fn is_smooth(solved: &SolvedSystem) -> bool {
+    let Some(Bed::Grid(grid)) = &solved.network.bed else {
+        return false;
+    };
+    let [least, greatest] = grid.range();
+    let bed = solved.file.seabed.as_ref();
+    let is_smooth = bed.is_some_and(|bed| bed.interpolation == BedInterpolation::Smooth);
+    is_smooth && least < greatest
+}
+
 /// What was found so far.
 #[derive(Debug, Default)]
 struct Found(Vec<Unsayable>);
@@ -177,7 +197,7 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
     found.add(
         body.volume_m3 > 0.0 && body.centre_of_buoyancy_m != body.centre_of_gravity_m,
         key("centre_of_buoyancy_m"),
-        "a centre of buoyancy apart from that of gravity",
+        "centre of buoyancy of a body apart from that of gravity",
     );
     let off_diagonal = body.inertia_kg_m2.get(3..).unwrap_or(&[]);
     found.add(
@@ -259,7 +279,7 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         let axis = rod_axis(solved, at);
         let is_of_rod = match (clamp, axis) {
             (None, axis) => axis.is_none() || !bends,
-            (Some(_), None) => false,
+            (Some(_), None) => is_held_point(solved, at) && line.repeat_at_deg.is_empty(),
             (Some(elevation), Some(outwards)) => {
                 let azimuth = [line.clamp_a_azimuth_deg, line.clamp_b_azimuth_deg][end];
                 let (up, turn) = (elevation.to_radians(), azimuth.to_radians());
@@ -268,11 +288,14 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
                 (along - outwards * sign).norm() < SAME
             }
         };
-        found.add(
-            !is_of_rod && target == Target::MoorDyn,
-            key(name),
-            "clamped ends that are not along held rods, and hinges of lines that bend at rods",
-        );
+        let what = match (clamp, axis) {
+            (None, _) => "hinges of lines that bend at rods",
+            (Some(_), None) => {
+                "clamped ends of lines that are repeated, or at free points and bodies"
+            }
+            (Some(_), Some(_)) => "clamped ends at rods in another direction than that of the rod",
+        };
+        found.add(!is_of_rod && target == Target::MoorDyn, key(name), what);
     }
     let releases = [
         line.release_a_s,
@@ -285,6 +308,12 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         key("release_a_s"),
         "ends that are let go",
     );
+}
+
+/// Whether a point is held or moved by itself.
+fn is_held_point(solved: &SolvedSystem, name: &str) -> bool {
+    let point = solved.file.points.get(name);
+    point.is_some_and(|point| matches!(point.kind, PointKind::Fixed | PointKind::Moved))
 }
 
 /// Directions that differ by less are the same \[rad\].

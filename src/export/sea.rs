@@ -2,13 +2,18 @@
 
 use std::f64::consts::TAU;
 
-use super::number::written;
+use super::number::{all_written, written};
 use super::sheet::Sheet;
 use crate::case::{DragLength, OneOrMany};
+use crate::numerics::DepthGrid;
 use crate::system::SolvedSystem;
+use crate::system::bed::Bed;
 
 /// Push and damping of a bed that nothing touches \[Pa/m, Pa s/m\]: the defaults of MoorDyn.
 const BED: [f64; 2] = [3.0e6, 3.0e5];
+
+/// Name of the file of depths over a grid.
+const DEPTHS: &str = "seafloor.txt";
 
 /// Writes the options of MoorDyn.
 pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
@@ -24,6 +29,9 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
     match &file.seabed {
         Some(bed) => {
             option(written(bed.depth_m), "WtrDpth");
+            if bed.depth_file.is_some() {
+                option(DEPTHS.to_owned(), "SeafloorFile");
+            }
             option(written(bed.stiffness_n_per_m3), "kBot");
             option(written(bed.damping_n_s_per_m3), "cBot");
             if bed.friction > 0.0 {
@@ -36,6 +44,9 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
             option(written(BED[0]), "kBot");
             option(written(BED[1]), "cBot");
         }
+    }
+    if let Some(Bed::Grid(grid)) = &solved.network.bed {
+        sheet.files.push((DEPTHS.to_owned(), depths(grid)));
     }
     if let Some(current) = &file.current {
         sheet.options.push(("1".to_owned(), "Currents"));
@@ -58,6 +69,19 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
                 .to_owned(),
         );
     }
+}
+
+/// Depths over a grid in the form of MoorDyn: counts, places along x and y, and heights of the bed, which are negative.
+fn depths(grid: &DepthGrid) -> String {
+    let [x, y] = grid.places();
+    let mut text = format!("{} {}\n", x.len(), y.len());
+    for places in [x, y] {
+        text += &format!("{}\n", all_written(places));
+    }
+    for (x, y) in y.iter().flat_map(|y| x.iter().map(move |x| (*x, *y))) {
+        text += &format!("{}\n", all_written(&[x, y, -grid.at(x, y).depth]));
+    }
+    text
 }
 
 /// A depth \[m\] well below everything.

@@ -80,7 +80,7 @@ pub fn line_and_column(text: &str, at: usize) -> (u32, u32) {
         at -= 1;
     }
     let before = &text[..at];
-    let line = before.matches('\n').count() + 1;
+    let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
     let start = before.rfind('\n').map_or(0, |end| end + 1);
     let column = before[start..].chars().count() + 1;
     let number = |value: usize| u32::try_from(value).unwrap_or(u32::MAX);

@@ -122,6 +122,12 @@ impl DepthGrid {
         Self::new(x, y, depth, interpolation)
     }
 
+    /// The places along x and along y between which depths are given \[m\].
+    #[must_use]
+    pub fn places(&self) -> [&[f64]; 2] {
+        [&self.x, &self.y]
+    }
+
     /// The depth with its derivatives. A place that is not finite counts as at the edge.
     #[must_use]
     pub fn at(&self, x: f64, y: f64) -> DepthAt {

@@ -402,3 +402,39 @@ fn no_file_makes_an_audit_panic() {
         }
     }
 }
+
+#[test]
+fn more_segments_than_are_repeated_are_not_judged() {
+    let text = CLEAN.replace("902.2     20 ", "902.2     100000000 ");
+    assert_ne!(text, CLEAN);
+    let audit = of(&text);
+    let why = "100000000 segments are more than the 12000 that are repeated here";
+    let found = audit.not_judged.iter().any(|one| one.contains(why));
+    assert!(found, "{:?}", audit.not_judged);
+}
+
+#[test]
+fn short_segments_rest_within_what_rounding_leaves() {
+    let model = model_of(CLEAN, 40);
+    let started = std::time::Instant::now();
+    let rest = at_rest(&model, &model.start).unwrap();
+    assert!(started.elapsed().as_secs() < 60);
+    let coarse = model_of(CLEAN, 1);
+    let few = at_rest(&coarse, &coarse.start).unwrap();
+    for line in 0..model.lines.len() {
+        let [fine, coarse] = [
+            model.end_tension(line, &rest),
+            coarse.end_tension(line, &few),
+        ];
+        assert!((fine / coarse - 1.0).abs() < 0.05, "{fine} {coarse}");
+    }
+}
+
+#[test]
+fn a_single_segment_gives_its_tension() {
+    let audit = of(&CLEAN.replace("902.2     20 ", "902.2     1 "));
+    let found = audit.findings.iter().filter(|one| one.topic == Topic::Mesh);
+    for one in found {
+        assert!(one.what.starts_with("1 segment gives"), "{}", one.what);
+    }
+}

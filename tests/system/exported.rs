@@ -215,3 +215,85 @@ length_m = 100.0
     assert!((drag * material.diameter_m / (2.4 * 0.12) - 1.0).abs() < 1e-10);
     fs::remove_dir_all(&folder).unwrap();
 }
+
+/// A line from a held rod of no segments, and one that lies over a bed of depths over a grid.
+const CLAMPED: &str = "\
+--- LINE TYPES ---
+TypeName Diam Mass/m EA BA/-zeta EI Cd Ca CdAx CaAx
+(name) (m) (kg/m) (N) (N-s/-) (N-m^2) (-) (-) (-) (-)
+cable 0.2 60 7e8 -1 1e4 1.2 1 .1 0
+--- ROD TYPES ---
+TypeName Diam Mass/m Cd Ca CdEnd CaEnd
+(name) (m) (kg/m) (-) (-) (-) (-)
+conn 0.2 0 0 0 0 0
+--- RODS ---
+ID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs RodOutputs
+(#) (name) (#/key) (m) (m) (m) (m) (m) (m) (-) (-)
+1 conn Coupled 0 0 -20 0 0 -21 0 -
+2 conn Fixed 150 0 -200 151 0 -200 0 -
+--- LINES ---
+ID LineType AttachA AttachB UnstrLen NumSegs LineOutputs
+(#) (name) (#) (#) (m) (-) (-)
+1 cable R1B R2A 250 40 p
+--- OPTIONS ---
+200 WtrDpth
+9.81 g
+";
+
+#[test]
+fn clamps_at_held_points_are_rods_of_no_segments() {
+    let folder = folder("clamped");
+    let path = folder.join("clamped.dat");
+    fs::write(&path, CLAMPED).unwrap();
+    let solved = load(&path, &ImportOptions::default());
+    let clamps = |solved: &SolvedSystem| {
+        let line = &solved.file.lines[0];
+        [line.clamp_a_elevation_deg, line.clamp_b_elevation_deg]
+    };
+    assert_eq!(clamps(&solved), [Some(-90.0), Some(0.0)]);
+    let made = written(&solved, Target::MoorDyn);
+    let read = again(&made, &folder, &ImportOptions::default());
+    assert_eq!(clamps(&read), clamps(&solved), "{}", made.text);
+    same_tensions("clamped", &solved, &read);
+    fs::remove_dir_all(&folder).unwrap();
+}
+
+#[test]
+fn depths_over_a_grid_are_written_beside_the_file() {
+    let folder = folder("grid");
+    let path = folder.join("grid.dat");
+    let points = "--- POINTS ---\nID Attachment X Y Z Mass Volume CdA Ca\n1 Fixed 600 0 -200 0 0 0 0\n2 Coupled 20 0 -14 0 0 0 0\n";
+    let (types, rest) = CLAMPED.split_once("--- ROD TYPES").unwrap();
+    let (_, lines) = rest.split_once("--- LINES").unwrap();
+    let lines = lines
+        .replace("R1B R2A 250", "1 2 640")
+        .replace("200 WtrDpth", "200 WtrDpth\ndepths.txt SeafloorFile");
+    fs::write(&path, format!("{types}{points}--- LINES{lines}")).unwrap();
+    let depths = "3 2\n-1000 0 1000\n-1000 1000\n-1000 -1000 -200\n0 -1000 -200\n1000 -1000 -200\n-1000 1000 -200\n0 1000 -200\n1000 1000 -200\n";
+    fs::write(folder.join("depths.txt"), depths).unwrap();
+    let solved = load(&path, &ImportOptions::default());
+    let made = written(&solved, Target::MoorDyn);
+    assert!(
+        made.text.contains("seafloor.txt  SeafloorFile"),
+        "{}",
+        made.text
+    );
+    assert_eq!(made.files[0].0, "seafloor.txt");
+    let words = |text: &str| -> Vec<f64> {
+        text.split_whitespace()
+            .map(|word| word.parse().unwrap())
+            .collect()
+    };
+    assert_eq!(words(&made.files[0].1), words(depths));
+    let read = again(&made, &folder, &ImportOptions::default());
+    assert_eq!(written(&read, Target::MoorDyn).text, made.text);
+    same_tensions("grid", &solved, &read);
+    let refused = export(&solved, Target::MapPlusPlus, ExportOptions::default()).unwrap_err();
+    assert!(
+        refused
+            .iter()
+            .any(|one| one.what.contains("has no depths over a grid")),
+        "{refused:?}"
+    );
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -129,6 +129,17 @@ fn fairleads_of_famodel_may_be_a_list_or_in_a_file() {
     let all = kind::load::<SystemFile>(&path).unwrap_err();
     assert!(all[0].key.contains("volturn.yaml.zFair"), "{all:#?}");
     assert_eq!(all[0].line, 19);
+    for (included, place) in [
+        ("type: FOWT\n\trFair: 5\n", "line 2, column 1"),
+        ("type: FOWT\nrFair: -5\nzFair: -14\n", "line 2, column 8"),
+        ("rFair: 58\nrFair: 58\nzFair: -14\n", "line 2, column 1"),
+    ] {
+        fs::write(dir.path().join("volturn.yaml"), included).unwrap();
+        let all = kind::load::<SystemFile>(&path).unwrap_err();
+        let problem = &all[0].problem;
+        let place = format!("in `volturn.yaml`, {place}: ");
+        assert!(problem.starts_with(&place) && all[0].line == 19, "{all:#?}");
+    }
     fs::write(dir.path().join("volturn.yaml"), "rFair: 58\nzFair: -14\n").unwrap();
     let loaded = kind::load::<SystemFile>(&path).unwrap();
     assert_fairlead(&loaded.computed, "two-1-s1", raft, 1e-9);

@@ -475,3 +475,105 @@ fn a_sea_floor_over_a_grid_is_that_of_the_case() {
     assert_eq!(found[0].line as usize, row.unwrap() + 1, "{found:?}");
     fs::remove_dir_all(&folder).unwrap();
 }
+
+fn map_options() -> ImportOptions {
+    ImportOptions {
+        depth: Some(320.0),
+        density: Some(1025.0),
+        gravity: Some(9.80665),
+        ..ImportOptions::default()
+    }
+}
+
+fn map(text: &str) -> Result<Imported, Vec<Diagnostic>> {
+    import::read(text, "case.map", &map_options())
+}
+
+fn map_note(text: &str, note: &str) -> String {
+    let text = map(text).unwrap_or_else(|all| panic!("{all:#?}")).text;
+    assert!(text.contains(note), "{text}");
+    text
+}
+
+#[test]
+fn an_option_of_map_behind_a_blank_is_a_comment() {
+    let text = OC3_MAP.replace("repeat 120 240", " repeat 120 240");
+    let text = map_note(&text, "a comment in MAP++: nothing is repeated");
+    assert!(!text.contains("repeat_at_deg"), "{text}");
+    let text = OC3_MAP.replace("\n1    main ", "\n  1    main ");
+    assert!(map_note(&text, "repeat_at_deg").contains("[[lines]]"));
+}
+
+#[test]
+fn options_and_flags_that_map_does_not_know_are_named() {
+    let text = OC3_MAP.replace("repeat 120 240", "repeet 120");
+    map_note(
+        &text,
+        "`repeet` is not known and has no effect; did you mean `repeat`?",
+    );
+    let text = OC3_MAP.replace("gx_pos", "gx_poss");
+    map_note(
+        &text,
+        "Line 1: the flag `gx_poss` is not known and has no effect; did you mean `gx_pos`?",
+    );
+    let text = OC3_MAP.replace("gx_pos", "GX_POS seg_size 10 damage_time 5 h_fair");
+    let text = map_note(
+        &text,
+        "Line 1: it is not cut at the time of the flag damage_time.",
+    );
+    assert!(!text.contains("not known"), "{text}");
+}
+
+#[test]
+fn coefficients_that_map_does_not_use_are_0() {
+    for mark in ["-999.9", "-1.0"] {
+        let row = format!("0.001  {mark} {mark} {mark} {mark}\n");
+        let text = OC3_MAP.replace("0.001  0         0    0    0\n", &row);
+        let note = format!("CIntDamp of main ({mark}), Cdn of main ({mark})");
+        let text = map_note(&text, &note);
+        assert!(text.contains("drag_normal = 0"), "{text}");
+    }
+    let text = OC3_MAP.replace("0.001  0         0    0    0\n", "0.001  0 0 -2 0\n");
+    let all = map(&text).unwrap_err();
+    assert_eq!((all[0].line, all[0].key.as_str()), (4, "LINE TYPES, Cdn"));
+}
+
+#[test]
+fn a_length_that_map_solves_for_is_refused_at_its_column() {
+    let all = map(&OC3_MAP.replace(" 902.2 ", " #902.2 ")).unwrap_err();
+    let [one] = all.as_slice() else {
+        panic!("{all:#?}")
+    };
+    assert_eq!(
+        (one.line, one.column, one.key.as_str()),
+        (13, 15, "LINES, UnstrLen")
+    );
+    assert!(
+        one.problem.contains("MAP++ solves for the length"),
+        "{one:?}"
+    );
+}
+
+#[test]
+fn a_line_of_map_without_contact_at_its_anchor_is_refused() {
+    let all = map(&OC3_MAP.replace("plot gx_pos", "plot omit_contact")).unwrap_err();
+    let [one] = all.as_slice() else {
+        panic!("{all:#?}")
+    };
+    assert_eq!((one.line, one.key.as_str()), (13, "LINES, Flags"));
+    assert!(one.problem.contains("OMIT_CONTACT"), "{one:?}");
+    let joined = "1    main     500.0    1        3        plot\n2    main     402.2    3        2        omit_contact\n";
+    let text = OC3_MAP
+        .replace(
+            "2    Vessel",
+            "3    Connect #400 #0 #-200 0 0 0 0 0\n2    Vessel",
+        )
+        .replace(
+            "1    main     902.2    1        2        plot gx_pos\n",
+            joined,
+        );
+    map_note(
+        &text,
+        "Line 2: omit_contact has an effect only where the line would reach the bed",
+    );
+}

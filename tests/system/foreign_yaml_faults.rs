@@ -404,3 +404,17 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_broken_syntax_is_said_in_the_words_of_its_format() {
+    let json = "{\n \"mooring\": {\"water_depth\": 200 \"g\": 9.81}\n}\n";
+    let all = read(json).unwrap_err();
+    let one = &all[0];
+    assert!(one.problem.starts_with("this is not JSON"), "{one:?}");
+    assert!(one.problem.contains("`,` or `}`"), "{one:?}");
+    assert_eq!((one.line, one.remedy.contains("indentation")), (2, false));
+    let all = read("mooring:\n  lines:\n  a b\n  c: 1\n").unwrap_err();
+    let one = &all[0];
+    assert!(one.problem.starts_with("this is not YAML"), "{one:?}");
+    assert!(!one.problem.contains('\\'), "{one:?}");
+}

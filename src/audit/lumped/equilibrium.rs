@@ -11,8 +11,12 @@ use crate::numerics::{M3, V3};
 
 /// Most iterations.
 const MOST: usize = 6000;
+/// Most evaluations of nodes: some seconds.
+const MOST_WORK: f64 = 4e6;
 /// Forces out of balance that count as none, by the greatest tension.
 const BALANCED: f64 = 1e-9;
+/// Forces that rounding leaves, by those that the last digit of the places makes.
+const ROUNDED: f64 = 2.0;
 /// Share of the energy that a step promises by which it must fall.
 const ENOUGH: f64 = 1e-4;
 /// Step of a difference quotient of bending, by the length of a segment.
@@ -92,9 +96,13 @@ pub fn at_rest(model: &LumpedModel, start: &[V3]) -> Result<Vec<V3>, String> {
     model.evaluate(&x, &still, 0.0, &mut loads);
     let mut force = gathered(&unknowns, &loads);
     let mut energy = model.energy(&x);
+    let mut work = 0.0;
     for _ in 0..MOST {
-        if force.norm() <= BALANCED * scale(model, &x) {
+        if force.norm() <= balanced(model, &x) {
             return Ok(x);
+        }
+        if work > MOST_WORK {
+            break;
         }
         let matrix = stiffness(model, &unknowns, &x);
         let diagonal = matrix.diagonal().map(f64::abs);
@@ -102,6 +110,7 @@ pub fn at_rest(model: &LumpedModel, start: &[V3]) -> Result<Vec<V3>, String> {
         let mut found = None;
         while added < 1e12 {
             let more = diagonal.map(|own| added * (own + 1e-3 * level));
+            work += x.len() as f64;
             if let Some(factors) = EnvelopeCholesky::new(&matrix, &more) {
                 let step = factors.solve(&force);
                 let cut = (longest / step.amax().max(f64::MIN_POSITIVE)).min(1.0);
@@ -128,6 +137,18 @@ pub fn at_rest(model: &LumpedModel, start: &[V3]) -> Result<Vec<V3>, String> {
         true => Ok(x),
         false => Err(format!("{:.3e} N are left out of balance", force.norm())),
     }
+}
+
+/// Forces \[N\] that count as none: a share of the greatest tension, or of short and stiff segments what rounding leaves.
+fn balanced(model: &LumpedModel, x: &[V3]) -> f64 {
+    let mut squares = 0.0;
+    for line in &model.lines {
+        let stiff = line.elasticity.initial() / line.segment;
+        let places = line.nodes.iter().map(|node| x[*node].norm_squared());
+        squares += stiff * stiff * places.sum::<f64>();
+    }
+    let rounded = ROUNDED * f64::EPSILON * squares.sqrt();
+    rounded.max(BALANCED * scale(model, x))
 }
 
 /// The greatest tension \[N\], at least 1.

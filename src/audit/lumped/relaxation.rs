@@ -12,8 +12,8 @@ use crate::numerics::V3;
 const SAMPLES: usize = 9;
 /// Limits of the factor by which the stationary scheme lengthens its steps, and its growth in a step.
 const BOOST: [f64; 3] = [0.1, 50.0, 1.01];
-/// Evaluations of nodes that are spent at most.
-const MOST_WORK: f64 = 4e7;
+/// Evaluations of nodes that are spent at most: some seconds.
+const MOST_WORK: f64 = 2e7;
 
 /// Settings of a relaxation, as the file or the program's defaults have them.
 #[derive(Debug, Clone, Copy, PartialEq)]

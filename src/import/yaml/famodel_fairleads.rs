@@ -6,7 +6,7 @@ use std::path::Path;
 use super::load;
 use super::mapping::Mapping;
 use super::tree::{Node, shortened};
-use crate::import::fault::Fault;
+use crate::import::fault::{Fault, line_and_column};
 use crate::import::moordyn::files::Files;
 use crate::import::mooring::Given;
 use crate::import::words::Word;
@@ -82,16 +82,27 @@ fn included(
             return None;
         }
     };
-    let found = load::load(&text).ok();
-    let root = found.as_ref().and_then(|(document, _)| document.root());
-    let root = root.filter(Node::is_mapping);
-    let Some(root) = root else {
+    let outside = |fault: Fault| at_its_name(&fault, name, &text, &at);
+    let document = match load::load(&text) {
+        Ok((document, twice)) => {
+            faults.extend(twice.into_iter().map(outside));
+            document
+        }
+        Err(fault) => {
+            faults.push(outside(Fault {
+                key: path.to_owned(),
+                ..fault
+            }));
+            return None;
+        }
+    };
+    let Some(root) = document.root().filter(Node::is_mapping) else {
         let problem = format!(
             "the file `{}` is no YAML file of a platform",
             shortened(name)
         );
         faults.push(Fault::new(
-            at,
+            at.clone(),
             path,
             problem,
             "it has keys such as rFair and zFair",
@@ -108,11 +119,19 @@ fn included(
     };
     let mut inside = Vec::new();
     let read = of_platform(&platform, Some(&at), &mut inside);
-    faults.extend(inside.into_iter().map(|fault| Fault {
-        span: at.clone(),
-        ..fault
-    }));
+    faults.extend(inside.into_iter().map(outside));
     read
+}
+
+/// A fault of an included file where that is named, with its row there in the words.
+fn at_its_name(fault: &Fault, name: &str, text: &str, at: &Range<usize>) -> Fault {
+    let (line, column) = line_and_column(text, fault.span.start);
+    let problem = format!(
+        "in `{}`, line {line}, column {column}: {}",
+        shortened(name),
+        fault.problem
+    );
+    Fault::new(at.clone(), &fault.key, problem, &fault.remedy)
 }
 
 /// The fairleads of a platform; `at` is where its file is named, if it has one of its own.

@@ -125,20 +125,26 @@ impl Loader {
 
     fn syntax(&self, error: &ScanError, text: &str) -> Fault {
         let at = self.places.byte(error.marker());
+        let is_json = text_is_json(text);
+        let what = if is_json { "JSON" } else { "YAML" };
         if let Some(tab) = tab_near(text, at) {
             return Fault::new(
                 tab..tab + 1,
                 "",
-                "this is not YAML: the row is indented by a tab",
+                format!("this is not {what}: the row is indented by a tab"),
                 "indent it by blanks",
             );
         }
-        Fault::new(
-            at..at,
-            "",
-            format!("this is not YAML: {}", error.info().escape_debug()),
-            "check indentation (blanks, no tabs), colons, quotes and brackets of this row and the one before",
-        )
+        let remedy = match is_json {
+            true => "check commas, colons, quotes and brackets here and before",
+            false => {
+                "check indentation (blanks, no tabs), colons, quotes and brackets of this row and the one before"
+            }
+        };
+        // In the words of the parser, which quotes letters by single quotes.
+        let said = error.info().replace('\'', "`");
+        let problem = format!("this is not {what}: {}", said.escape_debug());
+        Fault::new(at..at, "", problem, remedy)
     }
 
     fn take(&mut self, event: Event<'_>, span: Span) -> Result<(), Fault> {
@@ -317,6 +323,15 @@ impl Loader {
         }
         Ok(())
     }
+}
+
+/// Whether a text is meant as JSON: it begins with a bracket, and its first word is in double quotes.
+fn text_is_json(text: &str) -> bool {
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let Some(inside) = text.strip_prefix(['{', '[']) else {
+        return false;
+    };
+    inside.trim_start().starts_with(['"', '{', '['])
 }
 
 /// A tab that indents the row of a byte, or one of the two rows after it: a row that goes on is found faulty at its beginning.

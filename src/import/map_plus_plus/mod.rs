@@ -3,6 +3,10 @@
 //! Gravity, density and depth come from the program that calls MAP++ and are asked for. A number behind `#` is one that MAP++ solves for:
 //! here it is where the search begins. `repeat` copies all lines about the vertical axis through the origin.
 
+pub mod flags;
+pub mod options;
+
+use self::flags::Flags;
 use super::fault::{Fault, without_followers};
 use super::moordyn::holds::{missing, same};
 use super::moordyn::line_types::unique;
@@ -10,8 +14,7 @@ use super::moordyn::parts::type_of;
 use super::moordyn::sections::{Block, Section, Sections};
 use super::moordyn::table::{Column, Table, TableRow};
 use super::mooring::{
-    Attachment, Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Setting,
-    Stiffness, Unmodelled,
+    Attachment, Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Stiffness,
 };
 use super::words::Word;
 
@@ -94,7 +97,7 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
         lines(rows, &mut mooring, faults);
     });
     if let Some(rows) = sections.block(Section::Options) {
-        options(rows, &mut mooring, &mut faults);
+        options::read(rows, &mut mooring, &mut faults);
     }
     if faults.is_empty() {
         return Ok(mooring);
@@ -106,10 +109,12 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
 
 fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::of(block, &TYPE_COLUMNS, 9, faults);
+    let mut unused = Vec::new();
     let mut found = table.read(faults, |row| {
         let mass = row.not_negative(2)?;
         let stiffness = row.positive(3)?;
-        let damping = row.not_negative(5)?;
+        let mut in_motion = |column| of_motion(row, column, &mut unused);
+        let damping = in_motion(5)?;
         let none = || Given::new(0.0, row.row.span());
         Ok(LineType {
             name: row.words[0].text.to_owned(),
@@ -119,9 +124,9 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
             stiffness: Given::new(Stiffness::Constant(stiffness.value), stiffness.span),
             damping: Given::new(Damping::Coefficient(damping.value), damping.span),
             bending: none(),
-            drag_normal: row.not_negative(7)?,
-            drag_tangential: row.not_negative(8)?,
-            added_mass_normal: row.not_negative(6)?,
+            drag_normal: in_motion(7)?,
+            drag_tangential: in_motion(8)?,
+            added_mass_normal: in_motion(6)?,
             added_mass_tangential: none(),
             friction: Some(row.not_negative(4)?),
             break_load: None,
@@ -134,6 +139,32 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
         faults,
     );
     mooring.line_types = found;
+    if !unused.is_empty() {
+        mooring.remarks.push(format!(
+            "Coefficients that MAP++ does not use are 0 here; they matter in motion only: {}.",
+            unused.join(", ")
+        ));
+    }
+}
+
+/// Numbers by which the template and the manual of MAP++ mark coefficients that its statics do not use.
+const NOT_USED: [f64; 2] = [-999.9, -1.0];
+
+/// A coefficient of motion; 0 where it is marked as not used.
+fn of_motion(
+    row: &TableRow<'_, '_>,
+    column: usize,
+    unused: &mut Vec<String>,
+) -> Result<Given<f64>, Fault> {
+    let given = row.number(column)?;
+    if !NOT_USED.contains(&given.value) {
+        return row.not_negative(column);
+    }
+    unused.push(format!(
+        "{} of {} ({})",
+        TYPE_COLUMNS[column].0, row.words[0].text, row.words[column].text
+    ));
+    Ok(Given::new(0.0, given.span))
 }
 
 fn nodes(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
@@ -194,7 +225,7 @@ fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
 
 fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::with_marks(block, &LINE_COLUMNS, 5, faults);
-    let mut unmodelled = Vec::new();
+    let mut flags = Flags::default();
     let types: Vec<&str> = mooring
         .line_types
         .iter()
@@ -211,68 +242,43 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
                 problem: format!("there is no node `{}`", word.text),
                 ..missing(row, column, Section::Points, word.text)
             })?;
-            Ok(Given::new(Attachment::Point(point), word.span()))
+            Ok(Given::new(point, word.span()))
         };
-        for flag in &row.words[5..] {
-            flags(row, *flag, &mut unmodelled);
-        }
         let ends = [end(3)?, end(4)?];
         if ends[0].value == ends[1].value {
             let problem = "both ends of the line are at the same node";
             return Err(row.fault(4, problem, "give two nodes"));
         }
+        let length = length(row)?;
+        flags.read(row, mooring, &ends)?;
         Ok(Line {
             id: row.words[0].text.to_owned(),
             span: row.row.span(),
             of_type: type_of(row, 1, &types, Section::LineTypes)?,
-            ends,
-            length: row.positive(2)?,
+            ends: ends.map(|end| Given::new(Attachment::Point(end.value), end.span)),
+            length,
             segments: Given::new(0, row.row.span()),
         })
     });
     unique(&mut found, |one| (&one.id, &one.span), "line", faults);
     mooring.lines = found;
-    mooring.unmodelled.extend(unmodelled);
+    mooring.unmodelled.extend(flags.unmodelled);
+    mooring.remarks.extend(flags.remarks);
 }
 
-/// Flags of a line. Outputs are all recorded anyway, and contact is solved for; a spring is another model.
-fn flags(row: &TableRow<'_, '_>, flag: Word<'_>, unmodelled: &mut Vec<Unmodelled>) {
-    let lower = flag.text.to_lowercase();
-    if lower == "linear_spring" {
-        unmodelled.push(Unmodelled {
-            name: "linear-spring",
-            span: flag.span(),
-            key: row.key(5),
-            what: "a line as a spring without weight".to_owned(),
-        });
+/// The unstretched length. Behind `#` it is a variable of the solution of MAP++, for which a node then has a known force.
+fn length(row: &TableRow<'_, '_>) -> Result<Given<f64>, Fault> {
+    let word = row.words[2];
+    if !word.text.starts_with('#') {
+        return row.positive(2);
     }
-}
-
-/// Options: `repeat 120 240`; those of the solver mean nothing here.
-fn options(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    for row in &block.rows {
-        let words = row.words();
-        let Some(first) = words.first() else { continue };
-        if first.is("repeat") {
-            for word in &words[1..] {
-                match word.required("SOLVER OPTIONS, repeat") {
-                    Ok(angle) => mooring.repeats.push(Given::new(angle, word.span())),
-                    Err(fault) => faults.push(fault),
-                }
-            }
-        } else if first.is("ref_position") {
-            mooring.remarks.push(
-                "The reference position of the option ref_position is not used: stiffness is about the origin."
-                    .to_owned(),
-            );
-        }
-        mooring.settings.push(Setting {
-            name: first.text.to_lowercase(),
-            written: first.text.to_owned(),
-            value: words
-                .get(1)
-                .map_or_else(String::new, |word| word.text.to_owned()),
-            span: row.span(),
-        });
-    }
+    let problem = format!(
+        "`{}`: behind `#` MAP++ solves for the length, which is not done here",
+        word.text
+    );
+    Err(row.fault(
+        2,
+        problem,
+        "give the length in m that MAP++ found, without `#`",
+    ))
 }

@@ -1,0 +1,129 @@
+//! Flags of a line. Outputs are all recorded anyway; contact with the bed and springs are physics.
+
+use crate::case::nearest;
+use crate::import::fault::Fault;
+use crate::import::moordyn::table::TableRow;
+use crate::import::mooring::{Given, Hold, Mooring, Unmodelled};
+use crate::import::words::Word;
+
+/// The column in which they begin.
+const COLUMN: usize = 5;
+
+/// Flags that ask for outputs.
+const OUTPUTS: [&str; 22] = [
+    "gx_pos",
+    "gy_pos",
+    "gz_pos",
+    "gx_a_pos",
+    "gy_a_pos",
+    "gz_a_pos",
+    "gx_force",
+    "gy_force",
+    "gz_force",
+    "h_fair",
+    "h_anch",
+    "v_fair",
+    "v_anch",
+    "tension_fair",
+    "tension_anch",
+    "x_excursion",
+    "z_excursion",
+    "azimuth",
+    "altitude",
+    "altitude_anch",
+    "line_tension",
+    "lay_length",
+];
+
+/// Flags with a number behind them.
+const WITH_NUMBER: [&str; 3] = ["seg_size", "damage_time", "diagnostic"];
+
+/// Other flags; `plot` is one of other programs that draw the line.
+const OTHERS: [&str; 3] = ["omit_contact", "linear_spring", "plot"];
+
+/// What the flags of a line state besides outputs.
+#[derive(Debug, Default)]
+pub struct Flags {
+    /// What is not modelled.
+    pub unmodelled: Vec<Unmodelled>,
+    /// What has no effect.
+    pub remarks: Vec<String>,
+}
+
+impl Flags {
+    /// Reads the flags of a row.
+    ///
+    /// # Errors
+    /// The line has no contact with the bed at its anchor.
+    pub fn read(
+        &mut self,
+        row: &TableRow<'_, '_>,
+        mooring: &Mooring,
+        ends: &[Given<usize>; 2],
+    ) -> Result<(), Fault> {
+        let line = row.words[0].text;
+        let mut words = row.words.iter().skip(COLUMN).peekable();
+        while let Some(flag) = words.next() {
+            let name = flag.text.to_lowercase();
+            match name.as_str() {
+                "linear_spring" => self.unmodelled.push(Unmodelled {
+                    name: "linear-spring",
+                    span: flag.span(),
+                    key: row.key(COLUMN),
+                    what: "a line as a spring without weight".to_owned(),
+                }),
+                "omit_contact" => self.omit_contact(row, *flag, mooring, ends)?,
+                "damage_time" => self.remarks.push(format!(
+                    "Line {line}: it is not cut at the time of the flag {}.",
+                    flag.text
+                )),
+                name if is_known(name) => {}
+                name => self.remarks.push(unknown(line, *flag, name)),
+            }
+            if WITH_NUMBER.contains(&name.as_str()) {
+                words.next_if(|word| word.number().is_some());
+            }
+        }
+        Ok(())
+    }
+
+    /// Without contact a line from an anchor hangs below the bed: no line here does so.
+    fn omit_contact(
+        &mut self,
+        row: &TableRow<'_, '_>,
+        flag: Word<'_>,
+        mooring: &Mooring,
+        ends: &[Given<usize>; 2],
+    ) -> Result<(), Fault> {
+        let is_anchor = |end: &Given<usize>| mooring.points[end.value].hold.value == Hold::Fixed;
+        if ends.iter().any(is_anchor) {
+            return Err(Fault::new(
+                flag.span(),
+                row.key(COLUMN),
+                "a line from an anchor that has no contact with the bed (OMIT_CONTACT) is not modelled",
+                "take the flag out: the bed then bears what lies on it, and a line that is lifted to its end is the same",
+            ));
+        }
+        self.remarks.push(format!(
+            "Line {}: {} has an effect only where the line would reach the bed; here the bed bears it there.",
+            row.words[0].text, flag.text
+        ));
+        Ok(())
+    }
+}
+
+fn is_known(name: &str) -> bool {
+    OUTPUTS.contains(&name) || WITH_NUMBER.contains(&name) || OTHERS.contains(&name)
+}
+
+fn unknown(line: &str, flag: Word<'_>, name: &str) -> String {
+    let known = OUTPUTS.into_iter().chain(WITH_NUMBER).chain(OTHERS);
+    let problem = format!(
+        "Line {line}: the flag `{}` is not known and has no effect",
+        flag.text
+    );
+    match nearest(name, known) {
+        Some(near) => format!("{problem}; did you mean `{near}`?"),
+        None => format!("{problem}."),
+    }
+}
