@@ -24,6 +24,13 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         "current",
     );
     found.add(
+        file.current
+            .as_ref()
+            .is_some_and(|current| current.file.is_some()),
+        "current.file",
+        "current by a file of times and places",
+    );
+    found.add(
         file.seabed
             .as_ref()
             .is_some_and(|bed| bed.depth_file.is_some()),

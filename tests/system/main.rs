@@ -8,6 +8,7 @@ mod audit;
 mod bodies;
 mod closed_forms;
 mod creep;
+mod current_file;
 mod discretised;
 mod exported;
 mod floating;
