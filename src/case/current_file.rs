@@ -43,7 +43,7 @@ pub fn current_grid(
 ///
 /// # Errors
 /// The first fault, with its line and column.
-fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagnostic> {
+pub(crate) fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagnostic> {
     let rows = match head(text) {
         Some(columns) => of_table(placed(text, file, &columns)?, &columns),
         None => foreign_current(text).map_err(|fault| fault.at(file, text))?,

@@ -39,6 +39,7 @@ pub use attachments::stand_alone;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
 pub use current_file::current_grid;
+pub(crate) use current_file::read_current;
 pub use depth_file::depth_grid;
 pub use diagnostic::{Diagnostic, render_all};
 pub use digest::{TextDigest, digests};

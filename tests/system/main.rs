@@ -14,6 +14,7 @@ mod exported;
 mod floating;
 mod foreign_arrays;
 mod foreign_files;
+mod foreign_water;
 mod foreign_yaml;
 mod foreign_yaml_faults;
 mod grid_bed;
