@@ -204,7 +204,7 @@ fn faults_of_the_water_are_shown_where_it_is_named() {
         "2 Currents",
         "there is no file `current_profile_dynamic.txt`",
     );
-    let short = grid().replace("0 -10 -40 0 0.3 0.1 0\n", "");
+    let short = grid().replace("\n0 -10 -40 0 0.3 0.1 0\n", "\n");
     Folder::of("5 Currents", &[("current_profile_4d.txt", &short)]).assert_fault(
         "5 Currents",
         "line 1 of current_profile_4d.txt: 23 rows follow for a grid of 2 by 2 by 3 by 2",
