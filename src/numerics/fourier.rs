@@ -54,7 +54,9 @@ fn transform(
 
 /// The least factor of a number above 1.
 fn least_factor(n: usize) -> usize {
-    let found = (2..).take_while(|k| k * k <= n).find(|k| n % k == 0);
+    let found = (2..)
+        .take_while(|k| k * k <= n)
+        .find(|k| n.is_multiple_of(*k));
     found.unwrap_or(n)
 }
 
