@@ -117,7 +117,9 @@ fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, au
         audit.lines = mesh::exact_lines(mooring, &exact);
         return;
     }
-    if mooring.sea.current.is_some() || mooring.sea.waves.is_some() {
+    let given = &mooring.sea;
+    let flows = given.current.is_some() || given.current_file.is_some();
+    if flows || given.waves.is_some() || given.elevation.is_some() {
         audit
             .not_judged
             .push("Currents and waves during the relaxation.".to_owned());

@@ -10,6 +10,8 @@ pub(crate) mod attachments;
 mod channel_id;
 pub mod channels;
 mod check;
+mod current_file;
+mod current_formats;
 mod depth_file;
 mod depth_formats;
 mod diagnostic;
@@ -36,6 +38,8 @@ mod write;
 pub use attachments::stand_alone;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
+pub use current_file::current_grid;
+pub(crate) use current_file::read_current;
 pub use depth_file::depth_grid;
 pub use diagnostic::{Diagnostic, render_all};
 pub use digest::{TextDigest, digests};
@@ -53,7 +57,9 @@ pub use subject::{ModePlane, Subject};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{increasing, of_material, of_waves, unknown, unknown_name, used_twice};
+pub(crate) use check::{
+    increasing, of_current, of_material, of_waves, unknown, unknown_name, used_twice,
+};
 pub(crate) use diagnostic::Finding;
 pub(crate) use fields::{join, nearest, split};
 

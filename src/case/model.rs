@@ -161,15 +161,17 @@ table! {
 }
 
 table! {
-    /// A current: uniform (`speed_m_per_s` one number) or a table over depth (lists of equal length).
+    /// A current: uniform (`speed_m_per_s` one number), a table over depth (lists of equal length), or a file.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Current => CurrentKeys {
         /// Speed of the current: one number, or one for each depth.
-        speed_m_per_s: OneOrMany, "current speed", kind NumberOrList, range of(-20.0, 20.0);
+        speed_m_per_s: Option<OneOrMany>, "current speed", kind NumberOrList, range of(-20.0, 20.0), absent "from the file";
         /// Where the water flows to, from +x towards +y: one number, or one for each depth.
         direction_deg: OneOrMany = 0.0, "current direction", kind NumberOrList, range of(-360.0, 360.0);
         /// Depths below still water, increasing; linear in between, constant beyond.
         depth_m: Option<Vec<f64>>, "current depths", range of(0.0, 2e4), absent "the same at every depth";
+        /// Of a system: a file of the current over time and place, beside the case: a table t_s, x_m, y_m, z_m (those that it changes with), u_m_per_s, v_m_per_s, or as MoorDyn writes it.
+        file: Option<String>, "current file", absent "none";
     }
 }
 

@@ -25,6 +25,13 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         "current",
     );
     found.add(
+        file.current
+            .as_ref()
+            .is_some_and(|current| current.file.is_some()),
+        "current.file",
+        "current by a file of times and places",
+    );
+    found.add(
         target == Target::MapPlusPlus && is_grid(solved),
         "seabed.depth_file",
         "depths over a grid",

@@ -48,13 +48,13 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
     if let Some(Bed::Grid(grid)) = &solved.network.bed {
         sheet.files.push((DEPTHS.to_owned(), depths(grid)));
     }
-    if let Some(current) = &file.current {
+    if let Some((current, speed)) = file
+        .current
+        .as_ref()
+        .and_then(|current| Some((current, current.speed_m_per_s.as_ref()?)))
+    {
         sheet.options.push(("1".to_owned(), "Currents"));
-        let text = profile(
-            &current.speed_m_per_s,
-            &current.direction_deg,
-            current.depth_m.as_deref(),
-        );
+        let text = profile(speed, &current.direction_deg, current.depth_m.as_deref());
         sheet.files.push(("current_profile.txt".to_owned(), text));
     }
     if !file.waves.is_empty() {

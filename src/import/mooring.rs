@@ -455,8 +455,36 @@ pub struct Sea {
     pub friction: Option<Given<f64>>,
     /// Current by height: z, x, y \[m, m/s, m/s\].
     pub current: Option<Given<Vec<[f64; 3]>>>,
+    /// Current by a file of times and places.
+    pub current_file: Option<Given<CurrentFile>>,
+    /// Waves by a history of their elevation.
+    pub elevation: Option<Given<Elevation>>,
     /// Regular waves that run together: angular frequency \[rad/s\], amplitude \[m\], phase \[rad\].
     pub waves: Option<Given<Vec<[f64; 3]>>>,
+}
+
+/// A file of the current over time and place, which the case carries.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurrentFile {
+    /// Its name.
+    pub name: &'static str,
+    /// Its text.
+    pub text: String,
+    /// Whether it changes with time.
+    pub varies: bool,
+}
+
+/// Waves by a history of their elevation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Elevation {
+    /// Regular waves that run together: angular frequency \[rad/s\], amplitude \[m\], phase \[rad\].
+    pub components: Vec<[f64; 3]>,
+    /// Mean of the history \[m\], which the components do not have.
+    pub mean: f64,
+    /// Length of the record, after which it repeats \[s\].
+    pub period: f64,
+    /// Share of the variance of the samples that the components do not have.
+    pub lost: f64,
 }
 
 /// A setting of the program.

@@ -20,9 +20,10 @@
 //! case.materials.insert("rope".into(), Material::new(0.1, 20.0, 1e7));
 //! case.line = vec![Section::new("rope", "rope", 140.0, 40)];
 //! case.current = Some(Current {
-//!     speed_m_per_s: OneOrMany::One(0.5),
+//!     speed_m_per_s: Some(OneOrMany::One(0.5)),
 //!     direction_deg: OneOrMany::One(90.0),
 //!     depth_m: None,
+//!     file: None,
 //! });
 //! let mut line = LineBetweenEnds::new(&case)?;
 //! let here = line.solve([0.0, 0.0, -100.0], [80.0, 0.0, 0.0])?;

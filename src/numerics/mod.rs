@@ -5,6 +5,7 @@
 //! * [`envelope`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
+//! * [`fourier`]: the components of a record.
 //! * [`depth_grid`]: a depth over a rectangular grid of places.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
 //! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
@@ -16,6 +17,7 @@ pub mod condensation;
 pub mod depth_grid;
 pub mod double_double;
 pub mod envelope;
+pub mod fourier;
 pub mod golden_section;
 pub mod hyperbolic;
 pub mod interpolation;

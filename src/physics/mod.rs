@@ -6,6 +6,7 @@ pub mod bed_friction;
 pub mod bed_reaction;
 pub mod bending;
 pub mod current;
+pub mod current_grid;
 pub mod drag;
 pub mod drag_law;
 
@@ -22,6 +23,7 @@ pub mod wall_tension;
 
 pub use bed_friction::{Friction, FrictionAnchor};
 pub use current::CurrentProfile;
+pub use current_grid::{CurrentGrid, CurrentGridError};
 pub use drag_law::DragLaw;
 pub use motion::EndMotion;
 pub use payload::BodyProperties;

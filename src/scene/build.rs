@@ -1,5 +1,6 @@
 //! From a case to a scene in SI units.
 
+use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::elasticity::{Elasticity, elasticity};
@@ -9,7 +10,7 @@ use super::labels::{Joint, Labels};
 use super::line::{AttachedBody, LumpedLine, Segment};
 use super::scene::{InitialState, Scene};
 use super::{bodies, buoyancy, ends, event, initial_shape, mesh, unused_inputs, waves};
-use crate::case::{self, Case, DragLength, DragWidth, OneOrMany, StartShape};
+use crate::case::{self, Attachment, Case, DragLength, DragWidth, OneOrMany, StartShape};
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::DragProperties;
@@ -115,7 +116,7 @@ fn line(
         arc: mesh.arc,
         ends,
         bodies,
-        current: current(case.current.as_ref()),
+        current: current(case.current.as_ref(), &case.files),
         water,
         stretched_drag: case.environment.drag_length == DragLength::Stretched,
     })
@@ -343,17 +344,28 @@ fn lump(
 }
 
 /// Still water unless the case has a current.
-pub(crate) fn current(current: Option<&case::Current>) -> CurrentProfile {
+pub(crate) fn current(
+    current: Option<&case::Current>,
+    files: &BTreeMap<String, Attachment>,
+) -> CurrentProfile {
     let Some(current) = current else {
         return CurrentProfile::Uniform(V3::zeros());
     };
+    // Its file was read with the case.
+    if let Ok(Some(grid)) = case::current_grid(current, files) {
+        return CurrentProfile::of_grid(&grid, 0.0);
+    }
     let at = |value: &OneOrMany, i: usize| match value {
         OneOrMany::One(all) => *all,
         OneOrMany::Many(list) => list.get(i).or(list.last()).copied().unwrap_or(0.0),
     };
     let velocity = |i: usize| {
         let (sin, cos) = at(&current.direction_deg, i).to_radians().sin_cos();
-        V3::new(cos, sin, 0.0) * at(&current.speed_m_per_s, i)
+        V3::new(cos, sin, 0.0)
+            * current
+                .speed_m_per_s
+                .as_ref()
+                .map_or(0.0, |speed| at(speed, i))
     };
     match &current.depth_m {
         Some(depth) if depth.len() > 1 => CurrentProfile::Table {

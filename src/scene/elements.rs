@@ -13,6 +13,7 @@ mod bed;
 mod bed_end;
 mod body_contact;
 mod body_loads;
+mod current_slope;
 mod fed_end;
 mod flexure;
 mod rigid_payload;
@@ -27,6 +28,7 @@ pub use bed::BedContact;
 pub(super) use bed::HalfSegment;
 pub use body_contact::{BearingBody, BodyContact};
 use body_loads::BodyLoads;
+use current_slope::CurrentSlope;
 pub use fed_end::{DrumPull, FedEnd, PaidOut};
 pub use flexure::Flexure;
 pub(super) use flexure::clamps_without_effect;
@@ -79,13 +81,14 @@ impl Elements {
         fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
             element.as_ref().map(|element| element as &dyn Element)
         }
-        let list: [Option<&dyn Element>; 9] = [
+        let list: [Option<&dyn Element>; 10] = [
             some(&self.bed),
             some(&self.body_contact),
             Some(&WaterLoads),
             some(&self.flexure),
             some(&self.traveller),
             Some(&BodyLoads),
+            Some(&CurrentSlope),
             some(&self.rigid_payload),
             some(&self.fed_ends[0]),
             some(&self.fed_ends[1]),

@@ -331,7 +331,7 @@ impl Scene {
 
     fn drag_of_bodies(&self, node: usize, at: &V3) -> V3 {
         let here = self.line.bodies.iter().filter(|hung| hung.node == node);
-        here.map(|hung| hung.body.drag(&self.line.current.at(at.z).0))
+        here.map(|hung| hung.body.drag(&self.line.current.at(at).0))
             .sum()
     }
 }

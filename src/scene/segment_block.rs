@@ -96,13 +96,13 @@ impl LumpedLine {
         let v = state.v[node];
         if PLAIN {
             return NodeKinematics {
-                u: self.current.at(0.0).0 - v,
+                u: self.current.at(&V3::zeros()).0 - v,
                 a: state.a[node],
                 shear: V3::zeros(),
             };
         }
         let x = &state.x[node];
-        let (mut u, shear) = self.current.at(x.z);
+        let (mut u, shear) = self.current.at(x);
         let mut a = state.a[node];
         if let Some(flow) = state.wave_flow.get(node) {
             u += flow.velocity_at(x);

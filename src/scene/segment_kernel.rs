@@ -131,7 +131,7 @@ impl LumpedLine {
             &mut tangent.upper[..=segments],
             &mut tangent.lower[..=segments],
         );
-        let sheared = !PLAIN && matches!(self.current, CurrentProfile::Table { .. });
+        let sheared = !PLAIN && !matches!(self.current, CurrentProfile::Uniform(_));
         let mut pass = SegmentPass::<PLAIN>::new(self, state);
         // Row of the node so far: its own part and that of the segment before it.
         let mut here = (self.lumped_load(0, state), self.lumped_mass(0, c));

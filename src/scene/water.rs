@@ -139,7 +139,7 @@ impl LumpedLine {
     /// Velocity of the water at a node \[m/s\].
     #[inline(always)]
     pub(super) fn water_at(&self, node: usize, state: &State) -> V3 {
-        let current = self.current.at(state.x[node].z).0;
+        let current = self.current.at(&state.x[node]).0;
         match state.wave_flow.get(node) {
             None => current,
             Some(flow) => current + flow.velocity_at(&state.x[node]),

@@ -127,7 +127,38 @@ fn components(waves: &case::Waves, stream: u64) -> Result<Vec<Component>, SceneE
             let spectrum = spectrum(waves).ok_or_else(|| missing("significant_height_m"))?;
             Ok(synthesise(&spectrum, waves.components, waves.seed, stream))
         }
+        WaveKind::Components => {
+            let periods = waves
+                .periods_s
+                .as_ref()
+                .ok_or_else(|| missing("periods_s"))?;
+            let heights = waves
+                .heights_m
+                .as_ref()
+                .ok_or_else(|| missing("heights_m"))?;
+            Ok(given_components(
+                periods,
+                heights,
+                waves.phases_deg.as_deref(),
+            ))
+        }
     }
+}
+
+/// Components of these periods \[s\], heights \[m\] and leads \[deg\], frequencies rising.
+fn given_components(periods: &[f64], heights: &[f64], phases: Option<&[f64]>) -> Vec<Component> {
+    let each = periods.iter().zip(heights).enumerate();
+    let mut all: Vec<Component> = each
+        .map(|(k, (period, height))| Component {
+            omega: crate::physics::motion::omega(*period),
+            amplitude: 0.5 * height,
+            phase: phases
+                .and_then(|phases| phases.get(k))
+                .map_or(0.0, |phase| phase.to_radians()),
+        })
+        .collect();
+    all.sort_by(|a, b| a.omega.total_cmp(&b.omega));
+    all
 }
 
 /// The sea of these waves over a bed of a depth \[m\]: a field for each of them, or for each direction of those that are spread.
@@ -193,6 +224,17 @@ fn steep(said: &case::Waves, depth: f64, gravity: f64) -> Option<String> {
     let (height, period) = match said.kind {
         WaveKind::Regular => (said.height_m, said.period_s),
         WaveKind::Irregular => (said.significant_height_m, said.peak_period_s),
+        WaveKind::Components => {
+            let (periods, heights) = (said.periods_s.as_ref()?, said.heights_m.as_ref()?);
+            let energy: f64 = heights.iter().map(|height| height * height).sum();
+            let pairs = periods.iter().zip(heights);
+            let highest = pairs.max_by(|a, b| a.1.total_cmp(b.1));
+            // Four times the root of the sum of half the squared amplitudes.
+            (
+                Some((2.0 * energy).sqrt()),
+                highest.map(|(period, _)| *period),
+            )
+        }
     };
     let (height, period) = height.zip(period)?;
     let omega = crate::physics::motion::omega(period);

@@ -79,10 +79,10 @@ pub fn balance(
     }
     for (index, first) in freedoms.points.iter().enumerate() {
         if let (Held::Free(free), Some(first)) = (&network.points[index].held, first) {
-            let (force, by_height) = free.force(network, placement.points[index].z, physics);
+            let (force, by_place) = free.force(network, &placement.points[index], physics);
             let mut rows = out.force.fixed_rows_mut::<3>(*first);
             rows += force;
-            out.stiffness.add_block(*first, first + 2, &-by_height);
+            out.stiffness.add_block(*first, *first, &-by_place);
         }
     }
     for (index, first) in freedoms.bodies.iter().enumerate() {

@@ -22,8 +22,9 @@ use super::parts::{Part, parts};
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{Material, depth_grid};
+use crate::case::{Material, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
+use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
 use crate::scene::{current_profile, sea};
 use crate::statics::catenary::SectionProperties;
@@ -57,7 +58,8 @@ pub fn build(
         current: file
             .current
             .as_ref()
-            .map(|given| current_profile(Some(given))),
+            .map(|given| current_profile(Some(given), &file.files)),
+        current_over_time: current_over_time(file).map(Arc::new),
         wind: file.wind.as_ref().map_or_else(V3::zeros, |wind| {
             let (sin, cos) = wind.direction_deg.to_radians().sin_cos();
             V3::new(cos, sin, 0.0) * wind.speed_m_per_s
@@ -98,6 +100,13 @@ fn bed_of(file: &SystemFile) -> Option<Bed> {
     // Its file was read with the system.
     let grid = depth_grid(given.depths(), &file.files).ok().flatten();
     Some(grid.map_or(Bed::Level(-given.depth_m), |grid| Bed::Grid(Arc::new(grid))))
+}
+
+/// The current of a file, where it changes with time.
+fn current_over_time(file: &SystemFile) -> Option<CurrentGrid> {
+    // Its file was read with the system.
+    let grid = current_grid(file.current.as_ref()?, &file.files).ok()?;
+    grid.filter(CurrentGrid::varies_in_time)
 }
 
 /// The bodies of a file, in these waves; `file` has its rods written out as bodies.

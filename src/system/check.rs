@@ -9,7 +9,7 @@ use super::motion::{check as motion, check_payout};
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
-use crate::case::{Finding, of_material, unknown, used_twice};
+use crate::case::{Finding, of_current, of_material, unknown, used_twice};
 use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
@@ -62,6 +62,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(of_material(material));
     }
     found.extend(without_unknowns(keys));
+    found.extend(keys.current.iter().flat_map(of_current));
     found.extend(bed(keys));
     found.extend(wind_without_loads(keys));
     found.extend(motion::waves(keys));

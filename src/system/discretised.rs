@@ -188,8 +188,17 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     });
     let depths = file.seabed.as_ref().and_then(|bed| bed.depth_file.as_ref());
     let depths = depths.and_then(|name| file.files.get_key_value(name));
-    case.files
-        .extend(depths.map(|(name, file)| (name.clone(), file.clone())));
+    let current = case
+        .current
+        .as_ref()
+        .and_then(|current| current.file.as_ref());
+    let current = current.and_then(|name| file.files.get_key_value(name));
+    case.files.extend(
+        depths
+            .into_iter()
+            .chain(current)
+            .map(|(name, file)| (name.clone(), file.clone())),
+    );
     case.solver.method = Method::Static;
     let whole: f64 = parts.iter().map(|part| part.length_m).sum();
     for (k, part) in parts.iter().enumerate() {

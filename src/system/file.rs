@@ -59,6 +59,15 @@ impl FileKind for SystemFile {
         if let Some(bed) = &self.seabed {
             source.take_depths(&mut self.files, bed.depths(), "seabed")?;
         }
+        if let Some(current) = &self.current {
+            let grid = source.take_current(&mut self.files, current)?;
+            let varies = grid.is_some_and(|grid| grid.varies_in_time());
+            let loaded = self.bodies.iter();
+            let mut loaded = loaded.filter(|(_, body)| !body.current_loads.is_empty());
+            if let Some((name, _)) = loaded.next().filter(|_| varies) {
+                return Err(changes_with_time(name, source));
+            }
+        }
         let sea = sea_of(self);
         for body in self.bodies.values() {
             let flow = PotentialFlow::of(self, body)?;
@@ -114,6 +123,16 @@ impl FileKind for SystemFile {
         }
         rows
     }
+}
+
+/// Loads by the heading of a current that changes with time.
+fn changes_with_time(body: &str, source: &FileSource<'_>) -> Diagnostic {
+    let loads = source.root.find(&["bodies", body, "current_loads"]);
+    let span = loads.map_or(0..0, |loads| loads.span.clone());
+    let problem = "are of a steady current, and that of current.file changes with time";
+    let remedy = "give the body drag areas or members, or a steady current";
+    let key = format!("bodies.{body}.current_loads");
+    Finding::new(&span, key, problem, remedy).at(source.file, source.text)
 }
 
 /// Waves from a heading that the coefficients of a body do not have.

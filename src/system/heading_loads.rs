@@ -8,7 +8,7 @@ use num_dual::DualNum;
 
 use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant, near};
 use super::network::{Body, HeadingLoads, Network};
-use crate::numerics::V3;
+use crate::numerics::{M3, V3};
 
 /// Wind, current and drag on a body.
 pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &mut LoadSum) {
@@ -18,16 +18,21 @@ pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &m
     if let Some(loads) = &body.wind_loads {
         by_heading(loads, &(constant(&network.wind) - pose.velocity), pose, sum);
     }
+    let origin = pose.origin.map(|part| part.re);
     let current = |z: f64| match &network.current {
-        Some(current) => current.at(z),
+        Some(current) => current.flow(&V3::new(origin.x, origin.y, z)),
         None => Default::default(),
     };
     if let Some(loads) = &body.current_loads {
-        let flow = constant(&current(0.0).0) - pose.velocity;
+        let (water, gradient) = current(0.0);
+        let place = V3::new(origin.x, origin.y, 0.0);
+        let mut surface = pose.origin;
+        surface.z = Dual::from_re(0.0);
+        let flow = near((&water, &gradient), &place, &surface) - pose.velocity;
         by_heading(loads, &flow, pose, sum);
     }
     if body.drag_area != V3::zeros() {
-        let water = current(pose.origin.z.re);
+        let water = current(origin.z);
         on_areas(network.density, body, pose, water, sum);
     }
 }
@@ -37,11 +42,11 @@ fn on_areas(
     density: f64,
     body: &Body,
     pose: &MovingPose<'_>,
-    (still, slope): (V3, V3),
+    (still, gradient): (V3, M3),
     sum: &mut LoadSum,
 ) {
-    let above = pose.origin.z - pose.origin.z.re;
-    let mut velocity = constant(&still) + constant(&slope) * above - pose.velocity;
+    let here = pose.origin.map(|part| part.re);
+    let mut velocity = near((&still, &gradient), &here, &pose.origin) - pose.velocity;
     if let Some(flow) = pose.at_origin() {
         velocity += near((&flow.velocity, &flow.gradient), &flow.place, &pose.origin);
     }

@@ -334,11 +334,13 @@ pub(super) fn drag(
     }
     let current = network.current.as_ref();
     for slice in placed.wet_slices() {
-        let (water, slope) =
-            current.map_or_else(Default::default, |current| current.at(slice.height.re));
-        let above = slice.height - slice.height.re;
-        let mut velocity =
-            constant(&water) + constant(&slope) * above - pose.velocity_at(&slice.arm);
+        // The profile rises and falls with the surface.
+        let mut at = pose.place(&slice.arm);
+        at.z = slice.height;
+        let here = at.map(|part| part.re);
+        let (water, gradient) =
+            current.map_or_else(Default::default, |current| current.flow(&here));
+        let mut velocity = near((&water, &gradient), &here, &at) - pose.velocity_at(&slice.arm);
         if let Some(flow) = placed.waves.get(2 + slice.number) {
             let place = pose.place(&slice.arm);
             velocity += near((&flow.velocity, &flow.gradient), &flow.place, &place);

@@ -12,6 +12,7 @@ use super::motion::payout::Payout;
 use super::pose::Pose;
 use super::potential_flow::PotentialFlow;
 use crate::numerics::{M3, V3};
+use crate::physics::CurrentGrid;
 use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
 use crate::physics::sea::Sea;
@@ -26,8 +27,10 @@ pub struct Network {
     pub density: f64,
     /// The sea bed; nothing where none is in reach.
     pub bed: Option<Bed>,
-    /// The current on lines, points and bodies, if there is one.
+    /// The current on lines, points and bodies, if there is one; where it changes with time, that at time zero.
     pub current: Option<CurrentProfile>,
+    /// The same in motion, where it changes with time.
+    pub current_over_time: Option<Arc<CurrentGrid>>,
     /// Waves in motion, if there are any.
     pub sea: Option<Sea>,
     /// Where the height of the waves is recorded \[m\].
@@ -88,25 +91,25 @@ pub struct FreePoint {
 }
 
 impl FreePoint {
-    /// The force on it under water at height z \[m\], lines apart \[N\], and its change with z \[N/m\]; drag in the full physics.
+    /// The force on it under water at a place \[m\], lines apart \[N\], and its change with the place \[N/m\]; drag in the full physics.
     #[must_use]
-    pub fn force(&self, network: &Network, z: f64, physics: LinePhysics) -> (V3, V3) {
+    pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {
         let force = self.load + V3::new(0.0, 0.0, self.buoyancy - self.weight);
         let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
         let Some(current) = network.current.as_ref().filter(|_| flows) else {
-            return (force, V3::zeros());
+            return (force, M3::zeros());
         };
-        let (velocity, slope) = current.at(z);
+        let (velocity, gradient) = current.flow(place);
         let speed = velocity.norm();
         let half = 0.5 * network.density * self.drag_area;
         let turning = if speed > 0.0 {
-            velocity * (velocity.dot(&slope) / speed)
+            velocity * (gradient.transpose() * velocity / speed).transpose()
         } else {
-            V3::zeros()
+            M3::zeros()
         };
         (
             force + velocity * (half * speed),
-            (slope * speed + turning) * half,
+            (gradient * speed + turning) * half,
         )
     }
 }

@@ -3,6 +3,7 @@
 
 use proptest::prelude::*;
 use seacable::numerics::{BlockBand, V3};
+use seacable::physics::{CurrentGrid, CurrentProfile};
 use seacable::scene::{self, PaidOut, Scene};
 use seacable::solve::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, Residual, State, StaticSearch,
@@ -188,6 +189,33 @@ pub(crate) fn mismatch(scene: &Scene, state: &State, c: Factors) -> f64 {
         }
     }
     worst
+}
+
+#[test]
+fn the_tangent_of_a_current_over_places_is_the_finite_difference() {
+    let places = [-40.0, 0.0, 60.0];
+    let mut rows = Vec::new();
+    for x in places {
+        for y in places {
+            for z in places {
+                let velocity = V3::new(0.3 + 0.01 * y, 0.02 * x + 1e-4 * y * z, 0.003 * z);
+                rows.push(([0.0, x, y, z], velocity));
+            }
+        }
+    }
+    let grid = std::sync::Arc::new(CurrentGrid::of_rows(&rows).unwrap());
+    for normal in ["1.2", "\"jia-2019-normal\""] {
+        let mut scene = line(normal);
+        scene.line.current = CurrentProfile::Grid(std::sync::Arc::clone(&grid));
+        let state = state(&scene, &[0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9], 0.03, 0.4);
+        let c = Factors {
+            mass: 0.7,
+            damping: 1.3,
+            stiffness: 1.1,
+        };
+        let worst = mismatch(&scene, &state, c);
+        assert!(worst < 1e-6, "{normal}: {worst}");
+    }
 }
 
 proptest! {
@@ -404,7 +432,7 @@ fn tangent_astride_the_drag_crisis() {
         // Node 1 below and node 2 above the critical speed, the crisis at a share of the way between.
         let across = V3::y();
         for (node, offset) in [(1, -share), (2, 1.0 - share), (3, 2.0 - share)] {
-            let water = scene.line.current.at(state.x[node].z).0;
+            let water = scene.line.current.at(&state.x[node]).0;
             state.v[node] = water + across * (crisis + 0.3 * offset);
         }
         for c in [

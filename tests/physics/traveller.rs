@@ -213,7 +213,7 @@ fn its_drag_is_that_of_the_water_past_it() {
         r.iter().sum()
     };
     let (place, velocity) = dragged.traveller_at(t, &state).unwrap();
-    let u = dragged.line.current.at(place.z).0 - velocity;
+    let u = dragged.line.current.at(&place).0 - velocity;
     let drag = V3::new(0.5, 0.7, 0.3).component_mul(&u) * (0.5 * 1025.0 * u.norm());
     assert!((asks(&plain) - asks(&dragged) - drag).norm() < 1e-9 * drag.norm());
     assert!(velocity.x > 3.0 && drag.norm() > 1e3, "{velocity} {drag}");

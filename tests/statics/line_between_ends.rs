@@ -56,9 +56,10 @@ impl Given {
         case.line = vec![Section::new("line", "m", self.length, self.segments)];
         case.seabed.clone_from(&self.bed);
         case.current = self.current.map(|[speed, direction]| Current {
-            speed_m_per_s: OneOrMany::One(speed),
+            speed_m_per_s: Some(OneOrMany::One(speed)),
             direction_deg: OneOrMany::One(direction),
             depth_m: None,
+            file: None,
         });
         case
     }

@@ -13,6 +13,7 @@ const MOST_INSTANTS: f64 = 1e6;
 /// Checks of current, bed and output.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = case.current.iter().flat_map(current).collect();
+    found.extend(case.current.iter().filter_map(without_file));
     if let Some(bed) = &case.seabed {
         found.extend(friction(bed));
         found.extend(level(bed).into_iter().chain(grid(bed)));
@@ -92,8 +93,30 @@ fn level(bed: &SeabedKeys<'_>) -> Vec<Finding> {
     found.into_iter().flatten().collect()
 }
 
-/// Lists of the current go with a list of depths, as long, increasing.
-fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
+/// A current by a file is computed in systems alone.
+fn without_file(current: &CurrentKeys<'_>) -> Option<Finding> {
+    current.file.if_given(
+        "is for systems of lines: a case of one line has a current by depth",
+        "give `speed_m_per_s`, `direction_deg` and `depth_m`, or state the line as a [system]",
+    )
+}
+
+/// Lists of the current go with a list of depths, as long, increasing; a file has all of it.
+pub(crate) fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
+    if current.file.is_given() {
+        let problem = "has no effect: the current is that of its file";
+        let remedy = "remove it, or leave `file` out";
+        let keys = [
+            current.speed_m_per_s.if_given(problem, remedy),
+            current.direction_deg.if_given(problem, remedy),
+            current.depth_m.if_given(problem, remedy),
+        ];
+        return keys.into_iter().flatten().collect();
+    }
+    if !current.speed_m_per_s.is_given() {
+        let remedy = "add `speed_m_per_s = ...` in m/s";
+        return vec![current.speed_m_per_s.missing(remedy)];
+    }
     let depth = &current.depth_m;
     let lists = [&current.speed_m_per_s, &current.direction_deg].into_iter();
     let lists: Vec<(&Key<'_, OneOrMany>, usize)> = lists

@@ -1,7 +1,7 @@
 //! Waves: what is given twice, and what has no effect.
 
 use crate::case::diagnostic::Finding;
-use crate::case::model::{CaseKeys, DecayName, SpectrumName, WavesKeys};
+use crate::case::model::{CaseKeys, DecayName, SpectrumName, WaveKind, WavesKeys};
 
 /// Checks of the waves.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -29,5 +29,31 @@ pub(crate) fn of_waves(waves: &WavesKeys<'_>, has_bed: bool) -> Vec<Finding> {
         gamma.filter(|_| waves.spectrum.is(&SpectrumName::PiersonMoskowitz)),
         depth.filter(|_| waves.decay.is(&DecayName::Airy)),
     ];
-    found.into_iter().flatten().collect()
+    let mut found: Vec<Finding> = found.into_iter().flatten().collect();
+    if waves.kind.is(&WaveKind::Components) {
+        found.extend(components(waves));
+    }
+    found
+}
+
+/// Components have periods and heights, and as many leads where these are given.
+fn components(waves: &WavesKeys<'_>) -> Vec<Finding> {
+    let missing = [
+        waves
+            .periods_s
+            .if_missing("components have periods: `periods_s`"),
+        waves.heights_m.if_missing("and heights: `heights_m`"),
+    ];
+    let mut found: Vec<Finding> = missing.into_iter().flatten().collect();
+    let Some(periods) = waves.periods_s.given() else {
+        return found;
+    };
+    for list in [&waves.heights_m, &waves.phases_deg] {
+        let uneven = list.get().filter(|list| list.len() != periods.len());
+        if let Some(values) = uneven {
+            let problem = format!("has {} values for {} periods", values.len(), periods.len());
+            found.push(list.finding(problem, "give one value for each of periods_s"));
+        }
+    }
+    found
 }

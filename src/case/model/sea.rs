@@ -4,10 +4,10 @@ use crate::case::fields::{of, positive};
 use crate::case::schema::{table, words};
 
 table! {
-    /// Waves, regular or irregular, by Airy's linear theory.
+    /// Waves by Airy's linear theory: regular, irregular, or of given components.
     #[derive(Debug, Clone, PartialEq)]
     pub struct Waves => WavesKeys {
-        /// Regular waves, or irregular ones from a spectrum.
+        /// Regular waves, irregular ones from a spectrum, or the sum of given regular ones.
         kind: WaveKind, "waves";
         /// Height of regular waves from trough to crest.
         height_m: Option<f64>, "wave height", range of(0.0, 100.0), only kind "regular";
@@ -15,6 +15,12 @@ table! {
         period_s: Option<f64>, "wave period", range of(0.1, 1e3), only kind "regular";
         /// Lead of the crest over x = y = 0 at time zero.
         phase_deg: f64 = 0.0, "wave phase", range of(-360.0, 360.0), only kind "regular";
+        /// Periods of the components, of a record of waves for example.
+        periods_s: Option<Vec<f64>>, "periods", range positive(1e6), only kind "components";
+        /// Heights of the components from trough to crest, as many.
+        heights_m: Option<Vec<f64>>, "heights", range of(0.0, 100.0), only kind "components";
+        /// Leads of the components' crests over x = y = 0 at time zero, as many.
+        phases_deg: Option<Vec<f64>>, "phases", range of(-360.0, 360.0), absent "0 each", only kind "components";
         /// Four times the root mean square elevation.
         significant_height_m: Option<f64>, "significant height", range of(0.0, 50.0), only kind "irregular";
         /// Period of the spectrum's peak.
@@ -67,6 +73,8 @@ words! {
         Regular = "regular",
         /// Many, from a spectrum.
         Irregular = "irregular",
+        /// Many, each given.
+        Components = "components",
     }
 }
 

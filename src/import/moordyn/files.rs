@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::case::read_current;
 use crate::import::fault::Fault;
-use crate::import::mooring::{WorkingCurve, WorkingForm};
+use crate::import::mooring::{CurrentFile, WorkingCurve, WorkingForm};
 use crate::import::words::{Row, Word};
 
 /// Greatest size of a file that is named \[bytes\].
@@ -183,6 +184,32 @@ impl Files<'_> {
             )),
             false => Ok(rows),
         }
+    }
+
+    /// A current over time and place, by a file of this name.
+    ///
+    /// # Errors
+    /// The file is not there, or has a fault, shown where it is named.
+    pub fn current_file(
+        &self,
+        at: Word<'_>,
+        key: &str,
+        name: &'static str,
+    ) -> Result<CurrentFile, Fault> {
+        let text = self.text(Word { text: name, ..at }, key);
+        let text = text.map_err(|fault| at_option(fault, at))?;
+        let grid = read_current(&text, name).map_err(|fault| {
+            let problem = match fault.span.is_empty() {
+                true => format!("{name} {}", fault.problem),
+                false => format!("line {} of {name}: {}", fault.line, fault.problem),
+            };
+            Fault::new(at.span(), key, problem, fault.remedy)
+        })?;
+        Ok(CurrentFile {
+            name,
+            varies: grid.varies_in_time(),
+            text,
+        })
     }
 
     /// Waves by their components: angular frequency, amplitude, phase from rows of frequency and complex amplitude.

@@ -2,6 +2,7 @@
 //!
 //! Tables are read by the order of their columns, as the program reads them; headers must name them in that order.
 
+pub mod elevation;
 pub mod events;
 pub mod files;
 pub mod holds;

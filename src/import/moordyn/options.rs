@@ -1,5 +1,6 @@
 //! The section OPTIONS: settings, the value before its name or after it.
 
+use super::elevation::{STEP, elevation};
 use super::files::Files;
 use super::sections::Block;
 use crate::import::fault::Fault;
@@ -102,6 +103,31 @@ pub fn read_options(
             Err(fault) => faults.push(fault),
         }
     }
+    if let Err(fault) = waves_by_elevation(files, mooring) {
+        faults.push(fault);
+    }
+}
+
+/// Waves by a history of elevation, where the settings have them.
+fn waves_by_elevation(files: &Files<'_>, mooring: &mut Mooring) -> Result<(), Fault> {
+    let Some(kind) = mooring
+        .setting("wavekin")
+        .filter(|kind| kind.number() == Some(3.0))
+    else {
+        return Ok(());
+    };
+    let at = Word {
+        text: &kind.value,
+        start: kind.span.start,
+    };
+    let step = mooring.setting("dtwave");
+    let given = step.and_then(|step| Some(Given::new(step.number()?, step.span.clone())));
+    let step = given.unwrap_or_else(|| Given::new(STEP, kind.span.clone()));
+    let key = format!("OPTIONS, {}", kind.written);
+    let found = elevation(files, at, &key, &step)?;
+    let span = kind.span.clone();
+    mooring.sea.elevation = Some(Given::new(found, span));
+    Ok(())
 }
 
 /// The known name of an option, and whether its value is a number.
@@ -202,7 +228,7 @@ fn depths(value: Word<'_>, key: &str, files: &Files<'_>, sea: &mut Sea) -> Resul
     Ok(())
 }
 
-/// Currents: 1 is a profile by height; grids and histories are not modelled.
+/// Currents: 1 is a profile by height, 2 one that changes with time, 5 a grid of places and times. The others MoorDyn does not compute.
 fn current(
     value: Word<'_>,
     key: &str,
@@ -215,8 +241,16 @@ fn current(
             let profile = files.current(value, key)?;
             mooring.sea.current = Some(Given::new(profile, value.span()));
         }
+        Some(2.0) => {
+            let file = files.current_file(value, key, "current_profile_dynamic.txt")?;
+            mooring.sea.current_file = Some(Given::new(file, value.span()));
+        }
+        Some(5.0) => {
+            let file = files.current_file(value, key, "current_profile_4d.txt")?;
+            mooring.sea.current_file = Some(Given::new(file, value.span()));
+        }
         _ => {
-            let what = "currents that vary in time or over a grid";
+            let what = "currents at the nodes of lines, which MoorDyn does not compute either,";
             mooring
                 .unmodelled
                 .push(unmodelled(value, key, "currents", what));
@@ -225,7 +259,7 @@ fn current(
     Ok(())
 }
 
-/// Waves: 2 and 7 have their components in a file; grids and histories of elevation are not modelled.
+/// Waves: 2 and 7 have their components in a file, 3 a history of elevation; those from outside are not modelled.
 fn waves(
     value: Word<'_>,
     key: &str,
@@ -238,8 +272,10 @@ fn waves(
             let components = files.waves(value, key)?;
             mooring.sea.waves = Some(Given::new(components, value.span()));
         }
+        // Read with the last of the options, which may be the step of the history.
+        Some(3.0) => {}
         _ => {
-            let what = "waves given by a history of elevation or from outside";
+            let what = "waves given from outside or by velocities at nodes, of which the file does not say how the water moves,";
             mooring
                 .unmodelled
                 .push(unmodelled(value, key, "waves", what));

@@ -72,15 +72,24 @@ pub fn case_of(
     };
     let left_out = unmodelled::leave_out(&context, options)?;
     let mut case = CaseText::of(source, mooring);
-    head(&mut case, &context, file, &left_out);
+    head(&mut case, &context, file, (&left_out, &options.without));
     let in_air = is_in_air(mooring);
     sea::write(&mut case, mooring, options, &context.sea, in_air);
     let acts = |name: &str| !in_air && !options.without.iter().any(|one| one == name);
     if let Some(profile) = mooring.sea.current.as_ref().filter(|_| acts("currents")) {
         sea::write_current(&mut case, profile);
     }
+    let current_file = mooring.sea.current_file.as_ref();
+    let current_file = current_file.filter(|_| acts("currents"));
+    if let Some(file) = current_file {
+        case.table("[current]", Some(&file.span));
+        case.given("file", &text(file.value.name), &file.span, "Currents");
+    }
     if let Some(waves) = mooring.sea.waves.as_ref().filter(|_| acts("waves")) {
         sea::write_waves(&mut case, waves);
+    }
+    if let Some(waves) = mooring.sea.elevation.as_ref().filter(|_| acts("waves")) {
+        sea::write_elevation(&mut case, waves);
     }
     materials::write(&mut case, mooring, &context.names);
     bodies::write(&mut case, &context);
@@ -89,6 +98,9 @@ pub fn case_of(
     lines::write(&mut case, &context);
     context.motion.write_run(&mut case);
     sea::write_depths(&mut case, mooring);
+    if let Some(file) = current_file {
+        sea::write_current_file(&mut case, file);
+    }
     Ok(Imported {
         text: case.text,
         from: case.from,
@@ -136,7 +148,12 @@ pub fn is_in_air(mooring: &Mooring) -> bool {
 }
 
 /// The table `[system]`: what the file is, and what was put down that it does not say.
-fn head(case: &mut CaseText<'_>, context: &Context<'_>, file: &str, left_out: &[String]) {
+fn head(
+    case: &mut CaseText<'_>,
+    context: &Context<'_>,
+    file: &str,
+    (left_out, without): (&[String], &[String]),
+) {
     let mooring = context.mooring;
     case.table("[system]", None);
     let title = match mooring.title.is_empty() {
@@ -166,10 +183,22 @@ fn head(case: &mut CaseText<'_>, context: &Context<'_>, file: &str, left_out: &[
     if rods.any(|rod| has_ends(&mooring.rod_types[rod.of_type.value])) {
         notes.push("Drag and added mass of the ends of rods (CdEnd, CaEnd) do not act.".to_owned());
     }
-    let in_motion = mooring.sea.waves.is_some() || !mooring.failures.is_empty();
-    if in_motion && !context.motion.moves() {
+    let sea = &mooring.sea;
+    let is_left_out = |name: &str| without.iter().any(|one| one == name);
+    let current_file = sea.current_file.as_ref();
+    let current_file = current_file.filter(|_| !is_left_out("currents"));
+    notes.extend(current_file.map(|file| sea::remark_on_current(&file.value)));
+    let elevation = sea.elevation.as_ref().filter(|_| !is_left_out("waves"));
+    notes.extend(elevation.map(|waves| sea::remark_on_elevation(&waves.value)));
+    let has_waves = sea.waves.is_some() || elevation.is_some();
+    if (has_waves || !mooring.failures.is_empty()) && !context.motion.moves() {
         notes.push(
             "Waves and lines that come off act in motion: give --motion, or --set solver.duration_s=60."
+                .to_owned(),
+        );
+    } else if current_file.is_some_and(|file| file.value.varies) && !context.motion.moves() {
+        notes.push(
+            "The current changes in motion, and is that of time zero at rest: give --motion, or --set solver.duration_s=60."
                 .to_owned(),
         );
     }

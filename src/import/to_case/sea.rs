@@ -1,9 +1,10 @@
 //! Water, gravity, bed, current and waves of a case.
 
 use std::f64::consts::TAU;
+use std::fmt::Write as _;
 
 use super::case_text::{CaseText, number, numbers, text};
-use crate::import::mooring::{Given, Hold, Mooring, Program};
+use crate::import::mooring::{CurrentFile, Elevation, Given, Hold, Mooring, Program};
 use crate::import::{ImportOptions, fault::Fault, yaml};
 
 /// Gravity \[m/s²\] where none is given: that of MoorDyn.
@@ -255,6 +256,76 @@ pub fn write_current(case: &mut CaseText<'_>, profile: &Given<Vec<[f64; 3]>>) {
     case.given("speed_m_per_s", &speeds, &profile.span, "");
     case.given("direction_deg", &directions, &profile.span, "");
 }
+
+/// Writes the file of the current, which the case carries in it.
+pub fn write_current_file(case: &mut CaseText<'_>, file: &Given<CurrentFile>) {
+    let name = text(file.value.name);
+    case.table(&format!("[files.{name}]"), Some(&file.span));
+    case.line(
+        &format!("text = {}", text(&file.value.text)),
+        Some(&file.span),
+    );
+}
+
+/// What of a current over time and place is other than in MoorDyn.
+pub fn remark_on_current(file: &CurrentFile) -> String {
+    let between = "The current is linear in time and place between the rows of its file and constant beyond, as MoorDyn's manual has it; its rate is no acceleration of the water, as in MoorDyn.";
+    let first = match file.name {
+        "current_profile_4d.txt" => {
+            " MoorDyn 2 leaves out the first row of the grid and has no current there."
+        }
+        _ => "",
+    };
+    let again = match file.varies {
+        true => {
+            " After its last time MoorDyn 2 begins the file anew; here the current stays as it is."
+        }
+        false => "",
+    };
+    format!("{between}{first}{again}")
+}
+
+/// Writes the components of a history of elevation as one wave system towards +x.
+pub fn write_elevation(case: &mut CaseText<'_>, waves: &Given<Elevation>) {
+    let components = &waves.value.components;
+    if components.is_empty() {
+        return;
+    }
+    case.table("[[waves]]", Some(&waves.span));
+    case.line("kind = \"components\"", None);
+    let of = |take: &dyn Fn(&[f64; 3]) -> f64| {
+        numbers(&components.iter().map(take).collect::<Vec<f64>>())
+    };
+    let mut list = |key: &str, values: String| {
+        case.given(key, &values, &waves.span, "wave_elevation.txt");
+    };
+    list("periods_s", of(&|one| TAU / one[0]));
+    list("heights_m", of(&|one| 2.0 * one[1]));
+    list("phases_deg", of(&|one| one[2].to_degrees()));
+    case.assumed("stretching", "\"wheeler\"", "as MoorDyn takes it");
+}
+
+/// What the components of a history of elevation are, and what they leave out.
+pub fn remark_on_elevation(waves: &Elevation) -> String {
+    let mut words = format!(
+        "The waves are the {} components of wave_elevation.txt up to 0.5 Hz, as MoorDyn takes them, and repeat after {:.6} s; they leave out {:.1e} of the variance of its samples. Between the places and times of its grid MoorDyn reads them linearly, here they are exact.",
+        waves.components.len(),
+        waves.period,
+        waves.lost
+    );
+    if waves.mean.abs() > SAME_LEVEL {
+        // Writing to a string does not fail.
+        let _ = write!(
+            words,
+            " The mean of the history, {:.4} m, is left out: waves here are about still water.",
+            waves.mean
+        );
+    }
+    words
+}
+
+/// Mean height of a history below which it is rounding \[m\].
+const SAME_LEVEL: f64 = 1e-6;
 
 /// Writes regular waves that run together towards +x.
 pub fn write_waves(case: &mut CaseText<'_>, components: &Given<Vec<[f64; 3]>>) {

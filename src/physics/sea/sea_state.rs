@@ -1,20 +1,43 @@
 //! A sea of several wave systems: swell beside wind sea, and short-crested waves as fields that run in different directions.
 
+use std::sync::Arc;
+
 use super::Component;
 use super::waves::{Surface, WaterMotion, WaveField};
 use crate::numerics::V3;
+use crate::physics::CurrentGrid;
 
-/// Wave systems that run together; their surfaces and their kinematics add up.
+/// Wave systems that run together, and a current that changes with time; their surfaces and their kinematics add up.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sea {
     fields: Vec<WaveField>,
+    /// The current, where it changes with time. Its rate of change is no acceleration of the water here, as in MoorDyn.
+    current: Option<Arc<CurrentGrid>>,
 }
 
 impl Sea {
     /// A sea of these fields.
     #[must_use]
     pub fn new(fields: Vec<WaveField>) -> Self {
-        Self { fields }
+        Self {
+            fields,
+            current: None,
+        }
+    }
+
+    /// The same with a current that changes with time.
+    #[must_use]
+    pub fn with_current(self, current: Arc<CurrentGrid>) -> Self {
+        Self {
+            current: Some(current),
+            ..self
+        }
+    }
+
+    /// Whether it has a current.
+    #[must_use]
+    pub const fn has_current(&self) -> bool {
+        self.current.is_some()
     }
 
     /// Its fields.
@@ -41,7 +64,7 @@ impl Sea {
     /// asks for it. Stretching goes by the surface of all fields together.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
-        if let [only] = self.fields.as_slice() {
+        if let ([only], None) = (self.fields.as_slice(), &self.current) {
             return only.flow(t, place, surface);
         }
         let needed = surface || self.fields.iter().any(WaveField::needs_elevation);
@@ -64,6 +87,11 @@ impl Sea {
             flow.gradient += part.gradient;
             flow.acceleration += part.acceleration;
             flow.acceleration_gradient += part.acceleration_gradient;
+        }
+        if let Some(current) = &self.current {
+            let (velocity, gradient) = current.at(t, place);
+            flow.velocity += velocity;
+            flow.gradient += gradient;
         }
         flow
     }

@@ -20,13 +20,12 @@ impl Element for BodyLoads {
     fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         for (number, AttachedBody { node, body }) in at.line.bodies.iter().enumerate() {
             let BodyInWater { u, a, share, .. } = at.line.body_in_water(number, at.state);
-            let (_, shear) = at.line.current.at(at.state.x[*node].z);
+            let (_, gradient) = at.line.current.flow(&at.state.x[*node]);
             r[*node] += (body.added.component_mul(&a) - body.drag(&u)) * share;
             let by_velocity = body.drag_by_velocity(&u) * share;
             let added = body.added * share;
             let mut own = by_velocity * c.damping + M3::from_diagonal(&(added * c.mass));
-            let column = own.column(2) - by_velocity * shear * c.stiffness;
-            own.set_column(2, &column);
+            own -= by_velocity * gradient * c.stiffness;
             tangent.diag[*node] += own;
         }
     }

@@ -172,8 +172,7 @@ impl TravellingBody {
     /// Drag on the traveller, by current, waves and its own velocity.
     fn drag_at(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> TravellerDrag {
         let place = point.place(state);
-        let (mut water, shear) = line.current.at(place.z);
-        let mut gradient = shear * V3::z().transpose();
+        let (mut water, mut gradient) = line.current.flow(&place);
         let (mut above, mut slope) = (place.z, V3::z());
         for (node, by) in point.nodes() {
             if let Some(flow) = state.wave_flow.get(node) {

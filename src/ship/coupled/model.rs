@@ -297,9 +297,10 @@ impl<'a> CoupledModel<'a> {
             _ => {
                 body.current_loads = rows.collect();
                 file.current = Some(Current {
-                    speed_m_per_s: OneOrMany::One(speed),
+                    speed_m_per_s: Some(OneOrMany::One(speed)),
                     direction_deg: OneOrMany::One(towards),
                     depth_m: None,
+                    file: None,
                 });
             }
         }

@@ -207,14 +207,16 @@ impl LineInCurrent {
         match self.current.as_slice() {
             [] => None,
             [one] => Some(Current {
-                speed_m_per_s: OneOrMany::One(speed(one)),
+                speed_m_per_s: Some(OneOrMany::One(speed(one))),
                 direction_deg: OneOrMany::One(direction(one)),
                 depth_m: None,
+                file: None,
             }),
             many => Some(Current {
-                speed_m_per_s: OneOrMany::Many(many.iter().map(speed).collect()),
+                speed_m_per_s: Some(OneOrMany::Many(many.iter().map(speed).collect())),
                 direction_deg: OneOrMany::Many(many.iter().map(direction).collect()),
                 depth_m: Some(many.iter().map(|u| u[0]).collect()),
+                file: None,
             }),
         }
     }

@@ -284,6 +284,7 @@ fn without_waves(case: &mut Case) {
     match waves.kind {
         WaveKind::Regular => waves.height_m = Some(0.0),
         WaveKind::Irregular => waves.significant_height_m = Some(0.0),
+        WaveKind::Components => waves.heights_m.iter_mut().for_each(|all| all.fill(0.0)),
     }
 }
 

@@ -2,7 +2,7 @@
 //! with the next: see [`super::new_node`] and [`super::surplus`].
 
 use super::method::MethodState;
-use super::moving_system::{MovingSystem, put_into_waves};
+use super::moving_system::{MovingSystem, put_into_water};
 use super::new_node::NewNode;
 use super::system_state::SystemState;
 use crate::case::Case;
@@ -75,7 +75,8 @@ impl MovingSystem {
             .line
             .ends
             .clone_from(&self.scenes[paid.line].line.ends);
-        put_into_waves(&self.network, &self.network.lines[paid.line], &mut scene);
+        let line = &self.network.lines[paid.line];
+        put_into_water(&self.network, self.water.as_ref(), line, &mut scene);
         for end in (0..2).filter(|end| paid.ends[*end].is_some()) {
             scene.feed(end);
         }

@@ -14,7 +14,8 @@ use super::start::turn_bases;
 use super::system_state::SystemState;
 use super::wave_stations;
 use crate::numerics::V3;
-use crate::physics::FrictionAnchor;
+use crate::physics::sea::Sea;
+use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
 use crate::system::network::{FreePoint, Held, Line, Network};
@@ -24,6 +25,8 @@ use crate::system::network::{FreePoint, Held, Line, Network};
 pub struct MovingSystem {
     /// Points, bodies and lines in SI.
     pub network: Network,
+    /// Waves, with the current where that changes with time.
+    pub water: Option<Sea>,
     /// The lines with their inner forces.
     pub scenes: Vec<Scene>,
     /// Points and bodies as nodes.
@@ -75,7 +78,7 @@ impl MovingSystem {
                     scene.line.ends[end] = EndCondition::Free;
                 }
             }
-            put_into_waves(&network, line, scene);
+            put_into_water(&network, network.sea.as_ref(), line, scene);
         }
         let paid = paid_lines(&network);
         for line in &paid {
@@ -90,7 +93,11 @@ impl MovingSystem {
             }
         }
         let mut system = Self {
-            stations: wave_stations::ranges(&network.bodies, network.sea.is_some()),
+            stations: wave_stations::ranges(
+                &network.bodies,
+                network.sea.is_some() || network.current_over_time.is_some(),
+            ),
+            water: network.sea.clone(),
             feet: feet(&network),
             flows,
             paid,
@@ -102,6 +109,35 @@ impl MovingSystem {
         };
         system.payouts = system.moving_payouts();
         system
+    }
+
+    /// Lets the current change with time, once everything is at rest in that of time zero: from now on it is read with the waves.
+    pub fn release_current(&mut self, state: &mut SystemState) {
+        let Some(current) = self.network.current_over_time.clone() else {
+            return;
+        };
+        let waves = self
+            .network
+            .sea
+            .clone()
+            .unwrap_or_else(|| Sea::new(Vec::new()));
+        self.water = Some(waves.with_current(current));
+        self.network.current = None;
+        let water = self.water.as_ref();
+        for (line, scene) in self.network.lines.iter().zip(&mut self.scenes) {
+            put_into_water(&self.network, water, line, scene);
+        }
+        for (paid, scene) in self.paid.iter().zip(&mut state.paid) {
+            put_into_water(&self.network, water, &self.network.lines[paid.line], scene);
+        }
+    }
+
+    /// The first time after this one \[s\] at which the current has a row, and its rate may jump; infinite where there is none.
+    fn next_row_of_current(&self, time: f64) -> f64 {
+        let current = self.network.current_over_time.as_ref();
+        let rows = current.map_or(&[][..], |current| current.times());
+        let passed = rows.partition_point(|row| *row <= time + SAME_TIME * (1.0 + time.abs()));
+        rows.get(passed).copied().unwrap_or(f64::INFINITY)
     }
 
     /// The payouts, not yet held.
@@ -413,14 +449,26 @@ impl MovingSystem {
     }
 }
 
-/// Puts a line into the waves of a system.
-pub(super) fn put_into_waves(network: &Network, line: &Line, scene: &mut Scene) {
-    if let Some(sea) = network.sea.as_ref().filter(|_| !line.still_water) {
-        scene
-            .line
-            .put_into_waves(sea, (network.density, network.gravity));
+/// Puts a line into waves, and into the current where the waves have it.
+pub(super) fn put_into_water(
+    network: &Network,
+    water: Option<&Sea>,
+    line: &Line,
+    scene: &mut Scene,
+) {
+    let Some(sea) = water.filter(|_| !line.still_water) else {
+        return;
+    };
+    if sea.has_current() {
+        scene.line.current = CurrentProfile::Uniform(V3::zeros());
     }
+    scene
+        .line
+        .put_into_waves(sea, (network.density, network.gravity));
 }
+
+/// How near a time is to a row of the current that it has passed, by the time.
+const SAME_TIME: f64 = 1e-9;
 
 /// The lines of a network that are paid out, as they are at rest.
 fn paid_lines(network: &Network) -> Vec<PaidLine> {
@@ -455,8 +503,8 @@ fn set(joints: &mut State, joint: usize, (x, v, a): (V3, V3, V3)) {
 }
 
 impl Marched<SystemState> for MovingSystem {
-    fn next_kink(&self, _state: &SystemState) -> f64 {
-        f64::INFINITY
+    fn next_kink(&self, state: &SystemState) -> f64 {
+        self.next_row_of_current(state.joints.memory.time)
     }
 
     fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
@@ -465,7 +513,7 @@ impl Marched<SystemState> for MovingSystem {
             let scene = self.scene_among(number, paid);
             Kinematics::update_wave_kinematics(scene, t, line);
         }
-        if let Some(sea) = &self.network.sea {
+        if let Some(sea) = &self.water {
             wave_stations::read(self, sea, t, state);
         }
         body_flow::prepare(self, t, state);
@@ -477,6 +525,9 @@ impl Marched<SystemState> for MovingSystem {
         for (number, line) in lines.iter_mut().enumerate() {
             let scene = self.scene_among(number, paid);
             Hysteresis::commit(scene, t, dt, line);
+        }
+        if self.network.current_over_time.is_some() {
+            state.joints.memory.time = t;
         }
         self.drag_anchors(state);
         turn_bases(self, state);

@@ -143,10 +143,9 @@ fn drag(
         return;
     }
     let current = network.current.as_ref();
-    let (water, slope) =
-        current.map_or_else(Default::default, |current: &CurrentProfile| current.at(x.z));
+    let (water, mut gradient) =
+        current.map_or_else(Default::default, |current: &CurrentProfile| current.flow(x));
     let mut u = water - v;
-    let mut gradient = slope * V3::z().transpose();
     if let Some(flow) = waves {
         u += flow.velocity_at(x);
         gradient += flow.gradient;
@@ -356,7 +355,7 @@ mod tests {
             gravity: 9.81,
             density: 1025.0,
             bed: Some(bed),
-            current: Some(current_profile(None)),
+            current: Some(current_profile(None, &std::collections::BTreeMap::new())),
             ..Network::default()
         };
         let point = FreePoint {

@@ -77,6 +77,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     if system.network.bodies.iter().any(Body::starts_aside) {
         state = displaced(&system, &state)?;
     }
+    system.release_current(&mut state);
     Ok(Start {
         system,
         state,

@@ -51,8 +51,7 @@ impl RigidPayload {
     /// Velocity of the water at a place on the rod \[m/s\], and its gradient \[1/s\].
     fn flow(&self, line: &LumpedLine, place: f64, state: &State) -> (V3, M3) {
         let x = self.at(&state.x, place);
-        let (mut velocity, shear) = line.current.at(x.z);
-        let mut gradient = shear * V3::z().transpose();
+        let (mut velocity, mut gradient) = line.current.flow(&x);
         for (share, flow) in self.waves(place, state) {
             velocity += flow.velocity_at(&x) * share;
             gradient += flow.gradient * share;
