@@ -459,8 +459,8 @@ pub struct Sea {
     pub current_file: Option<Given<CurrentFile>>,
     /// Waves by a history of their elevation.
     pub elevation: Option<Given<Elevation>>,
-    /// Regular waves that run together: angular frequency \[rad/s\], amplitude \[m\], phase \[rad\].
-    pub waves: Option<Given<Vec<[f64; 3]>>>,
+    /// Components of the waves.
+    pub waves: Option<Given<Vec<WaveComponent>>>,
 }
 
 /// A file of the current over time and place, which the case carries.
@@ -510,6 +510,19 @@ impl Setting {
         }
         .number()
     }
+}
+
+/// A component of waves, whose elevation is the cosine `amplitude cos(frequency t - k x + phase)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WaveComponent {
+    /// \[rad/s\].
+    pub frequency: f64,
+    /// \[m\].
+    pub amplitude: f64,
+    /// \[rad\].
+    pub phase: f64,
+    /// Where it runs, from the x axis \[rad\].
+    pub direction: f64,
 }
 
 /// What a file states and is not modelled here.

@@ -205,3 +205,68 @@ fn a_line_comes_off_only_where_it_ends() {
     assert_eq!((all[0].line, all.len()), (22, 1), "{all:#?}");
     assert!(all[0].problem.contains("does not end at `P3`"), "{all:#?}");
 }
+
+/// Rows of the files that a file names: what is wrong with one is shown where it is named, with its line.
+#[test]
+fn files_beside_are_read_row_by_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("file.dat");
+    let read = |option: &str, file: &str, rows: &str| {
+        std::fs::write(folder.path().join(file), rows).unwrap();
+        let text = format!("{PLAIN}{option}\n");
+        import::read(
+            &text,
+            &path.display().to_string(),
+            &ImportOptions::default(),
+        )
+    };
+    let profile = read(
+        "1 Currents",
+        "current_profile.txt",
+        "a title\nz u\n0 0.5\n-100 0.1\n",
+    );
+    assert!(profile.unwrap().text.contains("speed_m_per_s = [0.5, 0.1]"));
+    // A direction of a quarter turn; sines of the phase at nodes, cosines over a grid.
+    for (mode, phase) in [(7, "-90.0"), (2, "0.0")] {
+        let option = format!("{mode} WaveKin");
+        let waves = read(
+            &option,
+            "wave_frequencies.txt",
+            "0 0 0\n0.7 1.5 0 1.5707963267948966\n",
+        );
+        let text = waves.unwrap().text;
+        assert!(text.contains(&format!("phase_deg = {phase} ")), "{text}");
+        assert!(text.contains("direction_deg = 90.0"), "{text}");
+    }
+    for (option, file, rows, problem) in [
+        (
+            "1 Currents",
+            "current_profile.txt",
+            "0 0.5 0\n-100 0.x 0\n",
+            "line 2: `0.x` is not",
+        ),
+        (
+            "1 Currents",
+            "current_profile.txt",
+            "title\n0\n",
+            "line 2 has 1 numbers",
+        ),
+        (
+            "7 WaveKin",
+            "wave_frequencies.txt",
+            "0 0 0\n-0.5 1 0\n",
+            "line 2: the frequency",
+        ),
+        (
+            "2 WaveKin",
+            "wave_frequencies.txt",
+            "no numbers\n",
+            "no rows of numbers",
+        ),
+        ("abc Currents", "x", "", "`abc` is not a number"),
+    ] {
+        let all = read(option, file, rows).unwrap_err();
+        assert_eq!((all[0].line, all.len()), (20, 1), "{all:#?}");
+        assert!(all[0].problem.contains(problem), "{all:#?}");
+    }
+}

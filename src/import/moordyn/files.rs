@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::case::read_current;
 use crate::import::fault::Fault;
-use crate::import::mooring::{CurrentFile, WorkingCurve, WorkingForm};
+use crate::import::mooring::{CurrentFile, WaveComponent, WorkingCurve, WorkingForm};
 use crate::import::words::{Row, Word};
 
 /// Greatest size of a file that is named \[bytes\].
@@ -68,10 +68,9 @@ impl Files<'_> {
     pub fn curve(&self, name: Word<'_>, key: &str) -> Result<Vec<[f64; 2]>, Fault> {
         let text = self.text(name, key)?;
         let mut points = vec![[0.0, 0.0]];
-        for (line, numbers) in rows_of_numbers(&text) {
-            let &[strain, tension, ..] = numbers.as_slice() else {
-                continue;
-            };
+        let rows = numbers_of(&text, 2).map_err(|why| in_file(name.text, &why, name, key))?;
+        for (line, numbers) in rows {
+            let [strain, tension] = [numbers[0], numbers[1]];
             if strain == 0.0 && tension == 0.0 && points.len() == 1 {
                 continue;
             }
@@ -157,33 +156,25 @@ impl Files<'_> {
             ..at
         };
         let text = self.text(name, key).map_err(|fault| at_option(fault, at))?;
-        let rows = rows_of_numbers(&text)
-            .filter(|(_, numbers)| numbers.len() >= 3)
-            .map(|(line, numbers)| {
-                let up = numbers.get(3).copied().unwrap_or(0.0);
-                match up == 0.0 {
-                    true => Ok([numbers[0], numbers[1], numbers[2]]),
-                    false => Err(Fault::new(
-                        at.span(),
-                        key,
-                        format!(
-                            "line {line} of current_profile.txt has a current of {up} m/s upwards"
-                        ),
-                        "currents here are horizontal",
-                    )),
-                }
-            });
+        let rows = numbers_of(&text, 2).map_err(|why| in_file(name.text, &why, at, key))?;
+        let rows = rows.into_iter().map(|(line, row)| {
+            let part = |column: usize| row.get(column).copied().unwrap_or(0.0);
+            match part(3) == 0.0 {
+                true => Ok([row[0], row[1], part(2)]),
+                false => Err(Fault::new(
+                    at.span(),
+                    key,
+                    format!(
+                        "line {line} of current_profile.txt has a current of {} m/s upwards",
+                        part(3)
+                    ),
+                    "currents here are horizontal",
+                )),
+            }
+        });
         let mut rows: Vec<[f64; 3]> = rows.collect::<Result<_, _>>()?;
         rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
-        match rows.is_empty() {
-            true => Err(Fault::new(
-                at.span(),
-                key,
-                "current_profile.txt has no rows of height and velocity",
-                "write z, ux, uy, uz on each row",
-            )),
-            false => Ok(rows),
-        }
+        Ok(rows)
     }
 
     /// A current over time and place, by a file of this name.
@@ -212,24 +203,84 @@ impl Files<'_> {
         })
     }
 
-    /// Waves by their components: angular frequency, amplitude, phase from rows of frequency and complex amplitude.
+    /// Waves by their components from rows of angular frequency, complex amplitude and, where it is given, direction \[rad\]. Elevations are
+    /// cosines of the phase where `lag` is 0 \[rad\].
     ///
     /// # Errors
-    /// The file is not there or has no rows.
-    pub fn waves(&self, at: Word<'_>, key: &str) -> Result<Vec<[f64; 3]>, Fault> {
-        let name = Word {
-            text: "wave_frequencies.txt",
-            ..at
-        };
+    /// The file is not there, has no rows, or a row that is none.
+    pub fn waves(&self, at: Word<'_>, key: &str, lag: f64) -> Result<Vec<WaveComponent>, Fault> {
+        let file = "wave_frequencies.txt";
+        let name = Word { text: file, ..at };
         let text = self.text(name, key).map_err(|fault| at_option(fault, at))?;
-        let components = rows_of_numbers(&text).filter_map(|(_, numbers)| {
-            let [frequency, real, imaginary] = *numbers.get(..3)?.first_chunk()?;
-            let amplitude = f64::hypot(real, imaginary);
-            (frequency > 0.0 && amplitude > 0.0)
-                .then(|| [frequency, amplitude, imaginary.atan2(real)])
+        let rows = numbers_of(&text, 3).map_err(|why| in_file(file, &why, at, key))?;
+        if let Some((line, row)) = rows.iter().find(|(_, row)| row[0] < 0.0) {
+            let why = format!("line {line}: the frequency {} is negative", row[0]);
+            return Err(in_file(file, &why, at, key));
+        }
+        let components = rows.iter().filter_map(|(_, row)| {
+            let (frequency, amplitude) = (row[0], f64::hypot(row[1], row[2]));
+            (frequency > 0.0 && amplitude > 0.0).then(|| WaveComponent {
+                frequency,
+                amplitude,
+                phase: row[2].atan2(row[1]) - lag,
+                direction: row.get(3).copied().unwrap_or(0.0),
+            })
         });
         Ok(components.collect())
     }
+}
+
+/// The rows of numbers of a file, with their line numbers: titles may stand before the first, and every row behind it has so many
+/// numbers at least.
+///
+/// # Errors
+/// What is wrong, with its line, or that there is no row.
+fn numbers_of(text: &str, least: usize) -> Result<Vec<(usize, Vec<f64>)>, String> {
+    let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
+    for (line, row) in (1..).zip(Row::all(text)) {
+        let words = row.words();
+        let begins = words
+            .first()
+            .is_some_and(|word| plain(*word).number().is_some());
+        if words.is_empty() || !begins && rows.is_empty() {
+            continue;
+        }
+        let numbers = words.iter().map(|word| {
+            let word = plain(*word);
+            word.number()
+                .ok_or_else(|| format!("line {line}: `{}` is not a number", word.text))
+        });
+        let numbers: Vec<f64> = numbers.collect::<Result<_, _>>()?;
+        if numbers.len() < least {
+            return Err(format!(
+                "line {line} has {} numbers where {least} are needed",
+                numbers.len()
+            ));
+        }
+        rows.push((line, numbers));
+    }
+    match rows.is_empty() {
+        true => Err("it has no rows of numbers".to_owned()),
+        false => Ok(rows),
+    }
+}
+
+/// A word without the comma behind it.
+fn plain(word: Word<'_>) -> Word<'_> {
+    Word {
+        text: word.text.trim_end_matches(','),
+        ..word
+    }
+}
+
+/// What is wrong with a file, where it is named.
+fn in_file(file: &str, why: &str, at: Word<'_>, key: &str) -> Fault {
+    Fault::new(
+        at.span(),
+        key,
+        format!("in `{file}`: {why}"),
+        "correct the file",
+    )
 }
 
 /// A fault of a file that is not named where it shows, but here.
@@ -238,21 +289,4 @@ fn at_option(fault: Fault, at: Word<'_>) -> Fault {
         span: at.span(),
         ..fault
     }
-}
-
-/// The rows of a text that are numbers alone, with their line numbers; others are titles.
-pub fn rows_of_numbers(text: &str) -> impl Iterator<Item = (usize, Vec<f64>)> {
-    Row::all(text).enumerate().filter_map(|(line, row)| {
-        let words = row.words();
-        let numbers: Option<Vec<f64>> = words
-            .iter()
-            .map(|word| {
-                let text = word.text.trim_end_matches(',');
-                Word { text, ..*word }.number()
-            })
-            .collect();
-        numbers
-            .filter(|numbers| !numbers.is_empty())
-            .map(|numbers| (line + 1, numbers))
-    })
 }

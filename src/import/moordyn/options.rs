@@ -1,6 +1,8 @@
 //! The section OPTIONS: settings, the value before its name or after it.
 
 use super::elevation::{STEP, elevation};
+use std::f64::consts::FRAC_PI_2;
+
 use super::files::Files;
 use super::sections::Block;
 use crate::import::fault::Fault;
@@ -249,6 +251,7 @@ fn current(
             let file = files.current_file(value, key, "current_profile_4d.txt")?;
             mooring.sea.current_file = Some(Given::new(file, value.span()));
         }
+        None => return Err(not_a_mode(value, key, "0, 1, 2 or 5")),
         _ => {
             let what = "currents at the nodes of lines, which MoorDyn does not compute either,";
             mooring
@@ -268,12 +271,15 @@ fn waves(
 ) -> Result<(), Fault> {
     match value.number() {
         Some(0.0) => {}
-        Some(2.0 | 7.0) => {
-            let components = files.waves(value, key)?;
+        // As sums over a grid its elevations are cosines, at the nodes sines (source/Waves/SpectrumKin.cpp).
+        Some(which @ (2.0 | 7.0)) => {
+            let lag = if which == 7.0 { FRAC_PI_2 } else { 0.0 };
+            let components = files.waves(value, key, lag)?;
             mooring.sea.waves = Some(Given::new(components, value.span()));
         }
         // Read with the last of the options, which may be the step of the history.
         Some(3.0) => {}
+        None => return Err(not_a_mode(value, key, "0, 2, 3 or 7")),
         _ => {
             let what = "waves given from outside or by velocities at nodes, of which the file does not say how the water moves,";
             mooring
@@ -282,6 +288,12 @@ fn waves(
         }
     }
     Ok(())
+}
+
+/// A mode that is no number.
+fn not_a_mode(value: Word<'_>, key: &str, modes: &str) -> Fault {
+    let problem = format!("`{}` is not a number", value.text);
+    Fault::new(value.span(), key, problem, format!("give {modes}"))
 }
 
 fn unmodelled(value: Word<'_>, key: &str, name: &'static str, what: &str) -> Unmodelled {

@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
 use super::case_text::{CaseText, number, numbers, text};
-use crate::import::mooring::{CurrentFile, Elevation, Given, Hold, Mooring, Program};
+use crate::import::mooring::{
+    CurrentFile, Elevation, Given, Hold, Mooring, Program, WaveComponent,
+};
 use crate::import::{ImportOptions, fault::Fault, yaml};
 
 /// Gravity \[m/s²\] where none is given: that of MoorDyn.
@@ -327,24 +329,21 @@ pub fn remark_on_elevation(waves: &Elevation) -> String {
 /// Mean height of a history below which it is rounding \[m\].
 const SAME_LEVEL: f64 = 1e-6;
 
-/// Writes regular waves that run together towards +x.
-pub fn write_waves(case: &mut CaseText<'_>, components: &Given<Vec<[f64; 3]>>) {
-    for [frequency, amplitude, phase] in &components.value {
-        case.table("[[waves]]", Some(&components.span));
+/// Writes regular waves, each with its direction.
+pub fn write_waves(case: &mut CaseText<'_>, components: &Given<Vec<WaveComponent>>) {
+    let from = &components.span;
+    for component in &components.value {
+        case.table("[[waves]]", Some(from));
         case.line("kind = \"regular\"", None);
-        let height = number(2.0 * amplitude);
-        case.given(
-            "height_m",
-            &height,
-            &components.span,
-            "wave_frequencies.txt",
-        );
-        case.given("period_s", &number(TAU / frequency), &components.span, "");
-        case.given(
-            "phase_deg",
-            &number(phase.to_degrees()),
-            &components.span,
-            "",
-        );
+        let height = number(2.0 * component.amplitude);
+        case.given("height_m", &height, from, "wave_frequencies.txt");
+        let period = number(TAU / component.frequency);
+        case.given("period_s", &period, from, "");
+        if component.direction != 0.0 {
+            let direction = number(component.direction.to_degrees());
+            case.given("direction_deg", &direction, from, "");
+        }
+        let phase = number(component.phase.to_degrees());
+        case.given("phase_deg", &phase, from, "");
     }
 }
