@@ -170,7 +170,7 @@ table! {
         direction_deg: OneOrMany = 0.0, "current direction", kind NumberOrList, range of(-360.0, 360.0);
         /// Depths below still water, increasing; linear in between, constant beyond.
         depth_m: Option<Vec<f64>>, "current depths", range of(0.0, 2e4), absent "the same at every depth";
-        /// Of a system: a file of the current over time and place, beside the case: a table t_s, x_m, y_m, z_m (those that it changes with), u_m_per_s, v_m_per_s, or as MoorDyn writes it.
+        /// Of a system: a file of the current over time and place, `t_s,x_m,y_m,z_m,u_m_per_s,v_m_per_s`, or of MoorDyn.
         file: Option<String>, "current file", absent "none";
     }
 }

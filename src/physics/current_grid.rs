@@ -240,7 +240,8 @@ mod tests {
                     - grid.at(t, &(V3::new(x, y, z) - step)).0;
                 assert!((by / (2.0 * h) - gradient.column(axis)).norm() < 1e-9);
             }
-            assert_eq!(grid.frozen(t).at(99.0, &V3::new(x, y, z)).1, gradient);
+            let frozen = grid.frozen(t).at(99.0, &V3::new(x, y, z)).1;
+            assert!((frozen - gradient).norm() < 1e-13);
         }
     }
 
