@@ -16,9 +16,9 @@ pub struct Fault {
     /// What would be right.
     pub remedy: String,
     /// The row of a table that has it.
-    pub row: Option<Part>,
+    pub row: Option<Box<Part>>,
     /// The row of another table that is not there.
-    pub refers_to: Option<Part>,
+    pub refers_to: Option<Box<Part>>,
 }
 
 /// A row of a table: the title of its section, and its identifier.
@@ -69,7 +69,7 @@ pub fn without_followers(faults: &mut Vec<Fault>) {
             None => fault.refers_to.is_none() && fault.key == part.0,
         })
     };
-    faults.retain(|fault| !fault.refers_to.as_ref().is_some_and(is_at_fault));
+    faults.retain(|fault| !fault.refers_to.as_deref().is_some_and(is_at_fault));
 }
 
 /// Line and column, in characters, both from 1, of a byte of a text.

@@ -135,7 +135,7 @@ pub fn missing(row: &TableRow<'_, '_>, column: usize, section: Section, number: 
         format!("give the number of a {what} of its table"),
     );
     Fault {
-        refers_to: Some((section.title(), number.to_owned())),
+        refers_to: Some(Box::new((section.title(), number.to_owned()))),
         ..fault
     }
 }

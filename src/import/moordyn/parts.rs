@@ -363,7 +363,7 @@ pub fn type_of(
             };
             let problem = format!("there is no {what} `{}`", word.text);
             Fault {
-                refers_to: Some((section.title(), word.text.to_owned())),
+                refers_to: Some(Box::new((section.title(), word.text.to_owned()))),
                 ..row.fault(column, problem, remedy)
             }
         })

@@ -100,7 +100,10 @@ impl<'t> Table<'t> {
             match read {
                 Ok(item) => all.push(item),
                 Err(fault) => faults.push(Fault {
-                    row: row.words.first().map(|id| (self.title, id.text.to_owned())),
+                    row: row
+                        .words
+                        .first()
+                        .map(|id| Box::new((self.title, id.text.to_owned()))),
                     ..fault
                 }),
             }
