@@ -1,6 +1,8 @@
 //! Inputs that are the user's: their values are not those of the file that states them, so neither its marks nor its published
 //! values hold for them.
 
+use std::collections::HashMap;
+
 use super::fields::ValueType;
 use super::model::{Mark, Provenance};
 use super::rows::FieldRow;
@@ -130,8 +132,16 @@ pub fn edited(
         standing: row.provenance(sourced),
         origin,
     };
+    // Large systems have a row for every key of thousands of lines.
+    let by_path = |rows: &[FieldRow]| -> HashMap<String, usize> {
+        let paths = rows.iter().enumerate().rev();
+        paths
+            .map(|(number, row)| (row.path.clone(), number))
+            .collect()
+    };
+    let (now, olds) = (by_path(rows), by_path(before));
     let changed = rows.iter().filter_map(|row| {
-        let old = before.iter().find(|old| old.path == row.path);
+        let old = olds.get(&row.path).map(|number| &before[*number]);
         let replaced = match old {
             Some(old) if same(old, row) => row.replaced.clone()?,
             Some(old) => replaced(old),
@@ -151,7 +161,7 @@ pub fn edited(
     });
     let gone = before
         .iter()
-        .filter(|old| old.given && rows.iter().all(|row| row.path != old.path))
+        .filter(|old| old.given && !now.contains_key(&old.path))
         .map(|old| EditedKey {
             path: old.path.clone(),
             value: String::new(),

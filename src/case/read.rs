@@ -136,6 +136,11 @@ pub(crate) fn diagnose(found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagn
 /// The tree of the text, or its faults of syntax.
 pub(crate) fn tree_of(text: &str) -> Result<TomlNode, Vec<Finding>> {
     TomlNode::parse(text).map_err(|first| {
+        if is_table_of_numbers(text) {
+            let problem = "this is a table of numbers, not a case";
+            let remedy = "give the case or the file of MoorDyn that names it";
+            return vec![Finding::new(&(0..0), "", problem, remedy)];
+        }
         let (_, all) = DeTable::parse_recoverable(text);
         let mut found: Vec<Finding> = all
             .iter()
@@ -146,6 +151,18 @@ pub(crate) fn tree_of(text: &str) -> Result<TomlNode, Vec<Finding>> {
         }
         found.sort_by_key(|fault| fault.span.start);
         found
+    })
+}
+
+/// Whether the first row that says something has numbers alone, two at least, as a file of waves or of a motion has.
+fn is_table_of_numbers(text: &str) -> bool {
+    let mut rows = text.lines().map(str::split_whitespace);
+    let first = rows.find_map(|words| {
+        let words: Vec<&str> = words.collect();
+        (!words.is_empty()).then_some(words)
+    });
+    first.is_some_and(|words| {
+        words.len() > 1 && words.iter().all(|word| word.parse::<f64>().is_ok())
     })
 }
 

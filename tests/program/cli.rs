@@ -498,3 +498,13 @@ fn a_yaml_file_without_a_mooring_says_what_was_looked_for() {
         program.assert().code(2).stderr(said);
     }
 }
+
+#[test]
+fn a_table_of_numbers_is_no_case() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("motion.txt"), "0.0 1.0 2.0\n0.1 1.0 2.0\n").unwrap();
+    let mut program = seacable(dir.path());
+    program.args(["run", "motion.txt"]);
+    let said = contains("motion.txt:1:1").and(contains("a table of numbers"));
+    program.assert().code(2).stderr(said);
+}

@@ -253,7 +253,7 @@ fn current(
         }
         None => return Err(not_a_mode(value, key, "0, 1, 2 or 5")),
         _ => {
-            let what = "currents at the nodes of lines, which MoorDyn does not compute either,";
+            let what = "currents at the nodes of lines, which MoorDyn does not compute either";
             mooring
                 .unmodelled
                 .push(unmodelled(value, key, "currents", what));
@@ -281,7 +281,7 @@ fn waves(
         Some(3.0) => {}
         None => return Err(not_a_mode(value, key, "0, 2, 3 or 7")),
         _ => {
-            let what = "waves given from outside or by velocities at nodes, of which the file does not say how the water moves,";
+            let what = "waves given from outside or by velocities at nodes, of which the file does not say how the water moves";
             mooring
                 .unmodelled
                 .push(unmodelled(value, key, "waves", what));
