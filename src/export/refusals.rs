@@ -1,5 +1,6 @@
 //! What of a system a file of another program cannot say.
 
+use super::sea::{common_friction, current_by_file};
 use super::{Target, Unsayable};
 use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
 use crate::numerics::V3;
@@ -27,9 +28,10 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
     found.add(
         file.current
             .as_ref()
-            .is_some_and(|current| current.file.is_some()),
+            .is_some_and(|current| current.file.is_some())
+            && current_by_file(file).is_none(),
         "current.file",
-        "current by a file of times and places",
+        "current by a table of times and places (its own current_profile_dynamic.txt and current_profile_4d.txt are carried over)",
     );
     found.add(
         target == Target::MapPlusPlus && is_grid(solved),
@@ -50,11 +52,10 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         found.add(true, key, "points that slide along lines");
     }
     for (number, waves) in file.waves.iter().enumerate() {
-        let is_plain = waves.kind == WaveKind::Regular && waves.direction_deg == 0.0;
         found.add(
-            !is_plain && target == Target::MoorDyn,
+            waves.kind == WaveKind::Irregular && target == Target::MoorDyn,
             format!("waves[{number}]"),
-            "waves other than regular ones towards +x",
+            "waves from a spectrum",
         );
     }
     for (name, material) in &file.materials {
@@ -260,9 +261,9 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         key("still_water"),
         "lines in still water beside others in a current or waves",
     );
-    let of_bed = solved.file.seabed.as_ref().map_or(0.0, |bed| bed.friction);
+    let common = common_friction(&solved.file);
     found.add(
-        target == Target::MoorDyn && line.friction.is_some_and(|mu| mu != of_bed),
+        target == Target::MoorDyn && line.friction.is_some_and(|mu| mu != common),
         key("friction"),
         "friction of a single line",
     );

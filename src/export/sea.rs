@@ -1,13 +1,13 @@
 //! Gravity, water, bed, current and waves as options.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::number::{all_written, written};
 use super::sheet::Sheet;
-use crate::case::{DragLength, OneOrMany};
+use crate::case::{DragLength, OneOrMany, Waves};
 use crate::numerics::DepthGrid;
-use crate::system::SolvedSystem;
 use crate::system::bed::Bed;
+use crate::system::{SolvedSystem, SystemFile};
 
 /// Push and damping of a bed that nothing touches \[Pa/m, Pa s/m\]: the defaults of MoorDyn.
 const BED: [f64; 2] = [3.0e6, 3.0e5];
@@ -34,8 +34,9 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
             }
             option(written(bed.stiffness_n_per_m3), "kBot");
             option(written(bed.damping_n_s_per_m3), "cBot");
-            if bed.friction > 0.0 {
-                option(written(bed.friction), "FrictionCoefficient");
+            let friction = common_friction(file);
+            if friction > 0.0 {
+                option(written(friction), "FrictionCoefficient");
             }
         }
         // Without a depth MoorDyn has its bed at the deepest fixed point.
@@ -56,6 +57,10 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
         sheet.options.push(("1".to_owned(), "Currents"));
         let text = profile(speed, &current.direction_deg, current.depth_m.as_deref());
         sheet.files.push(("current_profile.txt".to_owned(), text));
+    }
+    if let Some((mode, name, text)) = current_by_file(file) {
+        sheet.options.push((mode.to_owned(), "Currents"));
+        sheet.files.push((name.to_owned(), text.to_owned()));
     }
     if !file.waves.is_empty() {
         sheet.options.push(("7".to_owned(), "WaveKin"));
@@ -118,18 +123,85 @@ fn profile(speed: &OneOrMany, direction: &OneOrMany, depths: Option<&[f64]>) -> 
     text
 }
 
-/// Rows of angular frequency and complex amplitude.
+/// Rows of angular frequency, complex amplitude and direction, rising from a frequency of 0 as `MoorDyn` wants it. Elevations at nodes
+/// (`WaveKin` 7) are sines of the phase, here cosines.
 fn components(solved: &SolvedSystem) -> String {
-    let mut text = "WAVE FREQUENCIES\nfrequency  real  imaginary\n(rad/s)  (m)  (m)\n".to_owned();
-    for waves in &solved.file.waves {
-        let amplitude = 0.5 * waves.height_m.unwrap_or(0.0);
-        let phase = waves.phase_deg.to_radians();
+    let mut all: Vec<[f64; 4]> = solved.file.waves.iter().flat_map(regular_waves).collect();
+    all.sort_by(|one, other| one[0].total_cmp(&other[0]));
+    let mut text = "0 0 0 0\n".to_owned();
+    for [frequency, amplitude, phase, direction] in all {
+        let (sin, cos) = (phase + FRAC_PI_2).sin_cos();
+        // What is left of a zero by rounding is none.
+        let part = |of: f64| {
+            if of.abs() < 1e-12 {
+                0.0
+            } else {
+                amplitude * of
+            }
+        };
         text += &format!(
-            "{}  {}  {}\n",
-            written(TAU / waves.period_s.unwrap_or(1.0)),
-            written(amplitude * phase.cos()),
-            written(amplitude * phase.sin())
+            "{} {} {} {}\n",
+            written(frequency),
+            written(part(cos)),
+            written(part(sin)),
+            written(direction)
         );
     }
     text
+}
+
+/// The regular waves of a wave system: angular frequency \[rad/s\], amplitude \[m\], phase and direction \[rad\].
+fn regular_waves(waves: &Waves) -> Vec<[f64; 4]> {
+    let direction = waves.direction_deg.to_radians();
+    let one = |height: f64, period: f64, phase: f64| {
+        [TAU / period, 0.5 * height, phase.to_radians(), direction]
+    };
+    match (
+        waves.height_m,
+        waves.period_s,
+        &waves.heights_m,
+        &waves.periods_s,
+    ) {
+        (Some(height), Some(period), _, _) => vec![one(height, period, waves.phase_deg)],
+        (_, _, Some(heights), Some(periods)) => {
+            let phase = |k: usize| {
+                let phases = waves.phases_deg.as_ref();
+                phases.and_then(|all| all.get(k)).copied().unwrap_or(0.0)
+            };
+            let pairs = heights.iter().zip(periods).enumerate();
+            pairs
+                .map(|(k, (height, period))| one(*height, *period, phase(k)))
+                .collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// The option and the text of a current by a file of MoorDyn's own that the case carries; nothing for other currents.
+#[must_use]
+pub fn current_by_file(file: &SystemFile) -> Option<(&'static str, &str, &str)> {
+    let name = file.current.as_ref()?.file.as_deref()?;
+    let mode = match name {
+        "current_profile_dynamic.txt" => "2",
+        "current_profile_4d.txt" => "5",
+        _ => return None,
+    };
+    Some((mode, name, &file.files.get(name)?.text))
+}
+
+/// The friction of the bed that all lines have, as `MoorDyn` knows it; that of the bed where they differ.
+#[must_use]
+pub fn common_friction(file: &SystemFile) -> f64 {
+    let of_bed = file.seabed.as_ref().map_or(0.0, |bed| bed.friction);
+    let mut lines = file
+        .lines
+        .iter()
+        .map(|line| line.friction.unwrap_or(of_bed));
+    let Some(first) = lines.next() else {
+        return of_bed;
+    };
+    match lines.all(|other| other == first) {
+        true => first,
+        false => of_bed,
+    }
 }

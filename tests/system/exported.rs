@@ -297,3 +297,68 @@ fn depths_over_a_grid_are_written_beside_the_file() {
     );
     fs::remove_dir_all(&folder).unwrap();
 }
+
+/// Waves and a friction that all lines have, read again: the same to the last digits written, and the same text and files.
+#[test]
+fn waves_and_friction_are_read_again_as_the_same() {
+    let text = "\
+[system]
+title = \"Waves from two sides\"
+[seabed]
+depth_m = 100.0
+[[waves]]
+kind = \"components\"
+heights_m = [1.0, 0.5]
+periods_s = [12.0, 8.0]
+phases_deg = [30.0, 0.0]
+[[waves]]
+kind = \"regular\"
+height_m = 2.0
+period_s = 9.0
+direction_deg = 60.0
+phase_deg = -120.0
+[materials.chain]
+diameter_m = 0.1
+mass_kg_per_m = 50.0
+ea_n = 5e8
+drag_normal = 1.2
+added_mass_normal = 1.0
+[points.anchor]
+kind = \"fixed\"
+position_m = [200.0, 0.0, -100.0]
+[points.top]
+kind = \"moved\"
+position_m = [0.0, 0.0, -10.0]
+[[lines]]
+name = \"line\"
+from = \"anchor\"
+to = \"top\"
+material = \"chain\"
+length_m = 230.0
+friction = 0.4
+";
+    let solved = kind::parse::<SystemFile>(text, "waves.toml").unwrap();
+    let first = written(&solved, Target::MoorDyn);
+    let folder = folder("waves");
+    let read = again(&first, &folder, &ImportOptions::default());
+    let second = written(&read, Target::MoorDyn);
+    assert_eq!(first.text, second.text);
+    assert_eq!(first.files, second.files);
+    // The elevation at the origin at time 0 is that of the crests' leads.
+    let elevation = |solved: &SolvedSystem| -> f64 {
+        let of = |waves: &seacable::case::Waves| match (&waves.heights_m, &waves.phases_deg) {
+            (Some(heights), Some(phases)) => {
+                let pairs = heights.iter().zip(phases);
+                pairs
+                    .map(|(h, p)| 0.5 * h * p.to_radians().cos())
+                    .sum::<f64>()
+            }
+            _ => 0.5 * waves.height_m.unwrap() * waves.phase_deg.to_radians().cos(),
+        };
+        solved.file.waves.iter().map(of).sum()
+    };
+    assert!((elevation(&solved) - elevation(&read)).abs() < 1e-10);
+    assert_eq!(read.file.waves.len(), 3);
+    assert_eq!(read.file.seabed.as_ref().unwrap().friction, 0.4);
+    fs::remove_dir_all(&folder).unwrap();
+}

@@ -127,6 +127,25 @@ fn three_dialects_have_the_tension_of_map() {
     assert_eq!(system.network.bodies.len(), 1);
 }
 
+/// MAP++ turns what it repeats clockwise.
+#[test]
+fn repeats_of_map_are_turned_clockwise() {
+    let options = ImportOptions {
+        depth: Some(320.0),
+        density: Some(1025.0),
+        gravity: Some(9.80665),
+        ..ImportOptions::default()
+    };
+    let text = OC3_MAP.replace("repeat 120 240", "repeat 60");
+    let system = solved(&imported(&text, &options).text);
+    let sixth = 60f64.to_radians();
+    let turned = system.rest.placement.points.iter().any(|place| {
+        (place.x - 853.87 * sixth.cos()).abs() < 1e-6
+            && (place.y + 853.87 * sixth.sin()).abs() < 1e-6
+    });
+    assert!(turned, "{:?}", system.rest.placement.points);
+}
+
 #[test]
 fn what_map_is_told_from_outside_is_asked_for() {
     let all = read(OC3_MAP).unwrap_err();

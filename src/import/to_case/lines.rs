@@ -56,7 +56,13 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     }
     if !mooring.repeats.is_empty() {
         let mut angles = vec![0.0];
-        angles.extend(mooring.repeats.iter().map(|angle| angle.value));
+        // MAP++ turns them clockwise as seen from above (expand_node_position_z of its src/mapinit.c).
+        angles.extend(
+            mooring
+                .repeats
+                .iter()
+                .map(|angle| (-angle.value).rem_euclid(360.0)),
+        );
         let span = &mooring.repeats[0].span;
         case.given("repeat_at_deg", &numbers(&angles), span, "repeat");
     }
