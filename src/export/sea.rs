@@ -60,7 +60,8 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
     }
     if let Some((mode, name, text)) = current_by_file(file) {
         sheet.options.push((mode.to_owned(), "Currents"));
-        sheet.files.push((name.to_owned(), text.to_owned()));
+        // Files are written with the ends of lines of Unix.
+        sheet.files.push((name.to_owned(), text.replace('\r', "")));
     }
     if !file.waves.is_empty() {
         sheet.options.push(("7".to_owned(), "WaveKin"));
