@@ -15,13 +15,9 @@
 //! A row by height and time has the velocities along x at all heights, then those along y, then those upwards; the last ones may be left
 //! out and are zero.
 
-use std::ops::Range;
-
 use super::attachments::PlacedNumber;
 use super::diagnostic::Finding;
-
-/// A word and where it is.
-type Word<'t> = (&'t str, Range<usize>);
+use super::placed_words::{Word, lines, numbers, whole};
 
 /// Time and place t, x, y, z \[s, m\], and velocity \[m/s\].
 pub(super) type CurrentRow = ([PlacedNumber; 4], [PlacedNumber; 3]);
@@ -188,42 +184,6 @@ fn on_axis(
         )
     })?;
     Ok(PlacedNumber { value, ..given })
-}
-
-fn numbers(line: &[Word<'_>]) -> Result<Vec<PlacedNumber>, Finding> {
-    let number = |(word, span): &Word<'_>| {
-        let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
-        let placed = value.map(|value| PlacedNumber {
-            value,
-            span: span.clone(),
-        });
-        placed.ok_or_else(|| {
-            let problem = format!("`{word}` is not a number");
-            Finding::new(span, "", problem, "write a number, such as -30.5")
-        })
-    };
-    line.iter().map(number).collect()
-}
-
-/// The bytes of a line that has words.
-fn whole(line: &[Word<'_>]) -> Range<usize> {
-    let start = line.first().map_or(0, |word| word.1.start);
-    start..line.last().map_or(start, |word| word.1.end)
-}
-
-/// The lines, empty ones too, as words between spaces.
-fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
-    let mut start = 0;
-    text.split_inclusive('\n').map(move |line| {
-        let from = start;
-        start += line.len();
-        let word = |word: &'_ str| word.as_ptr() as usize - line.as_ptr() as usize;
-        let placed = line.split_whitespace().map(|one| {
-            let at = from + word(one);
-            (one, at..at + one.len())
-        });
-        placed.collect()
-    })
 }
 
 #[cfg(test)]

@@ -12,13 +12,9 @@
 //!
 //! MoorDyn's z is a height, negative below still water; the rows of MoorPy are depths at y and, in their columns, at x.
 
-use std::ops::Range;
-
 use super::attachments::PlacedNumber;
 use super::diagnostic::Finding;
-
-/// A word and where it is.
-type Word<'t> = (&'t str, Range<usize>);
+use super::placed_words::{Word, lines, numbers, whole};
 
 /// Places and depths x, y, depth \[m\].
 pub(super) type DepthRow = [PlacedNumber; 3];
@@ -31,7 +27,7 @@ const SAME_PLACE: f64 = 1e-9;
 /// # Errors
 /// The first fault.
 pub(super) fn foreign_depths(text: &str) -> Result<Option<Vec<DepthRow>>, Finding> {
-    let lines: Vec<Vec<Word<'_>>> = lines(text).collect();
+    let lines: Vec<Vec<Word<'_>>> = lines(text).filter(|line| !line.is_empty()).collect();
     let first = lines.first().map(Vec::as_slice);
     let second = lines.get(1).and_then(|line| line.first());
     if let Some([columns, rows]) = first
@@ -171,49 +167,6 @@ fn minus(z: PlacedNumber) -> PlacedNumber {
 
 fn is_count(word: &Word<'_>) -> bool {
     word.0.parse::<usize>().is_ok()
-}
-
-fn numbers(line: &[Word<'_>]) -> Result<Vec<PlacedNumber>, Finding> {
-    let number = |(word, span): &Word<'_>| {
-        let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
-        let placed = value.map(|value| PlacedNumber {
-            value,
-            span: span.clone(),
-        });
-        placed.ok_or_else(|| {
-            let problem = format!("`{word}` is not a number");
-            Finding::new(span, "", problem, "write a number, such as -30.5")
-        })
-    };
-    line.iter().map(number).collect()
-}
-
-/// The bytes of a line that has words.
-fn whole(line: &[Word<'_>]) -> Range<usize> {
-    let start = line.first().map_or(0, |word| word.1.start);
-    start..line.last().map_or(start, |word| word.1.end)
-}
-
-/// The lines that are not empty, as words between spaces.
-fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
-    let mut start = 0;
-    let all = text.split_inclusive('\n').map(move |line| {
-        let from = start;
-        start += line.len();
-        words(from, line)
-    });
-    all.filter(|words| !words.is_empty())
-}
-
-fn words(from: usize, line: &str) -> Vec<Word<'_>> {
-    let mut at = 0;
-    let mut words = Vec::new();
-    for word in line.split_whitespace() {
-        let begin = at + line.get(at..).and_then(|rest| rest.find(word)).unwrap_or(0);
-        at = begin + word.len();
-        words.push((word, from + begin..from + at));
-    }
-    words
 }
 
 #[cfg(test)]

@@ -25,6 +25,7 @@ pub(crate) mod file_kind;
 pub mod kind;
 mod line_quantity;
 pub mod model;
+mod placed_words;
 mod quantity_id;
 mod read;
 mod rows;
