@@ -5,8 +5,9 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::table::Table;
+use crate::case::{Provenance, StudyValue};
 use crate::modes::LineModes;
-use crate::reference::ValidationRow;
+use crate::reference::{TrendLine, ValidationRow};
 use crate::run::{Quantity, Run};
 
 /// The results of a run, each with the parts of its error, and the directory that holds all else.
@@ -78,9 +79,31 @@ pub fn validation(rows: &[ValidationRow]) -> Value {
             "unit": row.unit,
             "error": row.error,
             "tolerance": row.tolerance,
+            "tolerance_reason": row.tolerance_reason,
             "outcome": row.outcome.to_string(),
+            "kind": row.kind.word(),
+            "inputs": row.inputs.map(Provenance::name),
+            "trend": row.trend.as_ref().map(trend),
+            "note": row.note,
+            "reason": row.reason,
             "source": row.source,
         })
     });
     Value::Array(each.collect())
+}
+
+/// What a trend should do, and the numbers along it.
+fn trend(line: &TrendLine) -> Value {
+    let points = line.points.iter().map(|point| {
+        let value = match &point.value {
+            StudyValue::Number(value) => json!(value),
+            StudyValue::Word(word) => json!(word),
+        };
+        json!({"value": value, "computed": point.computed, "error": point.error})
+    });
+    json!({
+        "key": line.key,
+        "expect": line.expect.name(),
+        "points": points.collect::<Vec<_>>(),
+    })
 }

@@ -68,6 +68,8 @@ table! {
         gravity_m_per_s2: f64 = 9.80665, "gravity", range positive(100.0);
         /// Segments of the discretised line.
         segments: usize = 80, "segments", range of(4.0, 2000.0);
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
     }
 }
 
@@ -231,6 +233,8 @@ table! {
         expect: Direction, "expect";
         /// Where it is printed.
         source: String, "source";
+        /// What else the reader must know.
+        note: Option<String>, "note", absent "no note";
         /// Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
