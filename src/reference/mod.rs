@@ -15,6 +15,7 @@ mod curve;
 mod edited;
 mod note;
 mod outcome_counts;
+pub mod papers;
 mod plan;
 pub(crate) mod published_history;
 pub(crate) mod published_number;
