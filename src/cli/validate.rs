@@ -22,7 +22,7 @@ use crate::{
     },
     report::{
         document, run_json, text,
-        validation::{self, Extent, JudgedPaper, ValidatedFile},
+        validation::{self, Extent, JudgedPaper},
     },
     run::{
         Run,
@@ -69,10 +69,11 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
         ));
     }
     tables.extend(others);
+    let lists = papers(&tables)?;
     if args.cases.is_empty() {
         tables.retain(|file| !file.rows.is_empty());
     }
-    show(args, &tables)?;
+    show(args, &tables, &lists)?;
     let holds = total(&tables).holds();
     Ok(if holds {
         ExitCode::SUCCESS
@@ -82,8 +83,7 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// Prints what was asked for: of cases that were named their tables, otherwise the page.
-fn show(args: &ValidateArgs, tables: &[Validated]) -> Result<(), CommandError> {
-    let lists: Vec<Paper> = papers(tables)?;
+fn show(args: &ValidateArgs, tables: &[Validated], lists: &[Paper]) -> Result<(), CommandError> {
     let rows: Vec<FileRows<'_>> = tables.iter().map(Validated::rows).collect();
     let judged: Vec<JudgedPaper<'_>> = lists
         .iter()
@@ -101,12 +101,11 @@ fn show(args: &ValidateArgs, tables: &[Validated]) -> Result<(), CommandError> {
         (_, true) => Some(Extent::Details),
         _ => whole.then_some(Extent::Page),
     };
-    let files: Vec<ValidatedFile<'_>> = tables.iter().map(Validated::file).collect();
     let mut blocks =
-        extent.map_or_else(Vec::new, |extent| validation::page(&files, &judged, extent));
+        extent.map_or_else(Vec::new, |extent| validation::page(&rows, &judged, extent));
     if args.markdown || args.html {
         if extent.is_none() {
-            blocks = validation::page(&files, &judged, Extent::Details);
+            blocks = validation::page(&rows, &judged, Extent::Details);
         }
         let page = match args.html {
             true => document::html(&blocks),
@@ -130,14 +129,14 @@ fn show(args: &ValidateArgs, tables: &[Validated]) -> Result<(), CommandError> {
 const MORE: &str = "\
 `seacable validate --details` shows inputs, equations and every row with its note; `seacable validate FILE` one file.\n";
 
-/// The lists of the papers of which a file was computed.
+/// The lists of the papers of which every file was computed.
 fn papers(tables: &[Validated]) -> Result<Vec<Paper>, CommandError> {
     let mut lists = Vec::new();
     for (name, text) in papers::LISTS {
         let wrong = CommandError::invalid(text);
         let paper = papers::parse(text, name).map_err(wrong)?;
         let mut cases = paper.about.cases.iter();
-        if cases.any(|case| tables.iter().any(|file| file.rows().file == case)) {
+        if cases.all(|case| tables.iter().any(|file| file.rows().file == case)) {
             lists.push(paper);
         }
     }
@@ -257,13 +256,6 @@ impl Validated {
             file: self.name.strip_prefix(&folder).unwrap_or(&self.name),
             text: &self.text,
             rows: &self.rows,
-        }
-    }
-
-    fn file(&self) -> ValidatedFile<'_> {
-        ValidatedFile {
-            title: &self.title,
-            of: self.rows(),
         }
     }
 }

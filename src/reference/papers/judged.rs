@@ -1,7 +1,7 @@
 //! The statements of a paper, each with what its answer comes to.
 
 use super::model::{Paper, Statement};
-use crate::case::{StudyValue, TomlNode, split};
+use crate::case::{StudyValue, TomlNode, shipped, split};
 use crate::reference::{Outcome, RowKind, ValidationRow};
 
 /// A file with the rows of its validation.
@@ -71,7 +71,8 @@ fn answer(statement: &Statement, files: &[FileRows<'_>]) -> Answer {
 
 fn by_input(input: &str, wanted: &StudyValue, files: &[FileRows<'_>]) -> Answer {
     let found = input.split_once(": ").and_then(|(file, key)| {
-        let text = files.iter().find(|f| f.file == file)?.text;
+        let computed = files.iter().find(|f| f.file == file).map(|f| f.text);
+        let text = computed.or_else(|| shipped::text(file))?;
         let root = TomlNode::parse(text).ok()?;
         let node = root.find(&split(key)?)?;
         node.number()

@@ -19,7 +19,7 @@ macro_rules! lists {
 }
 
 /// The lists that come with the program: file and text.
-pub const LISTS: &[(&str, &str)] = lists![];
+pub const LISTS: &[(&str, &str)] = lists!["lin_2016.toml", "tianjin_2016.toml",];
 
 /// Reads a list.
 ///

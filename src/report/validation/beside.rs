@@ -1,31 +1,31 @@
 //! The files that are of no paper: a line each, and the rows of theirs that differ.
 
-use super::{JudgedPaper, ValidatedFile, is_of_a_paper};
+use super::{JudgedPaper, is_of_a_paper};
+use crate::reference::papers::FileRows;
 use crate::reference::{Outcome, ValidationRow, table};
 use crate::report::document::Block;
 use crate::report::table::{Align, Cell, CellStyle, Table};
 
-pub(super) fn blocks(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
-    let beside: Vec<&ValidatedFile<'_>> = files
+pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
+    let beside: Vec<&FileRows<'_>> = files
         .iter()
-        .filter(|file| !is_of_a_paper(file.of.file, papers) && !file.of.rows.is_empty())
+        .filter(|file| !is_of_a_paper(file.file, papers) && !file.rows.is_empty())
         .collect();
     if beside.is_empty() {
         return Vec::new();
     }
     let table = Table::of("", &beside)
-        .text("file", |file| file.of.file.to_owned())
+        .text("file", |file| file.file.to_owned())
         .cell("rows", Align::Right, |file| {
-            Cell::plain(file.of.rows.len().to_string())
+            Cell::plain(file.rows.len().to_string())
         })
         .cell("PASS", Align::Right, |file| {
             let passed = file
-                .of
                 .rows
                 .iter()
                 .filter(|row| row.outcome == Outcome::Pass)
                 .count();
-            let ink = if passed == file.of.rows.len() {
+            let ink = if passed == file.rows.len() {
                 CellStyle::Good
             } else {
                 CellStyle::Warn
@@ -33,11 +33,11 @@ pub(super) fn blocks(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) ->
             Cell::new(passed.to_string(), ink)
         })
         .cell("farthest off, in tolerances", Align::Right, |file| {
-            let off = file.of.rows.iter().filter_map(ValidationRow::in_tolerances);
+            let off = file.rows.iter().filter_map(ValidationRow::in_tolerances);
             off.reduce(f64::max)
                 .map_or_else(Cell::none, |off| Cell::plain(format!("{off:.2}")))
         })
-        .text("kinds", |file| kinds(file.of.rows))
+        .text("kinds", |file| kinds(file.rows))
         .build();
     let mut blocks = vec![
         Block::Heading("Other programs, measurements, closed forms".to_owned()),
@@ -54,10 +54,10 @@ fn kinds(rows: &[ValidationRow]) -> String {
     words.join(", ")
 }
 
-fn differing(files: &[&ValidatedFile<'_>]) -> Option<Block> {
+fn differing(files: &[&FileRows<'_>]) -> Option<Block> {
     let rows = files
         .iter()
-        .flat_map(|file| file.of.rows.iter().map(|row| (file.of.file, row)));
+        .flat_map(|file| file.rows.iter().map(|row| (file.file, row)));
     let off: Vec<(usize, (&str, &ValidationRow))> = (1..)
         .zip(rows.filter(|(_, row)| row.outcome != Outcome::Pass))
         .collect();

@@ -7,15 +7,6 @@ mod summary;
 use crate::reference::papers::{FileRows, JudgedStatement, Paper};
 use crate::report::document::Block;
 
-/// A file with its rows.
-#[derive(Debug, Clone, Copy)]
-pub struct ValidatedFile<'a> {
-    /// What it is.
-    pub title: &'a str,
-    /// Its path and rows.
-    pub of: FileRows<'a>,
-}
-
 /// A paper with its statements answered.
 #[derive(Debug, Clone)]
 pub struct JudgedPaper<'a> {
@@ -38,14 +29,13 @@ pub enum Extent {
 
 /// The page.
 #[must_use]
-pub fn page(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Vec<Block> {
+pub fn page(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Vec<Block> {
     let mut blocks = summary::blocks(files, papers);
     if extent == Extent::Summary {
         return blocks;
     }
-    let rows: Vec<FileRows<'_>> = files.iter().map(|file| file.of).collect();
     for paper in papers {
-        blocks.extend(paper::blocks(paper, &rows, extent == Extent::Details));
+        blocks.extend(paper::blocks(paper, files, extent == Extent::Details));
     }
     blocks.extend(beside::blocks(files, papers));
     blocks

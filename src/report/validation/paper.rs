@@ -1,6 +1,7 @@
 //! One paper: what is not reproduced first, then what is, a line each; on demand its inputs and equations.
 
 use super::JudgedPaper;
+use crate::case::Provenance;
 use crate::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
 use crate::reference::{RowKind, ValidationRow, table};
 use crate::report::document::Block;
@@ -135,9 +136,7 @@ fn missed(mut lines: Vec<&Line<'_>>) -> Vec<Block> {
         .cell("% off", Align::Right, |(_, line)| {
             line.row.map_or_else(Cell::none, table::percent)
         })
-        .cell("toler- ances", Align::Right, |(_, line)| {
-            tolerances(line.row)
-        });
+        .cell("tol.", Align::Right, |(_, line)| tolerances(line.row));
     if has_second {
         table = table.cell("second reading", Align::Right, |(_, line)| second(line));
     }
@@ -178,14 +177,24 @@ fn results(title: &str, lines: &[&Line<'_>]) -> Table {
         .cell("% off", Align::Right, |line| {
             line.row.map_or_else(Cell::none, table::percent)
         })
-        .cell("toler- ances", Align::Right, |line| tolerances(line.row))
-        .cell("inputs", Align::Left, |line| {
-            line.row.map_or_else(Cell::default, table::inputs)
-        })
+        .cell("tol.", Align::Right, |line| tolerances(line.row))
         .cell("kind", Align::Left, |line| {
-            line.row.map_or_else(Cell::default, table::kind)
+            line.row.map_or_else(Cell::default, kind)
         })
         .build()
+}
+
+/// The kind of a row, marked where an input behind it is not printed.
+fn kind(row: &ValidationRow) -> Cell {
+    let unprinted = matches!(
+        row.inputs,
+        Some(Provenance::Calibrated | Provenance::Assumed)
+    );
+    let mut cell = table::kind(row);
+    if unprinted {
+        cell.text.push('*');
+    }
+    cell
 }
 
 /// The notes of the rows, each once.

@@ -1,12 +1,12 @@
 //! The first screen: a line for each paper, and what stands beside them.
 
-use super::{JudgedPaper, ValidatedFile, is_of_a_paper};
-use crate::reference::papers::{AnswerCounts, count_answers};
+use super::{JudgedPaper, is_of_a_paper};
+use crate::reference::papers::{AnswerCounts, FileRows, count_answers};
 use crate::reference::{Outcome, RowKind, ValidationRow};
 use crate::report::document::Block;
 use crate::report::table::{Align, Cell, CellStyle, Table};
 
-pub(super) fn blocks(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
+pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
     let mut blocks = vec![Block::Title("Published results against ours".to_owned())];
     if !papers.is_empty() {
         blocks.push(Block::Table(of_papers(papers)));
@@ -26,8 +26,9 @@ pub(super) fn blocks(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) ->
 
 const HOW_TO_READ: &str = "\
 Evidence is what is predicted (no input was fitted to it) and the trends. Fitted numbers, inputs and their exact consequences \
-(echoed) agree by construction; closed forms check the program, not a source. A statement is reproduced when every row that \
-tests it is within its tolerance; (+n) of those not reproduced come out by a second reading of what the paper does not print.";
+(echoed) agree by construction. Formulas are equations with a test, and closed forms beside a paper: they check the program. \
+Missed: not reproduced, or not testable, each with its reason; (+n) of them come out by a second reading of what the paper \
+does not print. Open: without an answer. `tol.` is the difference in tolerances; * an input behind it is not printed.";
 
 fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
     let counted: Vec<(&str, AnswerCounts)> = papers
@@ -62,17 +63,17 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         Cell::new(format!("{}{second}", counts.not_reproduced), ink)
     };
     Table::of("", &counted)
-        .text("paper: its statements", |(title, _)| (*title).to_owned())
+        .text("statements of the papers", |(title, _)| (*title).to_owned())
         .cell("all", Align::Right, |(_, n)| count(n.printed))
-        .cell("pre- dicted", Align::Right, |(_, n)| count(n.predicted))
+        .cell("predicted", Align::Right, |(_, n)| count(n.predicted))
         .cell("trends", Align::Right, |(_, n)| count(n.trends))
         .cell("fitted", Align::Right, |(_, n)| count(n.fitted))
         .cell("echoed", Align::Right, |(_, n)| count(n.echoed))
-        .cell("equa- tions", Align::Right, |(_, n)| {
+        .cell("formulas", Align::Right, |(_, n)| {
             count(n.equations + n.closed_forms)
         })
-        .cell("not repro- duced", Align::Right, |(_, n)| missed(n))
-        .cell("not tried", Align::Right, |(_, n)| {
+        .cell("missed", Align::Right, |(_, n)| missed(n))
+        .cell("open", Align::Right, |(_, n)| {
             let ink = if n.not_attempted > 0 {
                 CellStyle::Bad
             } else {
@@ -108,17 +109,14 @@ const ORIGINS: [Origin; 4] = [
     },
 ];
 
-fn of_rows(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) -> Table {
+fn of_rows(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Table {
     let origins: Vec<(&str, Vec<&ValidationRow>)> = ORIGINS
         .iter()
         .map(|origin| {
-            let of_file = |file: &'_ ValidatedFile<'_>| is_of_a_paper(file.of.file, papers);
+            let of_file = |file: &'_ FileRows<'_>| is_of_a_paper(file.file, papers);
             let rows = files.iter().flat_map(|file| {
                 let paper = of_file(file);
-                file.of
-                    .rows
-                    .iter()
-                    .filter(move |row| (origin.of)(row, paper))
+                file.rows.iter().filter(move |row| (origin.of)(row, paper))
             });
             (origin.name, rows.collect())
         })
@@ -148,6 +146,6 @@ fn of_rows(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>]) -> Table {
         .build()
 }
 
-fn rows<'a>(files: &'a [ValidatedFile<'_>]) -> impl Iterator<Item = &'a ValidationRow> {
-    files.iter().flat_map(|file| file.of.rows)
+fn rows<'a>(files: &'a [FileRows<'_>]) -> impl Iterator<Item = &'a ValidationRow> {
+    files.iter().flat_map(|file| file.rows)
 }
