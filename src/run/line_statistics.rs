@@ -127,6 +127,8 @@ impl NodeValues {
             LineQuantity::MeanLoad => Self::at_end(&ropes.mean_load),
             LineQuantity::RmsDisplacement => Self::at_end(&p.rms),
             LineQuantity::RmsDiameters => Self::at_end(&p.rms_diameters),
+            LineQuantity::RmsVertical => Self::at_end(&p.rms_vertical),
+            LineQuantity::RmsHorizontal => Self::at_end(&p.rms_horizontal),
             LineQuantity::Wavelength => Self::at_end(&wavelengths(&p.wave_number)),
             LineQuantity::WkbWavelength => Self::at_end(&wavelengths(&p.wkb_number)),
             // Not of a node, but of a stretch.
