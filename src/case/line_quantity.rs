@@ -46,7 +46,7 @@ words! {
     pub enum EnergyQuantity {
         /// Work of ends, waves, current and traveller \[J\].
         Supplied = "energy_in_j",
-        /// Dissipated by drag, axial damping, ropes and the bed \[J\].
+        /// Dissipated by drag, axial and mass damping, ropes and the bed \[J\].
         Dissipated = "energy_dissipated_j",
         /// Change of kinetic, potential and elastic energy \[J\].
         Stored = "energy_stored_j",
