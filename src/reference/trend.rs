@@ -34,7 +34,10 @@ pub(super) fn row<'r>(
         };
         let found = lookup(Some(&at))
             .ok_or_else(|| "It has not been run.".to_owned())
-            .and_then(|run| find(run, &trend.channel, trend.statistic, trend.within()));
+            .and_then(|run| {
+                let within = trend.within();
+                find(run, &trend.channel, trend.statistic, within, trend.nth)
+            });
         let (computed, error) = match found {
             Ok(quantity) => (Some(quantity.value), quantity.error_estimate()),
             Err(why) => {

@@ -136,6 +136,8 @@ table! {
         channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
+        /// Of the statistics peak and valley: which of them, counted from 1 at the end of the stretch towards A.
+        nth: Option<usize>, "number of the peak or valley", range of(1.0, 1e4), absent "not used";
         /// Window of time for the statistic.
         window_s: Option<[f64; 2]>, "window", range of(0.0, f64::INFINITY), absent "the whole run";
         /// Stretch of the line, arc length from end A, for a quantity of the whole line.
@@ -295,6 +297,11 @@ words! {
         /// Along the line at the end of the run: how many times the value rises and falls again \[-\], ripples left out as
         /// for turns.
         Peaks = "peaks",
+        /// Along the line at the end of the run: the value at its `nth` local maximum, going from A to B, ripples left out as
+        /// for turns.
+        Peak = "peak",
+        /// Along the line at the end of the run: the value at its `nth` local minimum, likewise.
+        Valley = "valley",
     }
 }
 
@@ -304,8 +311,20 @@ impl Statistic {
     pub const fn over_time(self) -> bool {
         !matches!(
             self,
-            Self::ArcOfMax | Self::ArcOfMin | Self::GreatestFall | Self::Turns | Self::Peaks
+            Self::ArcOfMax
+                | Self::ArcOfMin
+                | Self::GreatestFall
+                | Self::Turns
+                | Self::Peaks
+                | Self::Peak
+                | Self::Valley
         )
+    }
+
+    /// True where `nth` says which of several it is.
+    #[must_use]
+    pub const fn is_numbered(self) -> bool {
+        matches!(self, Self::Peak | Self::Valley)
     }
 
     /// True where it can be taken of a quantity of the whole line, over arc length.
@@ -325,7 +344,9 @@ impl Statistic {
             | Self::Travel
             | Self::MeanPeak
             | Self::MeanTrough
-            | Self::GreatestFall => channel.to_owned(),
+            | Self::GreatestFall
+            | Self::Peak
+            | Self::Valley => channel.to_owned(),
             Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
                 "s".to_owned()
             }
@@ -369,6 +390,8 @@ table! {
         channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
+        /// Of the statistics peak and valley: which of them, counted from 1 at the end of the stretch towards A.
+        nth: Option<usize>, "number of the peak or valley", range of(1.0, 1e4), absent "not used";
         /// Window of time for the statistic.
         window_s: Option<[f64; 2]>, "window", range of(0.0, f64::INFINITY), absent "the whole run";
         /// Stretch of the line, arc length from end A, for a quantity of the whole line.
