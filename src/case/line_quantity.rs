@@ -25,6 +25,10 @@ words! {
         RmsDisplacement = "rms_displacement_m",
         /// The same by the diameter of the line \[-\].
         RmsDiameters = "rms_displacement_d",
+        /// Root mean square displacement along z alone by the diameter of the line \[-\].
+        RmsVertical = "rms_vertical_d",
+        /// The same in the plane of x and y.
+        RmsHorizontal = "rms_horizontal_d",
         /// Share of the motion at the driving period that travels, 1 towards end A, -1 towards end B, 0 standing \[-\].
         Travelling = "travelling",
         /// Standing wave ratio of the motion at the driving period, 1 where all of it travels \[-\].
@@ -42,7 +46,7 @@ words! {
     pub enum EnergyQuantity {
         /// Work of ends, waves, current and traveller \[J\].
         Supplied = "energy_in_j",
-        /// Dissipated by drag, axial damping, ropes and the bed \[J\].
+        /// Dissipated by drag, axial and mass damping, ropes and the bed \[J\].
         Dissipated = "energy_dissipated_j",
         /// Change of kinetic, potential and elastic energy \[J\].
         Stored = "energy_stored_j",
@@ -85,9 +89,12 @@ impl LineQuantity {
             | Self::RmsDisplacement
             | Self::Wavelength
             | Self::WkbWavelength => "m",
-            Self::RmsDiameters | Self::Travelling | Self::StandingWaveRatio | Self::Stiffness => {
-                "-"
-            }
+            Self::RmsDiameters
+            | Self::RmsVertical
+            | Self::RmsHorizontal
+            | Self::Travelling
+            | Self::StandingWaveRatio
+            | Self::Stiffness => "-",
             Self::Curvature => "1/m",
             Self::Moment => "N m",
             Self::MeanLoad => "%",

@@ -19,6 +19,8 @@ pub enum QuantityId {
         statistic: Statistic,
         /// Window of time \[s\] or, of the whole line, stretch \[m\]; absent: all of it.
         within: Option<[f64; 2]>,
+        /// Of a statistic that is one of several, such as `peak`: its number, from 1.
+        nth: Option<usize>,
     },
     /// Difference of a channel from a published curve, by the curve's number among those of its case, from 1.
     CurveDifference(ChannelId, usize),
@@ -34,6 +36,26 @@ impl QuantityId {
             of,
             statistic,
             within,
+            nth: None,
+        }
+    }
+
+    /// The same with this number, of a statistic that is one of several.
+    #[must_use]
+    pub fn numbered(self, nth: Option<usize>) -> Self {
+        match self {
+            Self::Statistic {
+                of,
+                statistic,
+                within,
+                ..
+            } => Self::Statistic {
+                of,
+                statistic,
+                within,
+                nth,
+            },
+            curve @ Self::CurveDifference(..) => curve,
         }
     }
 
@@ -60,10 +82,12 @@ impl QuantityId {
                 of,
                 statistic,
                 within,
+                nth,
             } => {
+                let nth = nth.map(|nth| format!("_{nth}")).unwrap_or_default();
                 let window = within.map(|[from, to]| format!("({from}..{to})"));
                 let window = window.unwrap_or_default();
-                (of.clone(), format!(".{}{window}", statistic.name()))
+                (of.clone(), format!(".{}{nth}{window}", statistic.name()))
             }
             Self::CurveDifference(channel, number) => (
                 Subject::Channel(channel.clone()),
@@ -94,9 +118,20 @@ impl FromStr for QuantityId {
             let number = number.parse().map_err(|_| wrong())?;
             return Ok(Self::CurveDifference(of.parse()?, number));
         }
-        let statistic = Statistic::ALL.into_iter().find(|s| s.name() == word);
-        Ok(Self::new(of.parse()?, statistic.ok_or_else(wrong)?, within))
+        let (statistic, nth) = statistic_from(word).ok_or_else(wrong)?;
+        Ok(Self::new(of.parse()?, statistic, within).numbered(nth))
     }
+}
+
+/// The statistic of this name, and the number that ends it: `peak_2`.
+fn statistic_from(word: &str) -> Option<(Statistic, Option<usize>)> {
+    let named = |name: &str| Statistic::ALL.into_iter().find(|s| s.name() == name);
+    if let Some((name, number)) = word.rsplit_once('_')
+        && let Some(statistic) = named(name).filter(|s| s.is_numbered())
+    {
+        return Some((statistic, Some(number.parse().ok()?)));
+    }
+    Some((named(word)?, None))
 }
 
 fn window_from(text: &str) -> Option<[f64; 2]> {
@@ -117,6 +152,8 @@ mod tests {
             "z_m[a.b].c].arc_of_max(-1..0.5)",
             "tension_n[chain|wheel].from_curve_1",
             "bend_radius_m.min",
+            "rms_displacement_d.peak_2",
+            "rms_displacement_d.valley_10(0..60.5)",
             "in_plane_hz[12].final",
             "out_of_plane_mode_near.final",
             "response_steady_s.final",
@@ -131,6 +168,8 @@ mod tests {
             "tension_n[a].most",
             "x_m[a].max(1)",
             "q.max",
+            "z_m.max_1",
+            "z_m.peak_x",
         ] {
             assert!(wrong.parse::<QuantityId>().is_err(), "{wrong}");
         }

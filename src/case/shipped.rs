@@ -77,6 +77,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("pendulous/module_as_published.toml"),
     shipped!("pendulous/module_rotating.toml"),
     shipped!("ropeway/crossing.toml"),
+    shipped!("ship/anchor_line.toml"),
     shipped!("umbilical/catenary.toml"),
     shipped!("umbilical/power_cable_80m.toml"),
     shipped!("umbilical/steep_wave.toml"),
@@ -105,6 +106,8 @@ pub const BESIDE: &[Shipped] = &[
 /// The ropeways that come with the program, in the order of their paths.
 pub const ROPEWAYS: &[Shipped] = &[
     shipped!("ropeway/constant_tension.toml"),
+    shipped!("ropeway/hauling.toml"),
+    shipped!("ropeway/made_fast.toml"),
     shipped!("ropeway/span_40.toml"),
     shipped!("ropeway/span_60.toml"),
     shipped!("ropeway/span_80.toml"),
@@ -166,6 +169,13 @@ pub fn of_title(text: &str) -> Option<&'static str> {
     let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
     let (_, shipped) = all.find(|(_, shipped)| self::title(shipped) == Some(title))?;
     Some(shipped)
+}
+
+/// The text of the shipped file at this path below `cases`.
+#[must_use]
+pub fn text(path: &str) -> Option<&'static str> {
+    let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
+    all.find(|(known, _)| *known == path).map(|(_, text)| *text)
 }
 
 /// A table that comes with the program beside one of its files: the file by its path, below `cases` or with it, the table as it

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Where the cases that come with the program lie in its source.
-const FOLDER: &str = "cases";
+pub(super) const FOLDER: &str = "cases";
 
 /// A case with its text.
 #[derive(Debug)]
@@ -173,7 +173,7 @@ fn shipped() -> Result<ValidationFiles, CommandError> {
 }
 
 impl ValidationFiles {
-    /// Adds a file; cross-sections state no published values.
+    /// Adds a file.
     fn add(&mut self, kind: FileType, name: String, text: String) -> Result<(), CommandError> {
         match kind {
             FileType::Line => self.lines.push(NamedCase {
@@ -182,7 +182,6 @@ impl ValidationFiles {
                 name,
                 text,
             }),
-            FileType::Section => {}
             _ => self.others.push(OtherFile { kind, name, text }),
         }
         Ok(())
@@ -211,7 +210,7 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
         let unreadable =
             |error| CommandError::Usage(format!("Reading {} failed: {error}", file.display()));
         match FileType::of(file) {
-            FileType::Line | FileType::Section => named.lines.push(load(file)?),
+            FileType::Line => named.lines.push(load(file)?),
             kind => {
                 let text = fs::read_to_string(file).map_err(unreadable)?;
                 named.add(kind, file.display().to_string(), text)?;
@@ -229,9 +228,7 @@ fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
     for path in inside {
         if path.is_dir() {
             collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "toml")
-            && FileType::of(&path) != FileType::Section
-        {
+        } else if path.extension().is_some_and(|e| e == "toml") {
             files.push(path);
         }
     }

@@ -8,7 +8,7 @@ use crate::{
     kinds::FileType,
     reference::{self, ValidationRow},
     ropeway::{self, ROPEWAY, Ropeway},
-    section::SECTION,
+    section::{self, CrossSection, SECTION},
     ship::{self, MotionAnalysis, SHIP, Ship},
     system::{
         self, SYSTEM, SolvedSystem, SystemFile,
@@ -65,7 +65,15 @@ pub(super) fn validation(
             reference::set_edited_aside(&mut rows, &edited);
             (solved.file.about.title, rows)
         }
-        FileType::Line | FileType::Section => (String::new(), Vec::new()),
+        FileType::Section => {
+            let text = &kind::set_all::<CrossSection>(text, set).map_err(&wrong)?;
+            let design = kind::parse::<CrossSection>(text, name).map_err(wrong)?;
+            let mut rows = section::validation::rows(&design);
+            let (_, edited) = kind::edited_rows::<CrossSection>(text, before);
+            reference::set_edited_aside(&mut rows, &edited);
+            (design.section.about.title, rows)
+        }
+        FileType::Line => (String::new(), Vec::new()),
     })
 }
 

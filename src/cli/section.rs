@@ -20,7 +20,8 @@ const WIDTH: usize = 100;
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (_, design) = cases::load_with::<CrossSection>(&args.file, &[], &ImportOptions::default())?;
+    let (fields, design) =
+        cases::load_with::<CrossSection>(&args.file, &[], &ImportOptions::default())?;
     let glyphs = output::glyphs(args.ascii);
     if let Some(file) = file {
         let text = section::material_table(&design);
@@ -31,7 +32,7 @@ pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
         };
         file.write(text.as_bytes(), FileFormat::Toml)?;
     }
-    let text = report::section::report(&design, WIDTH, glyphs, args.tension_n);
+    let text = report::section::report(&design, &fields, WIDTH, glyphs, args.tension_n);
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

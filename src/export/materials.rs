@@ -205,6 +205,9 @@ fn lost(name: &str, material: &Material, target: Target, sheet: &mut Sheet) {
     if material.bore.is_some() {
         lost.push("bore");
     }
+    if material.mass_damping_per_s > 0.0 {
+        lost.push("mass damping");
+    }
     if target == Target::MapPlusPlus {
         if material.ei_n_m2 > 0.0 {
             lost.push("bending stiffness");

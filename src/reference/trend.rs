@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{
-    Outcome, TrendLine, TrendPoint, ValidationRow,
+    Outcome, RowKind, TrendLine, TrendPoint, ValidationRow,
     value::{REACHED, find},
 };
 use crate::{
@@ -34,7 +34,10 @@ pub(super) fn row<'r>(
         };
         let found = lookup(Some(&at))
             .ok_or_else(|| "It has not been run.".to_owned())
-            .and_then(|run| find(run, &trend.channel, trend.statistic, trend.within()));
+            .and_then(|run| {
+                let within = trend.within();
+                find(run, &trend.channel, trend.statistic, within, trend.nth)
+            });
         let (computed, error) = match found {
             Ok(quantity) => (Some(quantity.value), quantity.error_estimate()),
             Err(why) => {
@@ -54,6 +57,7 @@ pub(super) fn row<'r>(
             source: &trend.source,
             expect: trend.expect,
             key: study.map_or("", |s| &s.key),
+            note: trend.note.as_deref(),
             out_of_reach: trend.out_of_reach.as_deref(),
         },
         unit,
@@ -73,6 +77,8 @@ pub struct TrendStatement<'a> {
     pub expect: Direction,
     /// The key that is varied.
     pub key: &'a str,
+    /// What else its file says of it.
+    pub note: Option<&'a str>,
     /// Why it is out of reach, where it is.
     pub out_of_reach: Option<&'a str>,
 }
@@ -89,6 +95,8 @@ pub fn compare_trend(
     ValidationRow {
         outcome,
         reason,
+        kind: RowKind::Trend,
+        note: statement.note.map(str::to_owned),
         trend: Some(TrendLine {
             expect: statement.expect,
             key: statement.key.to_owned(),

@@ -1,9 +1,9 @@
 //! The comparison of a published value with its run.
 
-use super::{CalibrationBasis, Outcome, ValidationRow};
+use super::{CalibrationBasis, Outcome, RowKind, ValidationRow};
 use crate::{
-    case::{ChannelId, Provenance, Published, Statistic, StudyPoint},
-    run::{Channel, Quantity, QuantityId, Run, RunState, Subject},
+    case::{ChannelId, Evidence, LineQuantity, Provenance, Published, Statistic, StudyPoint},
+    run::{Channel, Quantity, QuantityId, Run, RunState, Subject, along_line},
 };
 
 /// A computed number is good evidence when its own error is at most this part of the tolerance.
@@ -21,7 +21,15 @@ pub(super) fn row<'r>(
     } else {
         published.statistic.unit(published.channel.unit())
     };
+    let basis = basis(published, all);
+    let kind = match basis {
+        Some(CalibrationBasis::FittedNearby) => RowKind::Fitted,
+        _ => published.kind.into(),
+    };
     let row = ValidationRow {
+        kind,
+        note: published.note.clone(),
+        tolerance_reason: published.tolerance_reason.clone(),
         at: published.at.clone(),
         from: published.change_from.clone(),
         by: published.ratio_to.clone(),
@@ -32,8 +40,7 @@ pub(super) fn row<'r>(
             published.tolerance_abs,
         )),
         inputs: Some(published.inputs),
-        fitted: published.fitted,
-        basis: basis(published, all),
+        basis,
         ..ValidationRow::not_run(&published.name, &published.source, unit)
     };
     let number = found.map(|quantity| (quantity.value, quantity.error_estimate()));
@@ -68,13 +75,20 @@ fn found<'r>(
             &published.channel,
             published.statistic,
             published.within(),
+            published.nth,
         )
     };
     let quantity = number(published.at.as_ref())?.clone();
     if let Some(stretch) = published.by_stretch_m {
         let run = lookup(published.at.as_ref());
         let run = run.ok_or_else(|| "This variant of the case has not been run.".to_owned())?;
-        let other = find(run, &published.channel, published.statistic, Some(stretch))?;
+        let other = find(
+            run,
+            &published.channel,
+            published.statistic,
+            Some(stretch),
+            published.nth,
+        )?;
         return Ok(ratio(&quantity, other));
     }
     if let Some(other) = &published.ratio_to {
@@ -117,14 +131,18 @@ fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
         other.channel == published.channel
             && other.statistic == published.statistic
             && other.within() == published.within()
+            && other.nth == published.nth
             && other.change_from == published.change_from
             && other.ratio_to == published.ratio_to
             && other.by_stretch_m == published.by_stretch_m
             && other.at == published.at
     };
-    if published.fitted {
+    if published.kind == Evidence::Fitted {
         Some(CalibrationBasis::Fitted)
-    } else if all.iter().any(|other| other.fitted && same(other)) {
+    } else if all
+        .iter()
+        .any(|other| other.kind == Evidence::Fitted && same(other))
+    {
         Some(CalibrationBasis::FittedNearby)
     } else {
         (published.inputs == Provenance::Calibrated).then_some(CalibrationBasis::Prediction)
@@ -173,11 +191,12 @@ pub(super) fn find<'r>(
     subject: &Subject,
     statistic: Statistic,
     within: Option<[f64; 2]>,
+    nth: Option<usize>,
 ) -> Result<&'r Quantity, String> {
     if let Some(why) = unfinished(run) {
         return Err(why);
     }
-    let id = QuantityId::new(subject.clone(), statistic, within);
+    let id = QuantityId::new(subject.clone(), statistic, within).numbered(nth);
     let found = run.summary.iter().find(|q| q.id == id);
     let quantity = found.ok_or_else(|| missing(run, subject, &id))?;
     if quantity.value.is_finite() {
@@ -204,11 +223,37 @@ fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
         Subject::Line(quantity) if quantity.of_bending() && !run.profile.bends() => {
             format!("Nothing bends in this run, so it has no `{id}`.")
         }
+        Subject::Line(quantity) if let Some(reason) = too_few(run, *quantity, id) => reason,
         Subject::Channel(channel) if run.history.channels.iter().all(|c| c.id != *channel) => {
             no_channel(run, channel)
         }
         _ => format!("The summary of the run does not hold `{id}`."),
     }
+}
+
+/// Why there is no n-th peak or valley, where there are fewer.
+fn too_few(run: &Run, quantity: LineQuantity, id: &QuantityId) -> Option<String> {
+    let QuantityId::Statistic {
+        statistic,
+        within,
+        nth,
+        ..
+    } = id
+    else {
+        return None;
+    };
+    let name = quantity.name();
+    let count = |statistic| along_line(&run.profile, quantity, statistic, *within, None);
+    let (count, what) = match statistic {
+        Statistic::Peak => (count(Statistic::Peaks)?, "peaks"),
+        Statistic::Valley => (
+            count(Statistic::Turns)? - count(Statistic::Peaks)?,
+            "valleys",
+        ),
+        _ => return None,
+    };
+    nth.is_some_and(|nth| nth as f64 > count)
+        .then(|| format!("`{name}` has {count} {what} there, so there is no `{id}`."))
 }
 
 fn no_channel(run: &Run, channel: &ChannelId) -> String {

@@ -78,7 +78,7 @@ pub fn waves(case: &Case, profile: &Profile) -> Table {
 
 fn waves_of(profile: &Profile, stretches: &[(&str, [f64; 2])]) -> Table {
     let statistic = |quantity, statistic, stretch: [f64; 2]| {
-        along_line(profile, quantity, statistic, Some(stretch))
+        along_line(profile, quantity, statistic, Some(stretch), None)
     };
     let mean = |quantity, stretch| statistic(quantity, Statistic::Mean, stretch);
     let nodes_mean = |values: &[f64], [from, to]: [f64; 2]| {

@@ -52,3 +52,17 @@ impl WeightCheck {
         self.tension_n - self.model.max_tension_n
     }
 }
+
+#[cfg(test)]
+mod tests {
+    /// The radius of the shipped checks, 9.4963 mm: a solid circle of 9.5 mm meshed by eight cells with parabolic edges.
+    #[test]
+    fn a_solid_circle_of_eight_parabolic_cells() {
+        let half = std::f64::consts::PI / 8.0;
+        let triangle = 0.5 * (2.0 * half).sin();
+        let segment = 2.0 / 3.0 * 2.0 * half.sin() * (1.0 - half.cos());
+        let area = 8.0 * (triangle + segment);
+        let radius = 9.5 * (area / std::f64::consts::PI).sqrt();
+        assert!((radius - 9.4963).abs() < 1e-4, "{radius}");
+    }
+}

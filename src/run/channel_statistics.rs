@@ -144,7 +144,7 @@ impl ChannelStatistics {
         let number = |w: &RequestedStatistic| match w.of {
             StatisticSource::Channel(index) => self.over_time(index, channels.get(index)?, w),
             StatisticSource::Line(quantity) => {
-                line_statistics::evaluate(profile, quantity, w.statistic, w.window)
+                line_statistics::evaluate(profile, quantity, w.statistic, w.window, w.nth)
             }
         };
         let statistics = self.wanted.iter().map(|w| (w.clone(), number(w)));
@@ -190,7 +190,9 @@ impl ChannelStatistics {
             | Statistic::ArcOfMin
             | Statistic::GreatestFall
             | Statistic::Turns
-            | Statistic::Peaks => None,
+            | Statistic::Peaks
+            | Statistic::Peak
+            | Statistic::Valley => None,
         }
     }
 }
@@ -313,6 +315,7 @@ mod tests {
             of: StatisticSource::Channel(0),
             statistic,
             window,
+            nth: None,
         };
         let mut of_channel = ChannelStatistics::new(vec![wanted]);
         let mut latest = LatestSteps::new(1, 0);

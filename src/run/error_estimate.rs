@@ -79,7 +79,7 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
             StatisticSource::Channel(index) => Subject::Channel(channels.get(index)?.id.clone()),
             StatisticSource::Line(quantity) => Subject::Line(quantity),
         };
-        let id = QuantityId::new(of, wanted.statistic, wanted.window);
+        let id = QuantityId::new(of, wanted.statistic, wanted.window).numbered(wanted.nth);
         Some(Quantity::new(id, (*number)?))
     };
     run.record.statistics.iter().filter_map(quantity).collect()

@@ -33,13 +33,14 @@ pub(super) const ALWAYS: [(LineQuantity, Statistic); 18] = [
 const SMALL_TURN: f64 = 0.01;
 
 /// A statistic of a quantity along the line, or along a stretch of it \[m\]; nothing where it was not recorded, is not
-/// finite, or the line has no such stretch.
+/// finite, the line has no such stretch, or no peak or valley of this number `nth`, from 1.
 #[must_use]
 pub fn evaluate(
     profile: &Profile,
     quantity: LineQuantity,
     statistic: Statistic,
     stretch: Option<[f64; 2]>,
+    nth: Option<usize>,
 ) -> Option<f64> {
     let arc = if quantity.of_ropes() {
         &profile.ropes.arc
@@ -75,8 +76,14 @@ pub fn evaluate(
         Statistic::ArcOfMin => extreme_of(values.smallest, |new, old| new < old)?.0,
         Statistic::Mean => cut(values.end).and_then(|(arc, values)| mean(&arc, &values))?,
         Statistic::GreatestFall => greatest_fall(&cut(values.end)?.1)?,
-        Statistic::Turns => turns(&cut(values.end)?.1)?.0,
-        Statistic::Peaks => turns(&cut(values.end)?.1)?.1,
+        Statistic::Turns => count(turns(&cut(values.end)?.1)?, |_| true),
+        Statistic::Peaks => count(turns(&cut(values.end)?.1)?, |turn| turn.peak),
+        Statistic::Peak | Statistic::Valley => {
+            let peak = statistic == Statistic::Peak;
+            let turns = turns(&cut(values.end)?.1)?.into_iter();
+            let mut alike = turns.filter(|turn| turn.peak == peak);
+            alike.nth(nth?.checked_sub(1)?)?.value
+        }
         _ => return None,
     };
     value.is_finite().then_some(value)
@@ -120,6 +127,8 @@ impl NodeValues {
             LineQuantity::MeanLoad => Self::at_end(&ropes.mean_load),
             LineQuantity::RmsDisplacement => Self::at_end(&p.rms),
             LineQuantity::RmsDiameters => Self::at_end(&p.rms_diameters),
+            LineQuantity::RmsVertical => Self::at_end(&p.rms_vertical),
+            LineQuantity::RmsHorizontal => Self::at_end(&p.rms_horizontal),
             LineQuantity::Wavelength => Self::at_end(&wavelengths(&p.wave_number)),
             LineQuantity::WkbWavelength => Self::at_end(&wavelengths(&p.wkb_number)),
             // Not of a node, but of a stretch.
@@ -193,8 +202,15 @@ fn greatest_fall(values: &[f64]) -> Option<f64> {
     Some(fall)
 }
 
-/// How often the values turn, small ripples left out, and how often they do so at a peak.
-fn turns(values: &[f64]) -> Option<(f64, f64)> {
+/// A place where values turn from rising to falling, a peak, or back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Turn {
+    value: f64,
+    peak: bool,
+}
+
+/// Where the values turn, in their order; small ripples are left out.
+fn turns(values: &[f64]) -> Option<Vec<Turn>> {
     let first = *values.first()?;
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -202,7 +218,7 @@ fn turns(values: &[f64]) -> Option<(f64, f64)> {
     // The extreme values since the last turn; a way is known once one of them is far enough behind.
     let (mut bottom, mut top) = (first, first);
     let mut rising = None;
-    let (mut count, mut peaks) = (0, 0);
+    let mut found = Vec::new();
     for value in values.iter().copied() {
         (bottom, top) = (bottom.min(value), top.max(value));
         let way = match rising {
@@ -211,13 +227,19 @@ fn turns(values: &[f64]) -> Option<(f64, f64)> {
             _ => rising,
         };
         if way != rising {
-            count += u32::from(rising.is_some());
-            peaks += u32::from(rising == Some(true));
+            found.extend(rising.map(|peak| Turn {
+                value: if peak { top } else { bottom },
+                peak,
+            }));
             rising = way;
             (bottom, top) = (value, value);
         }
     }
-    Some((f64::from(count), f64::from(peaks)))
+    Some(found)
+}
+
+fn count(turns: Vec<Turn>, of: impl Fn(&Turn) -> bool) -> f64 {
+    turns.iter().filter(|turn| of(turn)).count() as f64
 }
 
 #[cfg(test)]
@@ -226,15 +248,52 @@ mod tests {
 
     #[test]
     fn up_down_up_turns_twice_and_ripples_do_not_count() {
-        assert_eq!(turns(&[0.0, 1.0, 2.0, 3.0]), Some((0.0, 0.0)));
-        assert_eq!(turns(&[0.0, 5.0, 2.0, 8.0]), Some((2.0, 1.0)));
+        let counts = |values: &[f64]| {
+            let peaks = count(turns(values)?, |turn| turn.peak);
+            Some((count(turns(values)?, |_| true), peaks))
+        };
+        assert_eq!(counts(&[0.0, 1.0, 2.0, 3.0]), Some((0.0, 0.0)));
+        assert_eq!(counts(&[0.0, 5.0, 2.0, 8.0]), Some((2.0, 1.0)));
         assert_eq!(
-            turns(&[0.0, 50.0, 49.8, 50.1, 20.0, 80.0]),
+            counts(&[0.0, 50.0, 49.8, 50.1, 20.0, 80.0]),
             Some((2.0, 1.0))
         );
-        assert_eq!(turns(&[3.0, 1.0]), Some((0.0, 0.0)));
-        assert_eq!(turns(&[1.0; 4]), Some((0.0, 0.0)));
-        assert_eq!(turns(&[]), None);
+        assert_eq!(counts(&[3.0, 1.0]), Some((0.0, 0.0)));
+        assert_eq!(counts(&[1.0; 4]), Some((0.0, 0.0)));
+        assert_eq!(counts(&[]), None);
+    }
+
+    #[test]
+    fn peaks_and_valleys_are_counted_from_end_a() {
+        // sin 3s + s/10 turns at cos 3s = -1/30, with small ripples that are no turns.
+        let arc: Vec<f64> = (0..=6000).map(|i| f64::from(i) * 1e-3).collect();
+        let curve = |s: f64| (3.0 * s).sin() + 0.1 * s;
+        let ripple = |s: f64| 1e-3 * (400.0 * s).sin();
+        let profile = Profile {
+            rms: arc.iter().map(|s| curve(*s) + ripple(*s)).collect(),
+            arc,
+            ..Profile::default()
+        };
+        let take = |statistic, nth, stretch| {
+            let quantity = LineQuantity::RmsDisplacement;
+            evaluate(&profile, quantity, statistic, stretch, Some(nth))
+        };
+        let first_peak = (-1.0_f64 / 30.0).acos() / 3.0;
+        let first_valley = (std::f64::consts::TAU - (-1.0_f64 / 30.0).acos()) / 3.0;
+        let wave = std::f64::consts::TAU / 3.0;
+        for n in 0..3_usize {
+            let along = wave * n as f64;
+            let near = |found: Option<f64>, s: f64| (found.unwrap() - curve(s)).abs() < 2e-3;
+            assert!(near(take(Statistic::Peak, n + 1, None), first_peak + along));
+            let valley = take(Statistic::Valley, n + 1, None);
+            assert!(near(valley, first_valley + along));
+        }
+        assert_eq!(take(Statistic::Peak, 4, None), None);
+        assert_eq!(take(Statistic::Peak, 0, None), None);
+        // A stretch that begins behind the first peak has the second as its first.
+        let second = take(Statistic::Peak, 2, None);
+        assert_eq!(take(Statistic::Peak, 1, Some([1.0, 6.0])), second);
+        assert_eq!(take(Statistic::Peak, 3, Some([1.0, 6.0])), None);
     }
 
     #[test]
@@ -246,7 +305,7 @@ mod tests {
             tension_min: vec![0.0, 4.0, 2.0, 6.0],
             ..Profile::default()
         };
-        let take = |s, stretch| evaluate(&profile, LineQuantity::Tension, s, Some(stretch));
+        let take = |s, stretch| evaluate(&profile, LineQuantity::Tension, s, Some(stretch), None);
         assert_eq!(take(Statistic::Mean, [1.0, 1.0]), Some(2.0));
         assert_eq!(take(Statistic::Mean, [8.0, 8.0]), Some(6.0));
         assert_eq!(take(Statistic::Mean, [0.0, 2.0]), Some(2.0));
@@ -271,7 +330,7 @@ mod tests {
             tension_min: vec![1.0, 4.0, -3.0],
             ..Profile::default()
         };
-        let take = |q, s| evaluate(&profile, q, s, None);
+        let take = |q, s| evaluate(&profile, q, s, None, None);
         assert_eq!(take(LineQuantity::Tension, Statistic::Max), Some(9.0));
         assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMax), Some(2.0));
         assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMin), Some(5.0));

@@ -273,6 +273,12 @@ pub struct Profile {
     pub rms: Vec<f64>,
     /// The same by the diameter \[-\]; likewise.
     pub rms_diameters: Vec<f64>,
+    /// Root mean square displacements along z alone by the diameter \[-\]; likewise.
+    #[serde(default)]
+    pub rms_vertical: Vec<f64>,
+    /// The same in the plane of x and y \[-\]; likewise.
+    #[serde(default)]
+    pub rms_horizontal: Vec<f64>,
     /// Displacement across the line at the driving period, `Re((cos + i sin) e^(i omega t))` \[m\]: its real part; likewise.
     pub wave_cos: Vec<f64>,
     /// Its imaginary part \[m\]; likewise.

@@ -22,6 +22,8 @@ pub struct RequestedStatistic {
     pub statistic: Statistic,
     /// Over which window of time \[s\] or, of the whole line, which stretch \[m\]; absent: all of it.
     pub window: Option<[f64; 2]>,
+    /// Which of several, of peaks and valleys.
+    pub nth: Option<usize>,
 }
 
 /// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, the extremes of
@@ -33,6 +35,7 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         of,
         statistic,
         window: None,
+        nth: None,
     };
     let mut list: Vec<RequestedStatistic> = (0..channels.len())
         .flat_map(|channel| {
@@ -46,14 +49,17 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
     let published = case
         .published
         .iter()
-        .map(|p| (&p.channel, p.statistic, p.within()));
+        .map(|p| (&p.channel, p.statistic, p.within(), p.nth));
     let trends = case
         .trend
         .iter()
-        .map(|t| (&t.channel, t.statistic, t.within()));
+        .map(|t| (&t.channel, t.statistic, t.within(), t.nth));
     let others = case.published.iter();
-    let others = others.filter_map(|p| Some((&p.channel, p.statistic, Some(p.by_stretch_m?))));
-    for (subject, statistic, window) in published.chain(others).chain(trends) {
+    let others = others.filter_map(|p| {
+        let stretch = Some(p.by_stretch_m?);
+        Some((&p.channel, p.statistic, stretch, p.nth))
+    });
+    for (subject, statistic, window, nth) in published.chain(others).chain(trends) {
         let of = match subject {
             Subject::Channel(id) => {
                 let index = channels.iter().position(|channel| channel.id == *id);
@@ -69,6 +75,7 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
             of,
             statistic,
             window,
+            nth,
         };
         if !list.contains(&item) {
             list.push(item);

@@ -24,6 +24,9 @@ pub struct ResponseSums {
     origin: Vec<V3>,
     sum: Vec<V3>,
     squares: Vec<f64>,
+    /// The same in the plane of x and y, and along z.
+    #[serde(default)]
+    squares_by_plane: Vec<[f64; 2]>,
     cos: Vec<V3>,
     sin: Vec<V3>,
     /// Sums of the cosines and sines themselves, for windows of no whole number of periods.
@@ -48,8 +51,9 @@ impl ResponseSums {
     /// Whether they are those of so many nodes, or of none yet.
     pub(super) fn fits(&self, nodes: usize) -> bool {
         let [a, b, c, d] = [&self.origin, &self.sum, &self.cos, &self.sin].map(Vec::len);
-        let sizes = [a, b, c, d, self.squares.len()];
-        sizes == [nodes; 5] || sizes == [0; 5]
+        let (e, f) = (self.squares.len(), self.squares_by_plane.len());
+        let sizes = [a, b, c, d, e, f];
+        sizes == [nodes; 6] || sizes == [0; 6]
     }
 
     /// Takes in the nodes at an output time.
@@ -64,6 +68,7 @@ impl ResponseSums {
             self.cos = vec![V3::zeros(); n];
             self.sin = vec![V3::zeros(); n];
             self.squares = vec![0.0; n];
+            self.squares_by_plane = vec![[0.0; 2]; n];
         }
         let (sin, cos) = (self.omega.unwrap_or(0.0) * time).sin_cos();
         self.count += 1.0;
@@ -73,6 +78,9 @@ impl ResponseSums {
             let u = x - origin;
             self.sum[i] += u;
             self.squares[i] += u.norm_squared();
+            let [horizontal, vertical] = &mut self.squares_by_plane[i];
+            *horizontal += u.xy().norm_squared();
+            *vertical += u.z * u.z;
             self.cos[i] += u * cos;
             self.sin[i] += u * sin;
         }
@@ -91,6 +99,15 @@ impl ResponseSums {
             .collect();
         let by_diameter = profile.rms.iter().zip(diameters);
         profile.rms_diameters = by_diameter.map(|(rms, d)| rms / d).collect();
+        let by_plane = |plane: usize, of_mean: fn(&V3) -> f64| -> Vec<f64> {
+            let sums = mean.iter().zip(&self.squares_by_plane).zip(diameters);
+            let rms = |((m, s), d): ((&V3, &[f64; 2]), &f64)| {
+                (s[plane] / self.count - of_mean(m)).max(0.0).sqrt() / d
+            };
+            sums.map(rms).collect()
+        };
+        profile.rms_horizontal = by_plane(0, |m| m.xy().norm_squared());
+        profile.rms_vertical = by_plane(1, |m| m.z * m.z);
         let places: Vec<V3> = mean.iter().zip(&self.origin).map(|(m, o)| m + o).collect();
         let across = LinePlane::of(&places).across(&places);
         let share = 2.0 / self.count;
@@ -221,6 +238,27 @@ mod tests {
             assert!((rms - 2.0_f64.sqrt()).abs() < 1e-9);
             assert!((by_diameter - 2.0 * rms).abs() < 1e-12);
         }
+    }
+
+    #[test]
+    fn displacements_along_z_and_across_it_are_apart() {
+        let mut response = ResponseSums::default();
+        for n in 0..1000 {
+            let phase = TAU * 0.01 * f64::from(n);
+            let turning = V3::new(3.0 * phase.cos(), 4.0 * phase.cos(), 2.0 * phase.sin());
+            response.add(f64::from(n), &[turning + V3::new(1.0, 2.0, 3.0), V3::x()]);
+        }
+        let mut profile = Profile::default();
+        response.finish(&[0.5, 0.5], &mut profile);
+        let root = 0.5_f64.sqrt() / 0.5;
+        assert!((profile.rms_horizontal[0] - 5.0 * root).abs() < 1e-9);
+        assert!((profile.rms_vertical[0] - 2.0 * root).abs() < 1e-9);
+        let both = profile.rms_horizontal[0].hypot(profile.rms_vertical[0]);
+        assert!((both - profile.rms_diameters[0]).abs() < 1e-9);
+        assert_eq!(
+            (profile.rms_horizontal[1], profile.rms_vertical[1]),
+            (0.0, 0.0)
+        );
     }
 
     #[test]

@@ -42,7 +42,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
         rigid_payload.as_ref(),
         &mut remarks,
     )?;
-    let elements = Elements::of_case(case, &line, &clumps, rigid_payload);
+    let elements = Elements::of_case(case, coarsening, &line, &clumps, rigid_payload);
     remarks.extend(clamps_without_effect(case, &line.segments));
     remarks.extend(unused_inputs::remarks(case));
     let mut scene = Scene {

@@ -16,6 +16,7 @@ mod body_loads;
 mod current_slope;
 mod fed_end;
 mod flexure;
+mod mass_damping;
 mod rigid_payload;
 mod traveller;
 mod water_loads;
@@ -32,6 +33,7 @@ use current_slope::CurrentSlope;
 pub use fed_end::{DrumPull, FedEnd, PaidOut};
 pub use flexure::Flexure;
 pub(super) use flexure::clamps_without_effect;
+pub use mass_damping::MassDamping;
 pub use rigid_payload::RigidPayload;
 pub use traveller::TravellingBody;
 use water_loads::WaterLoads;
@@ -45,6 +47,8 @@ pub struct Elements {
     pub body_contact: Option<BodyContact>,
     /// Bending, where any material has a bending stiffness.
     pub flexure: Option<Flexure>,
+    /// Damping by mass, where any material has it.
+    pub mass_damping: Option<MassDamping>,
     /// A body that travels along the line.
     pub traveller: Option<TravellingBody>,
     /// A payload that rotates about the last node of the line.
@@ -54,9 +58,10 @@ pub struct Elements {
 }
 
 impl Elements {
-    /// The elements of a case on its line, with clumps at these nodes. The payload is built before the line, whose last segment is its rod.
+    /// The elements of a case on its line of such a mesh, with clumps at these nodes. The payload is built before the line, whose last segment is its rod.
     pub(super) fn of_case(
         case: &Case,
+        coarsening: usize,
         line: &LumpedLine,
         clumps: &[usize],
         rigid_payload: Option<RigidPayload>,
@@ -69,6 +74,7 @@ impl Elements {
                 .as_ref()
                 .map(|bed| BedContact::new((bed, &case.files), &line.segments)),
             flexure: Flexure::of_case(case, &line.segments),
+            mass_damping: MassDamping::of_case(case, coarsening),
             traveller: TravellingBody::of_case(case),
             rigid_payload,
             fed_ends: [None, None],
@@ -81,11 +87,12 @@ impl Elements {
         fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
             element.as_ref().map(|element| element as &dyn Element)
         }
-        let list: [Option<&dyn Element>; 10] = [
+        let list: [Option<&dyn Element>; 11] = [
             some(&self.bed),
             some(&self.body_contact),
             Some(&WaterLoads),
             some(&self.flexure),
+            some(&self.mass_damping),
             some(&self.traveller),
             Some(&BodyLoads),
             Some(&CurrentSlope),

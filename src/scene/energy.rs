@@ -37,7 +37,7 @@ impl Scene {
         energy
     }
 
-    /// Power of drag, axial damping and the fading memory of ropes \[W\], positive if energy is lost. Drag in a current or in
+    /// Power of drag, axial and mass damping and the fading memory of ropes \[W\], positive if energy is lost. Drag in a current or in
     /// waves may put energy in.
     #[must_use]
     pub fn dissipation(&self, state: &State) -> f64 {

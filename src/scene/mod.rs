@@ -49,7 +49,8 @@ mod waves;
 pub use build::build;
 pub(crate) use build::current as current_profile;
 pub use elements::{
-    BedContact, DrumPull, Elements, FedEnd, Flexure, PaidOut, RigidPayload, TravellingBody,
+    BedContact, DrumPull, Elements, FedEnd, Flexure, MassDamping, PaidOut, RigidPayload,
+    TravellingBody,
 };
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;

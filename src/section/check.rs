@@ -3,8 +3,10 @@
 use super::format::{at_least, at_most, mm};
 use super::lay_out::{LayoutError, LayoutKey, TOUCH};
 use super::model::{CentreKeys, LayerKeys, SectionKeys, TubeKeys, UnitKeys};
+use super::quantities::QUANTITIES;
 use crate::case::schema::{Key, TableNode};
 use crate::case::{Finding, TomlNode, unknown, unknown_name, used_twice};
+use crate::reference::published_number;
 
 /// Armour layers a section may have: as many as the program of Lin et al. 2016 (section 2.1) takes.
 pub const MOST_ARMOUR: usize = 4;
@@ -33,12 +35,21 @@ pub(super) fn check(section: &SectionKeys<'_>) -> Vec<Finding> {
         )
     }));
     found.extend(layers().filter_map(lay_angle));
+    found.extend(published_number::check(
+        &section.published,
+        unknown_quantity,
+    ));
     let file = section.place.node;
     if let (Some(about), None, None) = (&section.about, file.get("centre"), file.get("layer")) {
         let remedy = "add [centre], or a [[layer]] of units";
         found.push(about.place.finding("holds nothing", remedy));
     }
     found
+}
+
+fn unknown_quantity(key: &Key<'_, String>) -> Option<Finding> {
+    let known: Vec<&str> = QUANTITIES.iter().map(|quantity| quantity.name).collect();
+    unknown(key, &known, "quantity", "section")
 }
 
 /// An error of the layout at its key.

@@ -114,8 +114,10 @@ mod tests {
     fn every_key_of_the_file_is_listed_and_comments_tell_standings() {
         let rows = rows::<CrossSection>(TEXT);
         let given = rows.iter().filter(|row| row.given).count();
+        // Published values are no inputs.
         let keys = TEXT
             .lines()
+            .take_while(|line| *line != "[[published]]")
             .filter(|line| line.contains(" = ") && !line.starts_with('#'));
         assert_eq!(given, keys.count());
         let of = |path: &str| {

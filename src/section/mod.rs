@@ -3,7 +3,8 @@
 //!
 //! [`model`] declares the keys of a section file. [`design`](design()) lays out the geometry ([`layout`], by the [`packing`]
 //! of helices) and computes [`stiffness`], [`bending`], [`weight`] and [`strength`]. [`material`] and
-//! [`material_table`](material_table()) give the material.
+//! [`material_table`](material_table()) give the material. [`quantities`] are what published values may name, [`validation`] compares
+//! them.
 
 pub mod bending;
 mod check;
@@ -16,8 +17,10 @@ pub mod layout;
 mod material_table;
 pub mod model;
 pub mod packing;
+pub mod quantities;
 pub mod stiffness;
 pub mod strength;
+pub mod validation;
 pub mod weight;
 
 pub use check::{LAY_ANGLES, MOST_ARMOUR};

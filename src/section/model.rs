@@ -6,6 +6,7 @@ use std::fmt;
 use crate::case::fields::ValueType::Name;
 use crate::case::fields::{Range, of, positive};
 use crate::case::schema::{table, variants, words};
+use crate::reference::PublishedNumber;
 
 const LENGTH: Range = positive(10.0);
 const DENSITY: Range = of(0.0, 3e4);
@@ -28,6 +29,8 @@ table! {
         centre: Option<Centre>;
         /// The layers around it, from the inside out.
         layers: Vec<Layer> as "layer";
+        /// A published value the section is held against.
+        published: Vec<PublishedNumber>;
     }
 }
 

@@ -31,7 +31,7 @@ pub fn main_results(case: &Case) -> Vec<QuantityId> {
         .filter(|published| published.at.is_none());
     for published in own {
         let (of, statistic) = (published.channel.clone(), published.statistic);
-        let id = QuantityId::new(of, statistic, published.within());
+        let id = QuantityId::new(of, statistic, published.within()).numbered(published.nth);
         if !list.contains(&id) && list.len() < MOST_PUBLISHED {
             list.push(id);
         }
@@ -105,7 +105,7 @@ pub fn result_ids(case: &Case) -> Vec<QuantityId> {
             StatisticSource::Channel(index) => Subject::Channel(channels[index].id.clone()),
             StatisticSource::Line(quantity) => Subject::Line(quantity),
         };
-        QuantityId::new(of, asked.statistic, asked.window)
+        QuantityId::new(of, asked.statistic, asked.window).numbered(asked.nth)
     });
     let mut ids: Vec<QuantityId> = statistics.collect();
     let modes = case.modes.as_ref();

@@ -13,6 +13,7 @@ mod hard_cases;
 mod heaved_chains;
 mod json_schema;
 mod line_tables;
+mod papers;
 mod random_text;
 mod ropeway;
 mod ropeway_motion;

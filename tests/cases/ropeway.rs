@@ -34,7 +34,7 @@ fn seacable(words: &[&str]) -> Output {
 
 #[test]
 fn the_tables_of_the_paper_hold_and_its_misprints_are_reported() {
-    let expected = [("40", 10, 3), ("60", 12, 1), ("80", 13, 2)];
+    let expected = [("40", 10, 2), ("60", 12, 0), ("80", 15, 2)];
     for (span, pass, differs) in expected {
         let path = format!("ropeway/span_{span}.toml");
         let (_, text) = ROPEWAYS.iter().find(|known| known.0 == path).unwrap();
@@ -55,7 +55,7 @@ fn the_tables_of_the_paper_hold_and_its_misprints_are_reported() {
         let misprint = rows.iter().find(|row| row.name == "ANSYS tension").unwrap();
         let message = misprint.reason.as_deref().unwrap_or_default();
         assert_eq!(misprint.outcome == Outcome::Differs, span == "40");
-        assert_eq!(message.contains("1157.21 N"), span == "40");
+        assert_eq!(message.contains("1157.20 N"), span == "40");
     }
 }
 
@@ -305,7 +305,7 @@ fn the_command_line_reports_validates_and_points_the_way() {
     assert!(held.status.success());
     assert!(
         String::from_utf8_lossy(&held.stdout)
-            .contains("41 rows: 35 PASS, 0 FAIL, 6 DIFFERS, 0 NOT RUN")
+            .contains("51 rows: 47 PASS, 0 FAIL, 4 DIFFERS, 0 NOT RUN")
     );
     let bad = seacable(&[
         "ropeway",

@@ -8,6 +8,7 @@ use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
 use proptest::prelude::*;
 use seacable::case::{self, Diagnostic, kind};
+use seacable::reference::Outcome;
 use seacable::report::chart::{Glyphs, draw};
 use seacable::report::section::{drawing, report};
 use seacable::section::model::{Core, LayDirection, Layer};
@@ -676,16 +677,87 @@ fn drawings() {
     );
 }
 
+/// A row of a section file for this quantity.
+fn published(quantity: &str, value: f64) -> String {
+    format!(
+        "\n[[published]]\nname = \"{quantity}\"\nquantity = \"{quantity}\"\nvalue = {value:?}\n\
+         tolerance_rel = 1e-9\nsource = \"worked out\"\ninputs = \"assumed\"\n"
+    )
+}
+
+#[test]
+fn published_values_of_a_section_are_held_against_its_design() {
+    let design = umbilical();
+    let numbers = [
+        ("outer_diameter_m", 2.0 * design.layout.outer_radius),
+        ("mass_kg_per_m", design.weight.in_air),
+        ("wet_weight_n_per_m", design.weight.in_water_force),
+        ("ea_rigid_n", design.rigid.tension_strain),
+        ("ea_incompressible_n", design.incompressible.tension_strain),
+        ("gj_n_m2", design.rigid.torque_twist),
+        ("ei_slip_n_m2", design.bending.full_slip()),
+        ("units", 10.0),
+        ("armour_layers", 2.0),
+    ];
+    let rows: Vec<String> = numbers
+        .iter()
+        .map(|(name, value)| published(name, *value))
+        .collect();
+    let text = format!("{}{}", text_of("section.toml"), rows.concat());
+    let design = kind::parse::<CrossSection>(&text, "section.toml").unwrap();
+    let found = section::validation::rows(&design);
+    let found = &found[found.len() - numbers.len()..];
+    for (row, (name, _)) in found.iter().zip(numbers) {
+        assert_eq!(
+            (row.name.as_str(), row.outcome),
+            (name, Outcome::Pass),
+            "{row:?}"
+        );
+        assert_eq!(row.error, Some(0.0));
+    }
+    assert_eq!(found[0].unit, "m");
+    assert!(report(&design, &[], 100, Glyphs::Ascii, None).contains("Validation"));
+    let wrong = format!("{text}{}", published("ea_rigd_n", 1.0));
+    let faults = kind::parse::<CrossSection>(&wrong, "section.toml").unwrap_err();
+    assert!(
+        messages(&faults).contains("did you mean \"ea_rigid_n\"?"),
+        "{}",
+        messages(&faults)
+    );
+}
+
+#[test]
+fn the_command_line_validates_a_section() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = text_of("section.toml");
+    let rows = [published("units", 10.0), published("armour_layers", 3.0)].concat();
+    std::fs::write(dir.path().join("mine.toml"), format!("{text}{rows}")).unwrap();
+    let validate = |set: &[&str]| {
+        let mut command = Command::cargo_bin("seacable").unwrap();
+        command
+            .current_dir(dir.path())
+            .args(["validate", "mine.toml"]);
+        for edit in set {
+            command.args(["--set", edit]);
+        }
+        command.assert()
+    };
+    validate(&[]).code(1).stdout(contains("1 FAIL"));
+    validate(&["units.tube.wall_m=0.002"])
+        .success()
+        .stdout(contains("EDITED"));
+}
+
 #[test]
 fn the_page_of_the_umbilical() {
-    let text = report(&umbilical(), 100, Glyphs::Ascii, None);
+    let text = report(&umbilical(), &[], 100, Glyphs::Ascii, None);
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_umbilical_tables_100",
         &format!("Layers, from{tables}"),
     );
     let cable = load("section_power_cable.toml");
-    let text = report(&cable, 80, Glyphs::Ascii, Some(1e6));
+    let text = report(&cable, &[], 80, Glyphs::Ascii, Some(1e6));
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_power_cable_tables_80",
@@ -894,7 +966,7 @@ proptest! {
             let glyphs = if cut { Glyphs::Ascii } else { Glyphs::Braille };
             let picture = draw(&drawing::chart(&design), size.0, size.1, glyphs).to_text();
             prop_assert!(picture.lines().all(|line| line.chars().count() <= size.0));
-            prop_assert!(!report(&design, size.0, glyphs, None).is_empty());
+            prop_assert!(!report(&design, &[], size.0, glyphs, None).is_empty());
         }
     }
 }

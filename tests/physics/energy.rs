@@ -132,6 +132,15 @@ fn the_books_of_every_scene_balance() {
             ),
             1e-5,
         ),
+        // A line damped by its mass, its end moved.
+        (
+            "damped by mass",
+            format!(
+                "{}{BODY}{DRIVEN}environment.water_density_kg_per_m3 = 1025.0\nline = {{ length_m = 30.0, segments = 6 }}\nstart = {{ shape = \"straight\", elevation_deg = -60.0 }}\n",
+                ROPE.replace("{ mass", "{ mass_damping_per_s = 0.8, mass")
+            ),
+            1e-5,
+        ),
         // A bed with friction, an end dragged over it.
         (
             "dragged",

@@ -15,6 +15,7 @@ mod body_on_bed;
 mod convergence_norm;
 mod drag_length;
 mod energy;
+mod mass_damping;
 mod rigid_body;
 mod rods;
 mod rope;

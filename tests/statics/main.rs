@@ -20,5 +20,6 @@ mod line_between_ends;
 mod random_lines;
 mod reconfiguration;
 mod sections;
+mod slender_rod;
 mod umbilical;
 mod warnings;

@@ -163,8 +163,8 @@ fn exceeded_limits_are_reported() {
     };
     assert!(run(&[]).info.warnings.is_empty());
     let run = run(&[
-        ("materials.umbilical.break_load_n", "1e4"),
-        ("materials.umbilical.min_bend_radius_m", "15.0"),
+        ("materials.umbilical.break_load_n", "1.5e4"),
+        ("materials.umbilical.min_bend_radius_m", "20.0"),
     ]);
     let reported = &run.info.warnings;
     assert_eq!(reported.len(), 2, "{reported:?}");
@@ -179,10 +179,33 @@ fn exceeded_limits_are_reported() {
     let named = |name: &str| run.quantity(name).unwrap();
     let (radius, curvature) = (named("bend_radius_m.min"), named("curvature_per_m.max"));
     assert!((radius.value * curvature.value - 1.0).abs() < 1e-12);
-    assert!(radius.mesh_error.unwrap() < 0.01 * radius.value);
+    // It lies where the floats end and the load jumps.
+    assert!(radius.mesh_error.unwrap() < 0.05 * radius.value);
     assert_eq!(named("moment_nm.max").unit(), "N m");
     assert_eq!(
         named("tension_n.arc_of_max").value.to_bits(),
         220f64.to_bits()
     );
+}
+
+/// Volume and mass per length of floats and cable are kept (eqs 20 and 21 of Lin et al. 2016), and so is drag.
+#[test]
+fn floats_are_spread_by_volume_and_mass() {
+    let (scene, ..) = rest(&set(&[("modules.buoyant.diameter_m", "0.35")]), 1);
+    let (dp, df, filled, rho): (f64, f64, f64, f64) = (0.0941, 0.35, 0.75, 1025.0);
+    let od = ((df * df - dp * dp) * filled + dp * dp).sqrt();
+    let volume = std::f64::consts::FRAC_PI_4 * (od * od - dp * dp);
+    let [bare, floated] = [10, 40].map(|i| scene.line.segments[i]);
+    let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+    near(2.0 * (floated.half_mass - bare.half_mass), volume * 400.0);
+    near(
+        2.0 * (bare.half_weight - floated.half_weight),
+        volume * (rho - 400.0) * 9.80665,
+    );
+    near(
+        2.0 * (floated.added.normal - bare.added.normal),
+        volume * rho,
+    );
+    near(floated.drag.floats, 0.5 * rho * 1.0 * df * filled);
+    near(floated.drag.normal, 0.25 * bare.drag.normal);
 }

@@ -79,3 +79,20 @@ pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -
         )
     })
 }
+
+/// A peak or a valley has a number, and nothing else has one.
+pub(super) fn number(nth: &Key<'_, usize>, statistic: &Key<'_, Statistic>) -> Option<Finding> {
+    let taken = statistic.value()?;
+    let word = taken.name();
+    if !taken.is_numbered() {
+        let problem = format!("`{word}` has no number: only `peak` and `valley` have one");
+        return nth.if_given(problem, "leave `nth` out, or take `peak` or `valley`");
+    }
+    (!nth.is_given()).then(|| {
+        let problem = format!("which {word} is meant is not stated");
+        statistic.finding(
+            problem,
+            "add `nth = 1` for the first from end A, 2 for the next",
+        )
+    })
+}

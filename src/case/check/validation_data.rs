@@ -3,7 +3,7 @@
 use super::names::{unknown, unknown_name, used_twice};
 use super::paths::existing;
 use super::recorded;
-use super::taken::{stretch, suits, window};
+use super::taken::{number as number_of, stretch, suits, window};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{Field, ValueType, check_value, number};
 use crate::case::model::{
@@ -93,6 +93,7 @@ fn published(
     let found = [
         channel(case, &row.channel, known),
         suits(&row.statistic, &row.channel),
+        number_of(&row.nth, &row.statistic),
         window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
         stretch(&row.by_stretch_m, &row.channel),
@@ -113,6 +114,7 @@ fn trend(case: &CaseKeys<'_>, row: &TrendKeys<'_>, known: Option<&[String]>) -> 
     let found = [
         channel(case, &row.channel, known),
         suits(&row.statistic, &row.channel),
+        number_of(&row.nth, &row.statistic),
         window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
         study_of(case, &row.study).err(),

@@ -250,6 +250,7 @@ const UNITS: &[(&str, &str)] = &[
     ("N", "n"),
     ("kg", "kg"),
     ("deg", "deg"),
+    ("1/s", "per_s"),
     ("m/s", "m_per_s"),
     ("deg/s", "deg_per_s"),
     ("deg/s²", "deg_per_s2"),

@@ -63,6 +63,8 @@ table! {
         axial_damping_n_s: Option<f64>, "axial damping", range of(0.0, 1e13), absent "no axial damping";
         /// Fraction of critical of a segment's highest axial mode. Give this or axial_damping_n_s.
         axial_damping_ratio: Option<f64>, "axial damping ratio", range of(0.0, 10.0), absent "no axial damping";
+        /// Rayleigh's alpha: each node is slowed by alpha times its velocity and its mass with floats and normal added mass.
+        mass_damping_per_s: f64 = 0.0, "mass damping", range of(0.0, 100.0);
         /// Coefficient on the diameter, or a law of the Reynolds number by name.
         drag_normal: DragCoefficient = 0.0, "normal drag", kind NORMAL_DRAG, range of(0.0, 100.0);
         /// Coefficient on the width below, or a law of the Reynolds number by name.

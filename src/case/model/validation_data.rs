@@ -40,6 +40,20 @@ words! {
     }
 }
 
+words! {
+    /// What an agreement with a published number is worth as evidence.
+    pub enum Evidence {
+        /// Computed from inputs none of which was fitted to it.
+        Predicted = "predicted",
+        /// An input was fitted to this very number: agreement is no evidence.
+        Fitted = "fitted",
+        /// An input, or an exact consequence of inputs: agreement is no evidence.
+        Echoed = "echoed",
+        /// A formula worked out beside the source: it checks the program, not the source.
+        ClosedForm = "closed-form",
+    }
+}
+
 table! {
     /// One key, or several together, varied over a list of values.
     #[derive(Debug, Clone, PartialEq)]
@@ -122,6 +136,8 @@ table! {
         channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
+        /// Of the statistics peak and valley: which of them, counted from 1 at the end of the stretch towards A.
+        nth: Option<usize>, "number of the peak or valley", range of(1.0, 1e4), absent "not used";
         /// Window of time for the statistic.
         window_s: Option<[f64; 2]>, "window", range of(0.0, f64::INFINITY), absent "the whole run";
         /// Stretch of the line, arc length from end A, for a quantity of the whole line.
@@ -138,8 +154,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed value, at worst.
         inputs: Provenance, "inputs";
-        /// True when an input was fitted to this very number: agreement is then no evidence.
-        fitted: bool = false, "fitted";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the number cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
@@ -178,6 +198,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed curve, at worst.
         inputs: Provenance, "inputs";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the curve cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
@@ -271,6 +297,11 @@ words! {
         /// Along the line at the end of the run: how many times the value rises and falls again \[-\], ripples left out as
         /// for turns.
         Peaks = "peaks",
+        /// Along the line at the end of the run: the value at its `nth` local maximum, going from A to B, ripples left out as
+        /// for turns.
+        Peak = "peak",
+        /// Along the line at the end of the run: the value at its `nth` local minimum, likewise.
+        Valley = "valley",
     }
 }
 
@@ -280,8 +311,20 @@ impl Statistic {
     pub const fn over_time(self) -> bool {
         !matches!(
             self,
-            Self::ArcOfMax | Self::ArcOfMin | Self::GreatestFall | Self::Turns | Self::Peaks
+            Self::ArcOfMax
+                | Self::ArcOfMin
+                | Self::GreatestFall
+                | Self::Turns
+                | Self::Peaks
+                | Self::Peak
+                | Self::Valley
         )
+    }
+
+    /// True where `nth` says which of several it is.
+    #[must_use]
+    pub const fn is_numbered(self) -> bool {
+        matches!(self, Self::Peak | Self::Valley)
     }
 
     /// True where it can be taken of a quantity of the whole line, over arc length.
@@ -301,7 +344,9 @@ impl Statistic {
             | Self::Travel
             | Self::MeanPeak
             | Self::MeanTrough
-            | Self::GreatestFall => channel.to_owned(),
+            | Self::GreatestFall
+            | Self::Peak
+            | Self::Valley => channel.to_owned(),
             Self::TimeOfMax | Self::TimeOfMin | Self::SettlingTime | Self::RiseTime => {
                 "s".to_owned()
             }
@@ -345,6 +390,8 @@ table! {
         channel: Subject, "channel";
         /// What is taken of the channel.
         statistic: Statistic, "statistic";
+        /// Of the statistics peak and valley: which of them, counted from 1 at the end of the stretch towards A.
+        nth: Option<usize>, "number of the peak or valley", range of(1.0, 1e4), absent "not used";
         /// Window of time for the statistic.
         window_s: Option<[f64; 2]>, "window", range of(0.0, f64::INFINITY), absent "the whole run";
         /// Stretch of the line, arc length from end A, for a quantity of the whole line.
@@ -353,6 +400,8 @@ table! {
         expect: Direction, "expect";
         /// Where it is printed.
         source: String, "source";
+        /// What else the reader must know.
+        note: Option<String>, "note", absent "no note";
         /// Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }

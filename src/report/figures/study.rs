@@ -5,8 +5,15 @@ use crate::reference::ValidationRow;
 use crate::report::chart::{Axis, Chart, Series};
 use crate::run::{self, QuantityId};
 
-/// What a number is: of which study, of which channel, which statistic, within which window or stretch.
-type CurveKey<'c> = (&'c str, &'c run::Subject, Statistic, Option<[f64; 2]>);
+/// What a number is: of which study, of which channel, which statistic, within which window or stretch, which of
+/// several.
+type CurveKey<'c> = (
+    &'c str,
+    &'c run::Subject,
+    Statistic,
+    Option<[f64; 2]>,
+    Option<usize>,
+);
 
 /// The charts of the studies of a case, from the rows of its validation table: one for each quantity that is stated at
 /// several points of a study, or of which a trend is stated; in the order in which the case states them.
@@ -28,6 +35,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
             &published.channel,
             published.statistic,
             within,
+            published.nth,
         );
         let chart = of(&mut all, case, subject, row);
         add(chart, "published", 0, (value, row.published));
@@ -43,6 +51,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
             &trend.channel,
             trend.statistic,
             trend.within(),
+            trend.nth,
         );
         let chart = of(&mut all, case, subject, row);
         for point in row.trend.iter().flat_map(|line| &line.points) {
@@ -76,10 +85,10 @@ fn of<'a, 'c>(
 
 fn empty(
     case: &Case,
-    (study, channel, statistic, within): CurveKey<'_>,
+    (study, channel, statistic, within, nth): CurveKey<'_>,
     row: &ValidationRow,
 ) -> Chart {
-    let quantity = QuantityId::new(channel.clone(), statistic, within);
+    let quantity = QuantityId::new(channel.clone(), statistic, within).numbered(nth);
     let key = case.study.iter().find(|s| s.name == study);
     Chart::new(
         format!("{quantity} along {study}"),

@@ -3,11 +3,13 @@
 pub mod drawing;
 pub mod tables;
 
+use crate::case::{FieldRow, edited};
+use crate::reference;
 use crate::report::chart::Glyphs;
 use crate::report::table::Table;
-use crate::report::text::Page;
-use crate::section::Design;
+use crate::report::text::{self, Page};
 use crate::section::stiffness::EndRotation;
+use crate::section::{Design, validation};
 
 /// Tension of the load sharing where no strength is known \[N\].
 const SAMPLE: f64 = 1e5;
@@ -19,9 +21,16 @@ pub fn tension(design: &Design) -> f64 {
     allowable.unwrap_or(SAMPLE)
 }
 
-/// The design as text of this width. `tension` is that of the load sharing \[N\], [`tension`](tension()) by default.
+/// The design as text of this width, with its validation table where published values are stated; `fields` are those of its file.
+/// `tension` is that of the load sharing \[N\], [`tension`](tension()) by default.
 #[must_use]
-pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64>) -> String {
+pub fn report(
+    design: &Design,
+    fields: &[FieldRow],
+    width: usize,
+    glyphs: Glyphs,
+    tension: Option<f64>,
+) -> String {
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
     let mut page = Page::new(width);
@@ -40,5 +49,12 @@ pub fn report(design: &Design, width: usize, glyphs: Glyphs, tension: Option<f64
         EndRotation::Fixed,
         tension,
     ));
+    let mut rows = validation::rows(design);
+    if !rows.is_empty() {
+        page.heading("Validation");
+        page.line("");
+        reference::set_edited_aside(&mut rows, &edited::of_rows(fields));
+        page.block(&text::validation(&rows));
+    }
     page.finish()
 }

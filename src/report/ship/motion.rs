@@ -7,7 +7,7 @@ use crate::physics::sea::{DEGREES, Moments};
 use crate::report::chart::{Axis, Chart, Series};
 use crate::report::number::{digits, percent};
 use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
-use crate::ship::motion::DegreeOfFreedom;
+use crate::ship::motion::{DegreeOfFreedom, NarrowBand};
 use crate::ship::quantities::{UNITS, scale};
 use crate::ship::{MotionAnalysis, WaveRealisation};
 
@@ -210,14 +210,35 @@ fn notes(analysis: &MotionAnalysis) -> Vec<String> {
     const GAUSSIAN: &str = "m0 in m² and deg²; Tz = 2 pi sqrt(m0/m2) in s. A Gaussian record has zero skewness and excess kurtosis; of n independent cycles their standard errors are sqrt(6/n) and sqrt(24/n).";
     match &analysis.waves {
         Some(waves) => wave_notes(analysis, waves, GAUSSIAN),
-        None => vec![
-            format!(
-                "Component frequencies are multiples of that of the record, so that its moments are the targets. {GAUSSIAN}"
-            ),
-            "Spectra are constant over their bands: three moments of each motion are known, the shape is not."
-                .to_owned(),
-        ],
+        None => {
+            let mut notes = vec![
+                format!(
+                    "Component frequencies are multiples of that of the record, so that its moments are the targets. {GAUSSIAN}"
+                ),
+                "Spectra are constant over their bands: three moments of each motion are known, the shape is not."
+                    .to_owned(),
+            ];
+            notes.extend(analysis.motion.narrow_bands().iter().map(too_narrow));
+            notes
+        }
     }
+}
+
+/// The warning that a band has too few frequencies in the record.
+fn too_narrow(narrow: &NarrowBand) -> String {
+    let (low, high) = narrow.band.edges();
+    let frequencies = match narrow.frequencies {
+        1 => "1 frequency".to_owned(),
+        n => format!("{n} frequencies"),
+    };
+    format!(
+        "WARNING: {}: its band, {} to {} s, has {frequencies} in this record, too few for a Gaussian record: extremes are at most {} standard deviations, and the expected maximum of {} does not apply. A longer record has more.",
+        DEGREES[narrow.degree],
+        digits(TAU / high, 4),
+        digits(TAU / low, 4),
+        digits(narrow.greatest, 3),
+        digits(narrow.expected, 3),
+    )
 }
 
 fn wave_notes(analysis: &MotionAnalysis, waves: &WaveRealisation, gaussian: &str) -> Vec<String> {

@@ -49,7 +49,7 @@ const PHASE: CsvColumn<Profile> = CsvColumn {
 };
 
 /// Columns of `profile.csv`; those of bending and of the response are written where a run has them.
-pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 25] = [
+pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 27] = [
     NODE,
     column!(Profile, "arc_m", arc, required),
     coordinate::<0>("x_m"),
@@ -66,6 +66,8 @@ pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 25] = [
     column!(Profile, "moment_max_nm", moment_max, bends),
     column!(Profile, "rms_displacement_m", rms, responds),
     column!(Profile, "rms_displacement_d", rms_diameters, responds),
+    column!(Profile, "rms_vertical_d", rms_vertical, responds),
+    column!(Profile, "rms_horizontal_d", rms_horizontal, responds),
     column!(Profile, "wave_cos_m", wave_cos, responds),
     column!(Profile, "wave_sin_m", wave_sin, responds),
     PHASE,

@@ -431,7 +431,14 @@ impl Scene {
     ) -> Option<(DrumPull, [V3; 2])> {
         let fed = self.fed_end(end)?;
         let at = self.at(t, state);
-        Some((fed.drum_pull(at, c), fed.by_length(at, c)))
+        let mut by_length = fed.by_length(at, c);
+        if let Some(damping) = &self.elements.mass_damping {
+            let i = fed.segment(&self.line);
+            for (by, node) in by_length.iter_mut().zip(fed.nodes(&self.line)) {
+                *by += damping.by_length(&self.line, i, node, state) * c.stiffness;
+            }
+        }
+        Some((fed.drum_pull(at, c), by_length))
     }
 
     /// Energy that the springs of the bed gain as more line bears on them \[W\]: the power of no force.

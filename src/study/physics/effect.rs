@@ -40,7 +40,7 @@ pub const KEPT: [(&str, &str); 4] = [
 const STIFFER: f64 = 10.0;
 
 /// All effects that can be left out, in the order of the table.
-pub const SCENE_PARTS: [ScenePart; 20] = [
+pub const SCENE_PARTS: [ScenePart; 21] = [
     part(
         "drag of the line",
         "materials.*.drag_normal = drag_tangential = 0",
@@ -81,6 +81,11 @@ pub const SCENE_PARTS: [ScenePart; 20] = [
                 (m.axial_damping_n_s, m.axial_damping_ratio) = (None, None);
             });
         },
+    ),
+    part(
+        "mass damping",
+        "materials.*.mass_damping_per_s = 0",
+        |case| each_material(case, |m| m.mass_damping_per_s = 0.0),
     ),
     part(
         "elasticity",
@@ -333,8 +338,9 @@ mod tests {
             }
         }
         for (count, part) in seen.iter().zip(SCENE_PARTS) {
-            // No line that is shipped creeps; systems do.
-            assert!(*count > 0 || part.name == "creep", "{}", part.name);
+            // No line that is shipped creeps or is damped by its mass.
+            let unused = ["creep", "mass damping"].contains(&part.name);
+            assert!(*count > 0 || unused, "{}", part.name);
         }
     }
 

@@ -5,6 +5,8 @@ use std::sync::Arc;
 
 use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
+use super::value_check::ValidationTable;
+use crate::case::EditedKey;
 use crate::report::chart::Glyphs;
 use crate::report::section as views;
 use crate::section::{self, Design};
@@ -24,6 +26,8 @@ pub struct SectionView {
     pub material: String,
     /// Zoom and pan of the drawing.
     pub view: PlotPane,
+    /// The validation table, a pane where the file states published values.
+    pub checks: ValidationTable,
 }
 
 impl SectionView {
@@ -34,6 +38,7 @@ impl SectionView {
             material: section::material_table(&design),
             design: Arc::new(design),
             view: PlotPane::default(),
+            checks: ValidationTable::default(),
         }
     }
 }
@@ -44,7 +49,15 @@ impl DocumentKind for SectionView {
             name: "cross-section",
             title: &self.design.section.about.title,
             source: &self.design.section.about.source,
-            panes: &[PaneId::Inputs, PaneId::Drawing, PaneId::Tables],
+            panes: match self.checks.rows.is_empty() {
+                true => &[PaneId::Inputs, PaneId::Drawing, PaneId::Tables],
+                false => &[
+                    PaneId::Inputs,
+                    PaneId::Drawing,
+                    PaneId::Tables,
+                    PaneId::Validation,
+                ],
+            },
             first: PaneId::Inputs,
             tabs: &["Layers", "Whole", "Stiffness", "Carried"],
         }
@@ -56,14 +69,24 @@ impl DocumentKind for SectionView {
         };
         self.design = newer.design;
         self.material = newer.material;
+        self.checks = newer.checks;
+    }
+
+    fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
+        let rows = section::validation::rows(&self.design);
+        self.checks = ValidationTable::edited(rows, edited);
+    }
+
+    fn checks(&self) -> Option<&ValidationTable> {
+        Some(&self.checks)
     }
 
     fn report_name(&self) -> (&'static str, &'static str) {
         ("tables", "The cross-section with its tables")
     }
 
-    fn report(&self, _rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        Some(views::report(&self.design, PAPER_WIDTH, glyphs, None))
+    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
+        Some(views::report(&self.design, rows, PAPER_WIDTH, glyphs, None))
     }
 
     fn copy(&self) -> Option<&str> {

@@ -1,5 +1,7 @@
 //! Studies, published values, trends and marks.
 
+use seacable::case;
+
 use super::{GOOD, assert_fault, faults, spoilt};
 
 #[test]
@@ -80,6 +82,30 @@ fn window_that_runs_backward() {
         "published.\"tension at the load\".window_s",
         "the window is empty",
         "begin before it ends",
+    );
+}
+
+#[test]
+fn peak_without_a_number_and_number_without_a_peak() {
+    let old = "channel = \"tension_n[lower|load]\"\nstatistic = \"mean\"\nwindow_s = [0.0, 200.0]";
+    let peak = "channel = \"z_m\"\nstatistic = \"peak\"\nstretch_m = [0.0, 80.0]";
+    let fault = spoilt(old, peak);
+    assert_fault(
+        &fault,
+        (59, 13),
+        "published.\"tension at the load\".statistic",
+        "which peak is meant is not stated",
+        "add `nth = 1`",
+    );
+    let numbered = format!("{peak}\nnth = 2");
+    assert!(case::parse(&GOOD.replace(old, &numbered), "good.toml").is_ok());
+    let fault = spoilt("statistic = \"final\"", "statistic = \"final\"\nnth = 1");
+    assert_fault(
+        &fault,
+        (72, 7),
+        "trend.\"thicker, more drag\".nth",
+        "`final` has no number",
+        "leave `nth` out",
     );
 }
 

@@ -1,0 +1,24 @@
+//! A cross-section compared with its published values: rows of the validation table.
+
+use super::design::Design;
+use super::quantities::find;
+use crate::reference::ValidationRow;
+
+/// A row for every published value, in the order of the file. What is computed is a closed form, exact to rounding.
+#[must_use]
+pub fn rows(design: &Design) -> Vec<ValidationRow> {
+    let computed = |name: &str| {
+        let quantity = find(name).ok_or_else(|| format!("There is no quantity `{name}`."))?;
+        let value = quantity.of(design);
+        let value =
+            value.ok_or_else(|| format!("The section has no `{name}`: no strength is known."))?;
+        Ok((value, Some(0.0)))
+    };
+    let published = design.section.published.iter();
+    published
+        .map(|printed| {
+            let unit = find(&printed.quantity).map_or("", |quantity| quantity.unit);
+            printed.held(unit, computed(&printed.quantity))
+        })
+        .collect()
+}
