@@ -14,9 +14,8 @@ use seacable::case;
 use seacable::run::{Run, job};
 
 /// Cases of every kind of motion: lowered, moored, driven, in waves, on the bed, snapping, with a rotating body.
-const CASES: [&str; 14] = [
+const CASES: [&str; 13] = [
     "pendulous/manifold.toml",
-    "pendulous/manifold_as_published.toml",
     "pendulous/module.toml",
     "pendulous/module_rotating.toml",
     "mooring/hybrid_moving.toml",

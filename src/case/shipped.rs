@@ -29,9 +29,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("benchmarks/point_load.toml"),
     shipped!("double_stepped/cable.toml"),
     shipped!("double_stepped/cantilever.toml"),
-    shipped!("double_stepped/extreme_as_published.toml"),
     shipped!("double_stepped/extreme_wave.toml"),
-    shipped!("double_stepped/regular_as_published.toml"),
     shipped!("double_stepped/regular_wave.toml"),
     shipped!("double_stepped/tank.toml"),
     shipped!("hard/afloat.toml"),
@@ -72,9 +70,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("mooring/hybrid_fixed.toml"),
     shipped!("mooring/hybrid_moving.toml"),
     shipped!("pendulous/manifold.toml"),
-    shipped!("pendulous/manifold_as_published.toml"),
     shipped!("pendulous/module.toml"),
-    shipped!("pendulous/module_as_published.toml"),
     shipped!("pendulous/module_rotating.toml"),
     shipped!("ropeway/crossing.toml"),
     shipped!("ship/anchor_line.toml"),
@@ -115,6 +111,7 @@ pub const ROPEWAYS: &[Shipped] = &[
 
 /// The systems of lines that come with the program, in the order of their paths.
 pub const SYSTEMS: &[Shipped] = &[
+    shipped!("pendulous/vessel.toml"),
     shipped!("systems/aged_chains.toml"),
     shipped!("systems/bridle_and_buoy.toml"),
     shipped!("systems/bridle_in_heave.toml"),

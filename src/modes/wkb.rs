@@ -194,4 +194,37 @@ mod tests {
             assert!((wave.amplitude[i] - (10.0 / (s + 10.0)).powf(0.25)).abs() < 1e-12);
         }
     }
+
+    /// Four waves between hinged ends, eqs (30) to (34) of the paper of the double-stepped cable: the constants of eq. (33), C with
+    /// the sign that its eq. (31) needs and the print lacks, are -1, 0 and 0, so that the shapes are sines.
+    #[test]
+    fn four_waves_between_hinges_are_the_sines_of_equations_30_to_34() {
+        use nalgebra::Complex;
+        let (t, ei, m, length): (f64, f64, f64, f64) = (5000.0, 82.0, 4.2, 100.0);
+        for n in 1..6 {
+            let travelling = f64::from(n) * PI / length;
+            let omega = ((ei * travelling.powi(4) + t * travelling.powi(2)) / m).sqrt();
+            assert!((wave_number(t, ei, m, omega) / travelling - 1.0).abs() < 1e-12);
+            // The evanescent pair, shortened so that its exponentials stay finite: the algebra does not need its size.
+            let evanescent = 0.01 * (travelling.powi(2) + t / ei).sqrt();
+            let i = Complex::<f64>::i();
+            let k = [
+                Complex::from(travelling),
+                i * evanescent,
+                -i * evanescent,
+                Complex::from(-travelling),
+            ];
+            let e = k.map(|k| (i * k * length).exp());
+            let s = k.map(|k| k * k);
+            let below = (s[1] - s[0]) * (s[2] - s[0]) * (e[2] - e[1]);
+            let a = ((s[1] - s[0]) * (s[2] - s[3]) * e[1]
+                + (s[2] - s[0]) * (s[3] - s[1]) * e[2]
+                + (s[3] - s[0]) * (s[1] - s[2]) * e[3])
+                / below;
+            let b = (s[3] - s[0]) * (e[3] - e[2]) / ((s[1] - s[0]) * (e[2] - e[1]));
+            let c = -(s[3] - s[0]) * (e[3] - e[1]) / ((s[2] - s[0]) * (e[2] - e[1]));
+            assert!((a + 1.0).norm() < 1e-9 && b.norm() < 1e-9 && c.norm() < 1e-9);
+            assert!((a * e[0] + b * e[1] + c * e[2] + e[3]).norm() < 1e-9);
+        }
+    }
 }

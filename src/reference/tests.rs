@@ -243,10 +243,20 @@ fn a_trend_holds_when_every_step_does() {
 }
 
 #[test]
-fn a_step_within_the_errors_is_said() {
+fn a_step_within_the_errors_shows_nothing() {
     let row = trend("", [3.0, 2.9, 1.0], 0.1);
-    assert_eq!(row.outcome, Outcome::Pass);
+    assert_eq!(row.outcome, Outcome::Fail);
     assert!(row.reason.unwrap().contains("from 0 to 0.2 is no larger"));
+}
+
+#[test]
+fn two_points_are_no_trend() {
+    let two = TREND.replace("study = \"current\"", "study = \"two\"");
+    let study = "[[study]]\nname = \"two\"\nkey = \"current.speed_m_per_s\"\nvalues = [0.0, 0.4]\n";
+    let run = run(&[("z_m[payload].travel", 1.0, 0.1)]);
+    let row = rows(&case(&[study, &two]), &|_| Some(&run)).remove(0);
+    assert_eq!(row.outcome, Outcome::NotRun);
+    assert!(row.reason.unwrap().contains("needs 3 values"));
 }
 
 #[test]

@@ -114,8 +114,11 @@ fn judge(
     points: &[TrendPoint],
     missing: Option<String>,
 ) -> (Outcome, Option<String>) {
-    if points.len() < 2 {
-        let why = "There are fewer than two values to compare.".to_owned();
+    if points.len() < LEAST_POINTS {
+        let why = format!(
+            "A trend needs {LEAST_POINTS} values or more, and has {}.",
+            points.len()
+        );
         return (Outcome::NotRun, Some(why));
     }
     let known: Option<Vec<Known>> = points
@@ -131,8 +134,8 @@ fn judge(
         }
         _ => None,
     });
-    match (against, statement.out_of_reach) {
-        (None, None) => (Outcome::Pass, doubtful(&known)),
+    match (against.or_else(|| doubtful(&known)), statement.out_of_reach) {
+        (None, None) => (Outcome::Pass, None),
         (None, Some(_)) => (Outcome::Pass, Some(REACHED.to_owned())),
         (Some(_), Some(reason)) => (Outcome::Differs, Some(reason.to_owned())),
         (Some(where_), None) => (Outcome::Fail, Some(where_)),
@@ -146,7 +149,10 @@ fn goes(expect: Direction, before: f64, after: f64) -> bool {
     }
 }
 
-/// Says where a step of the trend is no larger than what the two numbers may be off by.
+/// Fewer values than this show no trend: of two, one is above the other by chance in one case of two.
+const LEAST_POINTS: usize = 3;
+
+/// Says where a step of the trend is no larger than what the two numbers may be off by, so that it shows nothing.
 fn doubtful(known: &[Known]) -> Option<String> {
     known.windows(2).find_map(|pair| match pair {
         [(from, before, e0), (to, after, e1)] => {

@@ -46,6 +46,8 @@ table! {
         source: String = "", "source";
         /// What is missing in the source, what was decided.
         notes: String = "", "notes";
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
         /// Whether the middle keeps its diameter or its volume, for the stiffness handed to a line.
         core: Core = Core::Rigid, "core";
         /// What fills the gaps between units and wires.

@@ -14,11 +14,13 @@ pub fn rows(design: &Design) -> Vec<ValidationRow> {
             value.ok_or_else(|| format!("The section has no `{name}`: no strength is known."))?;
         Ok((value, Some(0.0)))
     };
+    let common = design.section.about.tolerance_reason.as_deref();
     let published = design.section.published.iter();
     published
         .map(|printed| {
             let unit = find(&printed.quantity).map_or("", |quantity| quantity.unit);
             printed.held(unit, computed(&printed.quantity))
         })
+        .map(|row| row.with_common_reason(common))
         .collect()
 }

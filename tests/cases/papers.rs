@@ -3,6 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
+use std::sync::atomic::AtomicBool;
 
 use seacable::case::Case;
 use seacable::case::kind::parse;
@@ -13,7 +14,9 @@ use seacable::reference::{RowKind, ValidationRow};
 use seacable::report::document;
 use seacable::report::validation::{Extent, JudgedPaper, page};
 use seacable::ropeway::{self, Ropeway};
+use seacable::section::{self, CrossSection};
 use seacable::ship::{self, MotionAnalysis, Ship};
+use seacable::system::{self, SystemFile};
 
 use super::validation::ROWS;
 
@@ -49,7 +52,16 @@ fn rows_of(case: &'static str) -> (&'static str, &'static str, Vec<ValidationRow
             let motion = MotionAnalysis::of(&statics, folder);
             ship::validation::rows(&statics.ship, motion.as_ref())
         }
-        FileType::Section | FileType::System => Vec::new(),
+        FileType::Section => {
+            section::validation::rows(&parse::<CrossSection>(text, &name).unwrap())
+        }
+        FileType::System => {
+            let solved = parse::<SystemFile>(text, &name).unwrap();
+            let given = solved.file.solver.clone().unwrap();
+            let cancel = AtomicBool::new(false);
+            let run = system::motion::run::run(&solved, &given, &cancel, &mut |_| {}).unwrap();
+            system::validation::rows(&solved, Some(&run))
+        }
     };
     (case, text, rows)
 }
@@ -206,7 +218,9 @@ fn unmarked(case: &str) -> Vec<(String, String)> {
         FileType::Line => seacable::case::kind::rows::<Case>(text),
         FileType::Ropeway => seacable::case::kind::rows::<Ropeway>(text),
         FileType::Ship => seacable::case::kind::rows::<Ship>(text),
-        FileType::Section | FileType::System => Vec::new(),
+        FileType::System => seacable::case::kind::rows::<SystemFile>(text),
+        // It says of itself that all but the size of its units is assumed.
+        FileType::Section => Vec::new(),
     };
     let physical = |path: &str| {
         let tables = [

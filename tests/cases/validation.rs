@@ -108,17 +108,14 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
         ("mooring/hybrid_fixed.toml", _) => 1.1,
         ("mooring/hybrid_moving.toml", name) if name.ends_with("by the static one") => 0.13,
         // Whole numbers: one wave more or less on a companion's mesh or in its steps, which does not fall from run to run.
-        (path, name) if path.starts_with("double_stepped/regular") && name.starts_with("waves") => {
-            7.0
-        }
-        ("double_stepped/regular_as_published.toml" | "double_stepped/regular_wave.toml", _) => 0.5,
+        (path, name) if path.starts_with("double_stepped/") && name.starts_with("waves") => 7.0,
+        ("double_stepped/regular_wave.toml", _) => 0.5,
         // On three meshes these do not fall by the order of the method, and the error states what they do fall by.
         (path, name)
             if path.starts_with("double_stepped/extreme") && name.starts_with("response") =>
         {
             0.4
         }
-        ("pendulous/module_as_published.toml", "where the line bears most") => 0.2,
         // The peak comes as the last nodes lift off the bed one by one, which scatters it from mesh to mesh.
         ("mooring/heaved_50m.toml", "greatest tension, heave 2 m") => 0.2,
         ("benchmarks/lindahl_chain.toml", name) if name.starts_with("mean peak") => 0.3,
@@ -176,6 +173,16 @@ fn all_nine_travels_come_out_and_one_of_them_was_fitted() {
     );
 }
 
+/// The four maxima of fig. 7, on the line that the manifold hangs on too.
+#[test]
+fn the_maxima_at_the_four_joints_come_out() {
+    let maxima = of("/module.toml", "greatest tension at");
+    let maxima = maxima.iter().filter(|row| !row.name.starts_with("time"));
+    let outcomes: Vec<Outcome> = maxima.map(|row| row.outcome).collect();
+    assert!(outcomes.len() >= 4);
+    assert!(outcomes.iter().all(|outcome| *outcome == Outcome::Pass));
+}
+
 #[test]
 fn the_manifold_means_are_within_three_percent_of_the_reference() {
     let means = of("manifold.toml", "reference [6]");
@@ -186,57 +193,6 @@ fn the_manifold_means_are_within_three_percent_of_the_reference() {
             row.difference.unwrap().abs() <= 0.03 * row.published.unwrap(),
             "{row:#?}"
         );
-    }
-}
-
-#[test]
-fn the_upper_joint_maxima_come_out_and_the_lower_ones_are_declared_out_of_reach() {
-    let outcome = |joint: &str| of("module.toml", joint)[0].outcome;
-    assert_eq!(outcome("greatest tension at vessel-chain"), Outcome::Pass);
-    assert_eq!(
-        outcome("greatest tension at chain-polyester"),
-        Outcome::Pass
-    );
-    assert_eq!(
-        outcome("greatest tension at polyester-wire"),
-        Outcome::Differs
-    );
-    assert_eq!(
-        outcome("greatest tension at wire-payload"),
-        Outcome::Differs
-    );
-}
-
-/// The reading of the weights that gives all four maxima, and what it costs.
-#[test]
-fn as_published_all_four_maxima_and_nine_travels_come_out_and_the_manifold_does_not() {
-    let maxima = of("module_as_published.toml", "greatest tension at");
-    let maxima = maxima.iter().filter(|row| !row.name.starts_with("time"));
-    let off: Vec<f64> = maxima
-        .map(|row| (row.difference.unwrap() / row.published.unwrap()).abs())
-        .collect();
-    assert_eq!(off.len(), 4);
-    assert!(off.iter().all(|off| *off < 0.01), "{off:?}");
-    let travels = of("module_as_published.toml", "travel at");
-    assert_eq!(travels.len(), 9);
-    for row in travels {
-        assert!(row.difference.unwrap().abs() <= 0.8, "{row:#?}");
-    }
-    for row in of("manifold_as_published.toml", "0-200 s") {
-        assert_eq!(row.outcome, Outcome::Differs);
-        assert!(row.computed.unwrap() > 1.1 * row.published.unwrap());
-    }
-}
-
-/// The early course of fig. 7 comes out of neither reading.
-#[test]
-fn the_rise_and_fall_of_the_first_25_s_is_declared_out_of_reach() {
-    for path in ["/module.toml", "/module_as_published.toml"] {
-        for name in ["rise at", "time of the greatest tension"] {
-            for row in of(path, name) {
-                assert_eq!(row.outcome, Outcome::Differs, "{path}: {row:#?}");
-            }
-        }
     }
 }
 

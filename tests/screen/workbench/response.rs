@@ -16,12 +16,12 @@ use seacable::report::chart::Glyphs;
 /// The cable in the regular wave on a coarse mesh, for a shorter time, computed for real.
 fn cable(size: (u16, u16)) -> Desk {
     let text = include_str!("../../../cases/double_stepped/regular_wave.toml")
-        .replace("duration_s = 300.0", "duration_s = 120.0")
-        .replace("response_from_s = 200.0", "response_from_s = 60.0")
+        .replace("duration_s = 240.0", "duration_s = 120.0")
+        .replace("response_from_s = 140.0", "response_from_s = 60.0")
         .replace("segments = 40", "segments = 10")
         .replace("segments = 20", "segments = 5")
         .replace("segments = 120", "segments = 30")
-        .replace("segments = 100", "segments = 25");
+        .replace("segments = 59", "segments = 15");
     let mut desk = Desk::new(size);
     desk.tell(Msg::FileRead(Box::new(FileRead::new(
         PathBuf::from("cases/regular_wave.toml"),
