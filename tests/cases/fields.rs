@@ -235,7 +235,7 @@ fn rows_list_given_and_defaulted_fields_with_their_standing() {
     let drag = row("payload.drag_area_m2");
     assert_eq!(
         (drag.value.as_str(), drag.unit, drag.given),
-        ("141.0", "m²", true)
+        ("[87.0, 87.0, 124.0]", "m²", true)
     );
     assert_eq!(
         drag.standing.as_ref().unwrap().status,
@@ -273,6 +273,7 @@ fn rows_list_given_and_defaulted_fields_with_their_standing() {
             "section chain",
             "section polyester",
             "section wire",
+            "floats wire",
             "end A (vessel)",
             "end B (payload)",
             "payload",

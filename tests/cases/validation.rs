@@ -92,8 +92,7 @@ fn what_differs_says_why() {
     }
 }
 
-/// The travels of the module hang on when which part of the line passes the drag crisis: RK4, exact in time, gives 1404.38,
-/// 1404.54, 1404.53 and 1404.20 m with 31, 57, 110 and 216 segments. Their errors, with the factor of safety of results that do not
+/// The travels of the module hang on when which part of the line passes the drag crisis. Their errors, with the factor of safety of results that do not
 /// fall from mesh to mesh, are up to nine tenths of the tolerance; the table says so at the row.
 /// Share of its tolerance that the numerical error of a row may be: a tenth, but where the row cannot do better. Its
 /// note in the table says so then.
@@ -115,6 +114,14 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
             if path.starts_with("double_stepped/extreme") && name.starts_with("response") =>
         {
             0.4
+        }
+        // The first rise passes the line as a front, whose top is known to a segment.
+        ("pendulous/module.toml" | "pendulous/module_rotating.toml", name)
+            if name.starts_with("greatest tension")
+                || name.starts_with("time of the greatest")
+                || name == "where the line bears most" =>
+        {
+            0.15
         }
         // The peak comes as the last nodes lift off the bed one by one, which scatters it from mesh to mesh.
         ("mooring/heaved_50m.toml", "greatest tension, heave 2 m") => 0.2,
@@ -157,19 +164,19 @@ fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
 }
 
 #[test]
-fn all_nine_travels_come_out_and_one_of_them_was_fitted() {
+fn all_nine_travels_come_out_and_three_of_them_were_fitted() {
     let travels = of("module.toml", "travel at");
     assert_eq!(travels.len(), 9);
     for row in &travels {
         assert_eq!(row.outcome, Outcome::Pass, "{row:#?}");
-        assert!(row.difference.unwrap().abs() <= 1.5, "{row:#?}");
+        assert!(row.difference.unwrap().abs() <= 0.8, "{row:#?}");
     }
     assert_eq!(
         travels
             .iter()
             .filter(|row| row.kind == RowKind::Fitted)
             .count(),
-        1
+        3
     );
 }
 
@@ -201,7 +208,7 @@ fn the_manifold_means_are_within_three_percent_of_the_reference() {
 fn a_module_that_turns_travels_as_far_as_one_that_does_not() {
     for row in of("module_rotating.toml", "travel at") {
         let point = of("/module.toml", &row.name)[0].computed.unwrap();
-        assert!((row.computed.unwrap() - point).abs() < 0.15, "{row:#?}");
+        assert!((row.computed.unwrap() - point).abs() < 0.5, "{row:#?}");
     }
 }
 

@@ -46,3 +46,22 @@ fn drag_acts_on_the_stretched_or_the_unstretched_length() {
         );
     }
 }
+
+/// Drag along a straight rope that lies in the current acts on its diameter (Jia et al. 2019, eq. 3).
+#[test]
+fn drag_along_a_rope_is_on_its_diameter() {
+    let scene = rest::build(
+        r#"
+        environment = { water_density_kg_per_m3 = 1025.0 }
+        current = { speed_m_per_s = 1.5, direction_deg = 0.0 }
+        materials.rope = { drag_normal = 0.0, drag_tangential = 0.062 }
+        start = { shape = "straight", elevation_deg = 0.0 }
+        "#,
+    );
+    let state = scene.initial_state();
+    let mut residual = vec![V3::zeros(); scene.nodes()];
+    scene.residual(0.0, &state, &mut residual);
+    let drag = -residual.iter().map(|r| r.x).sum::<f64>();
+    let expected = 0.5 * 1025.0 * 0.062 * 0.1 * 1.5 * 1.5 * 100.0;
+    assert!((drag / expected - 1.0).abs() < 1e-12, "{drag}");
+}
