@@ -60,6 +60,10 @@
 //! variable, advanced by the trapezoidal rule in [`Hysteresis::commit`](crate::solve::Hysteresis::commit) and extrapolated within
 //! the step at its rate, so that second order is kept.
 //!
+//! Where the segments of a rope share one k, Lm and La are those of the tension averaged along it. The average strain, on which
+//! k then depends, is extrapolated like the mean, so that the tangent stays that of each segment; at rest, k and the equilibrium are
+//! solved for in turn ([`StaticSearch::share_stiffness`](crate::solve::StaticSearch::share_stiffness)).
+//!
 //! # Tangent
 //!
 //! Velocity and acceleration follow a displacement by the [`Factors`](crate::solve::Factors) c_v and c_a of the method; the

@@ -9,6 +9,8 @@ words! {
     pub enum LineQuantity {
         /// Tension \[N\].
         Tension = "tension_n",
+        /// How far the tension swings over time: greatest less smallest \[N\].
+        TensionSwing = "tension_swing_n",
         /// Height above still water \[m\].
         Height = "z_m",
         /// Curvature \[1/m\].
@@ -21,6 +23,8 @@ words! {
         MeanLoad = "mean_load_percent",
         /// Stiffness EA by breaking load of such ropes \[-\].
         Stiffness = "stiffness_k",
+        /// How far that stiffness swings over time: greatest less smallest \[-\].
+        StiffnessSwing = "stiffness_swing_k",
         /// Root mean square displacement about the mean \[m\].
         RmsDisplacement = "rms_displacement_m",
         /// The same by the diameter of the line \[-\].
@@ -83,7 +87,7 @@ impl LineQuantity {
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
-            Self::Tension => "N",
+            Self::Tension | Self::TensionSwing => "N",
             Self::Height
             | Self::BendRadius
             | Self::RmsDisplacement
@@ -94,7 +98,8 @@ impl LineQuantity {
             | Self::RmsHorizontal
             | Self::Travelling
             | Self::StandingWaveRatio
-            | Self::Stiffness => "-",
+            | Self::Stiffness
+            | Self::StiffnessSwing => "-",
             Self::Curvature => "1/m",
             Self::Moment => "N m",
             Self::MeanLoad => "%",
@@ -110,7 +115,10 @@ impl LineQuantity {
     /// True for what only ropes with dynamic stiffness have.
     #[must_use]
     pub const fn of_ropes(self) -> bool {
-        matches!(self, Self::MeanLoad | Self::Stiffness)
+        matches!(
+            self,
+            Self::MeanLoad | Self::Stiffness | Self::StiffnessSwing
+        )
     }
 
     /// The quantity of this name.

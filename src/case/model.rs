@@ -26,7 +26,7 @@ pub use ends::{
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub use line::{
     Bore, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats,
-    Material, Modules, Section, Traveller, WorkingCurveShape,
+    Material, Modules, Section, StiffnessScope, Traveller, WorkingCurveShape,
 };
 pub(crate) use line::{BoreKeys, MaterialKeys};
 pub(crate) use sea::WavesKeys;

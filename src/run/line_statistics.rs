@@ -114,6 +114,10 @@ impl NodeValues {
         let heights = || -> Vec<f64> { p.nodes.iter().map(|node| node[2]).collect() };
         match quantity {
             LineQuantity::Tension => Self::new(&p.tension, &p.tension_max, &p.tension_min),
+            LineQuantity::TensionSwing => Self::at_end(&swings(&p.tension_max, &p.tension_min)),
+            LineQuantity::StiffnessSwing => {
+                Self::at_end(&swings(&ropes.stiffness_max, &ropes.stiffness_min))
+            }
             LineQuantity::Height => Self::new(&heights(), &p.z_max, &p.z_min),
             LineQuantity::Curvature => Self::new(&p.curvature, &p.curvature_max, &p.curvature),
             LineQuantity::BendRadius => {
@@ -147,6 +151,12 @@ impl NodeValues {
     fn at_end(end: &[f64]) -> Self {
         Self::new(end, end, end)
     }
+}
+
+/// Greatest less smallest; nothing where extremes were not recorded.
+fn swings(greatest: &[f64], smallest: &[f64]) -> Vec<f64> {
+    let pairs = greatest.iter().zip(smallest);
+    pairs.map(|(most, least)| most - least).collect()
 }
 
 fn wavelengths(numbers: &[f64]) -> Vec<f64> {
@@ -335,6 +345,11 @@ mod tests {
         assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMax), Some(2.0));
         assert_eq!(take(LineQuantity::Tension, Statistic::ArcOfMin), Some(5.0));
         assert_eq!(take(LineQuantity::Tension, Statistic::Mean), None);
+        assert_eq!(take(LineQuantity::TensionSwing, Statistic::Max), Some(6.0));
+        assert_eq!(
+            take(LineQuantity::TensionSwing, Statistic::ArcOfMax),
+            Some(5.0)
+        );
         assert_eq!(take(LineQuantity::Moment, Statistic::Max), None);
         assert!((resolution(&profile, Statistic::ArcOfMax) - 3.0).abs() < 1e-12);
     }

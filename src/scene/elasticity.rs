@@ -3,7 +3,7 @@
 mod creep;
 
 use super::error::SceneError;
-use crate::case::{CreepModel, DynamicStiffness, Material};
+use crate::case::{CreepModel, DynamicStiffness, Material, StiffnessScope};
 use crate::physics::rope::{
     CreepingRope, FibreRope, StaticElasticity, StiffnessForm, TensionLaw, TensionTable,
 };
@@ -96,6 +96,7 @@ fn dynamic(
         strength: needed(material.break_load_n, "break_load_n")?,
         reading,
         window: material.mean_window_s.unwrap_or(f64::INFINITY),
+        shared: material.stiffness_scope == StiffnessScope::Rope,
     })
 }
 

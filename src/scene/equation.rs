@@ -166,6 +166,10 @@ impl StaticSearch for Scene {
             .initial_segment_tensions(&self.start.tension, state);
     }
 
+    fn share_stiffness(&self, state: &mut State) -> f64 {
+        self.line.share_stiffness_at_rest(state)
+    }
+
     fn kinked_node(&self, state: &State) -> Option<usize> {
         let flexure = self.elements.flexure.as_ref()?;
         flexure.kinked_node(&self.line, state)

@@ -1,9 +1,13 @@
 //! Tensions of segments by the law of their material, and the tension history of ropes.
 
+use std::ops::Range;
+
 use super::LumpedLine;
-use crate::physics::rope::{ElasticTension, MeanState, TensionLaw};
+use crate::physics::rope::{
+    ElasticTension, FibreRope, MeanState, RopeAverage, StiffnessForm, TensionLaw,
+};
 use crate::physics::tension::{AxialConstants, Chord, Tension};
-use crate::solve::{RopeHistory, State};
+use crate::solve::{RopeHistory, SharedStiffness, State};
 
 /// The dynamic stiffness of a segment at an instant.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -85,11 +89,7 @@ impl LumpedLine {
         let stretch = if axial.rod { stretch } else { stretch.max(0.0) };
         match axial.law {
             None => 0.5 * axial.ea / axial.length * stretch * stretch,
-            Some(law) => {
-                let mean = mean(i, state.memory.time, state);
-                let strain = stretch / axial.length;
-                axial.length * self.laws[usize::from(law)].stored(strain, mean.as_ref()).0
-            }
+            Some(law) => axial.length * self.stored_by(law, i, stretch / axial.length, state).0,
         }
     }
 
@@ -99,13 +99,11 @@ impl LumpedLine {
             return segment.energy().2;
         }
         let axial = &self.segments[i].axial;
-        let (Some(law), Some(past)) = (axial.law, state.memory.ropes.get(i)) else {
+        let Some(law) = axial.law else {
             return 0.0;
         };
-        let mean = mean(i, state.memory.time, state);
         let strain = axial.strain(chord.length).max(0.0);
-        let (_, by_mean) = self.laws[usize::from(law)].stored(strain, mean.as_ref());
-        -axial.length * by_mean * past.tension_rate
+        axial.length * self.stored_by(law, i, strain, state).1
     }
 
     /// Elastic energy of segment i \[J\], and the power of its axial damping and of its memory \[W\], from its tension by
@@ -132,10 +130,9 @@ impl LumpedLine {
             let (elastic, stored, memory) = segment.energy();
             return (stored, (tension - elastic) * closing + memory);
         }
-        let mean = mean(i, state.memory.time, state);
         let strain = axial.strain(chord.length);
         let strain = if axial.rod { strain } else { strain.max(0.0) };
-        let (stored, by_mean) = self.laws[usize::from(law)].stored(strain, mean.as_ref());
+        let (stored, lost) = self.stored_by(law, i, strain, state);
         // Without damping the tension is elastic but for the chord-length correction.
         let known = axial.damping == 0.0 && state.chord_correction.is_empty();
         let elastic = if known {
@@ -143,11 +140,33 @@ impl LumpedLine {
         } else {
             self.elastic(i, chord, state)
         };
-        let past = state.memory.ropes.get(i).map_or(0.0, |p| p.tension_rate);
-        let memory = -axial.length * by_mean * past;
         (
             axial.length * stored,
-            (tension - elastic) * closing + memory,
+            (tension - elastic) * closing + axial.length * lost,
+        )
+    }
+
+    /// Energy stored in segment i per unstretched length by a law \[N\], and the power lost of it as the memory of the rope
+    /// fades \[N/s\].
+    fn stored_by(&self, law: u16, i: usize, strain: f64, state: &State) -> (f64, f64) {
+        let (law, now) = (&self.laws[usize::from(law)], state.memory.time);
+        let mean = mean(i, now, state);
+        let past = state.memory.ropes.get(i);
+        if let (Some(rope), Some(shared)) = (law.dynamic(), shared(i, now, state)) {
+            let mean_rate = past.map(|past| MeanState {
+                tension: past.tension_rate,
+                strain: past.strain_rate,
+            });
+            let k = rope.shared_stiffness(&shared.now);
+            let k_rate = rope.shared_stiffness_rate(&shared.now, &shared.rate);
+            let own = mean.as_ref().zip(mean_rate.as_ref());
+            let (stored, rate) = rope.stored_in_step(strain, own, (k, k_rate));
+            return (stored, -rate);
+        }
+        let (stored, by_mean) = law.stored(strain, mean.as_ref());
+        (
+            stored,
+            -by_mean * past.map_or(0.0, |past| past.tension_rate),
         )
     }
 
@@ -176,6 +195,14 @@ impl LumpedLine {
     pub fn rope_reading(&self, i: usize, state: &State) -> Option<RopeStiffness> {
         let law = self.segments[i].axial.law?;
         let rope = self.laws[usize::from(law)].dynamic()?;
+        if let Some(shared) = shared(i, state.memory.time, state) {
+            let stiffness = rope.shared_stiffness(&shared.now);
+            return Some(RopeStiffness {
+                mean_load: rope.percent(shared.now.tension),
+                deviation: rope.shared_deviation(&shared.now, stiffness),
+                stiffness,
+            });
+        }
         let tension = self.elastic(i, &self.chord(i, state), state);
         let mean = state.memory.ropes.get(i).map_or(tension, |past| past.mean);
         let (mean_load, deviation) = (rope.percent(mean), rope.percent(tension - mean));
@@ -199,10 +226,12 @@ impl LumpedLine {
         if dt <= 0.0 || state.memory.ropes.len() != self.segments.len() {
             state.memory.ropes.clear();
             state.memory.time = t;
+            self.share_stiffness_at_rest(state);
             let first = (0..self.segments.len())
                 .map(|i| self.begin(i, state))
                 .collect();
             state.memory.ropes = first;
+            self.share_stiffness(state);
             return;
         }
         for i in 0..self.segments.len() {
@@ -211,10 +240,15 @@ impl LumpedLine {
             let Some(rope) = law.and_then(TensionLaw::dynamic) else {
                 continue;
             };
-            let chord = self.chord(i, state);
-            let strain = axial.strain(chord.length);
+            let strain = axial.strain(self.chord(i, state).length);
             let about = mean(i, t, state).unwrap_or_default();
-            let tension = rope.in_motion(strain, &about).tension.max(0.0);
+            let tension = match shared(i, t, state) {
+                None => rope.in_motion(strain, &about),
+                Some(shared) => {
+                    rope.in_step(strain, Some(&about), rope.shared_stiffness(&shared.now))
+                }
+            };
+            let tension = tension.tension.max(0.0);
             let past = &mut state.memory.ropes[i];
             let share = if t < rope.window {
                 dt / t
@@ -228,6 +262,108 @@ impl LumpedLine {
             past.strain_rate = past.tension_rate * rope.compliance(past.strain);
         }
         state.memory.time = t;
+        self.share_stiffness(state);
+    }
+
+    /// Ropes whose segments share one stiffness: neighbours of one law, at least two, for one alone has its own anyway.
+    fn sharing_ropes(&self) -> impl Iterator<Item = (Range<usize>, &FibreRope)> {
+        let mut start = 0;
+        let runs = self.segments.chunk_by(|a, b| a.axial.law == b.axial.law);
+        runs.filter_map(move |run| {
+            let range = start..start + run.len();
+            start = range.end;
+            let rope = self.laws[usize::from(run[0].axial.law?)].dynamic()?;
+            (rope.shared && range.len() > 1).then_some((range, rope))
+        })
+    }
+
+    /// Brings the one stiffness of ropes that share it up to date with an accepted state and its history.
+    fn share_stiffness(&self, state: &mut State) {
+        if !self.laws.iter().any(is_shared) {
+            return;
+        }
+        let mut list = std::mem::take(&mut state.memory.shared_stiffness);
+        list.clear();
+        list.resize(self.segments.len(), SharedStiffness::default());
+        for (range, rope) in self.sharing_ropes() {
+            let about = matches!(rope.reading, StiffnessForm::AboutTheMean(_));
+            let mut sum = SharedStiffness::default();
+            let mut total = 0.0;
+            for i in range.clone() {
+                let (axial, chord) = (&self.segments[i].axial, self.chord(i, state));
+                let past = state.memory.ropes.get(i).copied().unwrap_or_default();
+                let rate = chord.tangent.dot(&chord.opening) / axial.length;
+                let from = if about {
+                    (past.strain, past.strain_rate)
+                } else {
+                    (0.0, 0.0)
+                };
+                total += axial.length;
+                sum.mean += axial.length * past.mean;
+                sum.mean_rate += axial.length * past.tension_rate;
+                sum.strain += axial.length * (axial.strain(chord.length) - from.0);
+                sum.strain_rate += axial.length * (rate - from.1);
+            }
+            let average = SharedStiffness {
+                shared: true,
+                mean: sum.mean / total,
+                mean_rate: sum.mean_rate / total,
+                strain: sum.strain / total,
+                strain_rate: sum.strain_rate / total,
+            };
+            list[range].fill(average);
+        }
+        state.memory.shared_stiffness = list;
+    }
+
+    /// The same for a state at rest without history; returns the greatest change of a stiffness, relative to itself. The
+    /// average tension is its own mean, so that it follows from the average strain by the curve at rest.
+    pub(super) fn share_stiffness_at_rest(&self, state: &mut State) -> f64 {
+        if !self.laws.iter().any(is_shared) {
+            return 0.0;
+        }
+        let mut change = 0.0_f64;
+        let mut list = vec![SharedStiffness::default(); self.segments.len()];
+        for (range, rope) in self.sharing_ropes() {
+            let secant = rope.reading == StiffnessForm::Secant;
+            let (mut total, mut sum) = (0.0, 0.0);
+            for i in range.clone() {
+                let axial = &self.segments[i].axial;
+                let strain = axial.strain(self.chord(i, state).length);
+                let what = if secant {
+                    strain
+                } else {
+                    rope.at_rest(strain).tension
+                };
+                total += axial.length;
+                sum += axial.length * what;
+            }
+            let average = sum / total;
+            let now = if secant {
+                SharedStiffness {
+                    shared: true,
+                    mean: rope.at_rest(average).tension,
+                    strain: average,
+                    ..SharedStiffness::default()
+                }
+            } else {
+                SharedStiffness {
+                    shared: true,
+                    mean: average,
+                    ..SharedStiffness::default()
+                }
+            };
+            let k = |shared: &SharedStiffness| rope.shared_stiffness(&average_of(shared, 0.0).now);
+            if secant {
+                let before = state.memory.shared_stiffness.get(range.start);
+                let before = before.filter(|known| known.shared);
+                let before = before.map_or(f64::INFINITY, k);
+                change = change.max((k(&now) / before - 1.0).abs());
+            }
+            list[range].fill(now);
+        }
+        state.memory.shared_stiffness = list;
+        change
     }
 
     /// The initial history of segment i: its tension.
@@ -261,8 +397,47 @@ impl LumpedLine {
         t: f64,
         state: &State,
     ) -> ElasticTension {
-        let mean = mean(i, t, state);
-        self.laws[usize::from(law)].at(axial.strain(chord.length), mean.as_ref())
+        let (law, mean) = (&self.laws[usize::from(law)], mean(i, t, state));
+        let strain = axial.strain(chord.length);
+        if let (Some(rope), Some(shared)) = (law.dynamic(), shared(i, t, state)) {
+            return rope.in_step(strain, mean.as_ref(), rope.shared_stiffness(&shared.now));
+        }
+        law.at(strain, mean.as_ref())
+    }
+}
+
+/// Whether a law is that of ropes whose segments share one stiffness.
+fn is_shared(law: &TensionLaw) -> bool {
+    law.dynamic().is_some_and(|rope| rope.shared)
+}
+
+/// What a shared stiffness depends on, and the rates of that \[1/s\].
+struct Shared {
+    now: RopeAverage,
+    rate: RopeAverage,
+}
+
+/// That of segment i at time t, extrapolated from the last accepted step at its rate, which keeps second order: the tangent
+/// stays that of a segment alone. None if the segment has a stiffness of its own.
+#[inline(always)]
+fn shared(i: usize, t: f64, state: &State) -> Option<Shared> {
+    let known = state.memory.shared_stiffness.get(i)?;
+    known
+        .shared
+        .then(|| average_of(known, t - state.memory.time))
+}
+
+/// The same, a time \[s\] after the last accepted step.
+fn average_of(known: &SharedStiffness, since: f64) -> Shared {
+    Shared {
+        now: RopeAverage {
+            tension: known.mean + known.mean_rate * since,
+            strain: known.strain + known.strain_rate * since,
+        },
+        rate: RopeAverage {
+            tension: known.mean_rate,
+            strain: known.strain_rate,
+        },
     }
 }
 

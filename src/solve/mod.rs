@@ -9,7 +9,7 @@ pub mod system;
 pub use convergence::Convergence;
 pub use newton::{Newton, NewtonError};
 pub use sink::{AcceptedStep, Progressing, Sink};
-pub use state::{BodyOnBed, HistoryVariables, RopeHistory, State};
+pub use state::{BodyOnBed, HistoryVariables, RopeHistory, SharedStiffness, State};
 pub use system::{
     ExplicitRhs, Factors, Hysteresis, Kinematics, Marched, MidstepBalance, Residual, StaticSearch,
 };

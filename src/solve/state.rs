@@ -20,6 +20,9 @@ pub struct HistoryVariables {
     pub grips: Vec<FrictionAnchor>,
     /// Tension history of ropes with dynamic stiffness. One entry a segment, or empty: the rope is then static.
     pub ropes: Vec<RopeHistory>,
+    /// What the one stiffness of a rope whose segments share it depends on. One entry a segment, or empty: no segment shares.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub shared_stiffness: Vec<SharedStiffness>,
     /// Slow parts of ropes that creep. One entry a segment, or empty: the rope is then at rest.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub creep: Vec<CreepState>,
@@ -66,12 +69,28 @@ pub struct RopeHistory {
     pub tension: f64,
 }
 
+/// What the one stiffness of a rope depends on, as of the last accepted step; each of its segments has a copy.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct SharedStiffness {
+    /// Whether the segment is of such a rope.
+    pub shared: bool,
+    /// Mean tension, averaged along the rope \[N\].
+    pub mean: f64,
+    /// Its rate \[N/s\].
+    pub mean_rate: f64,
+    /// Strain from where the branch of the mean begins, averaged along the rope \[-\].
+    pub strain: f64,
+    /// Its rate \[1/s\].
+    pub strain_rate: f64,
+}
+
 impl HistoryVariables {
     /// Copies another memory; allocates only where sizes differ.
     pub fn copy_from(&mut self, other: &Self) {
         self.drag_coefficients.clone_from(&other.drag_coefficients);
         self.grips.clone_from(&other.grips);
         self.ropes.clone_from(&other.ropes);
+        self.shared_stiffness.clone_from(&other.shared_stiffness);
         self.creep.clone_from(&other.creep);
         self.bodies.clone_from(&other.bodies);
         self.motion_pieces = other.motion_pieces;

@@ -163,6 +163,12 @@ pub trait StaticSearch: Residual + Sized {
     /// out of all proportion, those of the initial guess.
     fn initialise_tensions(&self, _state: &mut State) {}
 
+    /// Brings the one stiffness of ropes whose segments share it up to date with the state at rest; returns by how much it
+    /// changes at most, relative to itself.
+    fn share_stiffness(&self, _state: &mut State) -> f64 {
+        0.0
+    }
+
     /// A node at which the line folds back on itself, if there is one. The bending moment vanishes at a fold, so that forces
     /// may balance there, but no such equilibrium is stable.
     fn kinked_node(&self, _state: &State) -> Option<usize> {

@@ -273,10 +273,10 @@ fn rows_list_given_and_defaulted_fields_with_their_standing() {
             "section chain",
             "section polyester",
             "section wire",
-            "floats wire",
             "end A (vessel)",
             "end B (payload)",
             "payload",
+            "floats on wire",
             "start",
             "solver",
             "output"

@@ -73,10 +73,10 @@ fn line(normal: &str) -> Scene {
 }
 
 /// The same with dynamic stiffness in the rope: at rest, or remembering the tensions that it had when straight.
-fn line_of_fibre(reading: &str) -> Scene {
+fn line_of_fibre(reading: &str, scope: &str) -> Scene {
     let fibre = format!(
         "ea_n = 1.0e6\nbreak_load_n = 1e5\ndynamic_stiffness = \"{reading}\"\ndynamic_alpha = 14.0\n\
-         dynamic_beta = 0.2\ndynamic_gamma = 0.25"
+         dynamic_beta = 0.2\ndynamic_gamma = 0.25\nstiffness_scope = \"{scope}\""
     );
     let text = LINE.replace("\"NORMAL\"", "1.2");
     let text = text.replacen("ea_n = 1.0e6", &fibre, 1);
@@ -242,12 +242,13 @@ proptest! {
         numbers in proptest::collection::vec(-1.0f64..1.0, 97),
         strain in prop_oneof![Just(0.03), Just(-0.03)],
         reading in prop_oneof![Just("secant"), Just("about-the-mean")],
+        scope in prop_oneof![Just("segment"), Just("rope")],
         rests: bool,
         mass in 0.0f64..2.0,
         damping in 0.0f64..2.0,
         stiffness in 0.0f64..1.0,
     ) {
-        let scene = line_of_fibre(reading);
+        let scene = line_of_fibre(reading, scope);
         let mut state = state(&scene, &numbers, strain, 0.05);
         if !rests {
             let mut before = self::state(&scene, &numbers, 0.02, 0.0);

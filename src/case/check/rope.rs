@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_4;
 use super::creep;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
-use crate::case::model::{BoreKeys, CaseKeys, DynamicStiffness, MaterialKeys};
+use crate::case::model::{BoreKeys, CaseKeys, DynamicStiffness, MaterialKeys, StiffnessScope};
 use crate::case::schema::{Key, KeyValue};
 
 /// Checks of every material's elasticity and axial damping.
@@ -88,8 +88,13 @@ fn dynamic(material: &MaterialKeys<'_>) -> Vec<Finding> {
             .filter(|key| key.is_given() && !key.is(&0.0));
         let problem = "has no effect: dynamic_stiffness is not given";
         let remedy = "add `dynamic_stiffness = \"secant\"` or \"about-the-mean\", or remove it";
+        let scope = &material.stiffness_scope;
+        let scope = scope
+            .is(&StiffnessScope::Rope)
+            .then(|| scope.finding_at_name(problem, remedy));
         return idle
             .map(|key| key.finding_at_name(problem, remedy))
+            .chain(scope)
             .collect();
     }
     let of_motion = [DynamicStiffness::Secant, DynamicStiffness::AboutTheMean];

@@ -35,6 +35,8 @@ table! {
         dynamic_gamma: f64 = 0.0, "gamma", range of(0.0, 1e3);
         /// Time over which the past tension is averaged.
         mean_window_s: Option<f64>, "window of the mean", range positive(1e6), absent "all of the past";
+        /// Whether each segment has the dynamic stiffness of its own tension, or all of a rope have that of its average.
+        stiffness_scope: StiffnessScope = StiffnessScope::Segment, "scope of the stiffness";
         /// Slow part of a fibre rope beside its fast part: one static curve, or the working curves of the Syrope model.
         creep_model: CreepModel = CreepModel::None, "creep";
         /// Stiffness of the fast part, which motion meets, at no mean tension.
@@ -112,6 +114,18 @@ words! {
         Secant = "secant",
         /// About the mean state, up to which the static stiffness holds.
         AboutTheMean = "about-the-mean",
+    }
+}
+
+words! {
+    /// What has a dynamic stiffness of its own (Zhu, Yin and Shen 2017, secs 1.2 and 1.3).
+    #[derive(Default)]
+    pub enum StiffnessScope {
+        /// Each segment, by the mean and the deviation of its own tension.
+        #[default]
+        Segment = "segment",
+        /// The whole rope, by the mean and the deviation of the tension averaged along it.
+        Rope = "rope",
     }
 }
 

@@ -17,6 +17,10 @@
 //! **About the mean**: the static stiffness up to the mean tension Tm and its strain e_m, the dynamic one from there:
 //! `T = Tm + k MBL (e - e_m)`. With `B = alpha + beta Lm` and `D = e - e_m`: `T = Tm + MBL B D / (1 + c D)`. A line
 //! at rest has its static tensions.
+//!
+//! **Scope.** Each segment has the k of its own tension, as in the paper (sec. 1.3), or all segments of a rope share one
+//! (the traditional method, sec. 1.2, against which the paper argues): Lm and La are then those of the tension averaged along
+//! the rope, [`FibreRope::shared_stiffness`], and tension is linear in the strain of a segment, [`FibreRope::in_step`].
 
 use super::{ElasticTension, TensionTable};
 
@@ -35,6 +39,8 @@ pub struct FibreRope {
     pub reading: StiffnessForm,
     /// Time over which the past tension is averaged \[s\]; infinity: all of the past.
     pub window: f64,
+    /// Whether the segments of a rope share one stiffness, instead of each having its own.
+    pub shared: bool,
 }
 
 /// How the dynamic stiffness defines the tension.
@@ -61,6 +67,15 @@ pub struct MeanState {
     /// Mean tension \[N\].
     pub tension: f64,
     /// Strain under that tension, loaded slowly \[-\].
+    pub strain: f64,
+}
+
+/// What the one stiffness of a rope depends on, at an instant.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct RopeAverage {
+    /// Mean of the past tension, averaged along the rope \[N\].
+    pub tension: f64,
+    /// Strain from where the branch of the mean begins, averaged along the rope \[-\].
     pub strain: f64,
 }
 
@@ -176,6 +191,89 @@ impl FibreRope {
         (stored, by_mean)
     }
 
+    /// k of a whole rope in motion \[-\]: La is that of the average tension, which k itself gives, in closed form.
+    #[must_use]
+    pub fn shared_stiffness(&self, average: &RopeAverage) -> f64 {
+        let percent = self.percent(average.tension);
+        let full = self.alpha + (self.beta + self.gamma) * percent;
+        let base = match self.reading {
+            StiffnessForm::Secant => full,
+            StiffnessForm::AboutTheMean(_) => self.stiffness(percent, 0.0),
+        };
+        base / (1.0 + 100.0 * self.gamma * average.strain.max(self.slack_from(percent)))
+    }
+
+    /// Rate of [`FibreRope::shared_stiffness`] \[1/s\] by those of the averages.
+    #[must_use]
+    pub fn shared_stiffness_rate(&self, average: &RopeAverage, rate: &RopeAverage) -> f64 {
+        let k = self.shared_stiffness(average);
+        let c = 100.0 * self.gamma;
+        let by_percent = match self.reading {
+            StiffnessForm::Secant => self.beta + self.gamma,
+            StiffnessForm::AboutTheMean(_) => self.beta,
+        };
+        let slack = self.slack_from(self.percent(average.tension));
+        let strain_rate = if average.strain > slack {
+            rate.strain
+        } else {
+            0.0
+        };
+        let bent = 1.0 + c * average.strain.max(slack);
+        (by_percent * self.percent(rate.tension) - k * c * strain_rate) / bent
+    }
+
+    /// Deviation La of the average tension from its mean, in percent of the breaking load, under a shared k.
+    #[must_use]
+    pub fn shared_deviation(&self, average: &RopeAverage, k: f64) -> f64 {
+        match self.reading {
+            StiffnessForm::Secant => 100.0 * k * average.strain - self.percent(average.tension),
+            StiffnessForm::AboutTheMean(_) => 100.0 * k * average.strain,
+        }
+    }
+
+    /// Tension and slope of a segment under a shared k; `mean` is its own mean state, none at rest.
+    #[must_use]
+    pub fn in_step(&self, strain: f64, mean: Option<&MeanState>, k: f64) -> ElasticTension {
+        let by_strain = k * self.strength;
+        let (from, start) = match (&self.reading, mean) {
+            (StiffnessForm::Secant, _) => (0.0, 0.0),
+            (StiffnessForm::AboutTheMean(curve), None) => return curve.at(strain),
+            (StiffnessForm::AboutTheMean(_), Some(mean)) => (mean.strain, mean.tension),
+        };
+        ElasticTension {
+            tension: start + by_strain * (strain - from),
+            by_strain,
+        }
+    }
+
+    /// Energy stored per unstretched length under a shared k \[N\], and its rate at the same strain \[N/s\], by the rates
+    /// of k and of the segment's mean state.
+    #[must_use]
+    pub fn stored_in_step(
+        &self,
+        strain: f64,
+        mean: Option<(&MeanState, &MeanState)>,
+        (k, k_rate): (f64, f64),
+    ) -> (f64, f64) {
+        if let (StiffnessForm::AboutTheMean(_), None) = (&self.reading, mean) {
+            return (self.stored_at_rest(strain), 0.0);
+        }
+        let ElasticTension { tension, by_strain } = self.in_step(strain, mean.map(|(m, _)| m), k);
+        if tension <= 0.0 {
+            return (0.0, 0.0);
+        }
+        let stiffness_rate = k_rate * self.strength;
+        let tension_rate = match (&self.reading, mean) {
+            (StiffnessForm::AboutTheMean(_), Some((mean, rate))) => {
+                rate.tension + stiffness_rate * (strain - mean.strain) - by_strain * rate.strain
+            }
+            _ => stiffness_rate * strain,
+        };
+        let stretch = tension / by_strain;
+        let rate = stretch * (tension_rate - 0.5 * stretch * stiffness_rate);
+        (0.5 * tension * stretch, rate)
+    }
+
     /// A slope that tensions do not exceed while the mean stays below half the breaking load \[N\].
     #[must_use]
     pub fn max_stiffness(&self) -> f64 {
@@ -218,10 +316,14 @@ impl FibreRope {
 
     /// The strain, from where the branch begins, at which the rope goes slack.
     fn slack(&self, mean: &MeanState) -> f64 {
+        self.slack_from(self.percent(mean.tension))
+    }
+
+    /// The same by the mean tension in percent of the breaking load.
+    fn slack_from(&self, percent: f64) -> f64 {
         match self.reading {
             StiffnessForm::Secant => 0.0,
             StiffnessForm::AboutTheMean(_) => {
-                let percent = self.percent(mean.tension);
                 let full = self.alpha + (self.beta + self.gamma) * percent;
                 -0.01 * percent / full
             }
@@ -287,6 +389,7 @@ mod tests {
             strength: 14.715e6,
             reading,
             window: f64::INFINITY,
+            shared: false,
         }
     }
 
@@ -409,6 +512,86 @@ mod tests {
                     let here = rope.in_motion(f64::from(i) * 5e-4, &mean);
                     assert!(here.by_strain <= rope.max_stiffness() * (1.0 + 1e-12));
                 }
+            }
+        }
+    }
+
+    /// The average of a rope that is one segment.
+    fn average_of(rope: &FibreRope, strain: f64, mean: &MeanState) -> RopeAverage {
+        let from = match rope.reading {
+            StiffnessForm::Secant => 0.0,
+            StiffnessForm::AboutTheMean(_) => mean.strain,
+        };
+        RopeAverage {
+            tension: mean.tension,
+            strain: strain - from,
+        }
+    }
+
+    #[test]
+    fn a_rope_of_one_segment_shares_its_stiffness_with_itself() {
+        for rope in readings() {
+            let mean = mean_of(&rope, 2.1e6);
+            for i in 1..30 {
+                let strain = f64::from(i) * 8e-4;
+                let own = rope.in_motion(strain, &mean);
+                if own.tension <= 0.0 {
+                    continue;
+                }
+                let average = average_of(&rope, strain, &mean);
+                let k = rope.shared_stiffness(&average);
+                let shared = rope.in_step(strain, Some(&mean), k);
+                assert!((shared.tension / own.tension - 1.0).abs() < 1e-12);
+                let deviation = rope.percent(own.tension - mean.tension);
+                assert!((rope.shared_deviation(&average, k) - deviation).abs() < 1e-9);
+                assert!((rope.stiffness(rope.percent(mean.tension), deviation) - k).abs() < 1e-9);
+            }
+        }
+    }
+
+    #[test]
+    fn energy_under_a_shared_stiffness_goes_with_tension_and_time() {
+        for rope in readings() {
+            for strain in [0.003, 0.008, 0.02] {
+                // Averages and mean state at a time t [s], at some rates.
+                let at = |t: f64| {
+                    let mean = MeanState {
+                        tension: 2.1e6 + 3e4 * t,
+                        strain: 0.009 + 2e-4 * t,
+                    };
+                    let average = RopeAverage {
+                        tension: 2.0e6 + 2e4 * t,
+                        strain: 0.001 - 1e-4 * t,
+                    };
+                    (mean, average)
+                };
+                let stored = |strain: f64, t: f64| {
+                    let (mean, average) = at(t);
+                    let rates = (at(1.0), at(0.0));
+                    let mean_rate = MeanState {
+                        tension: rates.0.0.tension - rates.1.0.tension,
+                        strain: rates.0.0.strain - rates.1.0.strain,
+                    };
+                    let average_rate = RopeAverage {
+                        tension: rates.0.1.tension - rates.1.1.tension,
+                        strain: rates.0.1.strain - rates.1.1.strain,
+                    };
+                    let k = rope.shared_stiffness(&average);
+                    let k_rate = rope.shared_stiffness_rate(&average, &average_rate);
+                    let tension = rope.in_step(strain, Some(&mean), k).tension;
+                    let found = rope.stored_in_step(strain, Some((&mean, &mean_rate)), (k, k_rate));
+                    (found, tension)
+                };
+                let h = 1e-7;
+                let ((_, rate), tension) = stored(strain, 0.0);
+                let force = (stored(strain + h, 0.0).0.0 - stored(strain - h, 0.0).0.0) / (2.0 * h);
+                assert!((force - tension.max(0.0)).abs() < 50.0, "{rope:?} {strain}");
+                let h = 1e-4;
+                let slope = (stored(strain, h).0.0 - stored(strain, -h).0.0) / (2.0 * h);
+                assert!(
+                    (slope - rate).abs() < 1e-5 * (1.0 + rate.abs()),
+                    "{rope:?} {strain} {slope} {rate}"
+                );
             }
         }
     }

@@ -7,7 +7,7 @@ pub mod table;
 pub mod working_curve;
 
 pub use creep::CreepingRope;
-pub use dynamic::{FibreRope, MeanState, StaticElasticity, StiffnessForm};
+pub use dynamic::{FibreRope, MeanState, RopeAverage, StaticElasticity, StiffnessForm};
 pub use table::TensionTable;
 
 /// Elastic tension of a rope, and its slope.

@@ -2,7 +2,7 @@
 
 use crate::case::{
     Case, CreepModel, DragCoefficient, DynamicStiffness, EndKind, Material, Method, OneOrMany,
-    WaterSurface, WaveKind,
+    StiffnessScope, WaterSurface, WaveKind,
 };
 
 /// An effect of a scene that can be left out, or a part of it that can be changed.
@@ -261,6 +261,7 @@ fn without_dynamic_stiffness(material: &mut Material) {
         material.dynamic_stiffness = DynamicStiffness::None;
         (material.dynamic_alpha, material.mean_window_s) = (None, None);
         (material.dynamic_beta, material.dynamic_gamma) = (0.0, 0.0);
+        material.stiffness_scope = StiffnessScope::Segment;
     }
 }
 

@@ -315,6 +315,11 @@ fn change_history(own: &mut State, scene: &Scene, (node, segment): (usize, usize
     change(&mut memory.drag_coefficients, segment, drag);
     let rope = parts.then(|| memory.ropes.get(segment).copied().unwrap_or_default());
     change(&mut memory.ropes, segment, rope);
+    let shared = parts.then(|| {
+        let list = &memory.shared_stiffness;
+        list.get(segment).copied().unwrap_or_default()
+    });
+    change(&mut memory.shared_stiffness, segment, shared);
     let creep = parts.then(|| memory.creep.get(segment).copied().unwrap_or_default());
     change(&mut memory.creep, segment, creep);
     if !memory.grips.is_empty() {

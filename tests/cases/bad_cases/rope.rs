@@ -111,6 +111,14 @@ fn numbers_of_a_dynamic_stiffness_that_is_not_there() {
         "has no effect: dynamic_stiffness is not given",
         "add `dynamic_stiffness = \"secant\"`",
     );
+    let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\nstiffness_scope = \"rope\"");
+    assert_fault(
+        &fault,
+        (12, 1),
+        "materials.chain.stiffness_scope",
+        "has no effect: dynamic_stiffness is not given",
+        "add `dynamic_stiffness = \"secant\"`",
+    );
     let fault = spoilt("ea_n = 1e9", "ea_n = 1e9\ndynamic_stiffness = \"cosecant\"");
     assert_fault(
         &fault,

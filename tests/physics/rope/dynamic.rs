@@ -23,6 +23,9 @@ fn hung(reading: &str, segments: usize, more: &str) -> Scene {
     ))
 }
 
+/// For a rope whose segments share one stiffness.
+const ROPE: &str = ", stiffness_scope = \"rope\"";
+
 /// At rest the mean is the tension itself: `T = MBL e (alpha + beta 100 T / MBL)`, or the static stiffness.
 #[test]
 fn a_rope_at_rest_has_the_stiffness_of_its_own_tension() {
@@ -175,21 +178,24 @@ fn small_swings_go_at_the_slope_of_the_reading() {
 /// Where the body comes to after a push, by a method in steps of h.
 fn after_a_push(scene: &Scene, method: impl Stepper<Scene>, h: f64) -> f64 {
     let mut state = rest::at_rest(scene);
-    state.v[1].z = 0.3;
+    let last = state.v.len() - 1;
+    state.v[last].z = 0.3;
     march::march(method, scene, &mut state, (8.0, h), |_, _| ());
-    state.x[1].z
+    state.x[last].z
 }
 
 /// Generalized-alpha stays of second order, for the mean is moved on within the step; so does Runge-Kutta, whose
 /// order 4 the mean does not have.
 #[test]
 fn the_march_is_of_second_order() {
-    for reading in ["secant", "about-the-mean"] {
-        let scene = hung(reading, 1, "");
+    let scopes = [(1, ""), (3, ROPE)];
+    let each = |reading| scopes.map(|(segments, scope)| (reading, segments, scope));
+    for (reading, segments, scope) in ["secant", "about-the-mean"].into_iter().flat_map(each) {
+        let scene = hung(reading, segments, scope);
         let exact = after_a_push(&scene, march::rk4(&scene), 0.000_5);
         let coarser = after_a_push(&scene, march::rk4(&scene), 0.001);
         assert!(
-            (exact - coarser).abs() < 1e-7,
+            (exact - coarser).abs() < 1e-6,
             "{reading} {exact} {coarser}"
         );
         let errors = [0.02, 0.01, 0.005].map(|h| {
@@ -234,13 +240,16 @@ fn out_by(scene: &Scene, h: f64) -> f64 {
 #[test]
 fn the_books_balance() {
     for reading in ["secant", "about-the-mean"] {
-        let scene = hung(reading, 4, ", axial_damping_ratio = 0.05");
-        let out = [0.004, 0.002, 0.001].map(|h| out_by(&scene, h));
-        assert!(out[2] < 1e-3, "{reading} {out:?}");
-        assert!(
-            out[0] > 3.0 * out[1] && out[1] > 3.0 * out[2],
-            "{reading} {out:?}"
-        );
+        for scope in ["", ROPE] {
+            let more = format!(", axial_damping_ratio = 0.05{scope}");
+            let scene = hung(reading, 4, &more);
+            let out = [0.004, 0.002, 0.001].map(|h| out_by(&scene, h));
+            assert!(out[2] < 1e-3, "{reading} {scope} {out:?}");
+            assert!(
+                out[0] > 3.0 * out[1] && out[1] > 3.0 * out[2],
+                "{reading} {scope} {out:?}"
+            );
+        }
     }
 }
 
@@ -259,5 +268,105 @@ fn trials_leave_no_trace() {
         scene.residual(f64::from(step), &trial, &mut r);
         scene.accelerate(f64::from(step), &mut trial);
         assert_eq!(trial.memory, memory);
+    }
+}
+
+/// At rest a rope with one stiffness has that of its average tension in every segment; about the mean state it has its
+/// static tensions.
+#[test]
+fn a_whole_rope_at_rest_has_one_stiffness() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 10, &format!(", mass_kg_per_m = 40.0{ROPE}"));
+        let mut state = rest::at_rest(&scene);
+        let tension = |i: usize| 9.80665 * (1000.0 + 40.0 * (5.0 + 10.0 * (9 - i) as f64));
+        let average = (0..10).map(tension).sum::<f64>() / 10.0;
+        let k = ALPHA + BETA * 100.0 * average / STRENGTH;
+        for _ in 0..2 {
+            for i in 0..10 {
+                let strain = (state.x[i + 1] - state.x[i]).norm() / 10.0 - 1.0;
+                let found = scene.line.rope_reading(i, &state).unwrap();
+                assert!((found.mean_load - 100.0 * average / STRENGTH).abs() < 1e-6);
+                assert!(found.deviation.abs() < 1e-6);
+                assert!((found.stiffness - k).abs() < 1e-6);
+                let stiffness = if reading == "secant" {
+                    k * STRENGTH
+                } else {
+                    STATIC
+                };
+                assert!(
+                    (strain * stiffness / tension(i) - 1.0).abs() < 1e-8,
+                    "{reading} {i}"
+                );
+            }
+            // The motion begins with what the line at rest has.
+            scene.commit(0.0, 0.0, &mut state);
+        }
+        let rest = state.clone();
+        let method = march::alpha(&scene, 0.4);
+        march::march(method, &scene, &mut state, (20.0, 0.1), |_, s| {
+            for (a, b) in s.x.iter().zip(&rest.x) {
+                assert!((a - b).norm() < 1e-7, "{reading}");
+            }
+        });
+    }
+}
+
+/// One segment alone shares its stiffness with none: both scopes are the same, to the last digit.
+#[test]
+fn one_segment_has_the_same_stiffness_in_both_scopes() {
+    for reading in ["secant", "about-the-mean"] {
+        let end = |scope| {
+            let scene = hung(reading, 1, scope);
+            after_a_push(&scene, march::alpha(&scene, 0.4), 0.01)
+        };
+        assert_eq!(end(""), end(ROPE), "{reading}");
+    }
+}
+
+/// A rope without weight has the same tension all along, which both scopes then agree on: the better, the shorter the
+/// steps, for what segments share is extrapolated within the step.
+#[test]
+fn without_weight_both_scopes_agree() {
+    let light = ", mass_kg_per_m = 1e-3";
+    for reading in ["secant", "about-the-mean"] {
+        let differences = [0.04, 0.02, 0.01].map(|h| {
+            let end = |scope: &str| {
+                let scene = hung(reading, 3, &format!("{light}{scope}"));
+                after_a_push(&scene, march::alpha(&scene, 0.4), h)
+            };
+            (end("") - end(ROPE)).abs()
+        });
+        assert!(differences[2] < 1e-4, "{reading} {differences:?}");
+        for pair in differences.windows(2) {
+            let order = (pair[0] / pair[1]).log2();
+            assert!((1.7..2.4).contains(&order), "{reading} {differences:?}");
+        }
+    }
+}
+
+/// In motion all segments of a rope have one k, by the mean and the deviation of the average tension.
+#[test]
+fn a_whole_rope_in_motion_has_one_stiffness() {
+    for reading in ["secant", "about-the-mean"] {
+        let scene = hung(reading, 5, &format!(", mass_kg_per_m = 40.0{ROPE}"));
+        let mut state = rest::at_rest(&scene);
+        state.v[5].z = 0.5;
+        let method = march::alpha(&scene, 0.4);
+        let mut swing = 0.0_f64;
+        march::march(method, &scene, &mut state, (10.0, 0.01), |t, s| {
+            let found: Vec<_> = (0..5)
+                .map(|i| scene.line.rope_reading(i, s).unwrap())
+                .collect();
+            assert!(found.iter().all(|one| *one == found[0]));
+            let one = found[0];
+            let k = ALPHA + BETA * one.mean_load - GAMMA * one.deviation;
+            assert!((one.stiffness - k).abs() < 1e-9, "{reading} {t}");
+            let tension = |i: usize| scene.line.pull(i, &scene.line.chord(i, s), t, s).value;
+            let average = (0..5).map(tension).sum::<f64>() / 5.0;
+            let percent = one.mean_load + one.deviation;
+            assert!((percent - 100.0 * average / STRENGTH).abs() < 1e-6);
+            swing = swing.max(one.deviation.abs());
+        });
+        assert!(swing > 1.0, "{swing}");
     }
 }
