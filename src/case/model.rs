@@ -42,7 +42,7 @@ pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
 };
 pub use validation_data::{
-    Direction, Mark, Provenance, Published, PublishedCurve, Statistic, Study, StudyPoint,
+    Direction, Evidence, Mark, Provenance, Published, PublishedCurve, Statistic, Study, StudyPoint,
     StudyValue, Trend, Trial,
 };
 
@@ -140,6 +140,8 @@ table! {
         notes: String = "", "notes";
         /// Names of other case files whose stored runs are listed here too, to be laid over this case's.
         beside: Option<Vec<String>>, "beside", absent "none";
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
     }
 }
 

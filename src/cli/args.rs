@@ -494,7 +494,8 @@ pub(super) struct RunArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ValidateArgs {
-    /// Case files, or directories of them; by default all that come with the program.
+    /// Case files, or directories of them: their tables, each row with its note; by default the page of all that come with
+    /// the program.
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 
@@ -502,6 +503,22 @@ pub(super) struct ValidateArgs {
     /// value of the key then read EDITED, and count neither as passed nor as failed.
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "cases")]
     pub(super) set: Vec<String>,
+
+    /// Print the first screen alone: a line for each paper, and the counts of all rows.
+    #[arg(long, conflicts_with_all = ["details", "json"])]
+    pub(super) summary: bool,
+
+    /// Print inputs and equations of the papers too, and the whole table of every file, each row with its note.
+    #[arg(long, conflicts_with = "json")]
+    pub(super) details: bool,
+
+    /// Print Markdown.
+    #[arg(long, conflicts_with = "json")]
+    pub(super) markdown: bool,
+
+    /// Print an HTML page.
+    #[arg(long, conflicts_with_all = ["markdown", "json"])]
+    pub(super) html: bool,
 
     /// Print one JSON object.
     #[arg(long, conflicts_with = "ascii")]

@@ -13,7 +13,7 @@ use crate::{
 };
 
 /// Where the cases that come with the program lie in its source.
-const FOLDER: &str = "cases";
+pub(super) const FOLDER: &str = "cases";
 
 /// A case with its text.
 #[derive(Debug)]

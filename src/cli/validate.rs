@@ -1,4 +1,4 @@
-//! `seacable validate`: cases compared with the published values they state.
+//! `seacable validate`: cases compared with the published values they state, and the page of all of them.
 
 use std::{
     process::ExitCode,
@@ -16,8 +16,14 @@ use super::{
 };
 use crate::{
     case::{Case, EditedKey, StudyPoint, kind},
-    reference::{self, Outcome, OutcomeCounts, ValidationRow},
-    report::{run_json, text},
+    reference::{
+        self, OutcomeCounts, ValidationRow,
+        papers::{self, FileRows, Paper},
+    },
+    report::{
+        document, run_json, text,
+        validation::{self, Extent, JudgedPaper, ValidatedFile},
+    },
     run::{
         Run,
         job::{self, Request},
@@ -31,9 +37,9 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let others = named.others.iter().map(|file| {
         let (title, rows) = kinds::validation(file, &set, stop.cancel())?;
-        Ok(ValidatedFile::new(&title, &file.name, rows))
+        Ok(Validated::new(&title, &file.name, &file.text, rows))
     });
-    let others: Vec<ValidatedFile> = others.collect::<Result<_, CommandError>>()?;
+    let others: Vec<Validated> = others.collect::<Result<_, CommandError>>()?;
     let cases: Vec<EditedCase> = named
         .lines
         .into_iter()
@@ -55,9 +61,10 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
                 .map(|(_, run)| run)
         };
         let rows = reference::rows_of_edited(&loaded.case, edited, &lookup);
-        tables.push(ValidatedFile::new(
+        tables.push(Validated::new(
             &loaded.case.case.title,
             &loaded.name,
+            &loaded.text,
             rows,
         ));
     }
@@ -65,17 +72,76 @@ pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {
     if args.cases.is_empty() {
         tables.retain(|file| !file.rows.is_empty());
     }
-    let page = match args.json {
-        true => format!("{:#}\n", object(&tables)),
-        false => text(&tables),
-    };
-    output::results(&page, args.ascii)?;
+    show(args, &tables)?;
     let holds = total(&tables).holds();
     Ok(if holds {
         ExitCode::SUCCESS
     } else {
         ExitCode::from(BAD_RESULT)
     })
+}
+
+/// Prints what was asked for: of cases that were named their tables, otherwise the page.
+fn show(args: &ValidateArgs, tables: &[Validated]) -> Result<(), CommandError> {
+    let lists: Vec<Paper> = papers(tables)?;
+    let rows: Vec<FileRows<'_>> = tables.iter().map(Validated::rows).collect();
+    let judged: Vec<JudgedPaper<'_>> = lists
+        .iter()
+        .map(|paper| JudgedPaper {
+            paper,
+            statements: papers::judge(paper, &rows),
+        })
+        .collect();
+    if args.json {
+        return output::object(&object(tables, &judged));
+    }
+    let whole = args.cases.is_empty();
+    let extent = match (args.summary, args.details) {
+        (true, _) => Some(Extent::Summary),
+        (_, true) => Some(Extent::Details),
+        _ => whole.then_some(Extent::Page),
+    };
+    let files: Vec<ValidatedFile<'_>> = tables.iter().map(Validated::file).collect();
+    let mut blocks =
+        extent.map_or_else(Vec::new, |extent| validation::page(&files, &judged, extent));
+    if args.markdown || args.html {
+        if extent.is_none() {
+            blocks = validation::page(&files, &judged, Extent::Details);
+        }
+        let page = match args.html {
+            true => document::html(&blocks),
+            false => document::markdown(&blocks),
+        };
+        return output::results(&page, args.ascii);
+    }
+    let mut page = document::text(&blocks, text::WIDTH);
+    if extent != Some(Extent::Summary) {
+        if extent.is_none() || args.details {
+            page.push_str(&full_tables(tables));
+        }
+        page.push_str(&format!("\nAll cases: {}\n", total(tables)));
+        if extent == Some(Extent::Page) {
+            page.push_str(MORE);
+        }
+    }
+    output::results(page.trim_start_matches('\n'), args.ascii)
+}
+
+const MORE: &str = "\
+`seacable validate --details` shows inputs, equations and every row with its note; `seacable validate FILE` one file.\n";
+
+/// The lists of the papers of which a file was computed.
+fn papers(tables: &[Validated]) -> Result<Vec<Paper>, CommandError> {
+    let mut lists = Vec::new();
+    for (name, text) in papers::LISTS {
+        let wrong = CommandError::invalid(text);
+        let paper = papers::parse(text, name).map_err(wrong)?;
+        let mut cases = paper.about.cases.iter();
+        if cases.any(|case| tables.iter().any(|file| file.rows().file == case)) {
+            lists.push(paper);
+        }
+    }
+    Ok(lists)
 }
 
 /// A case with the keys set on top of its file.
@@ -162,60 +228,79 @@ fn compute(variants: &[VariantRequest], stop: &StopFlag) -> Vec<Run> {
 }
 
 /// A file with the rows of its validation.
-struct ValidatedFile {
-    /// Its title and its name.
-    head: String,
+struct Validated {
+    title: String,
+    /// How the user knows it.
+    name: String,
+    text: String,
     rows: Vec<ValidationRow>,
 }
 
-impl ValidatedFile {
-    fn new(title: &str, name: &str, rows: Vec<ValidationRow>) -> Self {
+impl Validated {
+    fn new(title: &str, name: &str, text: &str, rows: Vec<ValidationRow>) -> Self {
         Self {
-            head: visible::line(&format!("{title} ({name})")).into_owned(),
+            title: title.to_owned(),
+            name: name.to_owned(),
+            text: text.to_owned(),
             rows,
+        }
+    }
+
+    /// Title and name.
+    fn head(&self) -> String {
+        visible::line(&format!("{} ({})", self.title, self.name)).into_owned()
+    }
+
+    fn rows(&self) -> FileRows<'_> {
+        let folder = format!("{}/", cases::FOLDER);
+        FileRows {
+            file: self.name.strip_prefix(&folder).unwrap_or(&self.name),
+            text: &self.text,
+            rows: &self.rows,
+        }
+    }
+
+    fn file(&self) -> ValidatedFile<'_> {
+        ValidatedFile {
+            title: &self.title,
+            of: self.rows(),
         }
     }
 }
 
-fn total(tables: &[ValidatedFile]) -> OutcomeCounts {
+fn total(tables: &[Validated]) -> OutcomeCounts {
     tables
         .iter()
         .map(|file| reference::count_outcomes(&file.rows))
         .fold(OutcomeCounts::default(), |a, b| a + b)
 }
 
-/// All tables as one JSON object.
-fn object(tables: &[ValidatedFile]) -> serde_json::Value {
+/// Papers and tables as one JSON object.
+fn object(tables: &[Validated], papers: &[JudgedPaper<'_>]) -> serde_json::Value {
     let files = tables.iter().map(|file| {
         let rows = run_json::validation(&file.rows);
-        serde_json::json!({"file": file.head, "rows": rows})
+        serde_json::json!({"file": file.head(), "path": file.name, "rows": rows})
     });
-    let counts = total(tables).to_string();
-    serde_json::json!({"files": files.collect::<Vec<_>>(), "counts": counts})
+    let papers = papers
+        .iter()
+        .map(|one| run_json::paper(one.paper, &one.statements));
+    serde_json::json!({
+        "papers": papers.collect::<Vec<_>>(),
+        "files": files.collect::<Vec<_>>(),
+        "counts": total(tables).to_string(),
+    })
 }
 
-fn text(tables: &[ValidatedFile]) -> String {
+/// The validation table of every file, each row with its note.
+fn full_tables(tables: &[Validated]) -> String {
     let mut out = String::new();
-    for ValidatedFile { head, rows } in tables {
-        out.push_str(&format!("{head}\n{}\n", "=".repeat(head.chars().count())));
-        if rows.is_empty() {
-            out.push_str("The case states no published values.\n\n");
-            continue;
+    for file in tables {
+        let head = file.head();
+        out.push_str(&format!("\n{head}\n{}\n", "=".repeat(head.chars().count())));
+        match file.rows.is_empty() {
+            true => out.push_str("The case states no published values.\n"),
+            false => out.push_str(&text::validation(&file.rows)),
         }
-        out.push_str(&text::validation(rows));
-        out.push('\n');
     }
-    let differing = tables
-        .iter()
-        .flat_map(|file| &file.rows)
-        .filter(|r| r.outcome == Outcome::Differs);
-    let differing = differing.count();
-    if differing > 0 {
-        out.push_str(&format!(
-            "{differing} published numbers differ and are declared out of reach by their case;\n\
-             the reasons are below its table.\n"
-        ));
-    }
-    out.push_str(&format!("All cases: {}\n", total(tables)));
     out
 }

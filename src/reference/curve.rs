@@ -19,6 +19,9 @@ pub(super) fn row<'r>(
         published: Some(0.0),
         tolerance: Some(curve.tolerance_percent),
         inputs: Some(curve.inputs),
+        kind: curve.kind.into(),
+        note: curve.note.clone(),
+        tolerance_reason: curve.tolerance_reason.clone(),
         ..ValidationRow::not_run(&curve.name, &curve.source, unit)
     };
     let run = lookup(curve.at.as_ref())

@@ -15,22 +15,23 @@ mod curve;
 mod edited;
 mod note;
 mod outcome_counts;
+pub mod papers;
 mod plan;
 pub(crate) mod published_history;
 pub(crate) mod published_number;
 mod row;
-mod table;
+pub(crate) mod table;
 mod trend;
 mod value;
 mod variant;
 
+pub use self::table::table;
 pub use edited::judge_plain as set_edited_aside;
 pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_history::PublishedHistory;
 pub use published_number::PublishedNumber;
-pub use row::{CalibrationBasis, Outcome, TrendLine, TrendPoint, ValidationRow};
-pub use table::table;
+pub use row::{CalibrationBasis, Outcome, RowKind, TrendLine, TrendPoint, ValidationRow};
 pub use trend::{TrendStatement, compare_trend};
 pub use value::compare;
 pub(crate) use value::tolerance;
@@ -61,7 +62,9 @@ pub fn rows<'r>(
         .map(|trend| trend::row(case, trend, lookup));
     let curves = case.published_curve.iter().enumerate();
     let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
-    values.chain(trends).chain(curves).collect()
+    let common = case.case.tolerance_reason.as_deref();
+    let all = values.chain(trends).chain(curves);
+    all.map(|row| row.with_common_reason(common)).collect()
 }
 
 /// The same of a case with edited inputs: the rows whose published values are not for it read EDITED, with the reason.

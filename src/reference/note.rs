@@ -7,7 +7,7 @@ use crate::{case::Direction, number::with_error};
 pub(super) fn note(row: &ValidationRow) -> String {
     let mut words = Vec::new();
     if !row.source.is_empty() {
-        words.push(format!("{}.", row.source.trim_end_matches('.')));
+        words.push(sentence(&row.source));
     }
     if let Some(at) = &row.at {
         words.push(format!("Computed at {} = {}.", at.study, at.value));
@@ -24,6 +24,12 @@ pub(super) fn note(row: &ValidationRow) -> String {
     if let Some(basis) = row.basis {
         words.push(basis.words().to_owned());
     }
+    if let Some(note) = &row.note {
+        words.push(sentence(note));
+    }
+    if let Some(reason) = &row.tolerance_reason {
+        words.push(format!("Tolerance: {}", sentence(reason)));
+    }
     if let Some(reason) = &row.reason {
         let differs = if row.outcome == Outcome::Differs {
             "Why it differs: "
@@ -33,6 +39,11 @@ pub(super) fn note(row: &ValidationRow) -> String {
         words.push(format!("{differs}{}", reason.trim()));
     }
     capitalised(&words.join(" "))
+}
+
+/// A text with the full stop that it may lack.
+fn sentence(text: &str) -> String {
+    format!("{}.", text.trim().trim_end_matches('.'))
 }
 
 fn capitalised(text: &str) -> String {

@@ -4,7 +4,7 @@ use super::row::{CurveOverlay, ValidationRow};
 use super::value::compare;
 use crate::case::fields::{of, positive};
 use crate::case::schema::table;
-use crate::case::{ChannelId, Finding, Provenance};
+use crate::case::{ChannelId, Evidence, Finding, Provenance};
 use crate::numerics::interpolation::interval;
 use crate::numerics::richardson::Refinement;
 use crate::run::{Channel, History};
@@ -30,6 +30,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed curve, at worst.
         inputs: Provenance, "inputs";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the curve cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "within reach";
     }
@@ -61,6 +67,9 @@ impl PublishedHistory {
                 published: Some(0.0),
                 tolerance: Some(tolerance),
                 inputs: Some(self.inputs),
+                kind: self.kind.into(),
+                note: self.note.clone(),
+                tolerance_reason: self.tolerance_reason.clone(),
                 ..ValidationRow::not_run(&name, &self.source, unit.to_owned())
             };
             let found = distance.as_ref().map_err(String::clone);
@@ -209,6 +218,9 @@ mod tests {
             greatest_percent: Some(1.5),
             source: "by hand".to_owned(),
             inputs: Provenance::Assumed,
+            kind: Evidence::Predicted,
+            note: None,
+            tolerance_reason: None,
             out_of_reach: None,
         }
     }

@@ -3,7 +3,7 @@
 use super::{ValidationRow, compare, tolerance};
 use crate::case::fields::of;
 use crate::case::schema::{Key, table};
-use crate::case::{Finding, Provenance};
+use crate::case::{Evidence, Finding, Provenance};
 
 table! {
     /// A published value and its comparison with the computed one.
@@ -23,8 +23,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed value, at worst.
         inputs: Provenance, "inputs";
-        /// True when an input was fitted to this very number: agreement is then no evidence.
-        fitted: bool = false, "fitted";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "within reach";
     }
@@ -39,7 +43,9 @@ impl PublishedNumber {
             published: Some(self.value),
             tolerance: Some(tolerance),
             inputs: Some(self.inputs),
-            fitted: self.fitted,
+            kind: self.kind.into(),
+            note: self.note.clone(),
+            tolerance_reason: self.tolerance_reason.clone(),
             ..ValidationRow::not_run(&self.name, &self.source, unit.to_owned())
         };
         compare(row, self.out_of_reach.as_deref(), found)

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::case::{ChannelId, Direction, Provenance, StudyPoint, StudyValue};
+use crate::case::{ChannelId, Direction, Evidence, Provenance, StudyPoint, StudyValue};
 
 /// A row of the validation table: a published value, trend or curve compared with a run.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -33,8 +33,12 @@ pub struct ValidationRow {
     pub outcome: Outcome,
     /// Provenance of the inputs behind the computed value, at worst; absent for trends.
     pub inputs: Option<Provenance>,
-    /// True when an input was fitted to this very number: agreement is then no evidence.
-    pub fitted: bool,
+    /// What an agreement is worth.
+    pub kind: RowKind,
+    /// What else the file says of it.
+    pub note: Option<String>,
+    /// Why the tolerance is what it is; absent where the file states no reason, and for trends.
+    pub tolerance_reason: Option<String>,
     /// How far an agreement is evidence; absent where no input was calibrated.
     pub basis: Option<CalibrationBasis>,
     /// Why it differs or was not run; and what else the reader must know.
@@ -46,6 +50,13 @@ pub struct ValidationRow {
 }
 
 impl ValidationRow {
+    /// How far it is off, in tolerances; absent for trends and rows without a number.
+    #[must_use]
+    pub fn in_tolerances(&self) -> Option<f64> {
+        let tolerance = self.tolerance.filter(|tolerance| *tolerance > 0.0)?;
+        Some(self.difference?.abs() / tolerance)
+    }
+
     /// A row without a computed value, which reads NOT RUN.
     pub(super) fn not_run(name: &str, source: &str, unit: String) -> Self {
         Self {
@@ -53,6 +64,71 @@ impl ValidationRow {
             source: source.to_owned(),
             unit,
             ..Self::default()
+        }
+    }
+
+    /// The row with the reason that its file states for all tolerances, where it has a tolerance and no reason of its own.
+    #[must_use]
+    pub(crate) fn with_common_reason(mut self, reason: Option<&str>) -> Self {
+        if self.tolerance.is_some() && self.tolerance_reason.is_none() {
+            self.tolerance_reason = reason.map(str::to_owned);
+        }
+        self
+    }
+}
+
+/// What an agreement of a row is worth as evidence.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RowKind {
+    /// A number computed from inputs none of which was fitted to it.
+    #[default]
+    Predicted,
+    /// A statement of how a number changes along a study.
+    Trend,
+    /// A formula worked out beside the source.
+    ClosedForm,
+    /// An input was fitted to this number or to another print of it: agreement is no evidence.
+    Fitted,
+    /// An input, or an exact consequence of inputs: agreement is no evidence.
+    Echoed,
+}
+
+impl RowKind {
+    /// All kinds.
+    pub const ALL: [Self; 5] = [
+        Self::Predicted,
+        Self::Trend,
+        Self::ClosedForm,
+        Self::Fitted,
+        Self::Echoed,
+    ];
+
+    /// The word for it.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Predicted => "predicted",
+            Self::Trend => "trend",
+            Self::ClosedForm => "closed form",
+            Self::Fitted => "fitted",
+            Self::Echoed => "echoed",
+        }
+    }
+
+    /// True where an agreement says something about the source.
+    #[must_use]
+    pub const fn is_evidence(self) -> bool {
+        matches!(self, Self::Predicted | Self::Trend)
+    }
+}
+
+impl From<Evidence> for RowKind {
+    fn from(evidence: Evidence) -> Self {
+        match evidence {
+            Evidence::Predicted => Self::Predicted,
+            Evidence::Fitted => Self::Fitted,
+            Evidence::Echoed => Self::Echoed,
+            Evidence::ClosedForm => Self::ClosedForm,
         }
     }
 }

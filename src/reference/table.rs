@@ -1,6 +1,6 @@
 //! Rows as the table that screen, report and command line show.
 
-use super::{Outcome, ValidationRow, note::note};
+use super::{Outcome, RowKind, ValidationRow, note::note};
 use crate::{
     case::{Direction, Provenance},
     report::{
@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
-/// error, difference, tolerance, provenance of the inputs. Row `n` of the table is row `n` of `rows` and
+/// error, difference, tolerance, provenance of the inputs, kind. Row `n` of the table is row `n` of `rows` and
 /// carries the number `[n+1]`; the note of that number gives the source of the
 /// value, its basis and the reason of its outcome.
 #[must_use]
@@ -29,10 +29,7 @@ pub fn table(rows: &[ValidationRow]) -> Table {
             Some(line) => Cell::plain(expected(line.expect)),
             None => number(row, row.published, |v| significant(v, PRINTED, &row.unit)),
         })
-        .cell("computed", Align::Right, |(_, row)| match &row.trend {
-            Some(_) => done(row.outcome),
-            None => number(row, row.computed, |v| to_step(v, row)),
-        })
+        .cell("computed", Align::Right, |(_, row)| computed(row))
         .cell("error", Align::Right, |(_, row)| error(row))
         .cell("difference", Align::Right, |(_, row)| {
             number(row, row.difference, |v| to_step(v, row))
@@ -41,8 +38,36 @@ pub fn table(rows: &[ValidationRow]) -> Table {
             number(row, row.tolerance, |v| significant(v, 3, &row.unit))
         })
         .cell("inputs", Align::Left, |(_, row)| inputs(row))
+        .cell("kind", Align::Left, |(_, row)| kind(row))
         .build()
         .noted(notes)
+}
+
+/// The computed number to the decimals that its tolerance needs; of a trend, whether it does as stated.
+pub(crate) fn computed(row: &ValidationRow) -> Cell {
+    match &row.trend {
+        Some(_) => done(row.outcome),
+        None => number(row, row.computed, |v| to_step(v, row)),
+    }
+}
+
+/// The difference in percent of the published value; a dash where that is 0 or nothing was computed.
+pub(crate) fn percent(row: &ValidationRow) -> Cell {
+    let share = row
+        .difference
+        .zip(row.published)
+        .filter(|(_, published)| *published != 0.0);
+    let Some(percent) = share.map(|(difference, published)| 100.0 * difference / published.abs())
+    else {
+        return number(row, None, |_| String::new());
+    };
+    let decimals = match percent.abs() {
+        0.0..0.1 => 3,
+        0.1..10.0 => 2,
+        10.0..100.0 => 1,
+        _ => 0,
+    };
+    Cell::plain(format!("{percent:+.decimals$}"))
 }
 
 /// A number of a value; nothing for a trend.
@@ -138,16 +163,20 @@ fn ink(outcome: Outcome) -> CellStyle {
     }
 }
 
-fn inputs(row: &ValidationRow) -> Cell {
-    if row.fitted {
-        return Cell::new("fitted", CellStyle::Warn);
-    }
+pub(crate) fn inputs(row: &ValidationRow) -> Cell {
     match row.inputs {
         None => Cell::plain(""),
         Some(standing @ (Provenance::Calibrated | Provenance::Assumed)) => {
             Cell::new(standing.name(), CellStyle::Warn)
         }
         Some(standing) => Cell::plain(standing.name()),
+    }
+}
+
+pub(crate) fn kind(row: &ValidationRow) -> Cell {
+    match row.kind {
+        kind @ (RowKind::Fitted | RowKind::Echoed) => Cell::new(kind.word(), CellStyle::Warn),
+        kind => Cell::plain(kind.word()),
     }
 }
 

@@ -165,7 +165,7 @@ fn what_was_fitted_is_told_from_what_was_predicted() {
         basis(&[VALUE, &calibrated]),
         [None, Some(CalibrationBasis::Prediction)]
     );
-    let fitted = format!("{calibrated}fitted = true\n");
+    let fitted = format!("{calibrated}kind = \"fitted\"\n");
     assert_eq!(
         basis(&[&fitted, &calibrated]),
         [

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::{
-    Outcome, TrendLine, TrendPoint, ValidationRow,
+    Outcome, RowKind, TrendLine, TrendPoint, ValidationRow,
     value::{REACHED, find},
 };
 use crate::{
@@ -54,6 +54,7 @@ pub(super) fn row<'r>(
             source: &trend.source,
             expect: trend.expect,
             key: study.map_or("", |s| &s.key),
+            note: trend.note.as_deref(),
             out_of_reach: trend.out_of_reach.as_deref(),
         },
         unit,
@@ -73,6 +74,8 @@ pub struct TrendStatement<'a> {
     pub expect: Direction,
     /// The key that is varied.
     pub key: &'a str,
+    /// What else its file says of it.
+    pub note: Option<&'a str>,
     /// Why it is out of reach, where it is.
     pub out_of_reach: Option<&'a str>,
 }
@@ -89,6 +92,8 @@ pub fn compare_trend(
     ValidationRow {
         outcome,
         reason,
+        kind: RowKind::Trend,
+        note: statement.note.map(str::to_owned),
         trend: Some(TrendLine {
             expect: statement.expect,
             key: statement.key.to_owned(),

@@ -1,8 +1,8 @@
 //! The comparison of a published value with its run.
 
-use super::{CalibrationBasis, Outcome, ValidationRow};
+use super::{CalibrationBasis, Outcome, RowKind, ValidationRow};
 use crate::{
-    case::{ChannelId, Provenance, Published, Statistic, StudyPoint},
+    case::{ChannelId, Evidence, Provenance, Published, Statistic, StudyPoint},
     run::{Channel, Quantity, QuantityId, Run, RunState, Subject},
 };
 
@@ -21,7 +21,15 @@ pub(super) fn row<'r>(
     } else {
         published.statistic.unit(published.channel.unit())
     };
+    let basis = basis(published, all);
+    let kind = match basis {
+        Some(CalibrationBasis::FittedNearby) => RowKind::Fitted,
+        _ => published.kind.into(),
+    };
     let row = ValidationRow {
+        kind,
+        note: published.note.clone(),
+        tolerance_reason: published.tolerance_reason.clone(),
         at: published.at.clone(),
         from: published.change_from.clone(),
         by: published.ratio_to.clone(),
@@ -32,8 +40,7 @@ pub(super) fn row<'r>(
             published.tolerance_abs,
         )),
         inputs: Some(published.inputs),
-        fitted: published.fitted,
-        basis: basis(published, all),
+        basis,
         ..ValidationRow::not_run(&published.name, &published.source, unit)
     };
     let number = found.map(|quantity| (quantity.value, quantity.error_estimate()));
@@ -122,9 +129,12 @@ fn basis(published: &Published, all: &[Published]) -> Option<CalibrationBasis> {
             && other.by_stretch_m == published.by_stretch_m
             && other.at == published.at
     };
-    if published.fitted {
+    if published.kind == Evidence::Fitted {
         Some(CalibrationBasis::Fitted)
-    } else if all.iter().any(|other| other.fitted && same(other)) {
+    } else if all
+        .iter()
+        .any(|other| other.kind == Evidence::Fitted && same(other))
+    {
         Some(CalibrationBasis::FittedNearby)
     } else {
         (published.inputs == Provenance::Calibrated).then_some(CalibrationBasis::Prediction)

@@ -3,6 +3,7 @@
 pub mod audit;
 pub mod chart;
 pub mod comparison;
+pub mod document;
 pub mod effects;
 pub mod figures;
 pub mod limits;
@@ -20,6 +21,7 @@ pub mod ship;
 pub mod system;
 pub mod table;
 pub mod text;
+pub mod validation;
 pub mod variation;
 pub(crate) mod wrap;
 

@@ -5,8 +5,10 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::table::Table;
+use crate::case::{Provenance, StudyValue};
 use crate::modes::LineModes;
-use crate::reference::ValidationRow;
+use crate::reference::papers::{Answer, JudgedStatement, Paper};
+use crate::reference::{TrendLine, ValidationRow};
 use crate::run::{Quantity, Run};
 
 /// The results of a run, each with the parts of its error, and the directory that holds all else.
@@ -78,9 +80,68 @@ pub fn validation(rows: &[ValidationRow]) -> Value {
             "unit": row.unit,
             "error": row.error,
             "tolerance": row.tolerance,
+            "tolerance_reason": row.tolerance_reason,
             "outcome": row.outcome.to_string(),
+            "kind": row.kind.word(),
+            "inputs": row.inputs.map(Provenance::name),
+            "trend": row.trend.as_ref().map(trend),
+            "note": row.note,
+            "reason": row.reason,
             "source": row.source,
         })
     });
     Value::Array(each.collect())
+}
+
+/// A paper with its statements answered.
+#[must_use]
+pub fn paper(paper: &Paper, statements: &[JudgedStatement<'_>]) -> Value {
+    let each = statements.iter().map(|one| {
+        let (word, reason) = answer(&one.answer);
+        let statement = one.statement;
+        json!({
+            "printed_in": statement.printed_in,
+            "says": statement.says,
+            "answer": word,
+            "reason": reason,
+            "second": one.second.as_ref().map(|second| answer(second).0),
+            "rows": statement.rows,
+            "input": statement.input,
+            "code": statement.code,
+            "test": statement.test,
+        })
+    });
+    json!({
+        "title": paper.about.title,
+        "cite": paper.about.cite,
+        "cases": paper.about.cases,
+        "statements": each.collect::<Vec<_>>(),
+    })
+}
+
+/// The word for an answer, and the reason where it is none.
+fn answer(answer: &Answer) -> (&'static str, Option<&str>) {
+    match answer {
+        Answer::Input => ("input", None),
+        Answer::Equation => ("equation", None),
+        Answer::Agrees(kind) => (kind.word(), None),
+        Answer::NotReproduced(reason) => ("not reproduced", Some(reason)),
+        Answer::NotAttempted(reason) => ("not attempted", Some(reason)),
+    }
+}
+
+/// What a trend should do, and the numbers along it.
+fn trend(line: &TrendLine) -> Value {
+    let points = line.points.iter().map(|point| {
+        let value = match &point.value {
+            StudyValue::Number(value) => json!(value),
+            StudyValue::Word(word) => json!(word),
+        };
+        json!({"value": value, "computed": point.computed, "error": point.error})
+    });
+    json!({
+        "key": line.key,
+        "expect": line.expect.name(),
+        "points": points.collect::<Vec<_>>(),
+    })
 }

@@ -177,6 +177,26 @@ impl ElasticRope {
         )
     }
 
+    /// Unstretched length for a horizontal tension of the unloaded rope \[m\].
+    ///
+    /// # Errors
+    /// As [`ElasticRope::unloaded`].
+    pub fn length_for_unloaded_horizontal(&self, horizontal_n: f64) -> Result<f64, RopewayError> {
+        let rope = UnloadedRope::with_horizontal_tension(
+            self.geometry,
+            self.weight_n_per_m,
+            horizontal_n,
+        )?;
+        let stretched = rope.length_m();
+        let off = |length: f64| Ok(self.unloaded(length)?.h_b_n - horizontal_n);
+        let low = stretched / (1.0 + 0.99 * MOST_STRAIN);
+        roots::root(
+            (low, stretched * 1.000_001),
+            "no length gives this horizontal tension",
+            off,
+        )
+    }
+
     /// Unstretched length for a sag at mid-span with the cargo there \[m\].
     ///
     /// # Errors
@@ -282,6 +302,7 @@ pub fn length_m(ropeway: &Ropeway) -> Result<f64, RopewayError> {
     match setting.by {
         SetBy::BareSag => span.length_for_unloaded_sag(given(setting.sag_m)?),
         SetBy::LoadedSag => span.length_for_loaded_sag(given(setting.sag_m)?),
+        SetBy::BareHorizontal => span.length_for_unloaded_horizontal(given(setting.horizontal_n)?),
         SetBy::Length => given(setting.length_m),
         SetBy::Tension => span.length_for_tension(given(setting.tension_n)?, |length| {
             span.with_cargo(length, ropeway.cargo.position)

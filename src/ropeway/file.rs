@@ -73,6 +73,7 @@ fn setting_key<'k, 'a>(ropeway: &'k RopewayKeys<'a>) -> Option<(SetBy, &'k Key<'
     let by = setting.by.value()?;
     let key = match by {
         SetBy::BareSag | SetBy::LoadedSag => &setting.sag_m,
+        SetBy::BareHorizontal => &setting.horizontal_n,
         SetBy::Length => &setting.length_m,
         SetBy::Tension => &setting.tension_n,
     };

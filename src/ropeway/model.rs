@@ -68,6 +68,8 @@ table! {
         gravity_m_per_s2: f64 = 9.80665, "gravity", range positive(100.0);
         /// Segments of the discretised line.
         segments: usize = 80, "segments", range of(4.0, 2000.0);
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
     }
 }
 
@@ -118,10 +120,12 @@ table! {
     /// How the rope is set before anything moves.
     #[derive(Debug, Clone, PartialEq)]
     pub struct RopeSetting => SettingKeys {
-        /// What is given: sag of the bare rope, sag with the cargo at mid-span, unstretched length, or the tension at the ship that the winch keeps.
+        /// What is given: a sag, the horizontal tension of the bare rope, the length, or the tension that the winch keeps.
         by: SetBy, "set by";
         /// Sag at mid-span below the straight line between the ends.
         sag_m: Option<f64>, "sag", range LENGTH, absent "needed where a sag sets the rope";
+        /// Horizontal tension of the rope without cargo.
+        horizontal_n: Option<f64>, "horizontal tension", range FORCE, absent "needed where it sets the rope";
         /// Unstretched length between the ends.
         length_m: Option<f64>, "length", range LENGTH, absent "needed where the length sets the rope";
         /// Tension at the ship, with the cargo where it is.
@@ -136,6 +140,8 @@ words! {
         BareSag = "bare-sag",
         /// Sag with the cargo at mid-span.
         LoadedSag = "loaded-sag",
+        /// Horizontal tension of the rope without cargo.
+        BareHorizontal = "bare-horizontal",
         /// Unstretched length.
         Length = "length",
         /// Tension at the ship with the cargo where it is: the winch pays out and hauls in.
@@ -148,6 +154,7 @@ impl fmt::Display for SetBy {
         f.write_str(match self {
             Self::BareSag => "sag of the bare rope",
             Self::LoadedSag => "sag with the cargo at mid-span",
+            Self::BareHorizontal => "horizontal tension of the bare rope",
             Self::Length => "length",
             Self::Tension => "tension at the ship",
         })
@@ -231,6 +238,8 @@ table! {
         expect: Direction, "expect";
         /// Where it is printed.
         source: String, "source";
+        /// What else the reader must know.
+        note: Option<String>, "note", absent "no note";
         /// Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }

@@ -24,6 +24,15 @@ pub fn sag_m(geometry: SpanGeometry, load: ParabolaLoad, horizontal_n: f64, x_m:
     (by_rope + by_cargo) * (geometry.span_m - x_m) * x_m
 }
 
+/// Slope of the cargo's path at `x_m`, positive where it climbs towards end B \[-\]: the derivative of eq. (11).
+#[must_use]
+pub fn slope(geometry: SpanGeometry, load: ParabolaLoad, horizontal_n: f64, x_m: f64) -> f64 {
+    let secant = geometry.chord_m() / geometry.span_m;
+    let by_rope = 0.5 * load.weight_n_per_m * secant / horizontal_n;
+    let by_cargo = load.cargo_n / (horizontal_n * geometry.span_m);
+    (by_rope + by_cargo) * (2.0 * x_m - geometry.span_m) + geometry.rise_m / geometry.span_m
+}
+
 /// Tensions at the ends A and B with the cargo at `x_m`: half the rope's weight and the cargo's share by the lever, with
 /// the horizontal tension \[N\].
 #[must_use]
@@ -62,6 +71,23 @@ mod tests {
         assert!((sag_m(geometry, LOAD, h, 40.0) - f).abs() < 1e-12);
         // With this horizontal tension the cargo hangs 10.9 m deep, not 7 m.
         assert!((f - 10.87).abs() < 0.01);
+    }
+
+    #[test]
+    fn the_slope_is_that_of_the_path() {
+        let geometry = SpanGeometry {
+            span_m: 80.0,
+            rise_m: 5.0,
+        };
+        let (h, step) = (2488.8, 1e-4);
+        let height = |x: f64| geometry.rise_m * x / geometry.span_m - sag_m(geometry, LOAD, h, x);
+        for x in [5.0, 40.0, 70.0] {
+            let difference = (height(x + step) - height(x - step)) / (2.0 * step);
+            assert!(
+                (slope(geometry, LOAD, h, x) - difference).abs() < 1e-8,
+                "{x}"
+            );
+        }
     }
 
     #[test]

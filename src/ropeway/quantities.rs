@@ -3,9 +3,12 @@
 use super::elastic::RopeEquilibrium;
 use super::inextensible::{InextensibleModel, MinimumTension};
 use super::line::LineEquilibrium;
+use super::parabola;
 use super::solve::{ModelResults, SolvedRopeway};
 use super::weight_check::WeightCheck;
-use QuantityReader::{Check, Elastic, Line, Minimum, Model, Parabola};
+use super::winch::WinchSample;
+use super::winch_run::WinchRun;
+use QuantityReader::{Check, Elastic, Line, Mean, Minimum, Model, Motion, Parabola, Path};
 
 /// A quantity that published values and trends may name.
 pub struct RopewayQuantity {
@@ -24,6 +27,10 @@ enum QuantityReader {
     Minimum(fn(&MinimumTension) -> f64),
     Check(fn(&WeightCheck) -> f64),
     Parabola(fn((f64, f64, f64)) -> f64),
+    /// Of the path by eq. (11), with the horizontal tension of the inextensible model.
+    Path(fn(&SolvedRopeway, f64, f64) -> f64),
+    Mean(fn((f64, f64)) -> f64),
+    Motion(fn(&WinchRun) -> Result<f64, String>),
     Elastic(fn(&SolvedRopeway, &RopeEquilibrium) -> f64),
     Line(fn(&LineEquilibrium) -> f64),
 }
@@ -44,7 +51,7 @@ const fn quantity(
 
 /// All quantities.
 #[rustfmt::skip] // one quantity a line
-pub static QUANTITIES: [RopewayQuantity; 24] = [
+pub static QUANTITIES: [RopewayQuantity; 31] = [
     quantity("model.horizontal_n", "N", Model(|m| m.rope.horizontal_n), "horizontal tension of the unloaded rope"),
     quantity("model.max_tension_n", "N", Model(|m| m.max_tension_n), "greatest end tension of the inextensible model: unloaded rope, whole cargo at one end"),
     quantity("model.length_m", "m", Model(|m| m.rope.length_m()), "length of the unloaded inextensible rope"),
@@ -61,15 +68,55 @@ pub static QUANTITIES: [RopewayQuantity; 24] = [
     quantity("finite_element.left_n", "N", Check(WeightCheck::remainder_n), "end tension of the check less that of the model with the same rope weight"),
     quantity("parabola.sag_m", "m", Parabola(|p| p.2), "sag at the cargo by eq. (11) with the horizontal tension of the model"),
     quantity("parabola.ship_n", "N", Parabola(|p| p.1), "tension at the ship by parabola theory with that horizontal tension"),
+    quantity("parabola.depth_m", "m", Path(depth_m), "depth of the cargo below the platform's hang point by eq. (11); at mid-span eq. (13)"),
+    quantity("parabola.haul_n", "N", Path(haul_n), "pull that hauls the cargo up the path of eq. (11): its weight times the slope; none downhill"),
     quantity("exact.horizontal_n", "N", Elastic(|_, rope| rope.solution.h_b_n), "horizontal tension, elastic rope with the cargo on it"),
     quantity("exact.platform_n", "N", Elastic(|_, rope| rope.platform_n()), "tension at the platform"),
     quantity("exact.ship_n", "N", Elastic(|_, rope| rope.ship_n()), "tension at the ship"),
     quantity("exact.sag_m", "m", Elastic(|_, rope| rope.sag_m), "sag at the cargo"),
     quantity("exact.clearance_m", "m", Elastic(SolvedRopeway::clearance_m), "height of the cargo above the wave crests"),
+    quantity("exact.mean_platform_n", "N", Mean(|m| m.0), "mean tension between platform and cargo, eq. (9)"),
+    quantity("exact.mean_ship_n", "N", Mean(|m| m.1), "mean tension between cargo and ship, eq. (10)"),
     quantity("exact.length_m", "m", Elastic(|_, rope| rope.length_m), "unstretched length between the ends"),
+    quantity("motion.made_fast_max_n", "N", Motion(|run| greatest(&run.made_fast, |s| s.ship_n)), "greatest tension at the ship while it moves, rope made fast"),
+    quantity("motion.on_winch_max_n", "N", Motion(|run| greatest(on_winch(run)?, |s| s.ship_n)), "greatest tension at the ship while it moves, rope on the winch"),
+    quantity("motion.winch_speed_m_per_s", "m/s", Motion(|run| greatest(on_winch(run)?, |s| s.speed_m_per_s.abs())), "greatest speed of the winch while the ship moves"),
     quantity("line.ship_n", "N", Line(|line| line.ship_n), "tension at the ship of the discretised line"),
     quantity("line.sag_m", "m", Line(|line| line.sag_m), "sag at the cargo of the discretised line"),
 ];
+
+fn depth_m(ropeway: &SolvedRopeway, horizontal_n: f64, position: f64) -> f64 {
+    let geometry = ropeway.rope.geometry;
+    let sag = parabola::sag_m(
+        geometry,
+        ropeway.parabola_load(),
+        horizontal_n,
+        position * geometry.span_m,
+    );
+    sag - geometry.rise_m * position
+}
+
+fn haul_n(ropeway: &SolvedRopeway, horizontal_n: f64, position: f64) -> f64 {
+    let geometry = ropeway.rope.geometry;
+    let load = ropeway.parabola_load();
+    let slope = parabola::slope(geometry, load, horizontal_n, position * geometry.span_m);
+    load.cargo_n * slope.max(0.0)
+}
+
+fn on_winch(run: &WinchRun) -> Result<&Result<Vec<WinchSample>, super::RopewayError>, String> {
+    let winch = run.constant_tension.as_ref();
+    winch.ok_or_else(|| "The ropeway has no winch.".to_owned())
+}
+
+fn greatest(
+    samples: &Result<Vec<WinchSample>, super::RopewayError>,
+    of: fn(&WinchSample) -> f64,
+) -> Result<f64, String> {
+    let samples = samples
+        .as_ref()
+        .map_err(|error| format!("The moving rope has no solution: {error}."))?;
+    Ok(samples.iter().map(of).fold(0.0, f64::max))
+}
 
 /// The quantity of this name.
 #[must_use]
@@ -107,6 +154,21 @@ pub fn value(ropeway: &SolvedRopeway, results: &ModelResults, name: &str) -> Res
             .parabola
             .map(read)
             .ok_or_else(|| "Parabola theory has no horizontal tension.".to_owned()),
+        Path(read) => {
+            let model = ropeway.inextensible.as_ref();
+            let model = model.map_err(unsolved("inextensible model"))?;
+            Ok(read(ropeway, model.rope.horizontal_n, results.position))
+        }
+        Mean(read) => results
+            .mean_tensions_n
+            .map(read)
+            .ok_or_else(|| "The cargo hangs at an end of the rope.".to_owned()),
+        Motion(read) => {
+            let series = ropeway.ship_motion();
+            let series = series.ok_or_else(|| "The file has no [motion].".to_owned())?;
+            let run = ropeway.run_winch(&series);
+            read(&run.map_err(|error| format!("The rope at rest has no solution: {error}."))?)
+        }
         Elastic(read) => Ok(read(ropeway, &results.exact)),
         Line(read) => results
             .line

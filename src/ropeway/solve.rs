@@ -56,8 +56,12 @@ pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, RopewayError> {
         return Err(RopewayError::TooLittleRope { length_m, stored_m });
     }
     let (w, q) = (ropeway.weight_n_per_m(), ropeway.cargo_n());
-    let unloaded = match (ropeway.setting.by, ropeway.setting.sag_m) {
-        (SetBy::BareSag, Some(sag)) => UnloadedRope::with_sag(rope.geometry, w, sag),
+    let setting = &ropeway.setting;
+    let unloaded = match (setting.by, setting.sag_m, setting.horizontal_n) {
+        (SetBy::BareSag, Some(sag), _) => UnloadedRope::with_sag(rope.geometry, w, sag),
+        (SetBy::BareHorizontal, _, Some(horizontal)) => {
+            UnloadedRope::with_horizontal_tension(rope.geometry, w, horizontal)
+        }
         _ => UnloadedRope::with_length(rope.geometry, w, length_m),
     };
     Ok(SolvedRopeway {
@@ -85,6 +89,14 @@ impl SolvedRopeway {
         self.rope.with_cargo(length, position)
     }
 
+    /// Weights of rope and cargo for parabola theory.
+    pub(super) fn parabola_load(&self) -> ParabolaLoad {
+        ParabolaLoad {
+            weight_n_per_m: self.rope.weight_n_per_m,
+            cargo_n: self.rope.cargo_n,
+        }
+    }
+
     /// Every reading with the cargo at this place.
     ///
     /// # Errors
@@ -92,10 +104,7 @@ impl SolvedRopeway {
     pub fn results(&self, position: f64) -> Result<ModelResults, RopewayError> {
         let exact = self.equilibrium(position)?;
         let (geometry, x) = (self.rope.geometry, position * self.rope.geometry.span_m);
-        let load = ParabolaLoad {
-            weight_n_per_m: self.rope.weight_n_per_m,
-            cargo_n: self.rope.cargo_n,
-        };
+        let load = self.parabola_load();
         let horizontal = self.inextensible.as_ref().ok().map(|t| t.rope.horizontal_n);
         let parabola = horizontal.map(|horizontal| {
             let (a, b) = parabola::end_tensions_n(geometry, load, horizontal, x);

@@ -22,7 +22,9 @@ pub fn rows(solved: &SolvedRopeway, text: &str) -> Vec<ValidationRow> {
     };
     let values = solved.ropeway.published.iter().map(row);
     let trends = solved.ropeway.trend.iter().map(|t| trend_row(t, text));
-    values.chain(trends).collect()
+    let common = solved.ropeway.about.tolerance_reason.as_deref();
+    let all = values.chain(trends);
+    all.map(|row| row.with_common_reason(common)).collect()
 }
 
 fn trend_row(trend: &RopewayTrend, text: &str) -> ValidationRow {
@@ -43,6 +45,7 @@ fn trend_row(trend: &RopewayTrend, text: &str) -> ValidationRow {
         source: &trend.source,
         expect: trend.expect,
         key: &trend.key,
+        note: trend.note.as_deref(),
         out_of_reach: trend.out_of_reach.as_deref(),
     };
     compare_trend(statement, unit(&trend.quantity).to_owned(), points, missing)

@@ -55,6 +55,8 @@ table! {
         source: String = "", "source";
         /// What is missing in the source, what was decided.
         notes: String = "", "notes";
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
         /// Length over all.
         length_m: f64, "length", range positive(1000.0);
         /// Draught.

@@ -20,7 +20,9 @@ pub fn rows(
             .ok_or_else(|| format!("There is no quantity {name}.")),
     };
     let published = ship.published.iter();
+    let common = ship.ship.tolerance_reason.as_deref();
     published
         .map(|printed| printed.held(unit(&printed.quantity), computed(&printed.quantity)))
+        .map(|row| row.with_common_reason(common))
         .collect()
 }

@@ -87,6 +87,8 @@ table! {
         source: String = "", "source";
         /// The scene, what the source leaves out, what was decided.
         notes: String = "", "notes";
+        /// Why the tolerances of the published values are what they are, where a value states no reason of its own.
+        tolerance_reason: Option<String>, "reason of the tolerances", absent "none stated";
     }
 }
 

@@ -39,5 +39,7 @@ pub fn rows_of(
     });
     let curves = file.published_curve.iter();
     let curves = curves.flat_map(|curve| curve.rows(history.clone(), companions));
-    numbers.chain(curves).collect()
+    let common = file.about.tolerance_reason.as_deref();
+    let all = numbers.chain(curves);
+    all.map(|row| row.with_common_reason(common)).collect()
 }

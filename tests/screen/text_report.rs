@@ -63,7 +63,7 @@ value = 110e3
 tolerance_rel = 0.02
 source = "fig. 1"
 inputs = "calibrated"
-fitted = true
+kind = "fitted"
 
 [[published]]
 name = "greatest tension"

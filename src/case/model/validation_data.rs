@@ -40,6 +40,20 @@ words! {
     }
 }
 
+words! {
+    /// What an agreement with a published number is worth as evidence.
+    pub enum Evidence {
+        /// Computed from inputs none of which was fitted to it.
+        Predicted = "predicted",
+        /// An input was fitted to this very number: agreement is no evidence.
+        Fitted = "fitted",
+        /// An input, or an exact consequence of inputs: agreement is no evidence.
+        Echoed = "echoed",
+        /// A formula worked out beside the source: it checks the program, not the source.
+        ClosedForm = "closed-form",
+    }
+}
+
 table! {
     /// One key, or several together, varied over a list of values.
     #[derive(Debug, Clone, PartialEq)]
@@ -138,8 +152,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed value, at worst.
         inputs: Provenance, "inputs";
-        /// True when an input was fitted to this very number: agreement is then no evidence.
-        fitted: bool = false, "fitted";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the number cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
@@ -178,6 +196,12 @@ table! {
         source: String, "source";
         /// Provenance of the inputs behind the computed curve, at worst.
         inputs: Provenance, "inputs";
+        /// What an agreement with it is worth.
+        kind: Evidence = Evidence::Predicted, "kind";
+        /// What else the reader must know: what was fitted to it, which input it repeats.
+        note: Option<String>, "note", absent "no note";
+        /// Why the tolerance is what it is.
+        tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
         /// Why the curve cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }
@@ -353,6 +377,8 @@ table! {
         expect: Direction, "expect";
         /// Where it is printed.
         source: String, "source";
+        /// What else the reader must know.
+        note: Option<String>, "note", absent "no note";
         /// Why the statement cannot be reached; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "not used";
     }

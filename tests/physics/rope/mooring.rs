@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{self, Case, StudyPoint, StudyValue, edit};
+use seacable::case::{self, Case, Evidence, StudyPoint, StudyValue, edit};
 use seacable::reference::{self, Outcome, ValidationRow};
 use seacable::run::job::{self, Request};
 use seacable::run::{Run, RunState};
@@ -66,10 +66,14 @@ fn every_printed_figure_comes_out() {
 #[test]
 fn what_was_fitted_is_marked() {
     let case: Case = case::parse(FIXED, "hybrid.toml").unwrap();
-    let fitted = case.published.iter().filter(|p| p.fitted).count();
+    let fitted = case
+        .published
+        .iter()
+        .filter(|p| p.kind == Evidence::Fitted)
+        .count();
     assert_eq!((fitted, case.published.len()), (9, 10));
     let case: Case = case::parse(MOVING, "hybrid.toml").unwrap();
-    assert!(case.published.iter().all(|p| !p.fitted));
+    assert!(case.published.iter().all(|p| p.kind != Evidence::Fitted));
 }
 
 /// About the mean state, dynamic stiffness is none at rest.

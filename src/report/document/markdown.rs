@@ -1,0 +1,99 @@
+//! A document as Markdown with tables (GitHub's dialect).
+
+use super::Block;
+use crate::report::table::{Align, Table};
+use crate::visible;
+
+/// The document as Markdown.
+#[must_use]
+pub fn markdown(blocks: &[Block]) -> String {
+    let parts: Vec<String> = blocks.iter().map(part).collect();
+    parts.join("\n")
+}
+
+fn part(block: &Block) -> String {
+    match block {
+        Block::Title(words) => format!("# {}\n", inline(words)),
+        Block::Heading(words) => format!("## {}\n", inline(words)),
+        Block::Paragraph(words) => {
+            let parts = words.trim().split("\n\n").map(inline);
+            parts
+                .map(|words| format!("{words}\n"))
+                .collect::<Vec<_>>()
+                .join("\n")
+        }
+        Block::Table(of) => table(of),
+    }
+}
+
+fn table(table: &Table) -> String {
+    let line = |cells: &mut dyn Iterator<Item = String>| {
+        let cells: Vec<String> = cells.collect();
+        format!("| {} |\n", cells.join(" | "))
+    };
+    let columns = 0..table.columns.len();
+    let mut out = match table.title.is_empty() {
+        true => String::new(),
+        false => format!("**{}**\n\n", inline(&table.title)),
+    };
+    if !table.columns.is_empty() {
+        out += &line(&mut table.columns.iter().map(|column| inline(&column.head)));
+        out += &line(
+            &mut table
+                .columns
+                .iter()
+                .map(|column| rule(column.align).to_owned()),
+        );
+        for row in 0..table.rows.len() {
+            out += &line(
+                &mut columns
+                    .clone()
+                    .map(|column| inline(&table.cell(row, column).text)),
+            );
+        }
+    }
+    for note in &table.notes {
+        out += &format!("\n{}\n", inline(note));
+    }
+    out
+}
+
+const fn rule(align: Align) -> &'static str {
+    match align {
+        Align::Left => "---",
+        Align::Right | Align::Decimal => "---:",
+    }
+}
+
+/// Words on one line, in which nothing is markup.
+fn inline(words: &str) -> String {
+    let mut out = String::new();
+    for letter in visible::line(&words.replace('\n', " ")).chars() {
+        match letter {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '\\' | '`' | '*' | '_' | '[' | ']' | '|' | '#' => out.extend(['\\', letter]),
+            letter => out.push(letter),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::table::{Cell, Column};
+
+    #[test]
+    fn tables_keep_their_columns_whatever_is_in_them() {
+        let table = Table {
+            title: "T".to_owned(),
+            columns: vec![Column::left("a|b"), Column::right("n")],
+            rows: vec![vec![Cell::plain("x_y <b>"), Cell::plain("1\n2")]],
+            notes: vec!["[1] A note.".to_owned()],
+        };
+        let blocks = [Block::Title("A *title*".to_owned()), Block::Table(table)];
+        let wanted = "# A \\*title\\*\n\n**T**\n\n| a\\|b | n |\n| --- | ---: |\n| x\\_y &lt;b> | 1 2 |\n\n\\[1\\] A note.\n";
+        assert_eq!(markdown(&blocks), wanted);
+    }
+}

@@ -1,0 +1,59 @@
+//! The validation page: a line for each paper first, then each paper statement by statement, then the other files.
+
+mod beside;
+mod paper;
+mod summary;
+
+use crate::reference::papers::{FileRows, JudgedStatement, Paper};
+use crate::report::document::Block;
+
+/// A file with its rows.
+#[derive(Debug, Clone, Copy)]
+pub struct ValidatedFile<'a> {
+    /// What it is.
+    pub title: &'a str,
+    /// Its path and rows.
+    pub of: FileRows<'a>,
+}
+
+/// A paper with its statements answered.
+#[derive(Debug, Clone)]
+pub struct JudgedPaper<'a> {
+    /// The paper.
+    pub paper: &'a Paper,
+    /// Its statements.
+    pub statements: Vec<JudgedStatement<'a>>,
+}
+
+/// How much of the page is wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// The first screen.
+    Summary,
+    /// The first screen, the results of every paper, a line for every other file.
+    Page,
+    /// The same with inputs, equations and the source of every answer.
+    Details,
+}
+
+/// The page.
+#[must_use]
+pub fn page(files: &[ValidatedFile<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Vec<Block> {
+    let mut blocks = summary::blocks(files, papers);
+    if extent == Extent::Summary {
+        return blocks;
+    }
+    let rows: Vec<FileRows<'_>> = files.iter().map(|file| file.of).collect();
+    for paper in papers {
+        blocks.extend(paper::blocks(paper, &rows, extent == Extent::Details));
+    }
+    blocks.extend(beside::blocks(files, papers));
+    blocks
+}
+
+/// Whether a file is one of those that reproduce a paper.
+fn is_of_a_paper(file: &str, papers: &[JudgedPaper<'_>]) -> bool {
+    papers
+        .iter()
+        .any(|one| one.paper.about.cases.iter().any(|case| case == file))
+}
