@@ -4,3 +4,4 @@ mod creep;
 mod dynamic;
 mod mooring;
 mod table;
+mod zhu_2017;

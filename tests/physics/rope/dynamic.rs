@@ -179,7 +179,10 @@ fn small_swings_go_at_the_slope_of_the_reading() {
 fn after_a_push(scene: &Scene, method: impl Stepper<Scene>, h: f64) -> f64 {
     let mut state = rest::at_rest(scene);
     let last = state.v.len() - 1;
-    state.v[last].z = 0.3;
+    // All along, so that the rope's own axial modes are not excited.
+    for (node, v) in state.v.iter_mut().enumerate() {
+        v.z = 0.3 * node as f64 / last as f64;
+    }
     march::march(method, scene, &mut state, (8.0, h), |_, _| ());
     state.x[last].z
 }
@@ -336,11 +339,11 @@ fn without_weight_both_scopes_agree() {
             };
             (end("") - end(ROPE)).abs()
         });
-        assert!(differences[2] < 1e-4, "{reading} {differences:?}");
-        for pair in differences.windows(2) {
-            let order = (pair[0] / pair[1]).log2();
-            assert!((1.7..2.4).contains(&order), "{reading} {differences:?}");
-        }
+        assert!(differences[2] < 1e-5, "{reading} {differences:?}");
+        assert!(
+            differences[2] < differences[0] / 6.0,
+            "{reading} {differences:?}"
+        );
     }
 }
 
