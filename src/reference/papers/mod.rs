@@ -20,10 +20,11 @@ macro_rules! lists {
 
 /// The lists that come with the program: file and text.
 pub const LISTS: &[(&str, &str)] = lists![
-    "double_stepped_2022.toml",
     "jia_2019.toml",
     "lin_2016.toml",
     "tianjin_2016.toml",
+    "double_stepped_2022.toml",
+    "zhu_2017.toml",
 ];
 
 /// Reads a list.

@@ -29,6 +29,8 @@ table! {
         cite: String, "citation";
         /// The shipped files that reproduce it, below cases.
         cases: Vec<String>, "cases";
+        /// Inputs that are not printed and were chosen by how many of the statements come out, and what that says of them.
+        chosen: Option<String>, "inputs chosen by the statements", absent "none";
     }
 }
 

@@ -13,6 +13,7 @@ pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<
     }
     blocks.push(Block::Table(of_rows(files, papers)));
     blocks.push(Block::Paragraph(HOW_TO_READ.to_owned()));
+    blocks.extend(chosen(papers).map(Block::Paragraph));
     let unreasoned =
         rows(files).filter(|row| row.tolerance.is_some() && row.tolerance_reason.is_none());
     let unreasoned = unreasoned.count();
@@ -29,6 +30,18 @@ Evidence is what is predicted (no input was fitted to it) and the trends. Fitted
 (echoed) agree by construction. Formulas are equations with a test, and closed forms beside a paper: they check the program. \
 Missed: not reproduced, or not testable, each with its reason; (+n) of them come out by a second reading of what the paper \
 does not print. Open: without an answer. `tol.` is the difference in tolerances; * an input behind it is not printed.";
+
+/// Which inputs were chosen by the statements themselves: what these rows show is then less than the word says.
+fn chosen(papers: &[JudgedPaper<'_>]) -> Option<String> {
+    let said = papers.iter().filter_map(|one| {
+        let about = &one.paper.about;
+        let chosen = about.chosen.as_ref()?;
+        Some(format!("{}: {}", about.title, chosen.trim_end_matches('.')))
+    });
+    let said: Vec<String> = said.collect();
+    let all = said.join("; ");
+    (!said.is_empty()).then(|| format!("Inputs chosen by how many statements come out: {all}."))
+}
 
 fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
     let counted: Vec<(&str, AnswerCounts)> = papers
