@@ -126,6 +126,7 @@ fn answer(answer: &Answer) -> (&'static str, Option<&str>) {
         Answer::Equation => ("equation", None),
         Answer::Agrees(kind) => (kind.word(), None),
         Answer::NotReproduced(reason) => ("not reproduced", Some(reason)),
+        Answer::Untestable(reason) => ("untestable", Some(reason)),
         Answer::NotAttempted(reason) => ("not attempted", Some(reason)),
     }
 }

@@ -119,7 +119,7 @@ fn without(text: &str, heading: &str) -> String {
 #[test]
 fn inline_tables_dotted_keys_and_line_ends_keep_their_form() {
     let dotted = MANIFOLD.replace(
-        "[start]\nshape = \"straight\"\nazimuth_deg = 0.0\nelevation_deg = 0.0\n",
+        "[start]\nshape = \"straight\"\nazimuth_deg = 0.0\nelevation_deg = -2.05     # the far end 50 m down, at the foot of the splash zone\n",
         "",
     );
     let dotted = format!(

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::Case;
 use seacable::case::kind::parse;
 use seacable::case::shipped::BY_KIND;
+use seacable::case::{Case, FieldRow};
 use seacable::kinds::FileType;
 use seacable::reference::papers::{self, Answer, FileRows, JudgedStatement, Paper};
 use seacable::reference::{RowKind, ValidationRow};
@@ -94,7 +94,7 @@ fn no_statement_is_without_an_answer() {
                 "{where_}: {:?}",
                 one.second
             );
-            if let Answer::NotReproduced(reason) = &one.answer {
+            if let Answer::NotReproduced(reason) | Answer::Untestable(reason) = &one.answer {
                 assert!(one.statement.input.is_none(), "{where_}: {reason}");
                 assert!(reason.len() > 40, "{where_}: {reason}");
             }
@@ -218,9 +218,9 @@ fn unmarked(case: &str) -> Vec<(String, String)> {
         FileType::Line => seacable::case::kind::rows::<Case>(text),
         FileType::Ropeway => seacable::case::kind::rows::<Ropeway>(text),
         FileType::Ship => seacable::case::kind::rows::<Ship>(text),
-        FileType::System => seacable::case::kind::rows::<SystemFile>(text),
-        // It says of itself that all but the size of its units is assumed.
-        FileType::Section => Vec::new(),
+        // The system has the inputs of the line case beside it; the section says of itself that all but the size of its units is
+        // assumed.
+        FileType::System | FileType::Section => Vec::new(),
     };
     let physical = |path: &str| {
         let tables = [
@@ -256,8 +256,12 @@ fn unmarked(case: &str) -> Vec<(String, String)> {
         !tables.iter().any(|table| path.starts_with(table))
             && !words.iter().any(|word| path.ends_with(word))
     };
-    let rows = rows
-        .into_iter()
-        .filter(|row| row.given && row.standing.is_none() && physical(&row.path));
+    // Words name what a file has; zeros are where its axes begin.
+    let number = |value: &str| value.contains(|c: char| ('1'..='9').contains(&c));
+    let numbers = |row: &FieldRow| row.value.starts_with('[') || row.value.parse::<f64>().is_ok();
+    let rows = rows.into_iter().filter(|row| {
+        let given = row.given && row.standing.is_none() && physical(&row.path);
+        given && numbers(row) && number(&row.value)
+    });
     rows.map(|row| (row.path, row.value)).collect()
 }

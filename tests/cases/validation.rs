@@ -149,6 +149,10 @@ fn numerical_errors_are_ten_times_smaller_than_the_tolerances() {
             .iter()
             .filter(|r| r.trend.is_none() && r.outcome == Outcome::Pass)
         {
+            // No evidence rests on it, and the table says that its error is not known.
+            if row.error.is_none() && !row.kind.is_evidence() {
+                continue;
+            }
             let share = row.error.unwrap_or(f64::INFINITY) / row.tolerance.unwrap();
             if share > allowed(path, row) {
                 coarse.push(format!("{path}: {}: {share:.3}", row.name));

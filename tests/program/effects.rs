@@ -137,6 +137,7 @@ fn what_is_not_needed_is_within_the_errors() {
         [
             "drag along the line",
             "bending stiffness",
+            "mass damping",
             "dynamic stiffness",
             "creep",
             "bed friction",

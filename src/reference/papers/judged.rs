@@ -24,8 +24,10 @@ pub enum Answer {
     Equation,
     /// Every row that tests it passes; of the kinds of these rows the one that is least as evidence.
     Agrees(RowKind),
-    /// A row that tests it is outside its tolerance, or nothing can test it, as the reason says.
+    /// A row that tests it is outside its tolerance, or an input of ours is another, as the reason says.
     NotReproduced(String),
+    /// Nothing can test it, as the reason says: a lost figure, an input without consequence.
+    Untestable(String),
     /// No row, input or equation stands for it.
     NotAttempted(String),
 }
@@ -55,7 +57,7 @@ pub fn judge<'a>(paper: &'a Paper, files: &[FileRows<'_>]) -> Vec<JudgedStatemen
 
 fn answer(statement: &Statement, files: &[FileRows<'_>]) -> Answer {
     if let Some(reason) = &statement.out_of_reach {
-        return Answer::NotReproduced(reason.clone());
+        return Answer::Untestable(reason.clone());
     }
     if let Some((input, value)) = statement.input.as_ref().zip(statement.value.as_ref()) {
         return by_input(input, value, files);
@@ -141,6 +143,8 @@ pub struct AnswerCounts {
     pub not_reproduced: usize,
     /// Of these, reproduced by a second reading.
     pub by_second: usize,
+    /// Nothing can test them.
+    pub untestable: usize,
     /// Without an answer.
     pub not_attempted: usize,
 }
@@ -164,6 +168,7 @@ pub fn count_answers(judged: &[JudgedStatement<'_>]) -> AnswerCounts {
             Answer::Agrees(RowKind::ClosedForm) => &mut counts.closed_forms,
             Answer::Agrees(RowKind::Fitted) => &mut counts.fitted,
             Answer::NotReproduced(_) => &mut counts.not_reproduced,
+            Answer::Untestable(_) => &mut counts.untestable,
             Answer::NotAttempted(_) => &mut counts.not_attempted,
         } += 1;
     }

@@ -3,7 +3,7 @@
 use super::JudgedPaper;
 use crate::case::Provenance;
 use crate::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
-use crate::reference::{RowKind, ValidationRow, table};
+use crate::reference::{Outcome, RowKind, ValidationRow, table};
 use crate::report::document::Block;
 use crate::report::table::{Align, Cell, CellStyle, Table};
 
@@ -23,9 +23,10 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
         let chosen = lines.iter().filter(|line| wanted(&line.judged.answer));
         chosen.collect::<Vec<_>>()
     };
-    blocks.extend(missed(of(&|a| {
-        matches!(a, Answer::NotReproduced(_) | Answer::NotAttempted(_))
-    })));
+    blocks.extend(unanswered(
+        "Not reproduced, the farthest off first",
+        of(&|a| matches!(a, Answer::NotReproduced(_) | Answer::NotAttempted(_))),
+    ));
     let groups: [(&str, &dyn Fn(&Answer) -> bool); 2] = [
         (
             "Reproduced: evidence",
@@ -43,6 +44,10 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
             blocks.extend(notes(&lines).map(Block::Paragraph));
         }
     }
+    blocks.extend(unanswered(
+        "Nothing to test",
+        of(&|a| matches!(a, Answer::Untestable(_))),
+    ));
     if details {
         blocks.extend(inputs_and_equations(&paper.statements));
     }
@@ -53,7 +58,7 @@ fn counts(paper: &JudgedPaper<'_>) -> String {
     let n = count_answers(&paper.statements);
     format!(
         "{} statements: {} predicted, {} trends, {} fitted, {} echoed, {} equations, {} closed forms, {} not reproduced \
-         ({} of them by a second reading), {} not attempted. Cases: {}.",
+         ({} of them by a second reading), {} without a test, {} not attempted. Cases: {}.",
         n.printed,
         n.predicted,
         n.trends,
@@ -63,6 +68,7 @@ fn counts(paper: &JudgedPaper<'_>) -> String {
         n.closed_forms,
         n.not_reproduced,
         n.by_second,
+        n.untestable,
         n.not_attempted,
         paper.paper.about.cases.join(", "),
     )
@@ -79,7 +85,11 @@ impl<'a> Line<'a> {
     fn of(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
         let farthest = |names: &Option<Vec<String>>| {
             let rows = names.iter().flatten().filter_map(|name| row(name, files));
-            rows.max_by(|a, b| distance(a).total_cmp(&distance(b)))
+            let fails = |row: &ValidationRow| row.outcome != Outcome::Pass;
+            rows.max_by(|a, b| {
+                let outcome = fails(a).cmp(&fails(b));
+                outcome.then(distance(a).total_cmp(&distance(b)))
+            })
         };
         Self {
             judged,
@@ -98,8 +108,8 @@ fn distance(row: &ValidationRow) -> f64 {
     row.in_tolerances().unwrap_or(0.0)
 }
 
-/// The statements that are not reproduced, the farthest off first, each reason once.
-fn missed(mut lines: Vec<&Line<'_>>) -> Vec<Block> {
+/// Statements without agreement, the farthest off first, each reason once.
+fn unanswered(title: &str, mut lines: Vec<&Line<'_>>) -> Vec<Block> {
     if lines.is_empty() {
         return Vec::new();
     }
@@ -110,7 +120,9 @@ fn missed(mut lines: Vec<&Line<'_>>) -> Vec<Block> {
         .into_iter()
         .map(|line| {
             let reason = match &line.judged.answer {
-                Answer::NotReproduced(reason) | Answer::NotAttempted(reason) => reason.trim(),
+                Answer::NotReproduced(reason)
+                | Answer::NotAttempted(reason)
+                | Answer::Untestable(reason) => reason.trim(),
                 _ => "",
             };
             let known = reasons.iter().position(|known| *known == reason);
@@ -128,7 +140,7 @@ fn missed(mut lines: Vec<&Line<'_>>) -> Vec<Block> {
     let has_second = numbered
         .iter()
         .any(|(_, line)| line.judged.second.is_some());
-    let mut table = Table::of("Not reproduced, the farthest off first", &numbered)
+    let mut table = Table::of(title, &numbered)
         .text("printed", |(_, line)| line.says())
         .cell("computed", Align::Right, |(_, line)| {
             line.row.map_or_else(Cell::none, table::computed)

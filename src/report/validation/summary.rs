@@ -28,8 +28,8 @@ pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<
 const HOW_TO_READ: &str = "\
 Evidence is what is predicted (no input was fitted to it) and the trends. Fitted numbers, inputs and their exact consequences \
 (echoed) agree by construction. Formulas are equations with a test, and closed forms beside a paper: they check the program. \
-Missed: not reproduced, or not testable, each with its reason; (+n) of them come out by a second reading of what the paper \
-does not print. Open: without an answer. `tol.` is the difference in tolerances; * an input behind it is not printed.";
+Missed: not reproduced, each with what was tried; (+n) of them come out by a second reading of what the paper \
+does not print. No test: a figure that is lost, or a remark from which nothing follows. Open: without an answer. `tol.` is the difference in tolerances; * an input behind it is not printed.";
 
 /// Which inputs were chosen by the statements themselves: what these rows show is then less than the word says.
 fn chosen(papers: &[JudgedPaper<'_>]) -> Option<String> {
@@ -76,7 +76,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         Cell::new(format!("{}{second}", counts.not_reproduced), ink)
     };
     Table::of("", &counted)
-        .text("statements of the papers", |(title, _)| (*title).to_owned())
+        .text("paper", |(title, _)| (*title).to_owned())
         .cell("all", Align::Right, |(_, n)| count(n.printed))
         .cell("predicted", Align::Right, |(_, n)| count(n.predicted))
         .cell("trends", Align::Right, |(_, n)| count(n.trends))
@@ -86,6 +86,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
             count(n.equations + n.closed_forms)
         })
         .cell("missed", Align::Right, |(_, n)| missed(n))
+        .cell("no test", Align::Right, |(_, n)| count(n.untestable))
         .cell("open", Align::Right, |(_, n)| {
             let ink = if n.not_attempted > 0 {
                 CellStyle::Bad

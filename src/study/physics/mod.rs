@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::base_run::BaseRun;
 use super::points::{self, BaseCase, PointOutcome, PointProgress, PointRequest, PointRun};
-use crate::case::{Case, QuantityId, Subject, channels, write};
+use crate::case::{Case, QuantityId, StudyPoint, Subject, channels, kind, write};
 use crate::comparison::is_beyond_error;
 use crate::run::Quantity;
 
@@ -94,8 +94,32 @@ fn request(base: &BaseRun, part: &ScenePart, case: &Case) -> PointRequest {
     case.trend.retain(|row| is_there(&row.channel));
     case.published_curve
         .retain(|row| channels.iter().any(|channel| channel.id == row.channel));
+    without_idle_studies(&mut case);
     base.base
         .request_of(write(&case), vec![part.name.to_owned()])
+}
+
+/// Leaves out the studies of keys that went with the effect, and what is published at their points.
+fn without_idle_studies(case: &mut Case) {
+    if case.study.is_empty() {
+        return;
+    }
+    let rows = kind::rows::<Case>(&write(case));
+    let has = |key: &str| {
+        rows.iter()
+            .any(|row| row.path == key && !row.value.is_empty())
+    };
+    case.study.retain(|study| has(&study.key));
+    let known = |at: &Option<StudyPoint>| {
+        let mut studies = case.study.iter();
+        at.as_ref()
+            .is_none_or(|at| studies.any(|study| study.name == at.study))
+    };
+    case.published
+        .retain(|row| known(&row.at) && known(&row.change_from) && known(&row.ratio_to));
+    case.published_curve.retain(|row| known(&row.at));
+    case.trend
+        .retain(|row| case.study.iter().any(|study| study.name == row.study));
 }
 
 impl PhysicsVariant {
