@@ -76,8 +76,8 @@ pub fn evaluate(
         Statistic::ArcOfMin => extreme_of(values.smallest, |new, old| new < old)?.0,
         Statistic::Mean => cut(values.end).and_then(|(arc, values)| mean(&arc, &values))?,
         Statistic::GreatestFall => greatest_fall(&cut(values.end)?.1)?,
-        Statistic::Turns => count(turns(&cut(values.end)?.1)?, |_| true),
-        Statistic::Peaks => count(turns(&cut(values.end)?.1)?, |turn| turn.peak),
+        Statistic::Turns => count(&turns(&cut(values.end)?.1)?, |_| true),
+        Statistic::Peaks => count(&turns(&cut(values.end)?.1)?, |turn| turn.peak),
         Statistic::Peak | Statistic::Valley => {
             let peak = statistic == Statistic::Peak;
             let turns = turns(&cut(values.end)?.1)?.into_iter();
@@ -248,7 +248,7 @@ fn turns(values: &[f64]) -> Option<Vec<Turn>> {
     Some(found)
 }
 
-fn count(turns: Vec<Turn>, of: impl Fn(&Turn) -> bool) -> f64 {
+fn count(turns: &[Turn], of: impl Fn(&Turn) -> bool) -> f64 {
     turns.iter().filter(|turn| of(turn)).count() as f64
 }
 
@@ -259,8 +259,8 @@ mod tests {
     #[test]
     fn up_down_up_turns_twice_and_ripples_do_not_count() {
         let counts = |values: &[f64]| {
-            let peaks = count(turns(values)?, |turn| turn.peak);
-            Some((count(turns(values)?, |_| true), peaks))
+            let peaks = count(&turns(values)?, |turn| turn.peak);
+            Some((count(&turns(values)?, |_| true), peaks))
         };
         assert_eq!(counts(&[0.0, 1.0, 2.0, 3.0]), Some((0.0, 0.0)));
         assert_eq!(counts(&[0.0, 5.0, 2.0, 8.0]), Some((2.0, 1.0)));

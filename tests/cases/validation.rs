@@ -105,7 +105,12 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
         // The mesh is the paper's own, 158 segments.
         // Its results at the end of a section are of first order, which three meshes show and two did not.
         ("mooring/hybrid_fixed.toml", _) => 1.1,
-        ("mooring/hybrid_moving.toml", name) if name.ends_with("by the static one") => 0.13,
+        // The start at full velocity sends a front down the line, on which mesh and steps leave up to 3 points of 5.
+        ("mooring/hybrid_moving.toml", name) if name.ends_with("by the static one") => 0.6,
+        ("mooring/hybrid_moving.toml", name) if name.starts_with("swing of the stiffness") => 0.13,
+        // A place along the line is known to a segment, and that is the tolerance.
+        (_, name) if name.starts_with("where along") || name.starts_with("the lowest point") => 1.0,
+        ("umbilical/catenary.toml", "weight alone: tension at the anchor") => 0.2,
         // Whole numbers: one wave more or less on a companion's mesh or in its steps, which does not fall from run to run.
         (path, name) if path.starts_with("double_stepped/") && name.starts_with("waves") => 7.0,
         ("double_stepped/regular_wave.toml", _) => 0.5,

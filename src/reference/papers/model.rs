@@ -23,8 +23,10 @@ table! {
     /// The paper, and the cases that reproduce it.
     #[derive(Debug, Clone, PartialEq)]
     pub struct PaperInfo => PaperInfoKeys {
-        /// The paper in a few words.
+        /// What the paper is about, and its year.
         title: String, "title";
+        /// The same in a word.
+        short: String, "short title";
         /// Authors, year, journal, identifier.
         cite: String, "citation";
         /// The shipped files that reproduce it, below cases.

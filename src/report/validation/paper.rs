@@ -7,6 +7,22 @@ use crate::reference::{Outcome, RowKind, ValidationRow, table};
 use crate::report::document::Block;
 use crate::report::table::{Align, Cell, CellStyle, Table};
 
+/// Results that agree, by what that is worth.
+const GROUPS: [(&str, &[RowKind]); 3] = [
+    (
+        "Reproduced: evidence",
+        &[RowKind::Predicted, RowKind::Trend],
+    ),
+    (
+        "Agrees with closed forms and second methods of our own",
+        &[RowKind::ClosedForm],
+    ),
+    (
+        "Agrees by construction",
+        &[RowKind::Fitted, RowKind::Echoed],
+    ),
+];
+
 pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: bool) -> Vec<Block> {
     let about = &paper.paper.about;
     let mut blocks = vec![
@@ -27,18 +43,8 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
         "Not reproduced, the farthest off first",
         of(&|a| matches!(a, Answer::NotReproduced(_) | Answer::NotAttempted(_))),
     ));
-    let groups: [(&str, &dyn Fn(&Answer) -> bool); 2] = [
-        (
-            "Reproduced: evidence",
-            &|a| matches!(a, Answer::Agrees(kind) if kind.is_evidence()),
-        ),
-        (
-            "Agrees by construction",
-            &|a| matches!(a, Answer::Agrees(kind) if !kind.is_evidence()),
-        ),
-    ];
-    for (title, wanted) in groups {
-        let lines = of(wanted);
+    for (title, kinds) in GROUPS {
+        let lines = of(&|a| matches!(a, Answer::Agrees(kind) if kinds.contains(kind)));
         if !lines.is_empty() {
             blocks.push(Block::Table(results(title, &lines)));
             blocks.extend(notes(&lines).map(Block::Paragraph));

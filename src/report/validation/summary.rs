@@ -27,7 +27,7 @@ pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<
 
 const HOW_TO_READ: &str = "\
 Evidence is what is predicted (no input was fitted to it) and the trends. Fitted numbers, inputs and their exact consequences \
-(echoed) agree by construction. Formulas are equations with a test, and closed forms beside a paper: they check the program. \
+(echoed) agree by construction. Equations have a test, or closed forms beside the paper: they check the program. \
 Missed: not reproduced, each with what was tried; (+n) of them come out by a second reading of what the paper \
 does not print. No test: a figure that is lost, or a remark from which nothing follows. Open: without an answer. `tol.` is the difference in tolerances; * an input behind it is not printed.";
 
@@ -36,7 +36,7 @@ fn chosen(papers: &[JudgedPaper<'_>]) -> Option<String> {
     let said = papers.iter().filter_map(|one| {
         let about = &one.paper.about;
         let chosen = about.chosen.as_ref()?;
-        Some(format!("{}: {}", about.title, chosen.trim_end_matches('.')))
+        Some(format!("{}: {}", about.short, chosen.trim_end_matches('.')))
     });
     let said: Vec<String> = said.collect();
     let all = said.join("; ");
@@ -48,7 +48,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         .iter()
         .map(|one| {
             (
-                one.paper.about.title.as_str(),
+                one.paper.about.short.as_str(),
                 count_answers(&one.statements),
             )
         })
@@ -82,7 +82,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         .cell("trends", Align::Right, |(_, n)| count(n.trends))
         .cell("fitted", Align::Right, |(_, n)| count(n.fitted))
         .cell("echoed", Align::Right, |(_, n)| count(n.echoed))
-        .cell("formulas", Align::Right, |(_, n)| {
+        .cell("equat.", Align::Right, |(_, n)| {
             count(n.equations + n.closed_forms)
         })
         .cell("missed", Align::Right, |(_, n)| missed(n))
