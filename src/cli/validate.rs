@@ -21,7 +21,8 @@ use crate::{
         papers::{self, FileRows, Paper},
     },
     report::{
-        document, run_json, text,
+        document::{self, Block},
+        run_json, text,
         validation::{self, Extent, JudgedPaper},
     },
     run::{
@@ -103,9 +104,10 @@ fn show(args: &ValidateArgs, tables: &[Validated], lists: &[Paper]) -> Result<()
     };
     let mut blocks =
         extent.map_or_else(Vec::new, |extent| validation::page(&rows, &judged, extent));
+    let with_tables = extent.is_none() || args.details;
     if args.markdown || args.html {
-        if extent.is_none() {
-            blocks = validation::page(&rows, &judged, Extent::Details);
+        if with_tables {
+            blocks.extend(tables.iter().flat_map(Validated::blocks));
         }
         let page = match args.html {
             true => document::html(&blocks),
@@ -115,7 +117,7 @@ fn show(args: &ValidateArgs, tables: &[Validated], lists: &[Paper]) -> Result<()
     }
     let mut page = document::text(&blocks, text::WIDTH);
     if extent != Some(Extent::Summary) {
-        if extent.is_none() || args.details {
+        if with_tables {
             page.push_str(&full_tables(tables));
         }
         page.push_str(&format!("\nAll cases: {}\n", total(tables)));
@@ -248,6 +250,15 @@ impl Validated {
     /// Title and name.
     fn head(&self) -> String {
         visible::line(&format!("{} ({})", self.title, self.name)).into_owned()
+    }
+
+    /// Its table, each row with its note.
+    fn blocks(&self) -> [Block; 3] {
+        [
+            Block::Heading(self.head()),
+            Block::Table(reference::table(&self.rows)),
+            Block::Paragraph(reference::count_outcomes(&self.rows).to_string()),
+        ]
     }
 
     fn rows(&self) -> FileRows<'_> {

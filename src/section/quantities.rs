@@ -46,7 +46,7 @@ pub static QUANTITIES: [SectionQuantity; 19] = [
     quantity("ei_stick_n_m2", "N m2", |d| Some(d.bending.full_stick()), "bending stiffness at full stick, with that of the sheaths"),
     quantity("ei_units_n_m2", "N m2", |d| Some(d.bending.helices + d.bending.centre), "bending stiffness of centre and helical layers at full slip, eqs. (18)-(19)"),
     quantity("ei_sheaths_n_m2", "N m2", |d| Some(d.bending.sheaths), "bending stiffness of the sheaths"),
-    quantity("break_load_n", "N", |d| d.strength.as_ref().map(|s| s.break_load), "tension at which the first unit comes to its strength"),
+    quantity("break_load_n", "N", |d| d.strength.as_ref().map(|s| s.break_load), "tension at which the first unit reaches its strength"),
     quantity("allowable_tension_n", "N", |d| d.strength.as_ref().map(|s| s.allowable), "the same by the usage factor"),
     quantity("units", "-", |d| Some(units(d)), "units of the centre and the layers of units"),
     quantity("armour_layers", "-", |d| Some(armour(d).count() as f64), "layers of armour wires"),

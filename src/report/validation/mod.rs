@@ -23,7 +23,7 @@ pub enum Extent {
     Summary,
     /// The first screen, the results of every paper, a line for every other file.
     Page,
-    /// The same with inputs, equations and the source of every answer.
+    /// The same with the papers' inputs and equations.
     Details,
 }
 

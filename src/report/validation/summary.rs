@@ -1,4 +1,4 @@
-//! The first screen: a line for each paper, and what stands beside them.
+//! The first screen: a line for each paper, and the counts of all rows.
 
 use super::{JudgedPaper, is_of_a_paper};
 use crate::reference::papers::{AnswerCounts, FileRows, count_answers};
