@@ -1,7 +1,10 @@
 //! The note of a row of the validation table.
 
 use super::{Outcome, TrendLine, ValidationRow};
-use crate::{case::Direction, number::with_error};
+use crate::{
+    case::{Direction, Provenance},
+    number::with_error,
+};
 
 /// Source, variant, basis and reason of a row.
 pub(super) fn note(row: &ValidationRow) -> String {
@@ -23,6 +26,9 @@ pub(super) fn note(row: &ValidationRow) -> String {
     }
     if let Some(basis) = row.basis {
         words.push(basis.words().to_owned());
+    }
+    if let Some(standing @ (Provenance::Calibrated | Provenance::Assumed)) = row.inputs {
+        words.push(format!("* Inputs: {}.", standing.name()));
     }
     if let Some(note) = &row.note {
         words.push(sentence(note));

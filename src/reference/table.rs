@@ -10,7 +10,7 @@ use crate::{
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
-/// error, difference, tolerance, provenance of the inputs, kind. Row `n` of the table is row `n` of `rows` and
+/// error, difference, tolerance, kind. Row `n` of the table is row `n` of `rows` and
 /// carries the number `[n+1]`; the note of that number gives the source of the
 /// value, its basis and the reason of its outcome.
 #[must_use]
@@ -37,7 +37,6 @@ pub fn table(rows: &[ValidationRow]) -> Table {
         .cell("tolerance", Align::Right, |(_, row)| {
             number(row, row.tolerance, |v| significant(v, 3, &row.unit))
         })
-        .cell("inputs", Align::Left, |(_, row)| inputs(row))
         .cell("kind", Align::Left, |(_, row)| kind(row))
         .build()
         .noted(notes)
@@ -163,21 +162,17 @@ fn ink(outcome: Outcome) -> CellStyle {
     }
 }
 
-pub(crate) fn inputs(row: &ValidationRow) -> Cell {
-    match row.inputs {
-        None => Cell::plain(""),
-        Some(standing @ (Provenance::Calibrated | Provenance::Assumed)) => {
-            Cell::new(standing.name(), CellStyle::Warn)
-        }
-        Some(standing) => Cell::plain(standing.name()),
-    }
-}
-
+/// The kind of a row, with a star where an input behind it is not printed.
 pub(crate) fn kind(row: &ValidationRow) -> Cell {
-    match row.kind {
-        kind @ (RowKind::Fitted | RowKind::Echoed) => Cell::new(kind.word(), CellStyle::Warn),
-        kind => Cell::plain(kind.word()),
-    }
+    let star = match row.inputs {
+        Some(Provenance::Calibrated | Provenance::Assumed) => "*",
+        _ => "",
+    };
+    let ink = match row.kind {
+        RowKind::Fitted | RowKind::Echoed => CellStyle::Warn,
+        _ => CellStyle::Plain,
+    };
+    Cell::new(format!("{}{star}", row.kind.word()), ink)
 }
 
 #[cfg(test)]

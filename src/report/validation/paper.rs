@@ -1,7 +1,6 @@
 //! One paper: what is not reproduced first, then what is, a line each; on demand its inputs and equations.
 
 use super::JudgedPaper;
-use crate::case::Provenance;
 use crate::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
 use crate::reference::{Outcome, RowKind, ValidationRow, table};
 use crate::report::document::Block;
@@ -197,22 +196,9 @@ fn results(title: &str, lines: &[&Line<'_>]) -> Table {
         })
         .cell("tol.", Align::Right, |line| tolerances(line.row))
         .cell("kind", Align::Left, |line| {
-            line.row.map_or_else(Cell::default, kind)
+            line.row.map_or_else(Cell::default, table::kind)
         })
         .build()
-}
-
-/// The kind of a row, marked where an input behind it is not printed.
-fn kind(row: &ValidationRow) -> Cell {
-    let unprinted = matches!(
-        row.inputs,
-        Some(Provenance::Calibrated | Provenance::Assumed)
-    );
-    let mut cell = table::kind(row);
-    if unprinted {
-        cell.text.push('*');
-    }
-    cell
 }
 
 /// The notes of the rows, each once.
