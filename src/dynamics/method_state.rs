@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::WorkCounts;
 use crate::numerics::V3;
+use crate::solve::ConvergenceRate;
 
 /// Saved state of a method; every method has its own part of it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -24,8 +25,9 @@ pub struct MethodState {
     /// RK4: the fastest decay at the end of the step before \[1/s\] and its node.
     #[serde(default)]
     pub decay: Option<(f64, usize)>,
-    /// Newton's measured rate of convergence \[1/m\].
-    pub rate: Option<f64>,
+    /// Newton's measured rate of convergence.
+    #[serde(rename = "convergence")]
+    pub rate: Option<ConvergenceRate>,
     /// Work so far.
     #[serde(rename = "tally")]
     pub work_counts: WorkCounts,

@@ -1,23 +1,57 @@
 //! When Newton's iteration has converged: its displacement is small, or the next one would be, since convergence is quadratic.
 
+use serde::{Deserialize, Serialize};
+
 /// Safety factor on the extrapolated displacement.
 const SAFETY: f64 = 4.0;
+
+/// Two displacements in a row that shrink to this share are in the range of quadratic convergence.
+const CONVERGES: f64 = 0.1;
+
+/// Elsewhere a rate is believed down to this share of the displacement at which it was last measured. A far iteration that happens to
+/// shrink tenfold is not in the range of quadratic convergence, and its rate says nothing of displacements a thousand times
+/// smaller.
+const REACH: f64 = 1e-2;
+
+/// Displacements below this share of the tolerance are rounding, of which no rate can be measured.
+const ROUNDING: f64 = 1e-3;
+
+/// A measured rate of quadratic convergence.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct ConvergenceRate {
+    /// `|d1| / |d0|²` \[1/m\].
+    pub per_m: f64,
+    /// The `|d0|` of its last measurement \[m\].
+    pub measured_at_m: f64,
+}
+
+impl ConvergenceRate {
+    /// The displacement after one of this size \[m\], with the safety factor.
+    fn next(&self, moved: f64) -> f64 {
+        SAFETY * self.per_m * moved * moved
+    }
+
+    /// Whether it says something of a first displacement of this size \[m\].
+    fn reaches(&self, moved: f64) -> bool {
+        moved >= REACH * self.measured_at_m
+    }
+}
 
 /// One iteration watched.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
     tolerance: f64,
-    /// Measured `|d1| / |d0|²` \[1/m\]; absent until two iterations were seen.
-    rate: Option<f64>,
+    /// Absent until two iterations were seen.
+    rate: Option<ConvergenceRate>,
     before: Option<f64>,
     least: f64,
     idle: usize,
 }
 
 impl Convergence {
-    /// Of an iteration with this tolerance \[m\], from the rate measured in those before \[1/m\].
+    /// Of an iteration with this tolerance \[m\], from the rate measured in those before.
     #[must_use]
-    pub fn new(tolerance: f64, rate: Option<f64>) -> Self {
+    pub fn new(tolerance: f64, rate: Option<ConvergenceRate>) -> Self {
         Self {
             tolerance,
             rate,
@@ -36,17 +70,34 @@ impl Convergence {
         };
         self.least = self.least.min(moved);
         if let Some(last) = self.before {
-            let rate = moved / (last * last);
-            // The rate is that of the tail of the iteration, above rounding.
-            if moved < 0.1 * last && moved > 1e-3 * self.tolerance {
-                self.rate = Some(self.rate.map_or(rate, |c| rate.max(0.7 * c)));
-            }
+            self.measure(last, moved);
         }
+        let converges = self.before.is_some_and(|last| moved < CONVERGES * last);
+        let believed = |rate: &ConvergenceRate| converges || rate.reaches(moved);
         self.before = Some(moved);
-        let next = self
-            .rate
-            .map_or(f64::INFINITY, |k| SAFETY * k * moved * moved);
-        moved <= self.tolerance || next <= self.tolerance
+        let next = self.rate.filter(believed);
+        moved <= self.tolerance || next.is_some_and(|rate| rate.next(moved) <= self.tolerance)
+    }
+
+    /// Measures the rate in the tail of the iteration, from two displacements in a row \[m\].
+    fn measure(&mut self, last: f64, moved: f64) {
+        if moved >= CONVERGES * last {
+            return;
+        }
+        let least = ROUNDING * self.tolerance;
+        let per_m = moved.max(least) / (last * last);
+        let known = self.rate.map(|rate| rate.per_m);
+        let believed = match known {
+            // An iteration that meets a linear system says nothing of the next one.
+            None if moved <= least => return,
+            Some(known) if moved <= least => per_m.max(known),
+            Some(known) => per_m.max(0.7 * known),
+            None => per_m,
+        };
+        self.rate = Some(ConvergenceRate {
+            per_m: believed,
+            measured_at_m: last,
+        });
     }
 
     /// Iterations in a row that did not halve the least displacement so far.
@@ -55,9 +106,62 @@ impl Convergence {
         self.idle
     }
 
-    /// The measured rate \[1/m\].
+    /// The measured rate.
     #[must_use]
-    pub fn rate(&self) -> Option<f64> {
+    pub fn rate(&self) -> Option<ConvergenceRate> {
         self.rate
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TOLERANCE: f64 = 1e-5;
+
+    /// An iteration with these displacements \[m\], and whether the last is taken for converged.
+    fn ends(moves: &[f64], rate: Option<ConvergenceRate>) -> (bool, Option<ConvergenceRate>) {
+        let mut iteration = Convergence::new(TOLERANCE, rate);
+        let reached = moves.iter().map(|&moved| iteration.is_reached(moved));
+        (reached.last().unwrap_or_default(), iteration.rate())
+    }
+
+    /// A rate measured at a kilometre once let a march take displacements of a decimetre for converged in every step: one
+    /// iteration a step, which never measured it again.
+    #[test]
+    fn a_rate_measured_far_away_is_not_believed_near() {
+        let (reached, far) = ends(&[2e4, 4e2], None);
+        assert!(!reached && far.is_some());
+        assert!(!ends(&[0.3], far).0);
+        // Measured again where it is needed, it is believed there.
+        let (_, near) = ends(&[1e-2, 1e-6], far);
+        assert!(ends(&[1e-2], near).0);
+        assert!(
+            !ends(&[9e-5], near).0,
+            "a hundredth of where it was measured"
+        );
+    }
+
+    #[test]
+    fn rounding_lowers_no_rate_and_makes_none() {
+        let rate = Some(ConvergenceRate {
+            per_m: 0.04,
+            measured_at_m: 1.0,
+        });
+        let (reached, after) = ends(&[1e-1, 1e-12], rate);
+        assert!(reached);
+        assert_eq!(after.map(|rate| rate.per_m), Some(0.04));
+        assert_eq!(after.map(|rate| rate.measured_at_m), Some(1e-1));
+        assert_eq!(ends(&[1e-1, 1e-12], None), (true, None));
+    }
+
+    #[test]
+    fn a_rate_does_not_fall_by_one_lucky_iteration() {
+        let rate = Some(ConvergenceRate {
+            per_m: 1.0,
+            measured_at_m: 1e-2,
+        });
+        let (_, after) = ends(&[1e-2, 1e-6], rate);
+        assert_eq!(after.map(|rate| rate.per_m), Some(0.7));
     }
 }

@@ -6,7 +6,7 @@ pub mod sink;
 pub mod state;
 pub mod system;
 
-pub use convergence::Convergence;
+pub use convergence::{Convergence, ConvergenceRate};
 pub use newton::{Newton, NewtonError};
 pub use sink::{AcceptedStep, Progressing, Sink};
 pub use state::{BodyOnBed, HistoryVariables, RopeHistory, SharedStiffness, State};

@@ -10,7 +10,7 @@
 //! larger tolerance than along it. An iteration that cycles, as between two sides of a kink, stops early: the march then
 //! halves its step at less cost.
 
-use super::convergence::Convergence;
+use super::convergence::{Convergence, ConvergenceRate};
 use super::{Factors, Residual, State};
 use crate::numerics::{BlockBand, V3};
 
@@ -37,8 +37,8 @@ pub struct Newton {
     pub iterations: u64,
     residual: Vec<V3>,
     tangent: BlockBand,
-    /// Measured `|d1| / |d0|²` \[1/m\]; absent until two iterations were seen.
-    curvature: Option<f64>,
+    /// Absent until two iterations were seen.
+    rate: Option<ConvergenceRate>,
 }
 
 /// Why Newton's method failed.
@@ -115,25 +115,25 @@ impl Newton {
             iterations: 0,
             residual: vec![V3::zeros(); nodes],
             tangent: BlockBand::new(nodes),
-            curvature: None,
+            rate: None,
         }
     }
 
-    /// The measured rate of convergence \[1/m\], to be saved with a march.
+    /// The measured rate of convergence, to be saved with a march.
     #[must_use]
-    pub fn rate(&self) -> Option<f64> {
-        self.curvature
+    pub fn rate(&self) -> Option<ConvergenceRate> {
+        self.rate
     }
 
     /// Restores the rate and the count of a saved march.
-    pub fn restore(&mut self, rate: Option<f64>, iterations: u64) {
-        self.curvature = rate;
+    pub fn restore(&mut self, rate: Option<ConvergenceRate>, iterations: u64) {
+        self.rate = rate;
         self.iterations = iterations;
     }
 
     /// Resets the measured rate, as after a discontinuity of the state.
     pub fn reset_rate(&mut self) {
-        self.curvature = None;
+        self.rate = None;
     }
 
     /// Moves `state` to where its residual vanishes, velocities and accelerations following the
@@ -154,14 +154,14 @@ impl Newton {
         } else {
             self.tolerance
         };
-        let mut convergence = Convergence::new(tolerance, self.curvature);
+        let mut convergence = Convergence::new(tolerance, self.rate);
         let (mut worst, mut made) = ((0, f64::INFINITY), 0);
         while made < self.max_iterations && convergence.idle() < self.stagnation_limit {
             made += 1;
             worst = self.iterate(system, t, state, c)?;
             let moved = self.convergence_norm(system, state, worst.1);
             let reached = convergence.is_reached(moved);
-            self.curvature = convergence.rate();
+            self.rate = convergence.rate();
             if reached {
                 return Ok(made);
             }

@@ -136,9 +136,9 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
         // Nodes that touch down one by one: the coarse meshes are there to show how their noise falls, and halving
         // such a mesh for the estimate doubles it.
         ("hard/touchdown.toml", name) if name.ends_with(" segments") => 80.0,
-        // Rounding decides how the folded chain throws its free end: the stiffness changed in its last digits scatters the
-        // estimate between 0.6 and 3 times the tolerance.
-        ("hard/whip.toml", "time of the fall") => 3.1,
+        // Rounding decides how the folded chain throws its free end: over 32 values of the stiffness that differ in the twelfth
+        // digit the estimate is between 0.9 and 25 times the tolerance.
+        ("hard/whip.toml", "time of the fall") => 25.0,
         // Against a closed form the difference is the numerical error, and the tolerance its bound; a bar with its factor of
         // safety may be four times the error.
         (path, _) if path.starts_with("hard/") => 4.0,

@@ -10,7 +10,7 @@ use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{Convergence, Factors, Marched, NewtonError, Residual};
+use crate::solve::{Convergence, ConvergenceRate, Factors, Marched, NewtonError, Residual};
 
 /// Iterations without progress after which a step is halved.
 const STAGNATION_LIMIT: usize = 6;
@@ -22,7 +22,7 @@ pub struct SystemAlpha {
     border: Border,
     tolerance: f64,
     max_iterations: usize,
-    rate: Option<f64>,
+    rate: Option<ConvergenceRate>,
     iterations: u64,
     end: SystemState,
     between: SystemState,

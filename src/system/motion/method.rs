@@ -10,7 +10,7 @@ use super::settings::MotionSettings;
 use super::system_state::SystemState;
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::NewtonError;
+use crate::solve::{ConvergenceRate, NewtonError};
 use crate::system::model::MotionMethod;
 
 /// What a method takes from one step to the next.
@@ -21,7 +21,8 @@ pub struct MethodState {
     /// Evaluations of an explicit method so far.
     pub evaluations: u64,
     /// Rate of Newton's convergence.
-    pub rate: Option<f64>,
+    #[serde(rename = "convergence")]
+    pub rate: Option<ConvergenceRate>,
     /// Weight of the jerk in the prediction.
     pub jerk_weight: f64,
     /// Rates of the accelerations over the step before, part by part \[m/s³\]; empty for an explicit method.
