@@ -29,6 +29,9 @@ pub enum WriteError {
     /// The target is a file that the same command reads.
     #[error("{} is an input of this command and is not overwritten; name another file", .0.display())]
     IsInput(PathBuf),
+    /// The target is a file of a stored run.
+    #[error("{} belongs to the run in its directory and is not overwritten; name another file", .0.display())]
+    OfRun(PathBuf),
     /// The target is a symbolic link.
     #[error("{} is a symbolic link; name the file itself", .0.display())]
     IsLink(PathBuf),

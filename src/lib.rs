@@ -50,6 +50,7 @@ pub mod export;
 pub mod files;
 pub mod import;
 pub mod kinds;
+pub mod limits;
 pub mod line_between_ends;
 pub mod line_types;
 pub mod modes;

@@ -69,6 +69,29 @@ pub fn json(document: &str) -> Cow<'_, str> {
     })
 }
 
+/// Longest text of one message, as of a word that it quotes \[characters\].
+const LONGEST: usize = 1000;
+
+/// A message without the middle of words that are pages long.
+#[must_use]
+pub(crate) fn shortened(text: String) -> String {
+    let cut = |from: usize| text.char_indices().nth(from).map(|(at, _)| at);
+    // As long as its bytes at most.
+    if text.len() <= LONGEST {
+        return text;
+    }
+    let Some(end) = cut(LONGEST) else { return text };
+    let head = cut(LONGEST * 3 / 4).unwrap_or(end);
+    let tail = text.char_indices().rev().nth(LONGEST / 4 - 1);
+    let tail = tail.map_or(text.len(), |(at, _)| at);
+    let left_out = text[head..tail].chars().count();
+    format!(
+        "{} [{left_out} characters left out] {}",
+        &text[..head],
+        &text[tail..]
+    )
+}
+
 fn escape<'a>(
     text: &'a str,
     hidden: impl Fn(char) -> bool,
@@ -109,6 +132,21 @@ mod tests {
         );
         assert_eq!(text("a\n\tb"), "a\n\tb");
         assert_eq!(line("a\n\tb\u{7}"), "a\\n\\tb\\u{7}");
+    }
+
+    #[test]
+    fn messages_lose_the_middle_of_a_word_of_pages() {
+        let plain = "no key `lenght_m`".to_owned();
+        assert_eq!(shortened(plain.clone()), plain);
+        let word = "é".repeat(1000);
+        assert_eq!(shortened(word.clone()), word);
+        let long = shortened(format!("no key `{}` here", "é".repeat(100_000)));
+        assert!(long.starts_with("no key `é") && long.ends_with("é` here"));
+        assert!(long.contains(" [99014 characters left out] "), "{long}");
+        assert_eq!(
+            long.chars().count(),
+            1000 + " [99014 characters left out] ".len()
+        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
+use crate::visible::shortened;
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 /// One thing wrong with a case file.
@@ -25,6 +26,22 @@ pub struct Diagnostic {
 }
 
 impl Diagnostic {
+    /// What stands in the place of diagnostics that are left out, at the first of them.
+    #[must_use]
+    pub(crate) fn further(number: usize, first: Self) -> Self {
+        let faults = if number == 1 {
+            "fault is"
+        } else {
+            "faults are"
+        };
+        Self {
+            key: String::new(),
+            problem: format!("{number} more {faults} not shown"),
+            remedy: "mend those shown first".to_owned(),
+            ..first
+        }
+    }
+
     /// A diagnostic about the file as a whole.
     #[must_use]
     pub fn whole_file(file: &str, problem: impl Into<String>, remedy: impl Into<String>) -> Self {
@@ -57,15 +74,20 @@ impl Diagnostic {
         let title = Level::ERROR.primary_title(self.headline());
         let help = Level::HELP.message(self.remedy.as_str());
         let span = within(text, &self.span);
-        if text.is_empty() || self.span == (0..0) {
+        let lines = lines_of(text, &span);
+        if text.is_empty() || self.span == (0..0) || lines.len() > LONGEST_EXCERPT {
             let origin = Origin::path(self.file.as_str())
                 .line(self.line as usize)
                 .char_column(self.column as usize);
             return title.element(origin).element(help);
         }
-        let snippet = Snippet::source(text)
+        // Of the whole text the renderer would make a table of lines for each diagnostic.
+        let snippet = Snippet::source(&text[lines.clone()])
+            .line_start(self.line as usize)
             .path(self.file.as_str())
-            .annotation(AnnotationKind::Primary.span(span));
+            .annotation(
+                AnnotationKind::Primary.span(span.start - lines.start..span.end - lines.start),
+            );
         title.element(snippet).element(help)
     }
 
@@ -132,12 +154,22 @@ impl Finding {
             file: file.to_owned(),
             line,
             column,
-            key: self.key,
-            problem: self.problem,
-            remedy: self.remedy,
+            key: shortened(self.key),
+            problem: shortened(self.problem),
+            remedy: shortened(self.remedy),
             span,
         }
     }
+}
+
+/// Longer lines are not shown \[bytes\].
+const LONGEST_EXCERPT: usize = 4096;
+
+/// The bytes of the lines that a span touches.
+fn lines_of(text: &str, span: &Range<usize>) -> Range<usize> {
+    let start = text[..span.start].rfind('\n').map_or(0, |feed| feed + 1);
+    let rest = text[span.end..].find('\n');
+    start..rest.map_or(text.len(), |feed| span.end + feed)
 }
 
 /// Line and column of a byte offset, both from 1, the column in characters.

@@ -31,6 +31,7 @@ mod read;
 mod rows;
 pub(crate) mod schema;
 pub mod shipped;
+mod size;
 mod subject;
 mod tree;
 mod warm_start;
@@ -59,9 +60,10 @@ pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub(crate) use check::{
-    increasing, of_current, of_material, of_waves, unknown, unknown_name, used_twice,
+    increasing, of_current, of_material, of_waves, too_many_rows, too_many_steps, unknown,
+    unknown_name, used_twice,
 };
 pub(crate) use diagnostic::Finding;
-pub(crate) use fields::{join, nearest, split};
+pub(crate) use fields::{is_name, join, nearest, split};
 
 pub(crate) use tree::TomlNode;

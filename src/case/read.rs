@@ -12,6 +12,7 @@ use super::fields::Schema;
 use super::file_kind::{FileKind, errors};
 use super::model::{CASE, Case};
 use super::schema::{TableNode, TableType};
+use super::size;
 use super::tree::TomlNode;
 use super::warm_start;
 use crate::import::is_foreign_file;
@@ -105,7 +106,7 @@ fn said(text: &str, file: &str, schema: &Schema) -> Result<TomlNode, Vec<Diagnos
         return Err(vec![diagnostic]);
     }
     let tree = tree_of(text).map_err(|found| diagnose(found, text, file))?;
-    match other_kind(&tree, schema) {
+    match size::check(&tree).or_else(|| other_kind(&tree, schema)) {
         Some(found) => Err(diagnose(vec![found], text, file)),
         None => Ok(tree),
     }
@@ -127,10 +128,19 @@ fn other_kind(tree: &TomlNode, schema: &Schema) -> Option<Finding> {
     Some(Finding::new(span, other.table(), problem, remedy))
 }
 
-/// Findings with their places in the text.
-pub(crate) fn diagnose(found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagnostic> {
+/// Greatest number of diagnostics of a file.
+const MOST_DIAGNOSTICS: usize = 50;
+
+/// Findings with their places in the text; of very many the first ones, and how many more there are.
+pub(crate) fn diagnose(mut found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagnostic> {
+    let left_out = found.split_off(found.len().min(MOST_DIAGNOSTICS));
     let placed = found.into_iter().map(|finding| finding.at(file, text));
-    placed.collect()
+    let mut list: Vec<Diagnostic> = placed.collect();
+    let number = left_out.len();
+    if let Some(first) = left_out.into_iter().next() {
+        list.push(Diagnostic::further(number, first.at(file, text)));
+    }
+    list
 }
 
 /// The tree of the text, or its faults of syntax.

@@ -11,6 +11,7 @@ use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
+use crate::limits;
 use crate::report::chart::Glyphs;
 
 /// A terminal workbench for marine cables.
@@ -45,8 +46,63 @@ pub(super) struct Args {
     #[arg(long)]
     pub(super) slow_link: bool,
 
+    #[command(flatten)]
+    pub(super) limits: LimitArgs,
+
     #[command(subcommand)]
     pub(super) command: Option<CliCommand>,
+}
+
+/// Limits on the work that a file may ask for.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Limits")]
+pub(super) struct LimitArgs {
+    /// Allow more entries of one table or list of tables in a file.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_tables: Option<f64>,
+
+    /// Allow more segments of all lines of a scene.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_segments: Option<f64>,
+
+    /// Allow more time steps of a run.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_steps: Option<f64>,
+
+    /// Allow more rows of a history.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_rows: Option<f64>,
+
+    /// Allow more lines of a table of lines at rest.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_lines: Option<f64>,
+}
+
+impl LimitArgs {
+    /// Lifts the limits that are given.
+    pub(super) fn apply(&self) {
+        let given = [
+            (&limits::TABLES, self.limit_tables),
+            (&limits::SEGMENTS, self.limit_segments),
+            (&limits::STEPS, self.limit_steps),
+            (&limits::ROWS, self.limit_rows),
+            (&limits::LINES, self.limit_lines),
+            (&limits::LINES_IN_CURRENT, self.limit_lines),
+        ];
+        for (limit, greatest) in given {
+            if let Some(greatest) = greatest {
+                limit.lift(greatest);
+            }
+        }
+    }
+}
+
+/// A count of at least 1, such as 5000 or 1e9.
+fn allowed(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    number
+        .filter(|number| (1.0..=1e18).contains(number))
+        .ok_or_else(|| "give a number from 1 to 1e18".to_owned())
 }
 
 #[derive(Debug, Subcommand)]

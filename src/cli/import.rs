@@ -76,8 +76,8 @@ pub(super) fn import(args: &ImportCommandArgs) -> Result<ExitCode, CommandError>
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
     let text = text_of(&args.file, &args.import.options())?;
     match file {
-        Some(file) => file.write(text.as_bytes(), FileFormat::Json)?,
-        None => output::results(&text, false)?,
+        Some(file) => file.write(text.as_bytes(), FileFormat::Toml)?,
+        None => output::document(text.as_bytes(), FileFormat::Toml)?,
     }
     Ok(ExitCode::SUCCESS)
 }

@@ -7,7 +7,7 @@ use std::{
 
 use super::{CommandError, args::LinesArgs, output, output::FileFormat, study_page};
 use crate::{
-    files,
+    case, files,
     import::yaml::library,
     line_types::{
         LINE_TYPES, Library, LineProperties, LineType, find, material_name, material_table,
@@ -98,7 +98,7 @@ fn named(name: &str) -> Result<&'static LineType, CommandError> {
         let names = || LINE_TYPES.iter().map(|line| line.name);
         let mut meant: Vec<&str> = names().filter(|known| known.contains(name)).collect();
         if meant.is_empty() {
-            meant.extend(crate::case::nearest(name, names()));
+            meant.extend(case::nearest(name, names()));
         }
         let meant = match meant.is_empty() {
             true => String::new(),
@@ -125,6 +125,11 @@ fn computed(
 
 fn print_material(line: &LineProperties, name: Option<&str>) -> Result<(), CommandError> {
     let own = material_name(line);
+    if let Some(name) = name.filter(|name| !case::is_name(name)) {
+        return Err(CommandError::Usage(format!(
+            "--name {name}: a name has letters, digits, - and _, at most 100 of them."
+        )));
+    }
     let text = material_table(line, name.unwrap_or(&own));
     output::document(text.as_bytes(), FileFormat::Toml)
 }

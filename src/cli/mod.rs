@@ -61,6 +61,7 @@ pub fn main() -> ExitCode {
         Ok(args) => args,
         Err(error) => return output::usage(&error),
     };
+    args.limits.apply();
     let done = match &args.command {
         None => workbench::open(args),
         Some(CliCommand::Run(args)) => run::run(args),

@@ -11,8 +11,9 @@ use std::{
 
 use super::{BAD_INPUT, CommandError, inputs};
 use crate::{
-    files::{Existing, Target},
+    files::{Existing, Target, WriteError},
     report::{chart::Glyphs, plain},
+    run::store,
     tui::terminal::capabilities,
     visible,
 };
@@ -44,7 +45,7 @@ pub(super) fn document(text: &[u8], format: FileFormat) -> Result<(), CommandErr
 
 /// Prints a JSON object.
 pub(super) fn object(object: &serde_json::Value) -> Result<(), CommandError> {
-    print(&visible::text(&format!("{object:#}\n")))
+    print(&visible::json(&format!("{object:#}\n")))
 }
 
 /// Prints text without invisible characters. A reader that leaves early, as `head` does, is not an error.
@@ -91,7 +92,10 @@ impl<'a> OutputFile<'a> {
             force,
             inputs: inputs::inputs(inputs),
         };
-        let checked = file.target().check();
+        let checked = match file.target().check() {
+            Err(input @ WriteError::IsInput(_)) => Err(input),
+            checked => outside_a_run(path).and(checked),
+        };
         checked.map_err(|source| CommandError::Write { option, source })?;
         Ok(Some(file))
     }
@@ -116,6 +120,19 @@ impl<'a> OutputFile<'a> {
             },
         }
     }
+}
+
+/// A file of a stored run is never overwritten, nor made in its place.
+fn outside_a_run(path: &Path) -> Result<(), WriteError> {
+    let own = path
+        .file_name()
+        .is_some_and(|name| store::FILES.iter().any(|own| name == *own));
+    let parent = path.parent().filter(|parent| *parent != Path::new(""));
+    let dir = parent.unwrap_or(Path::new("."));
+    if own && dir.join(store::RUN).is_file() {
+        return Err(WriteError::OfRun(path.to_owned()));
+    }
+    Ok(())
 }
 
 /// The formats of files.

@@ -8,7 +8,7 @@ use crate::report::table::{NumberFormat, Table};
 use crate::study::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
-    let outcomes = run_all(args.count, args.seed);
+    let outcomes = run_all(args.count as usize, args.seed);
     let kinds: Vec<(&str, Vec<&RandomMotion>)> = KINDS
         .iter()
         .enumerate()

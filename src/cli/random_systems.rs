@@ -19,7 +19,7 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     if args.in_motion {
         return random_motion::systems(args);
     }
-    let outcomes = run(args.count, args.seed);
+    let outcomes = run(args.count as usize, args.seed);
     let tallies: Vec<KindTally> = (0..KINDS.len())
         .map(|kind| tally(kind, &outcomes))
         .collect();

@@ -43,7 +43,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     })?;
     let StoredRun { run, dir } = stored;
     if args.json {
-        output::results(&format!("{:#}\n", run_json::run(&run, &dir)), false)?;
+        output::object(&run_json::run(&run, &dir))?;
         return Ok(status(&run, &stop));
     }
     let mut text = format!("{}\n\n{}", dir.display(), text::summary(&run));

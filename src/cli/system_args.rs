@@ -41,7 +41,7 @@ pub(super) struct OffsetsArgs {
     pub(super) to: f64,
 
     /// Steps to it.
-    #[arg(long, default_value = "20")]
+    #[arg(long, default_value = "20", value_parser = clap::value_parser!(u32).range(1..=10_000))]
     pub(super) steps: u32,
 }
 
@@ -84,8 +84,8 @@ pub(super) struct SeekArgs {
 #[derive(Debug, clap::Args)]
 pub(super) struct SystemsArgs {
     /// Number of systems.
-    #[arg(long, value_name = "N", default_value = "10000")]
-    pub(super) count: usize,
+    #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    pub(super) count: u32,
 
     /// The same seed, the same systems.
     #[arg(long, default_value = "1")]

@@ -28,7 +28,9 @@ fn absent(path: &Path) -> String {
     let shown = path.display().to_string();
     let commands = Args::command();
     let words = commands.get_subcommands().map(clap::Command::get_name);
-    let near = words.min_by_key(|word| levenshtein(word, &shown));
+    let near = words
+        .filter(|word| shown.len() < 2 * word.len())
+        .min_by_key(|word| levenshtein(word, &shown));
     let meant = near.filter(|word| levenshtein(word, &shown) * 3 <= word.len());
     let tip = meant.map_or_else(String::new, |word| {
         format!(" Was the command `{word}` meant?")

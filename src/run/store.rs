@@ -75,6 +75,9 @@ pub(crate) const FILES: [&str; 11] = [
 /// Why a run cannot be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
+    /// The directory is inside another run.
+    #[error("{} would be inside the run that its parent directory is. Name another directory.", .0.display())]
+    InRun(PathBuf),
     /// Nothing is there.
     #[error("There is no run directory at {}.", .0.display())]
     NotFound(PathBuf),

@@ -8,6 +8,7 @@ use super::step_interval::LatestSteps;
 use super::store::StoreError;
 use super::{Checkpoint, Profile, ResumedRun, RunState, Settings, Work};
 use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper};
+use crate::limits::STEPS;
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Hysteresis, Kinematics, Progressing, Sink, State};
 
@@ -80,6 +81,18 @@ pub(super) fn march<'a, M: Stepper<Scene>>(
     recorder: &mut Recorder<'a>,
     start: &MarchStart<'_>,
 ) -> MarchResult {
+    let steps = settings.duration_s / settings.time_step_s;
+    if STEPS.is_exceeded_by(steps) {
+        let problem = format!(
+            "it would take {steps:.1e} steps of {:.1e} s",
+            settings.time_step_s
+        );
+        let remedy = STEPS.remedy(
+            "make the line less stiff, or choose the solver `alpha`",
+            steps,
+        );
+        return MarchResult::failed(format!("{problem}; {remedy}"), start.work);
+    }
     let mut run = TimeMarch {
         march: March {
             duration: settings.duration_s,

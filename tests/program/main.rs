@@ -16,6 +16,7 @@ mod documents;
 mod effects;
 mod hostile_text;
 mod json;
+mod limits;
 mod output_files;
 mod signals;
 mod start_from_run;

@@ -6,6 +6,7 @@ use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
 use crate::case::model::CaseKeys;
 use crate::case::schema::Key;
+use crate::limits::SEGMENTS;
 
 /// Checks of sections and of what sits on them.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -27,7 +28,23 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
             .filter_map(|(_, clump)| place(case, &clump.section, &clump.at_m)),
     );
     found.extend(travels(case));
+    found.extend(segments(case));
     found
+}
+
+/// More segments than a scene may have.
+fn segments(case: &CaseKeys<'_>) -> Option<Finding> {
+    let counts = case
+        .line
+        .iter()
+        .filter_map(|(_, section)| section.segments.value());
+    let total = counts.sum::<usize>() as f64;
+    let (_, last) = case.line.last()?;
+    SEGMENTS.is_exceeded_by(total).then(|| {
+        let problem = format!("the line has {total} segments in all");
+        let remedy = SEGMENTS.remedy("divide it into fewer", total);
+        last.segments.finding(problem, remedy)
+    })
 }
 
 /// Unstretched length of the line \[m\], where that of every section is known.

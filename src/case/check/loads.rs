@@ -5,10 +5,8 @@ use crate::case::fields::quantity;
 use crate::case::model::{
     BedInterpolation, CaseKeys, CurrentKeys, FrictionLaw, OneOrMany, SeabedKeys,
 };
-use crate::case::schema::Key;
-
-/// More output instants than this would fill memory and disk before they help anyone.
-const MOST_INSTANTS: f64 = 1e6;
+use crate::case::schema::{Key, KeyValue};
+use crate::limits::{ROWS, STEPS};
 
 /// Checks of current, bed and output.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
@@ -18,7 +16,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
         found.extend(friction(bed));
         found.extend(level(bed).into_iter().chain(grid(bed)));
     }
-    found.extend(output(case));
+    found.extend(work(case));
     found
 }
 
@@ -171,19 +169,48 @@ pub(crate) fn increasing(key: &Key<'_, Vec<f64>>, what: &str, remedy: &str) -> O
     Some(key.finding_at_item(at + 1, problem, remedy))
 }
 
-fn output(case: &CaseKeys<'_>) -> Option<Finding> {
-    let key = &case.output.as_ref()?.interval_s;
-    let duration = case
-        .solver
-        .as_ref()
-        .map_or(Some(600.0), |solver| solver.duration_s.value())?;
-    let instants = duration / key.given()?;
-    (instants > MOST_INSTANTS).then(|| {
-        let problem = format!(
-            "would write {instants:.1e} output instants in {}",
-            quantity(duration, "s")
-        );
-        let least = quantity(duration / MOST_INSTANTS, "s");
-        key.finding(problem, format!("give at least {least}"))
+/// The work that steps and output of these lengths make, where a limit is exceeded.
+fn work(case: &CaseKeys<'_>) -> Vec<Finding> {
+    let solver = case.solver.as_ref();
+    let duration = solver.map_or(Some(600.0), |solver| solver.duration_s.value());
+    let interval = case.output.as_ref().map(|output| &output.interval_s);
+    let step = solver.map(|solver| &solver.time_step_s);
+    let rows = interval.and_then(|key| too_many_rows(key, key.given().copied(), duration?));
+    let steps = step.and_then(|key| too_many_steps(key, key.given().copied(), duration?));
+    rows.into_iter().chain(steps).collect()
+}
+
+/// An interval \[s\] of output that would fill memory and disk before it helps anyone; `duration` in s.
+pub(crate) fn too_many_rows<T: KeyValue>(
+    key: &Key<'_, T>,
+    interval: Option<f64>,
+    duration: f64,
+) -> Option<Finding> {
+    let rows = duration / interval?;
+    ROWS.is_exceeded_by(rows).then(|| {
+        let least = quantity(duration / ROWS.greatest(), "s");
+        key.finding(
+            format!("would write {rows:.1e} rows in {}", quantity(duration, "s")),
+            ROWS.remedy(&format!("give at least {least}"), rows),
+        )
+    })
+}
+
+/// A time step \[s\] that would take very many steps; `duration` in s.
+pub(crate) fn too_many_steps<T: KeyValue>(
+    key: &Key<'_, T>,
+    step: Option<f64>,
+    duration: f64,
+) -> Option<Finding> {
+    let steps = duration / step?;
+    STEPS.is_exceeded_by(steps).then(|| {
+        let least = quantity(duration / STEPS.greatest(), "s");
+        key.finding(
+            format!(
+                "would take {steps:.1e} steps in {}",
+                quantity(duration, "s")
+            ),
+            STEPS.remedy(&format!("give at least {least}"), steps),
+        )
     })
 }

@@ -22,7 +22,7 @@ use super::diagnostic::Finding;
 use super::model::CaseKeys;
 
 pub(crate) use keys::{check as check_keys, fields_here};
-pub(crate) use loads::{current as of_current, increasing};
+pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
 pub(crate) use names::{unknown, unknown_name, used_twice};
 pub(crate) use paths::{marks, unknown_path};
 pub(crate) use rope::of_material;

@@ -3,7 +3,7 @@
 use std::ops::Range as Span;
 
 use super::typed_number::TypedNumber;
-use super::words::{is_name_letter, nearest};
+use super::words::{LONGEST_NAME, is_name_letter, nearest};
 use super::{Field, ValueType, either, number, quantity};
 use crate::case::tree::{TomlData, TomlNode};
 
@@ -169,7 +169,16 @@ fn a_text<'a>(field: &Field, node: &'a TomlNode) -> Result<&'a str, ValueError> 
 fn name(field: &Field, node: &TomlNode) -> Result<(), ValueError> {
     let text = a_text(field, node)?;
     if !text.is_empty() && text.chars().all(is_name_letter) {
-        return Ok(());
+        // It stands in the name of every channel of its part.
+        let length = text.chars().count();
+        return match length > LONGEST_NAME {
+            true => Err(fault(
+                node,
+                format!("is a name of {length} characters"),
+                format!("give at most {LONGEST_NAME}"),
+            )),
+            false => Ok(()),
+        };
     }
     let problem = format!("is not a usable name: \"{}\"", text.escape_default());
     Err(fault(

@@ -35,20 +35,37 @@ pub(crate) fn join<S: AsRef<str>>(parts: &[S]) -> String {
     quoted.collect::<Vec<_>>().join(".")
 }
 
+/// Longest name \[characters\].
+pub(crate) const LONGEST_NAME: usize = 100;
+
+/// Whether a word may be the name of a part: of a section, an end, a material.
+pub(crate) fn is_name(word: &str) -> bool {
+    !word.is_empty() && word.chars().count() <= LONGEST_NAME && word.chars().all(is_name_letter)
+}
+
 /// Letters of names that become part of channel names and key paths.
 pub(crate) fn is_name_letter(letter: char) -> bool {
     letter.is_alphanumeric() || matches!(letter, '-' | '_')
 }
+
+/// No word that is meant is longer \[characters\].
+const LONGEST_WORD: usize = 64;
 
 /// The candidate that was probably meant, if one is near enough.
 pub(crate) fn nearest<'a>(
     word: &str,
     candidates: impl IntoIterator<Item = &'a str>,
 ) -> Option<&'a str> {
+    // The distance of two words takes time and memory by the product of their lengths.
+    let length = word.chars().take(LONGEST_WORD + 1).count();
+    if length > LONGEST_WORD {
+        return None;
+    }
     let lower = word.to_lowercase();
-    let allowed = (word.chars().count() / 3).max(1);
+    let allowed = (length / 3).max(1);
     candidates
         .into_iter()
+        .filter(|candidate| candidate.len() <= 4 * LONGEST_WORD)
         .map(|candidate| (osa_distance(&lower, &candidate.to_lowercase()), candidate))
         .filter(|(distance, _)| *distance <= allowed)
         .min_by_key(|(distance, _)| *distance)

@@ -217,6 +217,10 @@ fn looks_like_a_section(title: &str) -> bool {
 }
 
 fn nearest(title: &str) -> Option<&'static str> {
+    const LONGEST: usize = 64;
+    if title.len() > LONGEST {
+        return None;
+    }
     let alike = |known: &str| strsim::damerau_levenshtein(known, title);
     let (known, _) = TITLES.iter().min_by_key(|(known, _)| alike(known))?;
     (alike(known) <= 3).then_some(*known)

@@ -2,7 +2,7 @@
 
 use std::{
     fs, io,
-    path::{Path, PathBuf},
+    path::{Component, Path, PathBuf},
     process,
     sync::atomic::{AtomicU64, Ordering},
     time::SystemTime,
@@ -124,7 +124,17 @@ fn appear(
     case_text: &str,
 ) -> Result<Option<DirectoryLock>, StoreError> {
     static COUNTER: AtomicU64 = AtomicU64::new(0);
+    refuse_if_taken(dir)?;
     let parent = parent_of(dir);
+    if parent.join(RUN).is_file() {
+        return Err(StoreError::InRun(dir.to_owned()));
+    }
+    // Missing parents are made, but not to step out of them again.
+    let steps_out = dir.components().any(|part| part == Component::ParentDir);
+    if steps_out && !parent.is_dir() {
+        let absent = io::Error::from(io::ErrorKind::NotFound);
+        return Err(StoreError::io("Opening", &parent)(absent));
+    }
     fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
     let number = COUNTER.fetch_add(1, Ordering::Relaxed);
     let hidden = parent.join(format!(".{}.{}-{number}.new", name_of(dir), process::id()));

@@ -1,5 +1,6 @@
 //! CSV of single lines in a uniform current.
 
+use crate::limits::LINES_IN_CURRENT;
 use csv::StringRecord;
 
 use super::END_FORCES_AND_STATUS;
@@ -14,6 +15,7 @@ const CURRENT_Z: usize = 15;
 
 /// Columns by name, and by a short name.
 pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
+    limit: &LINES_IN_CURRENT,
     columns: &[
         InputColumn::required(&["a_x_m", "ax"]),
         InputColumn::required(&["a_y_m", "ay"]),

@@ -11,6 +11,7 @@ mod table;
 
 pub use in_current::{EndForces, LineInCurrent};
 
+use crate::limits::{LINES, LINES_IN_CURRENT, Limit};
 use rayon::prelude::*;
 use thiserror::Error;
 
@@ -26,6 +27,9 @@ pub enum TableError {
     /// A column is named twice.
     #[error("column {0} is named twice in the first line")]
     Twice(String),
+    /// There are more lines than allowed.
+    #[error("the table has {0} lines; {1}")]
+    TooMany(f64, String),
     /// The table could not be read or written.
     #[error(transparent)]
     Csv(#[from] csv::Error),
@@ -80,7 +84,7 @@ fn at_rest(solution: &Solution) -> [f64; 5] {
 pub fn solve(input: &[u8]) -> Result<AnsweredTable, TableError> {
     let input = input.strip_prefix(b"\xef\xbb\xbf").unwrap_or(input);
     if input.trim_ascii_start().first() == Some(&b'{') {
-        return Ok(objects(&String::from_utf8_lossy(input)));
+        return objects(&String::from_utf8_lossy(input));
     }
     let layout = if current_table::recognises(input) {
         current_table::LAYOUT
@@ -91,8 +95,11 @@ pub fn solve(input: &[u8]) -> Result<AnsweredTable, TableError> {
 }
 
 /// JSON lines with their answers added; blank lines and notes (objects with none of the keys of a line) stay as they are.
-fn objects(text: &str) -> AnsweredTable {
+fn objects(text: &str) -> Result<AnsweredTable, TableError> {
     let lines: Vec<&str> = text.lines().collect();
+    check_count(&LINES, lines.len())?;
+    let in_current = lines.iter().filter(|line| line.contains("\"current\""));
+    check_count(&LINES_IN_CURRENT, in_current.count())?;
     let answers: Vec<object::AnsweredLine> = lines
         .par_iter()
         .enumerate()
@@ -105,5 +112,17 @@ fn objects(text: &str) -> AnsweredTable {
         answered.text.extend_from_slice(answer.text.as_bytes());
         answered.text.push(b'\n');
     }
-    answered
+    Ok(answered)
+}
+
+/// Refuses a table of more lines than allowed, before the first is solved.
+fn check_count(limit: &Limit, lines: usize) -> Result<(), TableError> {
+    let lines = lines as f64;
+    match limit.is_exceeded_by(lines) {
+        true => Err(TableError::TooMany(
+            lines,
+            limit.remedy("give it in parts", lines),
+        )),
+        false => Ok(()),
+    }
 }

@@ -2,12 +2,14 @@
 
 use super::at_rest;
 use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers};
+use crate::limits::LINES;
 use crate::statics::catenary::{
     CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties,
 };
 
 /// `bed_below_a_m` empty: no bed; `bed_slope_deg` positive uphill from A to B; `surface_above_a_m` for buoyant lines.
 pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
+    limit: &LINES,
     columns: &[
         InputColumn::required(&["x_m"]),
         InputColumn::required(&["z_m"]),

@@ -5,7 +5,8 @@ use std::io;
 use csv::{ByteRecord, ReaderBuilder, StringRecord, Terminator, WriterBuilder};
 use rayon::prelude::*;
 
-use super::{AnsweredTable, TableError, shown};
+use super::{AnsweredTable, TableError, check_count, shown};
+use crate::limits::Limit;
 
 /// A column of numbers, by the names it may have.
 pub(super) struct InputColumn {
@@ -46,6 +47,8 @@ pub(super) struct LineTableFormat {
     /// Columns that are written: numbers, then `status`, then `shape` where there is one. Present in the input they are
     /// left out of what is passed through.
     pub answers: &'static [&'static str],
+    /// Greatest number of rows.
+    pub limit: &'static Limit,
     /// The answer to the numbers of a row.
     pub answer: fn(&RowNumbers) -> Result<RowAnswer, RowError>,
 }
@@ -82,6 +85,7 @@ pub(super) fn solve(input: &[u8], layout: &LineTableFormat) -> Result<AnsweredTa
         places: places(layout.columns, &names)?,
     };
     let rows: Vec<ByteRecord> = reader.byte_records().collect::<Result<_, _>>()?;
+    check_count(layout.limit, rows.len())?;
     let answers: Vec<Result<RowAnswer, String>> =
         rows.par_iter().map(|row| table.answer(row)).collect();
     let kept: Vec<usize> = (0..head.len())

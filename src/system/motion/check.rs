@@ -1,7 +1,8 @@
 //! Checks of the keys of motion: prescribed motions, breaks.
 
 use crate::case::schema::Key;
-use crate::case::{Finding, WaveKind, of_waves};
+use crate::case::{Finding, WaveKind, of_waves, too_many_rows, too_many_steps};
+use crate::limits::SEGMENTS;
 use crate::system::check::matrix;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
 
@@ -53,6 +54,28 @@ pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// The work that steps, output and segments make, where a limit is exceeded.
+fn work(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let solver = keys.solver.as_ref();
+    let duration = solver.and_then(|solver| solver.duration_s.value());
+    let output = keys.output.as_ref().map(|output| &output.interval_s);
+    let rows = output.and_then(|key| too_many_rows(key, key.value(), duration?));
+    let steps = solver.map(|solver| &solver.time_step_s);
+    let steps = steps.and_then(|key| too_many_steps(key, key.value(), duration?));
+    let mut found: Vec<Finding> = rows.into_iter().chain(steps).collect();
+    let counts = keys
+        .lines
+        .iter()
+        .filter_map(|(_, line)| line.segments.value());
+    let total = counts.sum::<usize>() as f64;
+    if let Some((_, last)) = keys.lines.last().filter(|_| SEGMENTS.is_exceeded_by(total)) {
+        let problem = format!("the lines have {total} segments in all");
+        let remedy = SEGMENTS.remedy("divide them into fewer", total);
+        found.push(last.segments.finding(problem, remedy));
+    }
+    found
+}
+
 /// Coefficients that are given twice, or count the waves twice.
 pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -96,6 +119,7 @@ pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
 /// Motions without a period or without a run in time.
 pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = moved_rods(keys).collect();
+    found.extend(work(keys));
     for (_, point) in &keys.points {
         if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
             let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";

@@ -9,6 +9,7 @@ use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use crate::case::ChannelId;
+use crate::limits::STEPS;
 use crate::numerics::richardson::Refinement;
 use crate::run::event::JobEvent;
 use crate::run::{Cost, History, RunState};
@@ -113,6 +114,21 @@ pub(super) fn run_stored(
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
     let settings = MotionSettings::new(given, interval, &begun.system);
+    let steps = settings.duration_s / settings.time_step_s;
+    if STEPS.is_exceeded_by(steps) {
+        return Err(UnsolvedSystem {
+            problem: format!(
+                "it would take {steps:.1e} steps of {:.1e} s",
+                settings.time_step_s
+            ),
+            remedy: STEPS.remedy(
+                "make the lines less stiff, or choose the method `alpha`",
+                steps,
+            ),
+            line: None,
+            part: None,
+        });
+    }
     let again = given.error_estimate.then(|| begun.clone());
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,

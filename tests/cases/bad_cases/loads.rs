@@ -190,7 +190,7 @@ fn more_output_than_a_disk_holds() {
         &fault,
         (49, 14),
         "output.interval_s",
-        "output instants in 600 s",
+        "rows in 600 s",
         "at least",
     );
 }
