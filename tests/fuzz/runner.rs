@@ -11,13 +11,16 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use allocation_counter::measure;
+use rustix::time::{ClockId, clock_gettime};
 
 use crate::corpus;
 use crate::mutator::Mutator;
 use crate::targets::{self, Target};
 
-/// An input may take so long.
+/// An input may take its thread so much CPU time: other programs do not count.
 const LONGEST_TIME: Duration = Duration::from_secs(10);
+/// An input may keep its thread waiting so long.
+const LONGEST_WAIT: Duration = Duration::from_secs(100);
 /// An input that takes longer is kept to be looked at.
 const LONG: Duration = Duration::from_secs(1);
 /// An input may hold so many bytes at once.
@@ -169,13 +172,19 @@ fn silence() {
     });
 }
 
+/// CPU time of this thread.
+fn cpu_time() -> Duration {
+    let time = clock_gettime(ClockId::ThreadCPUTime);
+    time.try_into().unwrap_or_default()
+}
+
 /// Reads one input.
 pub(crate) fn one(target: &Target, data: &[u8], tally: &mut Tally, folder: &Path) {
     PANIC.set(Some(String::new()));
     let mut read = Ok(false);
-    let start = Instant::now();
+    let (start, began) = (cpu_time(), Instant::now());
     let memory = measure(|| read = panic::catch_unwind(AssertUnwindSafe(|| target.read(data))));
-    let took = start.elapsed();
+    let took = cpu_time().saturating_sub(start);
     let place = PANIC.take().unwrap_or_default();
     tally.inputs += 1;
     tally.busy += took;
@@ -190,13 +199,13 @@ pub(crate) fn one(target: &Target, data: &[u8], tally: &mut Tally, folder: &Path
             folder,
         ),
     }
-    if took > LONGEST_TIME {
-        tally.fault("more than 10 s", data, target, folder);
+    if took > LONGEST_TIME || began.elapsed() > LONGEST_WAIT {
+        tally.fault("time above 10 s", data, target, folder);
     } else if took > LONG {
         keep(folder, target, "slow", data);
     }
     if memory.bytes_max > MOST_BYTES {
-        tally.fault("more than 1 GiB", data, target, folder);
+        tally.fault("memory above 1 GiB", data, target, folder);
     }
 }
 
@@ -219,8 +228,16 @@ impl Tally {
             self.faults.len() - 1
         });
         self.faults[at].1 += 1;
+        if self.faults[at].1 == 1 {
+            eprintln!("{}: {what}", target.name);
+        }
         if self.faults[at].1 <= KEPT {
-            keep(folder, target, "fault", data);
+            keep(
+                folder,
+                target,
+                what.split(' ').next().unwrap_or_default(),
+                data,
+            );
         }
     }
 
@@ -261,7 +278,7 @@ fn keep(folder: &Path, target: &Target, what: &str, data: &[u8]) {
 pub(crate) fn table(tallies: &[Tally]) -> String {
     let mut text = format!(
         "{:20} {:>10} {:>7} {:>10} {:>10} {:>9} {:>6}\n",
-        "target", "inputs", "read %", "inputs/s", "slowest ms", "most MB", "faults"
+        "target", "inputs", "read %", "per CPU s", "slowest ms", "most MB", "faults"
     );
     let row = |tally: &Tally| {
         let faults: usize = tally.faults.iter().map(|(_, times)| times).sum();
