@@ -6,7 +6,7 @@
 //! SEACABLE_FUZZ_INPUTS=1000000 SEACABLE_FUZZ_SEED=7 cargo test --release --test fuzz -- --ignored --nocapture
 //! ```
 //!
-//! `SEACABLE_FUZZ_TARGET=system` reads those of one target. Faulty inputs are written below `target/fuzz`, or `SEACABLE_FUZZ_FOLDER`. One
+//! `SEACABLE_FUZZ_TARGET=system` reads those of one target, `SEACABLE_FUZZ_SECONDS=60` those that a minute is enough for. Faulty inputs are written below `target/fuzz`, or `SEACABLE_FUZZ_FOLDER`. One
 //! that failed is made small and kept in `tests/data/corpus/TARGET`. The package in `fuzz` looks for inputs by coverage.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
@@ -18,6 +18,7 @@ mod targets;
 
 use std::env;
 use std::path::Path;
+use std::time::Duration;
 
 use runner::{Plan, Tally, one, run, table};
 
@@ -81,6 +82,7 @@ fn a_sample_of_changed_inputs_is_read_or_refused() {
     let tallies = run(&Plan {
         inputs: |_, _| SAMPLE,
         total: 0,
+        time: Duration::MAX,
         seed: 2026,
         folder: folder(),
         only: None,
@@ -100,6 +102,7 @@ fn as_many_inputs_as_asked_for() {
     let tallies = run(&Plan {
         inputs: |target, each| (target.share * each).max(1),
         total,
+        time: Duration::from_secs(number("SEACABLE_FUZZ_SECONDS", u64::MAX)),
         seed,
         folder: folder(),
         only: env::var("SEACABLE_FUZZ_TARGET").ok(),

@@ -36,6 +36,8 @@ pub(crate) struct Plan {
     pub(crate) inputs: fn(&Target, u64) -> u64,
     /// Inputs of all, where they are shared out.
     pub(crate) total: u64,
+    /// Begins no inputs after so long.
+    pub(crate) time: Duration,
     /// Of the random numbers.
     pub(crate) seed: u64,
     /// Where faulty inputs are written.
@@ -81,14 +83,15 @@ pub(crate) fn run(plan: &Plan) -> Vec<Tally> {
         })
         .collect();
     let batches = batches(plan, &all);
-    let next = AtomicUsize::new(0);
+    let (next, start) = (AtomicUsize::new(0), Instant::now());
     let threads = thread::available_parallelism().map_or(1, usize::from);
     thread::scope(|scope| {
         for number in 0..threads {
             let (all, corpora, tallies, batches, next) =
                 (&all, &corpora, &tallies, &batches, &next);
             scope.spawn(move || {
-                while let Some(batch) = batches.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let taken = || batches.get(next.fetch_add(1, Ordering::Relaxed));
+                while let Some(batch) = taken().filter(|_| start.elapsed() < plan.time) {
                     let target = all[batch.target];
                     note(&plan.folder, number, target, batch);
                     let mut tally = Tally::default();
