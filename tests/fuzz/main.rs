@@ -17,7 +17,7 @@ mod runner;
 mod targets;
 
 use std::env;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use runner::{Plan, Tally, one, run, table};
@@ -25,9 +25,10 @@ use runner::{Plan, Tally, one, run, table};
 /// Inputs of each target that `cargo test` makes.
 const SAMPLE: u64 = 200;
 
-fn folder() -> std::path::PathBuf {
-    let given = env::var_os("SEACABLE_FUZZ_FOLDER").map(Into::into);
-    given.unwrap_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("target/fuzz"))
+/// Where faulty inputs go; a relative name is one below the repository.
+fn folder() -> PathBuf {
+    let given = env::var("SEACABLE_FUZZ_FOLDER").unwrap_or_else(|_| "target/fuzz".to_owned());
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(given)
 }
 
 fn number(name: &str, default: u64) -> u64 {
