@@ -26,7 +26,9 @@ pub struct RecoveredEdits {
 const RANGE: &str = "# range kept for a grid: ";
 
 impl RecoveredEdits {
-    fn read(file: &str) -> Self {
+    /// What a file says that a session left.
+    #[must_use]
+    pub fn read(file: &str) -> Self {
         let mut kept = Vec::new();
         let mut text = file;
         while let Some(rest) = text.strip_prefix(RANGE) {

@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 6] = [
+const DOCUMENTS: [&str; 7] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
     "docs/GLOSSARY.md",
     "docs/FILES.md",
     "docs/METHODS.md",
+    "docs/SECURITY.md",
 ];
 
 /// The paths of the repository in a text: in code, or as the target of a link.
