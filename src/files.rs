@@ -9,6 +9,8 @@ use std::io::{self, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
+use crate::strays::{self, Hidden};
+
 /// Permissions of a new file, before the umask.
 const NEW_FILE_MODE: u32 = 0o666;
 
@@ -162,12 +164,10 @@ impl<'a> Target<'a> {
         permissions: Option<Permissions>,
     ) -> io::Result<()> {
         let directory = directory_of(self.path);
-        let mut prefix = std::ffi::OsString::from(".");
-        prefix.push(self.path.file_name().unwrap_or_default());
-        prefix.push(".");
+        strays::remove(directory, &[]);
         let mut temporary = tempfile::Builder::new()
-            .prefix(&prefix)
-            .suffix(".tmp")
+            .prefix(&strays::prefix(self.path.file_name().unwrap_or_default()))
+            .suffix(Hidden::File.suffix())
             .permissions(Permissions::from_mode(NEW_FILE_MODE))
             .tempfile_in(directory)?;
         temporary.write_all(contents)?;

@@ -8,6 +8,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::fields::quantity;
 use super::model::{Attachment, Case};
 use super::tree::TomlNode;
+use crate::seal;
 
 /// The file of a run directory that a run resumes from.
 const CHECKPOINT: &str = "checkpoint.toml";
@@ -55,11 +56,8 @@ pub(super) fn gather(
         case.files.insert(name.clone(), Attachment { text: read });
     }
     let attached = case.files.get(&name).map_or("", |c| c.text.as_str());
-    let checkpoint: CheckpointArc = toml::from_str(attached).map_err(|error| {
-        let problem = format!(
-            "the checkpoint of {name} cannot be read: {}",
-            error.message()
-        );
+    let (checkpoint, _): (CheckpointArc, _) = seal::opened(attached).map_err(|reason| {
+        let problem = format!("the checkpoint of {name} cannot be read: {reason}");
         fault(problem, "name another run, or compute that one anew")
     })?;
     mismatch(case, &checkpoint.profile.arc).map_or(Ok(()), |problem| {

@@ -48,15 +48,13 @@ pub(super) fn object(object: &serde_json::Value) -> Result<(), CommandError> {
     print(&visible::json(&format!("{object:#}\n")))
 }
 
-/// Prints text without invisible characters. A reader that leaves early, as `head` does, is not an error.
+/// Prints text without invisible characters. A reader that leaves before it has all, as `head` does, is an error: what was asked for did
+/// not arrive. A descriptor 1 that was closed (`>&-`) is not seen: Rust's runtime opens `/dev/null` in its place before `main`, just
+/// as parents do that want no output, and without `unsafe` nothing of the program runs earlier.
 fn print(text: &str) -> Result<(), CommandError> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(source) if source.kind() != io::ErrorKind::BrokenPipe => {
-            Err(CommandError::Output(source))
-        }
-        _ => Ok(()),
-    }
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    written.map_err(CommandError::Output)
 }
 
 /// The file that an option names.
@@ -191,7 +189,13 @@ pub(super) fn progress(text: &str) {
 /// Prints what clap has to report: help, the version, or what is wrong with the arguments. Gives the exit status.
 pub(super) fn usage(error: &clap::Error) -> ExitCode {
     match visible::text(&error.render().to_string()) {
-        Cow::Borrowed(_) => drop(error.print()),
+        Cow::Borrowed(_) => {
+            let printed = error.print().and_then(|()| io::stdout().flush());
+            // Help and version are results; a closed standard error is not an error.
+            if let (Err(source), false) = (printed, error.use_stderr()) {
+                return CommandError::Output(source).report();
+            }
+        }
         // The error repeats an argument with invisible characters.
         Cow::Owned(text) => message(text.trim_end()),
     }

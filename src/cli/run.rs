@@ -19,23 +19,25 @@ use crate::{
         resume_request,
         store::{self, RunLocation, RunWriter},
     },
+    strays,
 };
 
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
+    // Before anything is read: a signal that comes meanwhile stops the run at its start, and leaves it as one that can be resumed.
+    let stop = StopFlag::listen()?;
     let path = args.case.as_deref();
     if path.is_some_and(|path| FileType::of(path) == FileType::System) {
-        return system::system(args);
+        return system::system(args, &stop);
     }
     if let Some(dir) = &args.resume
         && FileType::of(&dir.join(store::CASE)) == FileType::System
     {
-        return system::resume(args, dir);
+        return system::resume(args, dir, &stop);
     }
     let (request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),
     };
-    let stop = StopFlag::listen()?;
     let info = request.initial_info();
     let text = case::stand_alone(&request.text, &request.case).into_owned();
     let stored = stored(args, &info, &text, &stop, &mut |cancel, events| {
@@ -101,6 +103,9 @@ pub(super) fn stored(
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
     let mut writer = RunWriter::begin(&place, info.clone(), case_text)?;
+    if let Some(dir) = &args.resume {
+        strays::remove(dir, &[]);
+    }
     let mut line = progress::ProgressLine::new();
     let mut store_error = None;
     let mut run = compute(stop.cancel(), &mut |event: JobEvent| {
@@ -109,23 +114,38 @@ pub(super) fn stored(
             JobEvent::Frame(frame) => line.run(&frame.progress),
             JobEvent::Estimating => line.show("Estimating the numerical errors"),
             JobEvent::Started { .. }
+            | JobEvent::Case(_)
             | JobEvent::Checkpoint(_)
             | JobEvent::SystemCheckpoint(_)
             | JobEvent::Finished(_) => {}
         }
         if store_error.is_none() {
             store_error = writer.event(&event).err();
-            if store_error.is_some() {
+            if store_error.is_some() || writer.full().is_some() {
                 stop.request();
             }
         }
     });
     drop(line);
     if let Some(error) = store_error {
+        writer.give_up(&run.info, &error);
         return Err(error.into());
     }
     writer.id().clone_into(&mut run.info.id);
+    // Stopped by the full disk: what it has can be resumed elsewhere.
+    let full = writer.full().map(str::to_owned);
+    let full = full.filter(|_| run.info.state == RunState::Cancelled && stop.status().is_none());
+    if let Some(why) = &full {
+        run.info.state = RunState::Failed;
+        run.info.failure = Some(why.clone());
+    }
     let dir = writer.finish(&run)?;
+    if let Some(why) = full {
+        return Err(CommandError::Usage(format!(
+            "{why}. {} holds the run up to there; `seacable run --resume` goes on from it where there is room.",
+            dir.display()
+        )));
+    }
     Ok(StoredRun { run, dir })
 }
 

@@ -20,7 +20,7 @@ use crate::{
     },
 };
 
-pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
+pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, CommandError> {
     let path = args.case.clone().unwrap_or_default();
     let given = [
         (
@@ -44,7 +44,7 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
     let (fields, solved) =
         cases::load_with::<SystemFile>(&path, &args.set, &args.import.options())?;
     if solved.file.solver.is_some() {
-        return in_motion(args, solved);
+        return in_motion(args, solved, stop);
     }
     if args.out.is_some() {
         return Err(CommandError::Usage(
@@ -52,6 +52,9 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
         ));
     }
     let analyses = Analyses::of(&solved);
+    if let Some(stopped) = stop.status() {
+        return Ok(stopped);
+    }
     if args.json {
         output::object(&json::object(&solved, &analyses))?;
         return Ok(ExitCode::SUCCESS);
@@ -69,14 +72,22 @@ pub(super) fn system(args: &RunArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// The run in time, stored as it is computed: its results or JSON on standard output.
-fn in_motion(args: &RunArgs, solved: SolvedSystem) -> Result<ExitCode, CommandError> {
-    stored_run(args, &request(args, solved)?, None)
+fn in_motion(
+    args: &RunArgs,
+    solved: SolvedSystem,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
+    stored_run(args, &request(args, solved)?, None, stop)
 }
 
 /// Continues a stored run.
-pub(super) fn resume(args: &RunArgs, dir: &Path) -> Result<ExitCode, CommandError> {
+pub(super) fn resume(
+    args: &RunArgs,
+    dir: &Path,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
     let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
-    stored_run(args, &request, from.as_ref())
+    stored_run(args, &request, from.as_ref(), stop)
 }
 
 /// Computes a run, stores it as it is computed, and prints its results.
@@ -84,10 +95,10 @@ fn stored_run(
     args: &RunArgs,
     request: &SystemRequest,
     from: Option<&ResumedSystem>,
+    stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let stop = StopFlag::listen()?;
     let info = request.initial_info();
-    let stored = stored(args, &info, &request.text, &stop, &mut |cancel, events| {
+    let stored = stored(args, &info, &request.text, stop, &mut |cancel, events| {
         job::execute(request, from, cancel, events)
     })?;
     let StoredRun { run, dir } = &stored;
@@ -100,7 +111,7 @@ fn stored_run(
         let text = format!("{}\n\n{}", dir.display(), motion::summary(run));
         output::results(&text, args.ascii)?;
     }
-    Ok(status(run, &stop))
+    Ok(status(run, stop))
 }
 
 /// The run that the file with all `--set` asks for.

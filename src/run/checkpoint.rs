@@ -19,16 +19,13 @@ use crate::solve::{Kinematics, State};
 /// The state of a computation after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Checkpoint {
-    /// Digests of the case by its tables ([`digests`](case::digests)); empty where an earlier build of this version wrote it.
-    #[serde(default)]
+    /// Digests of the case by its tables ([`digests`](case::digests)), which name what was changed.
     pub case: BTreeMap<String, String>,
     /// Length of a whole step \[s\].
     pub whole_step_s: f64,
     /// Interval of the rows of the record \[s\].
-    #[serde(default)]
     pub output_interval_s: f64,
     /// Rows of the record so far.
-    #[serde(default)]
     pub rows: u64,
     /// Events of the line so far.
     pub phase: usize,
@@ -39,10 +36,8 @@ pub struct Checkpoint {
     /// Smallest value of every channel so far and its time \[s\].
     pub troughs: Vec<(f64, f64)>,
     /// Statistics of the channels so far.
-    #[serde(default)]
     pub summaries: Vec<ChannelSummary>,
     /// The latest steps, between which rows and statistics are interpolated.
-    #[serde(default)]
     pub latest: LatestSteps,
     /// Touchdown of the line on the bed so far.
     #[serde(default, rename = "front")]
@@ -75,12 +70,6 @@ impl Checkpoint {
             .map_or(self.place.time, |step| step.time)
     }
 
-    /// Whether it holds what a run is resumed from: that of versions before 0.2 lacks the latest steps.
-    #[must_use]
-    pub fn can_be_resumed(&self) -> bool {
-        self.latest.latest().is_some()
-    }
-
     /// Checks that it is one of this case.
     ///
     /// # Errors
@@ -94,19 +83,13 @@ impl Checkpoint {
             .filter(differs)
             .map(|name| format!("[{name}]"))
             .collect();
-        if changed.is_empty() || self.case.is_empty() {
+        if changed.is_empty() {
             return Ok(());
         }
         let changed = changed.join(", ");
         Err(format!(
             "the case was changed in {changed} since it was written; undo the change, or compute the case anew"
         ))
-    }
-
-    /// A warning where nothing says which case it is of.
-    pub(super) fn unknown_case(&self) -> Option<String> {
-        let words = "the checkpoint that this run was resumed from does not say which case it is of: that the case is unchanged since is not checked";
-        self.case.is_empty().then(|| words.to_owned())
     }
 
     /// Checks that it belongs to this line and these channels: sizes agree, and all numbers are finite.
@@ -137,6 +120,7 @@ impl Checkpoint {
             ("accelerations", state.a.len(), nodes),
             ("greatest values", self.peaks.len(), channels),
             ("smallest values", self.troughs.len(), channels),
+            ("statistics", self.summaries.len(), channels),
         ];
         let optional = [
             ("friction springs", memory.grips.len(), nodes),
@@ -174,7 +158,10 @@ impl Checkpoint {
         let known = self.state.memory.bodies.len();
         let parts = [
             ("place in the march", self.place.is_possible()),
-            ("latest steps", self.latest.fits(channels, nodes)),
+            (
+                "latest steps",
+                self.latest.latest().is_some() && self.latest.fits(channels, nodes),
+            ),
             // A body that was released keeps its history.
             ("bodies on the bed", known == 0 || known >= bodies),
             (

@@ -95,7 +95,6 @@ pub(super) fn compute(
     let (cpu, wall) = (cpu_time(), Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
     let mut warnings = warnings(&scene, &settings);
-    warnings.extend(from.and_then(|from| from.checkpoint.unknown_case()));
     let phases = phases(scene);
     let mut recorder = Recorder::new(case, &phases[0], events, &stop);
     let outcome = simulate(case, &phases, &settings, &mut recorder, &mut warnings, from);

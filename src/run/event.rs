@@ -13,6 +13,8 @@ pub enum JobEvent {
         /// In the order of [`OutputFrame::values`].
         channels: Vec<ChannelId>,
     },
+    /// The text of the case as it is computed, where a search chose its mesh and its steps: what checkpoints are of.
+    Case(String),
     /// An output time.
     Frame(Box<OutputFrame>),
     /// The state of the computation, from which it can be resumed.

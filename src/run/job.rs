@@ -13,7 +13,7 @@ use super::observer::RunRecord;
 use super::store::rfc3339;
 use super::{
     Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
-    energy_balance, error_estimate, limits, settings,
+    energy_balance, error_estimate, limits, refuse_not_finite, settings,
 };
 use crate::background::lower_priority;
 use crate::case::{Case, Method, stand_alone};
@@ -110,6 +110,11 @@ pub fn execute_from(
     let found = reached.as_mut().and_then(|reached| reached.run.take());
     let request = reached.as_ref().map_or(request, |reached| &reached.request);
     let case = &request.case;
+    if accuracy.is_some() {
+        events(JobEvent::Case(
+            stand_alone(&request.text, case).into_owned(),
+        ));
+    }
     let (mut computed, known) = match found {
         _ if stopped => (Computed::stopped(), None),
         Some(found) => computed_of(found, case, cancel, events),
@@ -208,7 +213,7 @@ pub(super) fn assemble(
         profile,
         ..
     } = computed.record;
-    Run {
+    let mut run = Run {
         info: RunInfo {
             state: computed.outcome.state,
             started,
@@ -224,5 +229,7 @@ pub(super) fn assemble(
         shapes,
         profile,
         summary,
-    }
+    };
+    refuse_not_finite(&mut run);
+    run
 }

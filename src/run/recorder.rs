@@ -32,6 +32,8 @@ pub(super) struct Recorder<'a> {
     /// Rows recorded so far.
     rows: u64,
     output_times: OutputTimes,
+    /// The first value that is not finite, in words: what ends the run.
+    fault: Option<String>,
     observers: Vec<Box<dyn Observer>>,
     record: RunRecord,
     /// Time of the latest shape \[s\].
@@ -76,6 +78,7 @@ impl<'a> Recorder<'a> {
             row: StepSample::new(channels.len(), scene.line_nodes()),
             rows: 0,
             output_times: OutputTimes::of(case),
+            fault: None,
             channels,
             latest_shape: None,
             duration: if at_rest { 0.0 } else { case.solver.duration_s },
@@ -89,6 +92,9 @@ impl<'a> Recorder<'a> {
 
     /// Completes a checkpoint by the state of the observers, and sends it.
     pub(super) fn send_checkpoint(&mut self, mut checkpoint: Checkpoint) {
+        if self.fault.is_some() {
+            return;
+        }
         checkpoint.case = case::digests(self.case);
         checkpoint.profile = self.record.profile.clone();
         checkpoint.output_interval_s = self.output_times.interval;
@@ -100,12 +106,14 @@ impl<'a> Recorder<'a> {
         (self.events)(JobEvent::Checkpoint(Box::new(checkpoint)));
     }
 
-    /// Continues from a checkpoint: the rows recorded before it are recorded and sent again.
+    /// Continues from a checkpoint: the rows recorded before it are recorded and sent again, and it with them, so that the new run
+    /// can be resumed before it has one of its own.
     ///
     /// # Errors
     /// The earlier record does not reach the checkpoint, or the checkpoint is not that of this line.
     pub(super) fn restore(&mut self, from: &ResumedRun) -> Result<(), StoreError> {
-        replay::replay(from, &mut |time, values, shape| {
+        let ids: Vec<_> = self.channels.iter().map(|c| c.id.clone()).collect();
+        replay::replay(from, &ids, &mut |time, values, shape| {
             self.row.values.copy_from_slice(values);
             self.progress = Progress {
                 time,
@@ -119,6 +127,7 @@ impl<'a> Recorder<'a> {
         }
         self.latest.clone_from(&from.checkpoint.latest);
         self.record.profile.clone_from(&from.checkpoint.profile);
+        (self.events)(JobEvent::Checkpoint(Box::new(from.checkpoint.clone())));
         Ok(())
     }
 
@@ -152,7 +161,12 @@ impl<'a> Recorder<'a> {
     /// Takes in what is left at the end.
     pub(super) fn end(&mut self, state: &State) {
         self.take_in_interval(true);
-        self.end = Some(state.clone());
+        self.end = self.fault.is_none().then(|| state.clone());
+    }
+
+    /// Why the run cannot go on: the first value that is not finite, with its time.
+    pub(super) fn fault(&self) -> Option<String> {
+        self.fault.clone()
     }
 
     /// The complete record of the run.
@@ -187,8 +201,23 @@ impl<'a> Recorder<'a> {
             let read = reading.channel(channel.id.quantity, channel.site);
             *value = read.unwrap_or(f64::NAN);
         }
+        let wild = values.iter().position(|value| !value.is_finite());
+        let fault = match wild {
+            Some(channel) => Some(self.channels[channel].id.to_string()),
+            None => tension
+                .iter()
+                .position(|tension| !tension.is_finite())
+                .map(|node| format!("the tension at node {node}")),
+        };
         let known = nodes.len();
         nodes.copy_from_slice(&state.x[..known]);
+        if let Some(what) = fault {
+            // Nothing is recorded of such a step.
+            self.latest.forget_latest();
+            self.fault
+                .get_or_insert_with(|| format!("{what} is not finite at t = {time:.6} s"));
+            return;
+        }
         if self.balances && self.rows == 0 {
             self.begin_balance(time, state);
         }
@@ -289,6 +318,9 @@ impl Sink for Recorder<'_> {
     fn accept(&mut self, instant: AcceptedStep<'_>) -> Progressing {
         let (time, state) = (instant.time, instant.state);
         self.read(time, state);
+        if self.fault.is_some() {
+            return Progressing::Stop;
+        }
         let at = Observation {
             scene: self.scene,
             time,

@@ -1,23 +1,25 @@
-//! The rows of an earlier run up to its checkpoint, read back from its directory.
+//! The rows of an earlier run up to its checkpoint, read back from its directory. They must be of the same channels in the same order.
 
 use std::path::Path;
 
 use super::store::{HistoryReader, ShapeReader, StoreError};
 use super::{LineShape, ResumedRun};
+use crate::case::ChannelId;
 
 /// Receives a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
 type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
 
-/// Reads the first rows of the history in a run directory, which reach to a time \[s\].
+/// Reads the first rows of the history of these channels in a run directory, which reach to a time \[s\].
 ///
 /// # Errors
-/// There are fewer.
+/// There are fewer, or they are of other channels.
 pub(crate) fn replay_rows(
     dir: &Path,
+    channels: &[ChannelId],
     (count, until): (u64, f64),
     receive: &mut dyn FnMut(f64, &[f64]),
 ) -> Result<(), StoreError> {
-    let mut rows = HistoryReader::open(dir);
+    let mut rows = HistoryReader::of(dir, channels)?;
     for _ in 0..count {
         let Some((time, values)) = rows.next() else {
             return Err(rows.short_of(dir, until));
@@ -27,12 +29,16 @@ pub(crate) fn replay_rows(
     Ok(())
 }
 
-/// Reads the record of a run up to its checkpoint.
+/// Reads the record of a run of these channels up to its checkpoint.
 ///
 /// # Errors
-/// The record does not reach so far.
-pub(super) fn replay(from: &ResumedRun, receive: &mut RowReceiver<'_>) -> Result<(), StoreError> {
-    let mut rows = HistoryReader::open(&from.dir);
+/// The record does not reach so far, or is of other channels.
+pub(super) fn replay(
+    from: &ResumedRun,
+    channels: &[ChannelId],
+    receive: &mut RowReceiver<'_>,
+) -> Result<(), StoreError> {
+    let mut rows = HistoryReader::of(&from.dir, channels)?;
     let mut shapes = ShapeReader::open(&from.dir);
     let mut shape = shapes.next();
     let mut replayed = 0;

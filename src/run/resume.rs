@@ -41,7 +41,7 @@ pub fn resume_request(
             dir.display()
         ));
     }
-    let from = match store::resume(dir) {
+    let found = match store::sealed_checkpoint(dir) {
         // Stopped before its first step, and so begun anew.
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
         found => Some(found.map_err(|e| e.to_string())?),
@@ -55,9 +55,17 @@ pub fn resume_request(
         overrides.push(format!("solver.duration_s={value}"));
     }
     let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
-    if let Some(from) = &from {
-        check(dir, &info, &case, &from.checkpoint)?;
-    }
+    let from = match found {
+        None => None,
+        Some((checkpoint, same_case)) => {
+            // Which table was changed says more than that the text was.
+            check_tables(dir, &case, &checkpoint)?;
+            same_case.map_err(|e| e.to_string())?;
+            check(&info, &case, &checkpoint)?;
+            let dir = dir.to_owned();
+            Some(ResumedRun { checkpoint, dir })
+        }
+    };
     let request = Request {
         case,
         text,
@@ -69,15 +77,7 @@ pub fn resume_request(
 }
 
 /// Checks that a case can be computed on from a checkpoint of a run of it.
-fn check(dir: &Path, info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
-    if !checkpoint.can_be_resumed() {
-        return Err(format!(
-            "{} was written by version {}, whose checkpoints this version cannot resume; compute the case anew.",
-            dir.display(),
-            info.version
-        ));
-    }
-    check_tables(dir, case, checkpoint)?;
+fn check(info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
     let times = OutputTimes::of(case);
     if times.interval.to_bits() != checkpoint.output_interval_s.to_bits() {
         return Err(format!(

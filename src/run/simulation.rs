@@ -24,7 +24,7 @@ pub(super) fn simulate<'a>(
     resume: Option<&ResumedRun>,
 ) -> MarchResult {
     let mut state = phases[0].initial_state();
-    let result = simulate_from(
+    let mut result = simulate_from(
         case,
         phases,
         settings,
@@ -33,6 +33,10 @@ pub(super) fn simulate<'a>(
         (&mut state, resume),
     );
     recorder.end(&state);
+    if let Some(fault) = recorder.fault() {
+        result.state = RunState::Failed;
+        result.failure.get_or_insert(fault);
+    }
     result
 }
 

@@ -114,6 +114,11 @@ impl LatestSteps {
         &mut self.samples[self.known - 1]
     }
 
+    /// Forgets the latest step.
+    pub(super) fn forget_latest(&mut self) {
+        self.known = self.known.saturating_sub(1);
+    }
+
     /// Forgets all steps: the next one is the first after an event.
     pub(super) fn clear(&mut self) {
         self.known = 0;

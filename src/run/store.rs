@@ -20,11 +20,14 @@
 //! renamed, and `run.toml` with the final state goes last. While a program computes a run it holds a lock on the
 //! directory ([`is_locked`]), so that a partial run under way is distinguished from one that was killed.
 //!
+//! A checkpoint ends with a seal (`src/seal.rs`): it is whole, and belongs to the case, the history and the shapes beside it, or is refused.
+//!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
 mod columns;
 mod complete;
 mod create;
+mod growing_file;
 mod history_csv;
 mod list;
 mod lock;
@@ -32,6 +35,7 @@ mod notes;
 mod number;
 mod profile_csv;
 mod read;
+mod reserve;
 mod run_writer;
 mod shapes_csv;
 mod table;
@@ -41,13 +45,14 @@ use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
 
-pub use create::RunLocation;
+pub use create::{RunLocation, delete};
 pub(in crate::run) use history_csv::HistoryReader;
 pub use history_csv::write_history;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
 pub use notes::RunNotes;
-pub use read::{case_text, checkpoint, read, read_info, resume};
+pub(crate) use read::sealed_checkpoint;
+pub use read::{case_text, read, read_info, resume};
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
 pub use timestamp::{rfc3339, stamp};
@@ -114,6 +119,18 @@ pub enum StoreError {
 }
 
 impl StoreError {
+    /// Whether there was no room on the disk.
+    fn is_full_disk(&self) -> bool {
+        let source = match self {
+            Self::Io { source, .. } | Self::Write(WriteError::Io { source, .. }) => source,
+            _ => return false,
+        };
+        matches!(
+            source.kind(),
+            io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded
+        )
+    }
+
     /// Wraps what the system said with what was tried on which file.
     fn io(action: &'static str, path: impl Into<PathBuf>) -> impl FnOnce(io::Error) -> Self {
         let path = path.into();

@@ -167,7 +167,12 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
     ) -> Result<(), StoreError> {
         let from = &resume.checkpoint;
         let scene = &phases[from.phase.min(phases.len() - 1)];
+        let phase = match from.phase < phases.len() {
+            true => Ok(()),
+            false => Err(format!("this line has not {} events", from.phase)),
+        };
         from.check_case(self.recorder.case())
+            .and(phase)
             .and_then(|()| from.check(scene, self.recorder.channels()))
             .map_err(|reason| StoreError::Damaged {
                 file: resume.dir.join("checkpoint.toml"),

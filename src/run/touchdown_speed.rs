@@ -15,6 +15,9 @@ const CLEAR: f64 = 0.01;
 /// Segments that a front is timed over.
 const SPAN: usize = 3;
 
+/// The time of what has not happened \[s\]: a number that is finite, as all of a checkpoint are.
+const NEVER: f64 = -1.0;
+
 /// The touchdown of the nodes so far. The names of the fields are those of `checkpoint.toml`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct TouchdownSpeed {
@@ -24,7 +27,7 @@ pub struct TouchdownSpeed {
     height: Vec<f64>,
     /// Whether they have been off the bed since they last lay down.
     clear: Vec<bool>,
-    /// When they lay down \[s\]; infinite while they have not.
+    /// When they lay down \[s\]; [`NEVER`] while they have not.
     landed: Vec<f64>,
     /// The fastest front against the waves there.
     fastest: Option<TouchdownFront>,
@@ -48,9 +51,9 @@ impl TouchdownSpeed {
             0
         };
         Self {
-            height: vec![f64::NEG_INFINITY; nodes],
+            height: vec![f64::MIN; nodes],
             clear: vec![false; nodes],
-            landed: vec![f64::INFINITY; nodes],
+            landed: vec![NEVER; nodes],
             ..Self::default()
         }
     }
@@ -70,7 +73,7 @@ impl TouchdownSpeed {
             let (before, now) = (self.height[i], bed.height(&state.x[i]));
             self.height[i] = now;
             if now > CLEAR * length_at(scene, i) {
-                (self.clear[i], self.landed[i]) = (true, f64::INFINITY);
+                (self.clear[i], self.landed[i]) = (true, NEVER);
             } else if now < 0.0 && before >= 0.0 && self.clear[i] {
                 let share = before / (before - now);
                 self.landed[i] = self.time + share * (t - self.time);
@@ -88,7 +91,7 @@ impl TouchdownSpeed {
         let back = |k: usize| i.checked_add_signed(-way * k as isize);
         let times = (0..=SPAN).map(|k| Some(*self.landed.get(back(k)?)?));
         let in_turn = |pair: (Option<f64>, Option<f64>)| match pair {
-            (Some(later), Some(earlier)) => later.is_finite() && earlier <= later,
+            (Some(later), Some(earlier)) => earlier > NEVER && earlier <= later,
             _ => false,
         };
         if !times.clone().zip(times.clone().skip(1)).all(in_turn) {

@@ -6,6 +6,7 @@ use crate::dynamics::{MethodState, WorkCounts};
 use crate::numerics::V3;
 use crate::numerics::interpolation::{interval_closed_above, share};
 use crate::scene::Scene;
+use crate::seal;
 use crate::solve::{Kinematics, State};
 
 /// How far an end may be from where the run left it, as a share of the line's length: what more is would be a jerk.
@@ -28,12 +29,8 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
         return Ok(None);
     };
     let text = case.files.get(name).map_or("", |file| &file.text);
-    let stored: Checkpoint = toml::from_str(text).map_err(|error| {
-        format!(
-            "the checkpoint of {name} cannot be read: {}",
-            error.message()
-        )
-    })?;
+    let (stored, _): (Checkpoint, _) = seal::opened(text)
+        .map_err(|reason| format!("the checkpoint of {name} cannot be read: {reason}"))?;
     let there = &stored.profile.arc;
     let here = &scene.line.arc[..scene.line_nodes()];
     let beyond = scene.nodes() - here.len();

@@ -433,7 +433,7 @@ fn relay(
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
             JobEvent::Frame(frame) => recorded().push(*frame),
-            JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
+            JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
             event => {
                 if let JobEvent::Started { channels } = &event {
                     recorded().begin(channels.clone());

@@ -65,8 +65,12 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
             "kept from memory: {HISTORY} holds {rows} of {recorded} output times, those of all extremes among them"
         ));
     }
-    replace(dir, RUN, info_text(dir, &info)?.as_bytes())?;
-    Ok(())
+    self::info(dir, &info)
+}
+
+/// Writes `run.toml` alone.
+pub(super) fn info(dir: &Path, info: &RunInfo) -> Result<(), StoreError> {
+    replace(dir, RUN, info_text(dir, info)?.as_bytes())
 }
 
 fn summary(quantities: &[Quantity]) -> Result<Vec<u8>, StoreError> {

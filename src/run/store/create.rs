@@ -1,20 +1,21 @@
 //! A new run directory, under a name nobody else has.
 
 use std::{
+    ffi::{OsStr, OsString},
     fs, io,
     path::{Component, Path, PathBuf},
-    process,
     sync::atomic::{AtomicU64, Ordering},
     time::SystemTime,
 };
 
 use super::{
-    CASE, RUN, StoreError,
+    CASE, FILES, RUN, StoreError, read_info,
     lock::{DirectoryLock, lock_directory},
     timestamp::stamp,
 };
 use crate::files::{Target, sync_directory};
 use crate::run::{RunInfo, RunState};
+use crate::strays::{self, Hidden};
 use crate::visible;
 
 /// Where a run directory goes.
@@ -117,13 +118,38 @@ fn refuse_if_taken(dir: &Path) -> Result<(), StoreError> {
     }
 }
 
+/// A number for each hidden directory of this process.
+static COUNTER: AtomicU64 = AtomicU64::new(0);
+
+fn hidden_name(dir: &Path, number: u64, hidden: Hidden) -> OsString {
+    let mut name = strays::prefix(OsStr::new(&name_of(dir)));
+    name.push(format!("{number}{}", hidden.suffix()));
+    name
+}
+
+/// Deletes a run directory in one step: a kill leaves the whole run, or a hidden directory that the next run removes. Anything else than a
+/// run is refused.
+///
+/// # Errors
+/// It is no run, or the system refuses.
+pub fn delete(dir: &Path) -> Result<(), StoreError> {
+    read_info(dir)?;
+    let number = COUNTER.fetch_add(1, Ordering::Relaxed);
+    let hidden = parent_of(dir).join(hidden_name(dir, number, Hidden::DeletedRun));
+    let link = dir.symlink_metadata().is_ok_and(|found| found.is_symlink());
+    if !link {
+        fs::rename(dir, &hidden).map_err(StoreError::io("Deleting", dir))?;
+    }
+    let left = if link { dir } else { &hidden };
+    fs::remove_dir_all(left).map_err(StoreError::io("Deleting", dir))
+}
+
 /// Fills a hidden directory beside the final one, then renames it.
 fn appear(
     dir: &Path,
     info: &RunInfo,
     case_text: &str,
 ) -> Result<Option<DirectoryLock>, StoreError> {
-    static COUNTER: AtomicU64 = AtomicU64::new(0);
     refuse_if_taken(dir)?;
     let parent = parent_of(dir);
     if parent.join(RUN).is_file() {
@@ -137,7 +163,8 @@ fn appear(
     }
     fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
     let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-    let hidden = parent.join(format!(".{}.{}-{number}.new", name_of(dir), process::id()));
+    strays::remove(&parent, &FILES);
+    let hidden = parent.join(hidden_name(dir, number, Hidden::NewRun));
 
     let filled = fill(&hidden, info, case_text).and_then(|()| {
         let held = lock_directory(&hidden);

@@ -79,6 +79,32 @@ impl HistoryReader {
         }
     }
 
+    /// The same, which must be of these channels in this order.
+    pub(in crate::run) fn of(dir: &Path, channels: &[ChannelId]) -> Result<Self, StoreError> {
+        let reader = Self::open(dir);
+        // What cannot be read at all is told when a row is asked for.
+        if reader.ids == channels || reader.csv.columns().is_empty() {
+            return Ok(reader);
+        }
+        let found = reader.ids.len();
+        let differs = reader.ids.iter().zip(channels).position(|(a, b)| a != b);
+        let reason = match (differs, channels.get(found), reader.ids.get(channels.len())) {
+            (Some(at), ..) => {
+                let [there, here] = [&reader.ids[at], &channels[at]];
+                format!("it has the column `{there}` where this case has `{here}`")
+            }
+            (None, Some(missing), _) => format!("it lacks the column `{missing}` of this case"),
+            (None, None, more) => {
+                let more = more.map(ToString::to_string).unwrap_or_default();
+                format!("it has the column `{more}`, which this case has not")
+            }
+        };
+        Err(StoreError::Damaged {
+            file: dir.join(HISTORY),
+            reason,
+        })
+    }
+
     /// The channels, in the order of the values of a row.
     pub(super) fn ids(&self) -> &[ChannelId] {
         &self.ids

@@ -1,11 +1,15 @@
 //! A run back from disk, as far as it goes.
 
-use std::{fs, io, path::Path};
+use std::{
+    fs::{self, File},
+    io,
+    path::Path,
+};
 
 use serde::de::DeserializeOwned;
 
 use super::{
-    CASE, CHANNELS, CHECKPOINT, ERRORS, HistoryReader, PROFILE, ROPES, RUN, SUMMARY, ShapeReader,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES, SUMMARY, ShapeReader,
     StoreError, columns,
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     is_locked,
@@ -18,6 +22,7 @@ use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
     RunInfo, RunState, VERSION,
 };
+use crate::seal::{self, SealedPart};
 
 /// Reads a run. What is damaged or missing is left out, with a warning in [`RunInfo::warnings`]; a
 /// partial run gives one, too.
@@ -65,29 +70,60 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
 /// Reads the checkpoint of a run.
 ///
 /// # Errors
-/// The run has no checkpoint, or one that cannot be understood.
+/// The run has no checkpoint, one that cannot be understood, or one that does not belong to the files beside it.
 pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
-    let checkpoint: Checkpoint = checkpoint(dir)?;
+    let (checkpoint, case): (Checkpoint, _) = sealed_checkpoint(dir)?;
+    case?;
     let dir = dir.to_owned();
     Ok(ResumedRun { checkpoint, dir })
 }
 
-/// Reads the checkpoint of a run of any kind.
+/// Reads the checkpoint of a run of any kind, which must be whole and of the history and the shapes beside it; and whether it is of the
+/// case beside it.
 ///
 /// # Errors
 /// As [`resume`].
-pub fn checkpoint<C: DeserializeOwned>(dir: &Path) -> Result<C, StoreError> {
+pub(crate) fn sealed_checkpoint<C: DeserializeOwned>(
+    dir: &Path,
+) -> Result<(C, Result<(), StoreError>), StoreError> {
     let file = dir.join(CHECKPOINT);
     let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
         _ => StoreError::io("Reading", &file)(error),
     })?;
-    let info = read_info(dir).ok();
-    let damaged = |error: toml::de::Error| StoreError::Damaged {
+    let (content, seal) = seal::opened(&text).map_err(|reason| {
+        let info = read_info(dir).ok();
+        let version = info.as_ref().map(|info| info.version.as_str());
+        StoreError::Damaged {
+            file,
+            reason: with_version(&reason, version),
+        }
+    })?;
+    check_sealed(dir, HISTORY, &seal.history)?;
+    check_sealed(dir, SHAPES, &seal.shapes)?;
+    let case = case_text(dir)?;
+    let case = seal.case.is(&case).then_some(()).ok_or_else(|| {
+        let reason = "it is not the case that the checkpoint beside it belongs to; undo the change (another duration is set by --until), or compute the case anew";
+        StoreError::Damaged {
+            file: dir.join(CASE),
+            reason: reason.to_owned(),
+        }
+    });
+    Ok((content, case))
+}
+
+/// Checks that a file begins with what a checkpoint was written after.
+fn check_sealed(dir: &Path, name: &str, part: &SealedPart) -> Result<(), StoreError> {
+    let file = dir.join(name);
+    let begins = File::open(&file).and_then(|file| part.begins(file));
+    if begins.map_err(StoreError::io("Reading", &file))? {
+        return Ok(());
+    }
+    Err(StoreError::Damaged {
         file,
-        reason: with_version(&error, info.as_ref().map(|info| info.version.as_str())),
-    };
-    toml::from_str(&text).map_err(damaged)
+        reason: "it was changed or cut since the checkpoint beside it was written; compute the case anew"
+            .to_owned(),
+    })
 }
 
 /// Reads only the text of its case.
@@ -121,14 +157,13 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
         let version = table.get("version").and_then(toml::Value::as_str);
         StoreError::Damaged {
             file: path,
-            reason: with_version(&error, version),
+            reason: with_version(&error.to_string(), version),
         }
     })
 }
 
 /// Why a file cannot be understood, and which version of the program wrote it.
-fn with_version(error: &toml::de::Error, version: Option<&str>) -> String {
-    let reason = error.to_string();
+fn with_version(reason: &str, version: Option<&str>) -> String {
     let reason = reason.trim_end();
     match version {
         Some(version) => {

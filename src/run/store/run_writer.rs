@@ -1,22 +1,22 @@
 //! Writes a run to disk while it is computed.
 
 use std::{
-    fs::File,
-    io::{self, BufWriter, Write},
     path::{Path, PathBuf},
     time::{Duration, Instant},
 };
 
 use super::{
-    CHANNELS, CHECKPOINT, HISTORY, RunLocation, SHAPES, StoreError, complete, create,
+    CASE, CHANNELS, CHECKPOINT, HISTORY, RunLocation, SHAPES, StoreError, complete, create,
+    growing_file::GrowingFile,
     history_csv::{history_header, history_row},
     lock::DirectoryLock,
+    reserve::Reserve,
     shapes_csv::{SHAPE_COLUMNS, shape_rows},
     table::CsvWriter,
 };
 use crate::case::ChannelId;
-use crate::files::create_stream;
-use crate::run::{Checkpoint, OutputFrame, Run, RunInfo, event::JobEvent};
+use crate::run::{Checkpoint, OutputFrame, Run, RunInfo, RunState, event::JobEvent};
+use crate::seal::{Digest, Seal, sealed};
 
 /// How long rows may wait in memory.
 const FLUSH: Duration = Duration::from_secs(1);
@@ -32,45 +32,16 @@ pub struct RunWriter {
     /// History and shapes, once the channels are known.
     streams: Vec<GrowingFile>,
     flushed: Instant,
+    /// Digest of the case as it is on disk.
+    case: Digest,
+    /// The case as it is computed, to be written with the first checkpoint of it.
+    case_due: Option<String>,
+    /// Room on the disk for the end of the run.
+    reserve: Reserve,
+    /// What the system said when the disk was full and the reserve was given up.
+    full: Option<String>,
     /// The lock on the directory, held while the run is written.
     _held: Option<DirectoryLock>,
-}
-
-/// A file that grows while the run is computed.
-#[derive(Debug)]
-struct GrowingFile {
-    path: PathBuf,
-    file: BufWriter<File>,
-}
-
-impl GrowingFile {
-    /// A new file with the names of its columns.
-    fn create(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
-        let file = create_stream(&path).map_err(StoreError::io("Writing", &path))?;
-        let file = BufWriter::with_capacity(1 << 16, file);
-        let mut stream = Self { path, file };
-        stream.write(&head.bytes()?)?;
-        stream.flush()?;
-        Ok(stream)
-    }
-
-    fn write(&mut self, bytes: &[u8]) -> Result<(), StoreError> {
-        let written = self.file.write_all(bytes);
-        self.check(written)
-    }
-
-    fn flush(&mut self) -> Result<(), StoreError> {
-        let flushed = self.file.flush();
-        self.check(flushed)
-    }
-
-    fn sync(&self) -> Result<(), StoreError> {
-        self.check(self.file.get_ref().sync_all())
-    }
-
-    fn check(&self, result: io::Result<()>) -> Result<(), StoreError> {
-        result.map_err(|error| StoreError::io("Writing", &self.path)(error))
-    }
 }
 
 impl RunWriter {
@@ -87,10 +58,14 @@ impl RunWriter {
     ) -> Result<Self, StoreError> {
         let (dir, held) = create::create(place, &mut info, case_text)?;
         Ok(Self {
+            reserve: Reserve::of(&dir),
             dir,
             id: info.id,
             streams: Vec::new(),
             flushed: Instant::now(),
+            case: Digest::of(case_text.as_bytes()),
+            case_due: None,
+            full: None,
             _held: held,
         })
     }
@@ -107,6 +82,12 @@ impl RunWriter {
         &self.id
     }
 
+    /// What the system said when the disk was full: what was held in reserve holds a checkpoint and the end of the run, and no more.
+    #[must_use]
+    pub fn full(&self) -> Option<&str> {
+        self.full.as_deref()
+    }
+
     /// Writes an event of a job; the end is for [`RunWriter::finish`].
     ///
     /// # Errors
@@ -118,6 +99,10 @@ impl RunWriter {
             JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
             JobEvent::SystemCheckpoint(text) => self.checkpoint_text(text),
             JobEvent::Estimating => self.flush(),
+            JobEvent::Case(text) => {
+                self.case_due = Some(text.clone());
+                Ok(())
+            }
             JobEvent::Searching(_) | JobEvent::Finished(_) => Ok(()),
         }
     }
@@ -127,12 +112,13 @@ impl RunWriter {
     /// # Errors
     /// The system refuses.
     pub fn channels(&mut self, channels: &[ChannelId]) -> Result<(), StoreError> {
-        create::replace(&self.dir, CHANNELS, &complete::channel_units(channels)?)?;
+        let units = complete::channel_units(channels)?;
+        self.with_room(|writer| create::replace(&writer.dir, CHANNELS, &units))?;
         let header = history_header(channels.iter())?;
         let history = GrowingFile::create(self.dir.join(HISTORY), header)?;
         let shapes = GrowingFile::create(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
         self.streams = vec![history, shapes];
-        Ok(())
+        self.flush()
     }
 
     /// Adds an output instant.
@@ -141,12 +127,13 @@ impl RunWriter {
     /// The system refuses.
     pub fn frame(&mut self, frame: &OutputFrame) -> Result<(), StoreError> {
         if let [history, shapes] = &mut self.streams[..] {
-            history.write(history_row(frame).as_bytes())?;
+            history.push(history_row(frame).as_bytes());
             if let Some(shape) = &frame.shape {
-                shapes.write(shape_rows(shape).as_bytes())?;
+                self.reserve.hold_checkpoint_of(shape.nodes.len());
+                shapes.push(shape_rows(shape).as_bytes());
             }
         }
-        if self.flushed.elapsed() >= FLUSH {
+        if self.flushed.elapsed() >= FLUSH || self.streams.iter().any(GrowingFile::is_due) {
             self.flush()?;
         }
         Ok(())
@@ -163,7 +150,26 @@ impl RunWriter {
 
     fn checkpoint_text(&mut self, text: &str) -> Result<(), StoreError> {
         self.flush()?;
-        create::replace(&self.dir, CHECKPOINT, text.as_bytes())
+        if let Some(case) = self.case_due.take() {
+            self.with_room(|writer| create::replace(&writer.dir, CASE, case.as_bytes()))?;
+            self.case = Digest::of(case.as_bytes());
+        }
+        let part = |file: usize| {
+            let stream = self.streams.get(file);
+            stream.map_or_else(Digest::default, GrowingFile::digest).part()
+        };
+        let seal = Seal {
+            case: self.case.part(),
+            history: part(0),
+            shapes: part(1),
+        };
+        let text = sealed(text, seal).map_err(|error| StoreError::Damaged {
+            file: self.dir.join(CHECKPOINT),
+            reason: error.to_string(),
+        })?;
+        self.with_room(|writer| create::replace(&writer.dir, CHECKPOINT, text.as_bytes()))?;
+        self.reserve.hold(text.len());
+        Ok(())
     }
 
     /// Writes everything received so far to disk.
@@ -172,7 +178,7 @@ impl RunWriter {
     /// The system refuses.
     pub fn flush(&mut self) -> Result<(), StoreError> {
         self.flushed = Instant::now();
-        self.streams.iter_mut().try_for_each(GrowingFile::flush)
+        self.with_room(|writer| writer.streams.iter_mut().try_for_each(GrowingFile::flush))
     }
 
     /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
@@ -183,8 +189,35 @@ impl RunWriter {
         self.flush()?;
         self.streams.iter().try_for_each(GrowingFile::sync)?;
         let streamed = !self.streams.is_empty();
-        complete::all(&self.dir, &self.id, run, streamed)?;
+        self.with_room(|writer| complete::all(&writer.dir, &writer.id, run, streamed))?;
         Ok(self.dir)
+    }
+
+    /// Marks the run as failed, where it cannot be written as a whole: its record so far and its last checkpoint stay.
+    pub fn give_up(mut self, info: &RunInfo, why: &StoreError) {
+        let info = RunInfo {
+            id: self.id.clone(),
+            state: RunState::Failed,
+            failure: Some(why.to_string()),
+            ..info.clone()
+        };
+        self.reserve.release();
+        // The error that matters is the one already in hand; without room the run stays marked as partial.
+        let _ = complete::info(&self.dir, &info);
+    }
+
+    /// Does what writes; on a full disk again, with the room that was held in reserve.
+    fn with_room<T>(
+        &mut self,
+        mut write: impl FnMut(&mut Self) -> Result<T, StoreError>,
+    ) -> Result<T, StoreError> {
+        match write(self) {
+            Err(error) if error.is_full_disk() && self.reserve.release() => {
+                self.full = Some(error.to_string());
+                write(self)
+            }
+            done => done,
+        }
     }
 }
 

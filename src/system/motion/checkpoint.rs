@@ -9,7 +9,7 @@ use super::march::Marching;
 use super::method::MethodState;
 use super::recorder::RecorderState;
 use super::system_state::SystemState;
-use crate::case::{TextDigest, kind};
+use crate::case::kind;
 use crate::dynamics::MarchProgress;
 use crate::run::store::{self, StoreError};
 use crate::run::{RunInfo, RunState, info_of_ended};
@@ -18,8 +18,6 @@ use crate::system::SystemFile;
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SystemCheckpoint {
-    /// Digest of the text that was computed.
-    pub text: String,
     /// Interval of the rows of the history \[s\].
     pub interval_s: f64,
     /// What happened to the lines so far, in words.
@@ -53,10 +51,9 @@ impl SystemCheckpoint {
         self.recorder.time()
     }
 
-    /// The state of a march of a text with this digest.
-    pub(super) fn of(march: &Marching, text: &str, interval_s: f64) -> Self {
+    /// The state of a march with rows at this interval \[s\].
+    pub(super) fn of(march: &Marching, interval_s: f64) -> Self {
         Self {
-            text: text.to_owned(),
             interval_s,
             happened: march.happened.clone(),
             place: march.place,
@@ -102,11 +99,6 @@ impl SystemCheckpoint {
     }
 }
 
-/// The digest of a text, as checkpoints name it.
-pub(super) fn digest(text: &str) -> String {
-    format!("{:016x}", TextDigest::of(text).0)
-}
-
 /// The request of a stored run of a system, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped
 /// before it wrote one, which is computed from its start.
 ///
@@ -122,15 +114,6 @@ pub fn resume_request(
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
         found => Some(found.map_err(|e| e.to_string())?),
     };
-    if from
-        .as_ref()
-        .is_some_and(|from| from.checkpoint.text != digest(&text))
-    {
-        return Err(format!(
-            "{} cannot be resumed: its case.toml was changed since; undo the change, or compute it anew.",
-            dir.display()
-        ));
-    }
     let first =
         |all: &[crate::case::Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
     let mut overrides = info.overrides.clone();
@@ -161,7 +144,8 @@ fn check_end(info: &RunInfo, duration: f64, checkpoint: &SystemCheckpoint) -> Re
 }
 
 fn read(dir: &Path) -> Result<ResumedSystem, StoreError> {
-    let checkpoint = store::checkpoint(dir)?;
+    let (checkpoint, same_case) = store::sealed_checkpoint(dir)?;
+    same_case?;
     let dir = dir.to_owned();
     Ok(ResumedSystem { checkpoint, dir })
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::SystemTime;
 
-use super::checkpoint::{ResumedSystem, digest};
+use super::checkpoint::ResumedSystem;
 use super::march::Stored;
 use super::recorder::EnergyBalance;
 use super::run::{ChannelResult, MotionRun, run_stored};
@@ -14,6 +14,7 @@ use crate::run::event::JobEvent;
 use crate::run::store::rfc3339;
 use crate::run::{
     Cost, History, Profile, Quantity, Run, RunInfo, RunState, Settings, VERSION, Work,
+    refuse_not_finite,
 };
 use crate::system::SolvedSystem;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -91,10 +92,13 @@ pub fn execute(
 ) -> Run {
     let info = request.initial_info();
     let case_text = request.text.clone();
-    let text = digest(&case_text);
-    let stored = Some(Stored { text: &text, from });
+    let stored = Some(Stored { from });
     match run_stored(&request.solved, &request.motion, stored, cancel, events) {
-        Ok(computed) => of_result(info, case_text, &request.motion, computed),
+        Ok(computed) => {
+            let mut run = of_result(info, case_text, &request.motion, computed);
+            refuse_not_finite(&mut run);
+            run
+        }
         Err(why) => Run {
             info: RunInfo {
                 state: RunState::Failed,

@@ -48,10 +48,9 @@ enum Pause {
     Mesh(EndMesh),
 }
 
-/// What a march that is stored needs: the digest of its text, and the checkpoint from where it is resumed.
+/// What a march that is stored needs: the checkpoint from where it is resumed, if it is.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stored<'a> {
-    pub(super) text: &'a str,
     pub(super) from: Option<&'a ResumedSystem>,
 }
 
@@ -68,8 +67,8 @@ struct RowSender<'a> {
     events: &'a mut dyn FnMut(JobEvent),
     clock: Instant,
     progress: Progress,
-    /// Digest of the text that checkpoints are of, and the interval of the rows \[s\]; absent: none are sent.
-    checkpoints: Option<(&'a str, f64)>,
+    /// The interval of the rows \[s\], as checkpoints name it; absent: none are sent.
+    checkpoints: Option<f64>,
     saved: Instant,
 }
 
@@ -92,11 +91,14 @@ impl RowSender<'_> {
 
     /// Sends the state of a march.
     fn checkpoint(&mut self, march: &Marching) {
-        let Some((text, interval)) = self.checkpoints else {
-            return;
-        };
+        if let Some(interval) = self.checkpoints {
+            self.send_checkpoint(&SystemCheckpoint::of(march, interval));
+        }
+    }
+
+    fn send_checkpoint(&mut self, checkpoint: &SystemCheckpoint) {
         // What cannot be written is no checkpoint; the run goes on without.
-        if let Ok(text) = toml::to_string(&SystemCheckpoint::of(march, text, interval)) {
+        if let Ok(text) = toml::to_string(checkpoint) {
             (self.events)(JobEvent::SystemCheckpoint(text));
         }
         self.saved = Instant::now();
@@ -119,7 +121,7 @@ pub(super) fn compute(
             duration: settings.duration_s,
             ..Progress::default()
         },
-        checkpoints: stored.map(|stored| (stored.text, settings.interval_s)),
+        checkpoints: stored.map(|_| settings.interval_s),
         saved: clock,
     };
     let at_start = begun.iterations;
@@ -204,7 +206,8 @@ impl Marching {
         Ok(())
     }
 
-    /// Continues from the checkpoint of a stored run; its rows are recorded and sent again.
+    /// Continues from the checkpoint of a stored run; its rows are recorded and sent again, and it with them, so that the new run can
+    /// be resumed before it has one of its own.
     fn resume(&mut self, from: &ResumedSystem, rows: &mut RowSender<'_>) -> Result<(), String> {
         let stored = &from.checkpoint;
         let remeshed = stored.state.added != self.state.added;
@@ -219,7 +222,8 @@ impl Marching {
         }
         let span = (stored.recorder.rows, stored.recorder.time());
         let recorder = &mut self.recorder;
-        replay_rows(&from.dir, span, &mut |time, values| {
+        let channels = recorder.channels().to_vec();
+        replay_rows(&from.dir, &channels, span, &mut |time, values| {
             recorder.take_row(time, values);
             rows.send(0, time, values);
         })
@@ -231,6 +235,7 @@ impl Marching {
         self.renew_method(span.1, &stored.method);
         self.place = stored.place;
         self.happened.clone_from(&stored.happened);
+        rows.send_checkpoint(stored);
         Ok(())
     }
 
@@ -263,7 +268,7 @@ impl Marching {
             recorder.accept(system, bodies, (instant.time, instant.state), send);
             let release = by_tension(system, instant.state, instant.time).map(Pause::Release);
             pulled = release.or_else(|| system.end_mesh(instant.state).map(Pause::Mesh));
-            match pulled.is_some() || cancel.load(Ordering::Relaxed) {
+            match recorder.fault().is_some() || pulled.is_some() || cancel.load(Ordering::Relaxed) {
                 true => Progressing::Stop,
                 false => Progressing::Continue,
             }
@@ -272,6 +277,9 @@ impl Marching {
         let going = self
             .march
             .advance(place, until, method, system, state, &mut sink);
+        if let (Ok(_), Some(fault)) = (&going, self.recorder.fault()) {
+            return Err(EarlyEnd::Failed(fault.to_owned()));
+        }
         match going {
             Err(error) => Err(EarlyEnd::Failed(march_in_words(&self.system, &error))),
             Ok(Progressing::Stop) if pulled.is_none() => Err(EarlyEnd::Cancelled),

@@ -121,6 +121,8 @@ pub struct Recorder {
     energy_at_start: f64,
     greatest_energy: f64,
     passed: f64,
+    /// The first value that is not finite, in words: what ends the run.
+    fault: Option<String>,
 }
 
 impl Recorder {
@@ -149,7 +151,14 @@ impl Recorder {
             energy_at_start: 0.0,
             greatest_energy: 0.0,
             passed: 0.0,
+            fault: None,
         }
+    }
+
+    /// Why the run cannot go on: the first value that is not finite, with its time.
+    #[must_use]
+    pub fn fault(&self) -> Option<&str> {
+        self.fault.as_deref()
     }
 
     /// What is recorded so far, but for the rows.
@@ -214,6 +223,13 @@ impl Recorder {
         step.time = t;
         self.channels
             .read((system, bodies), t, state, &mut step.values);
+        if let Some(wild) = step.values.iter().position(|value| !value.is_finite()) {
+            // Nothing is recorded of such a step.
+            let channel = &self.channels.ids[wild];
+            self.fault
+                .get_or_insert_with(|| format!("{channel} is not finite at t = {t:.6} s"));
+            return;
+        }
         self.summarise(&step);
         self.add_energy(&energy(system, bodies, t, state), t);
         self.steps.push(step);

@@ -1,6 +1,5 @@
 //! Stored runs: kept, annotated, deleted.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -14,14 +13,10 @@ use crate::tui::state::{ParameterEditor, Severity};
 
 /// Deletes run directories, and refuses to delete anything else.
 pub(super) fn delete_runs(dirs: Vec<PathBuf>) -> Vec<Msg> {
-    let delete = |dir: &PathBuf| {
-        store::read_info(dir).map_err(|e| e.to_string())?;
-        fs::remove_dir_all(dir).map_err(|e| e.to_string())
-    };
     let mut deleted = Vec::new();
     let mut answers = Vec::new();
     for dir in dirs {
-        match delete(&dir) {
+        match store::delete(&dir) {
             Ok(()) => deleted.push(dir),
             Err(error) => {
                 let words = format!("{} cannot be deleted: {error}", dir.display());
