@@ -14,6 +14,7 @@ use super::model::{CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::warm_start;
+use crate::files;
 use crate::import::is_foreign_file;
 use crate::kinds::FileType;
 
@@ -208,7 +209,7 @@ pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic
             remedy,
         ));
     }
-    let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
+    let bytes = files::read::bytes(path).map_err(|error| unreadable(&file, &error))?;
     String::from_utf8(bytes).or_else(|error| {
         // Files of other programs are read in any encoding: only their remarks are not ASCII.
         let text = String::from_utf8_lossy(error.as_bytes());

@@ -47,7 +47,7 @@ impl CommandError {
     /// The error of a file, which is read again for its text.
     pub(super) fn invalid_file(path: &Path) -> impl Fn(Vec<Diagnostic>) -> Self {
         move |diagnostics| Self::Invalid {
-            text: files::read_lossy(path).unwrap_or_default(),
+            text: files::read::text_lossy(path).unwrap_or_default(),
             diagnostics,
         }
     }

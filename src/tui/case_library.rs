@@ -9,7 +9,7 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
-use crate::files::Target;
+use crate::files::{Target, read};
 
 use crate::case::shipped::{BESIDE, BY_KIND};
 
@@ -94,7 +94,7 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
 /// All that is wrong with a file, with the lines meant.
 #[must_use]
 pub fn story(path: &Path, all: &[case::Diagnostic]) -> String {
-    let text = fs::read_to_string(path).unwrap_or_default();
+    let text = read::text_lossy(path).unwrap_or_default();
     render_all(all, &text, false)
 }
 

@@ -1,6 +1,6 @@
 //! A run back from disk, as far as it goes.
 
-use std::{fs, io, path::Path};
+use std::{io, path::Path};
 
 use serde::de::DeserializeOwned;
 
@@ -14,6 +14,7 @@ use super::{
     table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
+use crate::files::read::run_text;
 use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
     RunInfo, RunState, VERSION,
@@ -78,7 +79,7 @@ pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
 /// As [`resume`].
 pub fn checkpoint<C: DeserializeOwned>(dir: &Path) -> Result<C, StoreError> {
     let file = dir.join(CHECKPOINT);
-    let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
+    let text = run_text(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
         _ => StoreError::io("Reading", &file)(error),
     })?;
@@ -96,7 +97,7 @@ pub fn checkpoint<C: DeserializeOwned>(dir: &Path) -> Result<C, StoreError> {
 /// It cannot be read.
 pub fn case_text(dir: &Path) -> Result<String, StoreError> {
     let file = dir.join(CASE);
-    fs::read_to_string(&file).map_err(StoreError::io("Reading", file))
+    run_text(&file).map_err(StoreError::io("Reading", file))
 }
 
 /// Reads only `run.toml`.
@@ -105,7 +106,7 @@ pub fn case_text(dir: &Path) -> Result<String, StoreError> {
 /// As [`read`].
 pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
     let path = dir.join(RUN);
-    let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
+    let text = run_text(&path).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound if !dir.exists() => StoreError::NotFound(dir.to_owned()),
         io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => {
             StoreError::NotARun(dir.to_owned())
@@ -164,7 +165,7 @@ struct RunReader<'a> {
 
 impl RunReader<'_> {
     fn case_text(&mut self) -> String {
-        fs::read_to_string(self.dir.join(CASE)).unwrap_or_else(|error| {
+        run_text(&self.dir.join(CASE)).unwrap_or_else(|error| {
             self.warnings
                 .push(format!("{CASE} cannot be read: {error}."));
             String::new()

@@ -7,6 +7,7 @@ use std::{
 };
 
 use super::StoreError;
+use crate::files::read::run_table;
 
 /// CSV text being written.
 pub(super) struct CsvWriter {
@@ -194,7 +195,7 @@ impl CsvReader {
 
 /// The whole lines of a file, and whether more follows.
 fn whole_lines(path: &Path) -> io::Result<(Take<File>, bool)> {
-    let mut file = File::open(path)?;
+    let mut file = run_table(path)?;
     let length = file.metadata()?.len();
     let mut whole = length;
     let mut block = [0_u8; 4096];
