@@ -4,9 +4,11 @@
 //! The contents go to a temporary file in the same directory, created exclusively, are synced, and take their name by a
 //! rename. On failure the temporary file is removed and an existing file keeps its contents.
 //!
-//! Files are read by [`read`].
+//! Files are read by [`read`] only; [`root`] says where files lie that cases name, [`walk`] lists those below a directory.
 
 pub mod read;
+pub mod root;
+pub mod walk;
 
 use std::fs::{self, File, Metadata, OpenOptions, Permissions};
 use std::io::{self, Write};

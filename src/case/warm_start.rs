@@ -8,6 +8,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::fields::quantity;
 use super::model::{Attachment, Case};
 use super::tree::TomlNode;
+use crate::files::{read, root};
 
 /// The file of a run directory that a run resumes from.
 const CHECKPOINT: &str = "checkpoint.toml";
@@ -45,9 +46,14 @@ pub(super) fn gather(
     let fault = |problem: String, remedy: &str| {
         Finding::new(&span, KEY.to_owned(), problem, remedy).at(file, text)
     };
+    let mut is_outside = false;
     if !case.files.contains_key(&name) {
-        let path = directory(folder, &name).join(CHECKPOINT);
-        let read = std::fs::read_to_string(&path).map_err(|error| {
+        let dir = directory(folder, &name);
+        let place = root::place_of_run(folder, &dir, &name);
+        is_outside = place.as_ref().is_ok_and(|place| place.is_outside);
+        let read = place.and_then(|place| read::run_text(&place.path.join(CHECKPOINT)));
+        let read = read.map_err(|error| {
+            let path = dir.join(CHECKPOINT);
             let problem = format!("{} cannot be read: {error}", path.display());
             let remedy = "name the directory of a dynamic run that reached an output time, relative to the case file or to here";
             fault(problem, remedy)
@@ -56,10 +62,12 @@ pub(super) fn gather(
     }
     let attached = case.files.get(&name).map_or("", |c| c.text.as_str());
     let checkpoint: CheckpointArc = toml::from_str(attached).map_err(|error| {
-        let problem = format!(
-            "the checkpoint of {name} cannot be read: {}",
-            error.message()
-        );
+        // The reason may quote the file.
+        let reason = match is_outside {
+            true => "it is none",
+            false => error.message(),
+        };
+        let problem = format!("the checkpoint of {name} cannot be read: {reason}");
         fault(problem, "name another run, or compute that one anew")
     })?;
     mismatch(case, &checkpoint.profile.arc).map_or(Ok(()), |problem| {

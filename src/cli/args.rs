@@ -45,8 +45,23 @@ pub(super) struct Args {
     #[arg(long)]
     pub(super) slow_link: bool,
 
+    #[command(flatten)]
+    pub(super) reading: ReadingArgs,
+
     #[command(subcommand)]
     pub(super) command: Option<CliCommand>,
+}
+
+/// What every command reads files by.
+#[derive(Debug, clap::Args)]
+pub(super) struct ReadingArgs {
+    /// Files that a case names must lie below this directory; by default below the directory opened, `cases`, or the case's folder.
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(super) root: Option<PathBuf>,
+
+    /// Read no file larger than this; by default 67108864 bytes, 1073741824 for files of stored runs.
+    #[arg(long, value_name = "BYTES", global = true, value_parser = clap::value_parser!(u64).range(1..))]
+    pub(super) limit_file_size: Option<u64>,
 }
 
 #[derive(Debug, Subcommand)]

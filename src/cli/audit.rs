@@ -46,7 +46,7 @@ pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
     }
     let name = args.file.display().to_string();
     let audit = audit::audit(&text, &name, &args.import.options());
-    let audit = audit.map_err(CommandError::invalid_file(&args.file))?;
+    let audit = audit.map_err(CommandError::Invalid)?;
     if let Some(file) = file {
         let mut rows = Vec::new();
         page::findings(&audit)

@@ -95,7 +95,7 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
         return Err(CommandError::Usage(what));
     }
     let loaded = kind::load_as::<SystemFile>(path, options);
-    Ok(loaded.map_err(CommandError::invalid_file(path))?.text)
+    Ok(loaded.map_err(CommandError::Invalid)?.text)
 }
 
 /// A positive number.

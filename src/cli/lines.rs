@@ -60,7 +60,7 @@ fn read(path: &Path) -> Result<Library, CommandError> {
         CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
     })?;
     let found = library::read(&text, &path.display().to_string());
-    found.map_err(CommandError::invalid(&text))
+    found.map_err(CommandError::Invalid)
 }
 
 /// The properties of a type of a library.

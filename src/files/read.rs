@@ -124,7 +124,10 @@ impl Opened {
 /// The system's reason, in words where its own lead astray.
 fn in_words(error: io::Error, path: &Path) -> io::Error {
     use rustix::io::Errno;
-    let is_link = || path.symlink_metadata().is_ok_and(|found| found.is_symlink());
+    let is_link = || {
+        path.symlink_metadata()
+            .is_ok_and(|found| found.is_symlink())
+    };
     match error.raw_os_error().map(Errno::from_raw_os_error) {
         Some(Errno::LOOP) if is_link() => refused(
             "it is a symbolic link, and not followed: it may show what lies elsewhere".to_owned(),
@@ -223,6 +226,37 @@ mod tests {
         assert_eq!(text(&link).unwrap(), "text");
         let reason = run_text(&link).unwrap_err().to_string();
         assert!(reason.contains("symbolic link"), "{reason}");
+    }
+
+    /// Sources below a directory, without their tests.
+    fn sources(dir: &Path, found: &mut Vec<(String, String)>) {
+        for item in fs::read_dir(dir).unwrap() {
+            let path = item.unwrap().path();
+            if path.is_dir() {
+                sources(&path, found);
+            } else if path.file_name().is_some_and(|name| name != "tests.rs") {
+                let text = fs::read_to_string(&path).unwrap();
+                let tests = text.find("\n#[cfg(test)]\nmod tests {");
+                let text = text[..tests.unwrap_or(text.len())].to_owned();
+                found.push((path.display().to_string(), text));
+            }
+        }
+    }
+
+    #[test]
+    fn files_are_read_here_only() {
+        let mut all = Vec::new();
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+        // Directories are opened to be locked and synced.
+        let opened = ["src/run/store/lock.rs", "src/files.rs"];
+        for (file, text) in all {
+            let ways = ["fs::read(", "read_to_string(", "from_path(", "File::open("];
+            for way in ways {
+                let is_known = opened.iter().any(|known| file.ends_with(known));
+                let is_allowed = is_known && way == "File::open(";
+                assert!(is_allowed || !text.contains(way), "{file} uses {way}");
+            }
+        }
     }
 
     #[test]

@@ -54,7 +54,7 @@ pub fn resume_request(
             .map_err(|d| format!("solver.duration_s {}: {}", d.problem, d.remedy))?;
         overrides.push(format!("solver.duration_s={value}"));
     }
-    let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
+    let case = case::parse_stored(&text, &info.case_file).map_err(|all| first(&all))?;
     if let Some(from) = &from {
         check(dir, &info, &case, &from.checkpoint)?;
     }
