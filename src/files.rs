@@ -3,6 +3,12 @@
 //!
 //! The contents go to a temporary file in the same directory, created exclusively, are synced, and take their name by a
 //! rename. On failure the temporary file is removed and an existing file keeps its contents.
+//!
+//! Files are read by [`read`] only; [`root`] says where files lie that cases name, [`walk`] lists those below a directory.
+
+pub mod read;
+pub mod root;
+pub mod walk;
 
 use std::fs::{self, File, Metadata, OpenOptions, Permissions};
 use std::io::{self, Write};
@@ -151,7 +157,7 @@ impl<'a> Target<'a> {
             return Err(WriteError::ReadOnly(path()));
         }
         if let Existing::ReplaceIfUnchanged(text) = self.existing
-            && fs::read(self.path).map_err(|error| self.io(error))? != text.as_bytes()
+            && read::bytes(self.path).map_err(|error| self.io(error))? != text.as_bytes()
         {
             return Err(WriteError::Changed(path()));
         }
@@ -191,17 +197,6 @@ impl<'a> Target<'a> {
             source,
         }
     }
-}
-
-/// The text of a file; what is not UTF-8 is replaced, as in remarks of old files.
-///
-/// # Errors
-/// The system refuses.
-pub fn read_lossy(path: &Path) -> io::Result<String> {
-    fs::read(path).map(|bytes| match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
-    })
 }
 
 /// Creates a file that grows while it is written; it must not exist yet.

@@ -57,7 +57,7 @@ impl FileType {
     pub fn of(path: &Path) -> Self {
         match crate::import::yaml::is_named(path) {
             true => Self::System,
-            false => Self::of_text(&crate::files::read_lossy(path).unwrap_or_default()),
+            false => Self::of_text(&crate::files::read::text_lossy(path).unwrap_or_default()),
         }
     }
 

@@ -12,6 +12,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, Case, EndKind, MotionName};
 use super::shipped;
 use super::tree::TomlNode;
+use crate::files::root;
 use crate::physics::sea::DEGREES;
 
 /// Columns of a table of places over time.
@@ -54,6 +55,10 @@ pub(crate) fn gather(
         file,
         folder,
     };
+    gather_from(&reading, case).map_err(|found| reading.quoting_none_outside(found))
+}
+
+fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnostic> {
     for (letter, end) in [("a", case.ends.a.clone()), ("b", case.ends.b.clone())] {
         let used = end.kind == EndKind::Moving
             && matches!(end.motion, MotionName::Table | MotionName::Vessel);
@@ -64,7 +69,7 @@ pub(crate) fn gather(
         let carried = &case.files[name].text;
         match end.motion {
             MotionName::Vessel => numbers(carried, &shown, &response_columns()).map(|_| ())?,
-            _ => numbers(carried, &shown, &PLACES.map(str::to_owned)).map(|_| ())?,
+            _ => places(carried, &shown)?,
         }
     }
     if let Some(bed) = case.seabed.clone() {
@@ -96,37 +101,68 @@ impl FileSource<'_> {
         name: &str,
         key: &[&str],
     ) -> Result<String, Diagnostic> {
-        let beside = self.folder.join(name);
+        let beside = root::shown(self.folder, name);
         if !files.contains_key(name) {
             let with_program = |error| {
                 let text = shipped::beside(self.file, name);
                 text.map(str::to_owned).ok_or(error)
             };
-            let read = std::fs::read_to_string(&beside).or_else(with_program);
+            let read = root::place(self.folder, name)
+                .and_then(|place| place.text())
+                .or_else(with_program);
             let read = read.map_err(|error| {
                 let span = self.root.find(key).map_or(0..0, |node| node.span.clone());
-                let problem = format!("{} cannot be read: {error}", beside.display());
+                let problem = format!("{beside} cannot be read: {error}");
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
                 Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
             })?;
             files.insert(name.to_owned(), Attachment { text: read });
         }
-        Ok(beside.display().to_string())
+        Ok(beside)
     }
+
+    /// A diagnostic without what the file holds that it is about, where the user named one outside the root.
+    pub(crate) fn quoting_none_outside(&self, found: Diagnostic) -> Diagnostic {
+        let is_named = found.file != self.file;
+        match is_named && root::is_outside(self.folder, &found.file) {
+            true => found.without_contents(),
+            false => found,
+        }
+    }
+}
+
+/// Checks a table of places over time: two rows at least, the times increasing.
+fn places(text: &str, file: &str) -> Result<(), Diagnostic> {
+    let rows = placed(text, file, &PLACES.map(str::to_owned))?;
+    times_rise(&rows, PLACES[0]).map_err(|found| found.at(file, text))?;
+    match rows.len() {
+        0 | 1 => Err(Diagnostic::whole_file(
+            file,
+            "a motion needs two rows at least",
+            "give a line for each time: time and place",
+        )),
+        _ => Ok(()),
+    }
+}
+
+/// Checks that the first numbers of rows rise.
+fn times_rise(rows: &[Vec<PlacedNumber>], column: &str) -> Result<(), Finding> {
+    let back = rows.windows(2).find(|w| w[1][0].value <= w[0][0].value);
+    back.map_or(Ok(()), |pair| {
+        let [before, here] = [&pair[0][0], &pair[1][0]];
+        let problem = format!(
+            "the time {} s does not come after {} s",
+            here.value, before.value
+        );
+        let remedy = "give the rows in the order of their times, each time once";
+        Err(Finding::new(&here.span, column, problem, remedy))
+    })
 }
 
 /// Times and values of a published curve, the times increasing.
 fn curve_points(text: &str, file: &str) -> Result<(Vec<f64>, Vec<f64>), Diagnostic> {
     let rows = placed(text, file, &POINTS.map(str::to_owned))?;
-    let back = rows.windows(2).find(|w| w[1][0].value <= w[0][0].value);
-    if let Some(pair) = back {
-        let problem = format!(
-            "the time {} s does not come after {} s",
-            pair[1][0].value, pair[0][0].value
-        );
-        let remedy = "give the points in the order of their times, each time once";
-        return Err(Finding::new(&pair[1][0].span, POINTS[0], problem, remedy).at(file, text));
-    }
+    times_rise(&rows, POINTS[0]).map_err(|found| found.at(file, text))?;
     if rows.len() < 2 {
         let problem = "a curve needs at least two points";
         return Err(Diagnostic::whole_file(

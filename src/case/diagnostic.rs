@@ -11,7 +11,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet}
 pub struct Diagnostic {
     /// Name of the file, as the user gave it.
     pub file: String,
-    /// Line, from 1.
+    /// Line, from 1; 0 for what has no lines, as an option.
     pub line: u32,
     /// Column in characters, from 1.
     pub column: u32,
@@ -23,6 +23,40 @@ pub struct Diagnostic {
     pub remedy: String,
     /// The bytes meant, in the text of the file.
     pub span: Range<usize>,
+    /// The lines of the file that they are in; absent where no place is meant, or where the file is not to be quoted.
+    pub excerpt: Option<Excerpt>,
+}
+
+/// Longest part of a file that is shown with what is wrong in it \[bytes\].
+const LONGEST_EXCERPT: usize = 1 << 12;
+
+/// Lines of a file with the place meant in them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Excerpt {
+    /// The lines.
+    text: String,
+    /// The number of the first, from 1.
+    line: usize,
+    /// The bytes meant.
+    span: Range<usize>,
+}
+
+impl Excerpt {
+    /// The lines of a text that these bytes are in. Without a place there are none, and none where they are very long.
+    pub(crate) fn of(text: &str, span: &Range<usize>) -> Option<Self> {
+        if text.is_empty() || *span == (0..0) {
+            return None;
+        }
+        let span = within(text, span);
+        let from = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
+        let rest = text[span.end..].find('\n');
+        let to = rest.map_or(text.len(), |end| span.end + end + 1);
+        (to - from <= LONGEST_EXCERPT).then(|| Self {
+            text: text[from..to].to_owned(),
+            line: text[..from].matches('\n').count() + 1,
+            span: span.start - from..span.end - from,
+        })
+    }
 }
 
 impl Diagnostic {
@@ -53,41 +87,61 @@ impl Diagnostic {
             problem: problem.into(),
             remedy: remedy.into(),
             span: 0..0,
+            excerpt: None,
+        }
+    }
+
+    /// The same of an option of the command line, which has no lines.
+    pub(crate) fn of_option(self, option: &str) -> Self {
+        Self {
+            file: option.to_owned(),
+            line: 0,
+            column: 0,
+            excerpt: None,
+            ..self
+        }
+    }
+
+    /// The same without what the file holds: where it lies is all that is said.
+    pub(crate) fn without_contents(self) -> Self {
+        Self {
+            key: String::new(),
+            problem: "this table is not what it is named for".to_owned(),
+            remedy: "what it holds is not shown, as it lies outside the root: --root DIR names the directory of the root".to_owned(),
+            excerpt: None,
+            ..self
         }
     }
 
     /// The diagnostic as a compiler shows it: the line of the file with a mark under the place.
     ///
-    /// `text` is the text of the file. Without `color` the result is plain ASCII apart from what
-    /// the file itself holds.
+    /// Without `color` the result is plain ASCII apart from what the file itself holds.
     #[must_use]
-    pub fn render(&self, text: &str, color: bool) -> String {
+    pub fn render(&self, color: bool) -> String {
         let renderer = if color {
             Renderer::styled()
         } else {
             Renderer::plain()
         };
-        renderer.render(&[self.group(text)])
+        renderer.render(&[self.group()])
     }
 
-    fn group<'a>(&'a self, text: &'a str) -> Group<'a> {
+    fn group(&self) -> Group<'_> {
         let title = Level::ERROR.primary_title(self.headline());
         let help = Level::HELP.message(self.remedy.as_str());
-        let span = within(text, &self.span);
-        let lines = lines_of(text, &span);
-        if text.is_empty() || self.span == (0..0) || lines.len() > LONGEST_EXCERPT {
-            let origin = Origin::path(self.file.as_str())
-                .line(self.line as usize)
-                .char_column(self.column as usize);
+        let Some(excerpt) = &self.excerpt else {
+            let origin = Origin::path(self.file.as_str());
+            let origin = match self.line {
+                // What has no lines, as an option.
+                0 => origin,
+                line => origin.line(line as usize).char_column(self.column as usize),
+            };
             return title.element(origin).element(help);
-        }
-        // Of the whole text the renderer would make a table of lines for each diagnostic.
-        let snippet = Snippet::source(&text[lines.clone()])
-            .line_start(self.line as usize)
+        };
+        let snippet = Snippet::source(excerpt.text.as_str())
             .path(self.file.as_str())
-            .annotation(
-                AnnotationKind::Primary.span(span.start - lines.start..span.end - lines.start),
-            );
+            .line_start(excerpt.line)
+            .annotation(AnnotationKind::Primary.span(excerpt.span.clone()));
         title.element(snippet).element(help)
     }
 
@@ -105,12 +159,11 @@ impl fmt::Display for Diagnostic {
         let Self {
             file, line, column, ..
         } = self;
-        write!(
-            f,
-            "{file}:{line}:{column}: {}; {}",
-            self.headline(),
-            self.remedy
-        )
+        match line {
+            0 => write!(f, "{file}: ")?,
+            _ => write!(f, "{file}:{line}:{column}: ")?,
+        }
+        write!(f, "{}; {}", self.headline(), self.remedy)
     }
 }
 
@@ -118,8 +171,8 @@ impl std::error::Error for Diagnostic {}
 
 /// All diagnostics one below the other, each as [`Diagnostic::render`] shows it.
 #[must_use]
-pub fn render_all(diagnostics: &[Diagnostic], text: &str, color: bool) -> String {
-    let each: Vec<String> = diagnostics.iter().map(|d| d.render(text, color)).collect();
+pub fn render_all(diagnostics: &[Diagnostic], color: bool) -> String {
+    let each: Vec<String> = diagnostics.iter().map(|d| d.render(color)).collect();
     each.join("\n\n")
 }
 
@@ -157,19 +210,10 @@ impl Finding {
             key: shortened(self.key),
             problem: shortened(self.problem),
             remedy: shortened(self.remedy),
+            excerpt: Excerpt::of(text, &self.span),
             span,
         }
     }
-}
-
-/// Longer lines are not shown \[bytes\].
-const LONGEST_EXCERPT: usize = 4096;
-
-/// The bytes of the lines that a span touches.
-fn lines_of(text: &str, span: &Range<usize>) -> Range<usize> {
-    let start = text[..span.start].rfind('\n').map_or(0, |feed| feed + 1);
-    let rest = text[span.end..].find('\n');
-    start..rest.map_or(text.len(), |feed| span.end + feed)
 }
 
 /// Line and column of a byte offset, both from 1, the column in characters.
@@ -218,7 +262,7 @@ mod tests {
 
     #[test]
     fn rendered_text_marks_the_place() {
-        let shown = sample().render("[line]\nlength = 5\n", false);
+        let shown = sample().render(false);
         assert_eq!(
             shown,
             "error: line.length: has no unit\n --> a.toml:2:1\n  |\n2 | length = 5\n  | ^^^^^^\n  |\n  = help: write `length_m`"

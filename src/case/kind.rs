@@ -17,6 +17,7 @@ use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
 use super::shipped;
 use super::tree::TomlNode;
+use crate::files::root;
 use crate::import::{self, ImportOptions};
 
 /// A file with its text and its result.
@@ -69,7 +70,7 @@ fn loaded<K: FileKind>(
     path: &Path,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let file = path.display().to_string();
-    let (root, content) = with_its_files::<K>(&text, &file)?;
+    let (root, content) = with_its_files::<K>(&text, &file, folder_of(&file))?;
     let whole_text = whole(&text, &content);
     let computed = computed(content, &root, &text, &file)?;
     Ok(LoadedFile {
@@ -86,8 +87,34 @@ fn loaded<K: FileKind>(
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
-    let (root, content) = with_its_files::<K>(text, file)?;
+    parse_beside::<K>(text, file, folder_of(file))
+}
+
+/// The same of a text that stands in a folder, where files that it names are looked for; `file` is the name in the diagnostics.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn parse_beside<K: FileKind>(
+    text: &str,
+    file: &str,
+    folder: &Path,
+) -> Result<K::Computed, Vec<Diagnostic>> {
+    let (root, content) = with_its_files::<K>(text, file, folder)?;
     computed(content, &root, text, file)
+}
+
+/// Checks the text of a file of a stored run, which carries the files that it names, and computes it: none is looked for.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn parse_stored<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
+    parse_beside::<K>(text, file, Path::new(root::NOWHERE))
+}
+
+fn folder_of(file: &str) -> &Path {
+    Path::new(file).parent().unwrap_or(Path::new(""))
 }
 
 /// A text with the files that it names, so that it can be edited and read anywhere; `file` is where it stands.
@@ -96,7 +123,7 @@ pub fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Dia
 ///
 /// Everything that is wrong, at once.
 pub fn whole_text<K: FileKind>(text: &str, file: &str) -> Result<String, Vec<Diagnostic>> {
-    let (_, content) = with_its_files::<K>(text, file)?;
+    let (_, content) = with_its_files::<K>(text, file, folder_of(file))?;
     Ok(whole(text, &content))
 }
 
@@ -109,17 +136,21 @@ fn whole<K: FileKind>(text: &str, content: &K) -> String {
 }
 
 /// What a text without errors says, with the files that it names.
-fn with_its_files<K: FileKind>(text: &str, file: &str) -> Result<(TomlNode, K), Vec<Diagnostic>> {
+fn with_its_files<K: FileKind>(
+    text: &str,
+    file: &str,
+    folder: &Path,
+) -> Result<(TomlNode, K), Vec<Diagnostic>> {
     let (root, mut content) = checked::<K>(text, file)?;
     let source = FileSource {
         root: &root,
         text,
         file,
-        folder: Path::new(file).parent().unwrap_or(Path::new("")),
+        folder,
     };
     content
         .take_files(&source)
-        .map_err(|diagnostic| vec![diagnostic])?;
+        .map_err(|diagnostic| vec![source.quoting_none_outside(diagnostic)])?;
     Ok((root, content))
 }
 
@@ -233,7 +264,20 @@ pub fn set_and_compute<K: FileKind>(
     text: &str,
     edits: &[(&str, &str)],
 ) -> Result<(String, K::Computed), Vec<Diagnostic>> {
+    set_and_compute_beside::<K>(text, edits, Path::new(""))
+}
+
+/// As [`set_and_compute`], of a file in a folder, where files that an edit names are looked for.
+///
+/// # Errors
+///
+/// As [`set`].
+pub fn set_and_compute_beside<K: FileKind>(
+    text: &str,
+    edits: &[(&str, &str)],
+    folder: &Path,
+) -> Result<(String, K::Computed), Vec<Diagnostic>> {
     let (edited, shown) = put_all(K::schema(), text, edits)?;
-    let computed = parse::<K>(&edited, &shown)?;
+    let computed = parse_beside::<K>(&edited, &shown, folder)?;
     Ok((edited, computed))
 }

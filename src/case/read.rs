@@ -15,6 +15,7 @@ use super::schema::{TableNode, TableType};
 use super::size;
 use super::tree::TomlNode;
 use super::warm_start;
+use crate::files::{read, root};
 use crate::import::is_foreign_file;
 use crate::kinds::FileType;
 
@@ -67,6 +68,15 @@ pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<D
         .and_then(|()| warm_start::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)
+}
+
+/// Checks the text of the case of a stored run, which carries the files that it names: none is looked for.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn parse_stored(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
+    parse_beside(text, file, Path::new(root::NOWHERE))
 }
 
 /// Reads the text of a case key by key, without checking values against each other and without the files that it names: for
@@ -218,7 +228,7 @@ pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic
             remedy,
         ));
     }
-    let bytes = std::fs::read(path).map_err(|error| unreadable(&file, &error))?;
+    let bytes = read::bytes(path).map_err(|error| unreadable(&file, &error))?;
     String::from_utf8(bytes).or_else(|error| {
         // Files of other programs are read in any encoding: only their remarks are not ASCII.
         let text = String::from_utf8_lossy(error.as_bytes());

@@ -8,6 +8,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::fields::quantity;
 use super::model::{Attachment, Case};
 use super::tree::TomlNode;
+use crate::files::{read, root};
 use crate::seal;
 
 /// The file of a run directory that a run resumes from.
@@ -46,9 +47,14 @@ pub(super) fn gather(
     let fault = |problem: String, remedy: &str| {
         Finding::new(&span, KEY.to_owned(), problem, remedy).at(file, text)
     };
+    let mut is_outside = false;
     if !case.files.contains_key(&name) {
-        let path = directory(folder, &name).join(CHECKPOINT);
-        let read = std::fs::read_to_string(&path).map_err(|error| {
+        let dir = directory(folder, &name);
+        let place = root::place_of_run(folder, &dir, &name);
+        is_outside = place.as_ref().is_ok_and(|place| place.is_outside);
+        let read = place.and_then(|place| read::run_text(&place.path.join(CHECKPOINT)));
+        let read = read.map_err(|error| {
+            let path = dir.join(CHECKPOINT);
             let problem = format!("{} cannot be read: {error}", path.display());
             let remedy = "name the directory of a dynamic run that reached an output time, relative to the case file or to here";
             fault(problem, remedy)
@@ -56,7 +62,12 @@ pub(super) fn gather(
         case.files.insert(name.clone(), Attachment { text: read });
     }
     let attached = case.files.get(&name).map_or("", |c| c.text.as_str());
-    let (checkpoint, _): (CheckpointArc, _) = seal::opened(attached).map_err(|reason| {
+    let (checkpoint, _): (CheckpointArc, _) = seal::opened(attached).map_err(|error| {
+        // The reason may quote the file.
+        let reason = match is_outside {
+            true => "it is none".to_owned(),
+            false => error.to_string(),
+        };
         let problem = format!("the checkpoint of {name} cannot be read: {reason}");
         fault(problem, "name another run, or compute that one anew")
     })?;

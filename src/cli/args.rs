@@ -49,6 +49,9 @@ pub(super) struct Args {
     #[command(flatten)]
     pub(super) limits: LimitArgs,
 
+    #[command(flatten)]
+    pub(super) reading: ReadingArgs,
+
     #[command(subcommand)]
     pub(super) command: Option<CliCommand>,
 }
@@ -103,6 +106,19 @@ fn allowed(text: &str) -> Result<f64, String> {
     number
         .filter(|number| (1.0..=1e18).contains(number))
         .ok_or_else(|| "give a number from 1 to 1e18".to_owned())
+}
+
+/// What every command reads files by.
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Limits")]
+pub(super) struct ReadingArgs {
+    /// Files that a case names must lie below this directory; by default below the directory opened, `cases`, or the case's folder.
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(super) root: Option<PathBuf>,
+
+    /// Read no file larger than this; by default 67108864 bytes, 1073741824 for files of stored runs.
+    #[arg(long, value_name = "BYTES", global = true, value_parser = clap::value_parser!(u64).range(1..))]
+    pub(super) limit_file_size: Option<u64>,
 }
 
 #[derive(Debug, Subcommand)]

@@ -34,7 +34,7 @@ pub(super) struct AuditArgs {
 pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--csv", args.csv.as_deref(), args.force, &inputs)?;
-    let text = files::read_lossy(&args.file).map_err(|error| {
+    let text = files::read::text_lossy(&args.file).map_err(|error| {
         CommandError::Usage(format!("Reading {} failed: {error}", args.file.display()))
     })?;
     if !import::is_foreign_file(&args.file, &text) {
@@ -46,7 +46,7 @@ pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
     }
     let name = args.file.display().to_string();
     let audit = audit::audit(&text, &name, &args.import.options());
-    let audit = audit.map_err(CommandError::invalid_file(&args.file))?;
+    let audit = audit.map_err(CommandError::Invalid)?;
     if let Some(file) = file {
         let mut rows = Vec::new();
         page::findings(&audit)

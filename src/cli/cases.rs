@@ -1,19 +1,21 @@
 //! Cases as the command line names them.
 
-use std::{
-    fs, io,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use super::CommandError;
 use crate::{
-    case::{self, Case, FieldRow, edit, file_kind::FileKind, kind, shipped},
+    case::{self, Case, Diagnostic, FieldRow, edit, file_kind::FileKind, kind, shipped},
+    files::{read, root, walk::Search},
     import::ImportOptions,
     kinds::FileType,
+    run::store,
 };
 
 /// Where the cases that come with the program lie in its source.
 pub(super) const FOLDER: &str = "cases";
+
+/// Case files that lie so many directories deep are found.
+const DEPTH: usize = 32;
 
 /// A case with its text.
 #[derive(Debug)]
@@ -31,7 +33,7 @@ pub(super) struct NamedCase {
 /// Loads a case file.
 pub(super) fn load(path: &Path) -> Result<NamedCase, CommandError> {
     let name = path.display().to_string();
-    let loaded = case::load(path).map_err(CommandError::invalid_file(path))?;
+    let loaded = case::load(path).map_err(CommandError::Invalid)?;
     Ok(NamedCase {
         file: file_name(&name),
         name,
@@ -42,8 +44,7 @@ pub(super) fn load(path: &Path) -> Result<NamedCase, CommandError> {
 
 /// Reads a case from its text.
 pub(super) fn parse(text: &str, file: &str) -> Result<Case, CommandError> {
-    let wrong = CommandError::invalid(text);
-    case::parse(text, file).map_err(wrong)
+    case::parse(text, file).map_err(CommandError::Invalid)
 }
 
 /// Every `KEY=VALUE` as its two parts.
@@ -56,6 +57,8 @@ pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, CommandError>
             );
             return Err(CommandError::Usage(what));
         };
+        // What the user types may name any file.
+        root::allow(value.trim());
         edits.push((key.trim(), value.trim()));
     }
     Ok(edits)
@@ -64,8 +67,44 @@ pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, CommandError>
 /// Applies every `KEY=VALUE` to the text of a case.
 pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> {
     let edits = edits(words)?;
-    let wrong = CommandError::invalid(text);
-    edit::set_all(text, &edits).map_err(wrong)
+    edit::set_all(text, &edits).map_err(|found| of_options(&edits, found))
+}
+
+/// The text of a file of a kind with every key set, and its result.
+pub(super) fn set_and_compute<K: FileKind>(
+    text: &str,
+    edits: &[(&str, &str)],
+    path: &Path,
+) -> Result<(String, K::Computed), CommandError> {
+    if edits.is_empty() {
+        let computed = kind::parse::<K>(text, &path.display().to_string());
+        let computed = computed.map_err(CommandError::Invalid)?;
+        return Ok((text.to_owned(), computed));
+    }
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let done = kind::set_and_compute_beside::<K>(text, edits, folder);
+    done.map_err(|found| of_options(edits, found))
+}
+
+/// Faults of edits, in the words of the options that give them in the place of a file.
+fn of_options(edits: &[(&str, &str)], found: Vec<Diagnostic>) -> CommandError {
+    let each: Vec<[String; 2]> = edits
+        .iter()
+        .map(|(key, value)| [format!("{key} = {value}"), format!("--set {key}={value}")])
+        .collect();
+    let joined = |which: usize, between: &str| {
+        let words: Vec<&str> = each.iter().map(|both| both[which].as_str()).collect();
+        words.join(between)
+    };
+    let all = [joined(0, ", "), joined(1, " ")];
+    let of_option = |found: Diagnostic| {
+        let known = each.iter().chain([&all]).find(|both| both[0] == found.file);
+        match known {
+            Some([_, option]) => found.of_option(option),
+            None => found,
+        }
+    };
+    CommandError::Invalid(found.into_iter().map(of_option).collect())
 }
 
 /// The text of a file of a kind with keys set.
@@ -74,9 +113,10 @@ pub(super) fn edited_text<K: FileKind>(
     words: &[String],
     options: &ImportOptions,
 ) -> Result<String, CommandError> {
-    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::invalid_file(path))?;
-    let text = &loaded.whole_text;
-    kind::set_all::<K>(text, &edits(words)?).map_err(CommandError::invalid(text))
+    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
+    let edits = edits(words)?;
+    let (text, _) = set_and_compute::<K>(&loaded.whole_text, &edits, path)?;
+    Ok(text)
 }
 
 /// The fields of a file of a kind that is read with keys set, and its result.
@@ -85,15 +125,12 @@ pub(super) fn load_with<K: FileKind>(
     words: &[String],
     options: &ImportOptions,
 ) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
-    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::invalid_file(path))?;
+    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
     let fields = |text: &str| kind::edited_rows::<K>(text, &loaded.text).0;
     if words.is_empty() {
         return Ok((fields(&loaded.text), loaded.computed));
     }
-    let text = kind::set_all::<K>(&loaded.whole_text, &edits(words)?)
-        .map_err(CommandError::invalid(&loaded.whole_text))?;
-    let computed = kind::parse::<K>(&text, &path.display().to_string())
-        .map_err(CommandError::invalid(&text))?;
+    let (text, computed) = set_and_compute::<K>(&loaded.whole_text, &edits(words)?, path)?;
     Ok((fields(&text), computed))
 }
 
@@ -193,14 +230,8 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     let mut files = Vec::new();
     for path in paths {
         if path.is_dir() {
-            let before = files.len();
-            collect(path, &mut files).map_err(|error| {
-                CommandError::Usage(format!("Listing {} failed: {error}", path.display()))
-            })?;
-            if files.len() == before {
-                let what = format!("There is no case file (*.toml) below {}.", path.display());
-                return Err(CommandError::Usage(what));
-            }
+            root::open(path);
+            files.extend(files_below(path)?);
         } else {
             files.push(path.clone());
         }
@@ -212,7 +243,7 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
         match FileType::of(file) {
             FileType::Line => named.lines.push(load(file)?),
             kind => {
-                let text = fs::read_to_string(file).map_err(unreadable)?;
+                let text = read::text(file).map_err(unreadable)?;
                 named.add(kind, file.display().to_string(), text)?;
             }
         }
@@ -220,19 +251,31 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     Ok(named)
 }
 
-fn collect(dir: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    let mut inside: Vec<PathBuf> = fs::read_dir(dir)?
-        .map(|item| item.map(|i| i.path()))
-        .collect::<io::Result<_>>()?;
-    inside.sort();
-    for path in inside {
-        if path.is_dir() {
-            collect(&path, files)?;
-        } else if path.extension().is_some_and(|e| e == "toml") {
-            files.push(path);
-        }
+/// The case files below a directory; those of stored runs are none.
+fn files_below(dir: &Path) -> Result<Vec<PathBuf>, CommandError> {
+    let search = Search {
+        extension: "toml",
+        except_with: store::RUN,
+        depth: DEPTH,
+    };
+    let found = search.below(dir);
+    if let Some((at, error)) = found.faults.first() {
+        let what = format!("Listing {} failed: {error}", at.display());
+        return Err(CommandError::Usage(what));
     }
-    Ok(())
+    if let Some(link) = found.outside.first() {
+        let what = format!(
+            "{} is a symbolic link that leads outside {}; --root DIR names a directory in which both lie.",
+            link.display(),
+            dir.display()
+        );
+        return Err(CommandError::Usage(what));
+    }
+    if found.files.is_empty() {
+        let what = format!("There is no case file (*.toml) below {}.", dir.display());
+        return Err(CommandError::Usage(what));
+    }
+    Ok(found.files)
 }
 
 fn file_name(path: &str) -> String {

@@ -1,19 +1,19 @@
 //! `seacable catenary`: a table of lines at rest.
 
-use std::{fs, process::ExitCode};
+use std::process::ExitCode;
 
 use super::{
     BAD_RESULT, CommandError,
     args::CatenaryArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::study::lines;
+use crate::{files::read, study::lines};
 
 pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.input.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
     let input = args.input.display();
-    let bytes = fs::read(&args.input)
+    let bytes = read::bytes(&args.input)
         .map_err(|e| CommandError::Usage(format!("Reading {input} failed: {e}")))?;
     let table = lines::solve(&bytes).map_err(|e| CommandError::Usage(format!("{input}: {e}")))?;
     let format = match table.text.trim_ascii_start().first() {

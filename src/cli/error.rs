@@ -2,26 +2,17 @@
 
 use std::{
     io::{self, IsTerminal},
-    path::Path,
     process::ExitCode,
 };
 
 use super::{BAD_INPUT, BAD_RESULT, output};
-use crate::{
-    case::Diagnostic,
-    files::{self, WriteError},
-    run::store::StoreError,
-    tui::OpenError,
-};
+use crate::{case::Diagnostic, files::WriteError, run::store::StoreError, tui::OpenError};
 
 /// Why a command failed.
 #[derive(Debug)]
 pub(super) enum CommandError {
-    /// A file is not valid. With its text, every diagnostic shows its place.
-    Invalid {
-        text: String,
-        diagnostics: Vec<Diagnostic>,
-    },
+    /// A file is not valid.
+    Invalid(Vec<Diagnostic>),
     /// Arguments that cannot be used.
     Usage(String),
     /// A stored run cannot be written or read.
@@ -44,30 +35,13 @@ impl From<StoreError> for CommandError {
 }
 
 impl CommandError {
-    /// The error of a file, which is read again for its text.
-    pub(super) fn invalid_file(path: &Path) -> impl Fn(Vec<Diagnostic>) -> Self {
-        move |diagnostics| Self::Invalid {
-            text: files::read_lossy(path).unwrap_or_default(),
-            diagnostics,
-        }
-    }
-
-    /// The error of a file with this text.
-    pub(super) fn invalid(text: &str) -> impl Fn(Vec<Diagnostic>) -> Self {
-        move |diagnostics| Self::Invalid {
-            text: text.to_owned(),
-            diagnostics,
-        }
-    }
-
     /// Prints the message and returns the exit status.
     pub(super) fn report(self) -> ExitCode {
         match self {
-            Self::Invalid { text, diagnostics } => {
+            Self::Invalid(diagnostics) => {
                 let color = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
                 for diagnostic in &diagnostics {
-                    let [plain, coloured] =
-                        [false, color].map(|color| diagnostic.render(&text, color));
+                    let [plain, coloured] = [false, color].map(|color| diagnostic.render(color));
                     output::coloured_message(plain.trim_end(), coloured.trim_end());
                 }
                 ExitCode::from(BAD_INPUT)

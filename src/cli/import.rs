@@ -84,7 +84,7 @@ pub(super) fn import(args: &ImportCommandArgs) -> Result<ExitCode, CommandError>
 
 /// The case of a file, checked as a case.
 fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError> {
-    let source = files::read_lossy(path).map_err(|error| {
+    let source = files::read::text_lossy(path).map_err(|error| {
         CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
     })?;
     if !import::is_foreign_file(path, &source) {
@@ -95,7 +95,7 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
         return Err(CommandError::Usage(what));
     }
     let loaded = kind::load_as::<SystemFile>(path, options);
-    Ok(loaded.map_err(CommandError::invalid_file(path))?.text)
+    Ok(loaded.map_err(CommandError::Invalid)?.text)
 }
 
 /// A positive number.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use toml::Value;
 
+use crate::files::read;
 use crate::run::store;
 
 /// The files that a command reads which is given these paths: the files themselves, the case files below directories,
@@ -22,7 +23,7 @@ fn collect(path: &Path, found: &mut BTreeSet<PathBuf>) {
     if path.is_dir() {
         collect_directory(path, found);
     } else if path.is_file() && found.insert(path.to_owned()) && is_toml(path) {
-        let text = fs::read_to_string(path).unwrap_or_default();
+        let text = read::text(path).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));
         if let Ok(table) = text.parse::<toml::Table>() {
             collect_named(&Value::Table(table), folder, found);

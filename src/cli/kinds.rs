@@ -2,7 +2,10 @@
 
 use std::{path::Path, sync::atomic::AtomicBool};
 
-use super::{CommandError, cases::OtherFile};
+use super::{
+    CommandError,
+    cases::{self, OtherFile},
+};
 use crate::{
     case::{CASE, fields::Schema, kind},
     kinds::FileType,
@@ -35,43 +38,40 @@ pub(super) fn validation(
 ) -> Result<(String, Vec<ValidationRow>), CommandError> {
     let OtherFile { kind, name, text } = file;
     let before = text;
-    let wrong = CommandError::invalid(text);
+    let path = Path::new(name);
     Ok(match kind {
         FileType::Ropeway => {
-            let text = &kind::set_all::<Ropeway>(text, set).map_err(&wrong)?;
-            let solved = kind::parse::<Ropeway>(text, name).map_err(wrong)?;
-            let mut rows = ropeway::validation::rows(&solved, text);
+            let (text, solved) = &cases::set_and_compute::<Ropeway>(text, set, path)?;
+            let mut rows = ropeway::validation::rows(solved, text);
             let (_, edited) = kind::edited_rows::<Ropeway>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
-            (solved.ropeway.about.title, rows)
+            (solved.ropeway.about.title.clone(), rows)
         }
         FileType::Ship => {
-            let text = &kind::set_all::<Ship>(text, set).map_err(&wrong)?;
-            let statics = kind::parse::<Ship>(text, name).map_err(wrong)?;
-            let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-            let motion = MotionAnalysis::of(&statics, folder);
+            let (text, statics) = &cases::set_and_compute::<Ship>(text, set, path)?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let motion = MotionAnalysis::of(statics, folder);
             let mut rows = ship::validation::rows(&statics.ship, motion.as_ref());
             let (_, edited) = kind::edited_rows::<Ship>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
-            (statics.ship.ship.title, rows)
+            (statics.ship.ship.title.clone(), rows)
         }
         FileType::System => {
-            let whole = kind::whole_text::<SystemFile>(text, name).map_err(&wrong)?;
-            let text = &kind::set_all::<SystemFile>(&whole, set).map_err(&wrong)?;
-            let solved = kind::parse::<SystemFile>(text, name).map_err(wrong)?;
-            let run = in_time(&solved, cancel)?;
-            let mut rows = system::validation::rows(&solved, run.as_ref());
+            let whole = kind::whole_text::<SystemFile>(text, name);
+            let whole = whole.map_err(CommandError::Invalid)?;
+            let (text, solved) = &cases::set_and_compute::<SystemFile>(&whole, set, path)?;
+            let run = in_time(solved, cancel)?;
+            let mut rows = system::validation::rows(solved, run.as_ref());
             let (_, edited) = kind::edited_rows::<SystemFile>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
-            (solved.file.about.title, rows)
+            (solved.file.about.title.clone(), rows)
         }
         FileType::Section => {
-            let text = &kind::set_all::<CrossSection>(text, set).map_err(&wrong)?;
-            let design = kind::parse::<CrossSection>(text, name).map_err(wrong)?;
-            let mut rows = section::validation::rows(&design);
+            let (text, design) = &cases::set_and_compute::<CrossSection>(text, set, path)?;
+            let mut rows = section::validation::rows(design);
             let (_, edited) = kind::edited_rows::<CrossSection>(text, before);
             reference::set_edited_aside(&mut rows, &edited);
-            (design.section.about.title, rows)
+            (design.section.about.title.clone(), rows)
         }
         FileType::Line => (String::new(), Vec::new()),
     })

@@ -56,11 +56,11 @@ pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
 
 /// A library of the user.
 fn read(path: &Path) -> Result<Library, CommandError> {
-    let text = files::read_lossy(path).map_err(|error| {
+    let text = files::read::text_lossy(path).map_err(|error| {
         CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
     })?;
     let found = library::read(&text, &path.display().to_string());
-    found.map_err(CommandError::invalid(&text))
+    found.map_err(CommandError::Invalid)
 }
 
 /// The properties of a type of a library.

@@ -39,13 +39,17 @@ mod system_args;
 mod system_study;
 mod validate;
 mod vary;
+mod words;
 mod workbench;
 
 use std::{panic, process::ExitCode};
 
 use clap::Parser;
 
-use args::{Args, CliCommand};
+use crate::files::{read, root};
+
+use args::{Args, CliCommand, ReadingArgs};
+
 use error::CommandError;
 
 /// Exit status of a bad result: a row outside its tolerance, a solver that failed.
@@ -57,11 +61,17 @@ const BAD_INPUT: u8 = 2;
 #[must_use]
 pub fn main() -> ExitCode {
     panic::set_hook(Box::new(output::report_panic));
-    let args = match Args::try_parse() {
+    let words = words::command_first(std::env::args_os().collect());
+    let args = match Args::try_parse_from(&words) {
         Ok(args) => args,
-        Err(error) => return output::usage(&error),
+        Err(error) => {
+            return words::no_text(&words, &error).unwrap_or_else(|| output::usage(&error));
+        }
     };
     args.limits.apply();
+    if let Err(error) = reading(&args.reading) {
+        return error.report();
+    }
     let done = match &args.command {
         None => workbench::open(args),
         Some(CliCommand::Run(args)) => run::run(args),
@@ -81,4 +91,20 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Study(args)) => study::study(args),
     };
     done.unwrap_or_else(CommandError::report)
+}
+
+/// Sets what files are read by.
+fn reading(args: &ReadingArgs) -> Result<(), CommandError> {
+    if let Some(bytes) = args.limit_file_size {
+        read::limit(bytes);
+    }
+    let Some(dir) = &args.root else {
+        return Ok(());
+    };
+    root::set(dir).map_err(|error| {
+        CommandError::Usage(format!(
+            "--root: {} is no directory to read: {error}.",
+            dir.display()
+        ))
+    })
 }

@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use super::{
     CommandError,
     args::ReportArgs,
-    cases,
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
+    case,
     comparison::Comparison,
     kinds::FileType,
     reference,
@@ -50,9 +50,9 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
 fn of_run(run: &Run, glyphs: Glyphs) -> Result<String, CommandError> {
     let (text, file) = (&run.case_text, &run.info.case_file);
     if FileType::of_text(text) == FileType::System {
-        return motion::stored_report(run, glyphs).map_err(CommandError::invalid(text));
+        return motion::stored_report(run, glyphs).map_err(CommandError::Invalid);
     }
-    let case = cases::parse(text, file)?;
+    let case = case::parse_stored(text, file).map_err(CommandError::Invalid)?;
     let rows = reference::rows_of_run(run, &case);
     Ok(text::report(run, &case, &rows, glyphs))
 }

@@ -15,8 +15,7 @@ pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
     let folder = args.file.parent().unwrap_or(Path::new(""));
     let sea = DynamicAnalysis::new(&rest, folder, &AtomicBool::new(false));
     if let Some(Some(Err(MotionError::File(diagnostic)))) = sea.as_ref().map(|sea| &sea.motion) {
-        let invalid = CommandError::invalid_file(Path::new(&diagnostic.file));
-        return Err(invalid(vec![diagnostic.clone()]));
+        return Err(CommandError::Invalid(vec![diagnostic.clone()]));
     }
     let glyphs = output::glyphs(args.ascii);
     let page = page::text(&rest, sea.as_ref(), &fields, glyphs);

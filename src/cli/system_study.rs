@@ -135,9 +135,10 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     let file =
         kind::load_as::<SystemFile>(&args.system.case.file, &args.system.case.import.options())
-            .map_err(CommandError::invalid_file(&args.system.case.file))?;
-    let text = kind::set_all::<SystemFile>(&file.whole_text, &cases::edits(&args.system.case.set)?)
-        .map_err(CommandError::invalid(&file.whole_text))?;
+            .map_err(CommandError::Invalid)?;
+    let edits = cases::edits(&args.system.case.set)?;
+    let path = &args.system.case.file;
+    let (text, _) = cases::set_and_compute::<SystemFile>(&file.whole_text, &edits, path)?;
     let Some((quantity, wanted)) = args
         .want
         .split_once('=')

@@ -135,8 +135,7 @@ const MORE: &str = "\
 fn papers(tables: &[Validated]) -> Result<Vec<Paper>, CommandError> {
     let mut lists = Vec::new();
     for (name, text) in papers::LISTS {
-        let wrong = CommandError::invalid(text);
-        let paper = papers::parse(text, name).map_err(wrong)?;
+        let paper = papers::parse(text, name).map_err(CommandError::Invalid)?;
         let mut cases = paper.about.cases.iter();
         if cases.all(|case| tables.iter().any(|file| file.rows().file == case)) {
             lists.push(paper);
@@ -192,11 +191,11 @@ fn variants(cases: &[EditedCase]) -> Result<Vec<VariantRequest>, CommandError> {
 }
 
 fn request(loaded: &NamedCase, at: Option<&StudyPoint>) -> Result<Request, CommandError> {
-    let wrong = CommandError::invalid(&loaded.text);
     let (text, overrides) = match at {
         None => (loaded.text.clone(), Vec::new()),
         Some(at) => {
-            let variant = reference::variant(&loaded.text, &loaded.case, at).map_err(wrong)?;
+            let variant = reference::variant(&loaded.text, &loaded.case, at)
+                .map_err(CommandError::Invalid)?;
             (variant.text, variant.overrides)
         }
     };

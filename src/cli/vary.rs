@@ -11,6 +11,7 @@ use super::{
     study_page::{base_case, print, results},
 };
 use crate::case::kind;
+use crate::files::root;
 use crate::kinds::FileType;
 use crate::report::table::Table;
 use crate::report::variation::VariationView;
@@ -20,6 +21,13 @@ use crate::study::vary::{self, Variation};
 use crate::system::{SystemFile, quantities};
 
 pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
+    // What the user types may name any file.
+    let values = args.vary.iter().filter_map(|range| range.split_once('='));
+    for (_, values) in values {
+        values
+            .split(',')
+            .for_each(|value| root::allow(value.trim()));
+    }
     if FileType::of(&args.case.file) == FileType::System {
         return system(args);
     }
@@ -59,10 +67,9 @@ fn system(args: &VaryArgs) -> Result<ExitCode, CommandError> {
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
     let loaded = kind::load_as::<SystemFile>(path, &args.case.import.options())
-        .map_err(CommandError::invalid_file(path))?;
-    let (text, solved) =
-        kind::set_and_compute::<SystemFile>(&loaded.whole_text, &cases::edits(&args.case.set)?)
-            .map_err(CommandError::invalid(&loaded.whole_text))?;
+        .map_err(CommandError::Invalid)?;
+    let edits = cases::edits(&args.case.set)?;
+    let (text, solved) = cases::set_and_compute::<SystemFile>(&loaded.whole_text, &edits, path)?;
     let results = match args.result.is_empty() {
         true => quantities::main_results(&solved),
         false => args.result.clone(),

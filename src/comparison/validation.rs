@@ -42,6 +42,6 @@ pub(super) fn compare(runs: &[&Run]) -> Vec<ComparedRow> {
 
 /// The rows of a run; none where its case cannot be read.
 fn rows(run: &Run) -> Vec<ValidationRow> {
-    let case = case::parse(&run.case_text, &run.info.case_file);
+    let case = case::parse_stored(&run.case_text, &run.info.case_file);
     case.map_or_else(|_| Vec::new(), |case| reference::rows_of_run(run, &case))
 }

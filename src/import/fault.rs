@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::case::Diagnostic;
+use crate::case::{Diagnostic, Excerpt};
 
 /// One thing wrong with a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,6 +55,7 @@ impl Fault {
             problem: self.problem.clone(),
             remedy: self.remedy.clone(),
             span: self.span.clone(),
+            excerpt: Excerpt::of(text, &self.span),
         }
     }
 }

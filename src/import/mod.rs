@@ -125,7 +125,7 @@ fn is_yaml(path: &Path, text: &str) -> bool {
 /// Where the case of a file is saved: a case onto itself, one of another program beside its file.
 #[must_use]
 pub fn case_path(path: &Path) -> PathBuf {
-    let is_foreign = files::read_lossy(path).is_ok_and(|text| is_foreign_file(path, &text));
+    let is_foreign = files::read::text_lossy(path).is_ok_and(|text| is_foreign_file(path, &text));
     match is_foreign {
         true => path.with_extension("toml"),
         false => path.to_owned(),

@@ -66,6 +66,6 @@ fn is_point(key: &EditedKey, case: &Case) -> bool {
 /// A run was computed at a point when setting the point does not change its case.
 fn stands_at(run: &Run, case: &Case, at: &StudyPoint) -> bool {
     let set = variant(&run.case_text, case, at).ok();
-    let again = set.and_then(|v| case::parse(&v.text, &run.info.case_file).ok());
+    let again = set.and_then(|v| case::parse_stored(&v.text, &run.info.case_file).ok());
     again.is_some_and(|again| again == *case)
 }

@@ -54,7 +54,7 @@ pub fn resume_request(
             .map_err(|d| format!("solver.duration_s {}: {}", d.problem, d.remedy))?;
         overrides.push(format!("solver.duration_s={value}"));
     }
-    let case = case::parse(&text, &info.case_file).map_err(|all| first(&all))?;
+    let case = case::parse_stored(&text, &info.case_file).map_err(|all| first(&all))?;
     let from = match found {
         None => None,
         Some((checkpoint, same_case)) => {

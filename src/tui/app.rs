@@ -28,7 +28,7 @@ use super::terminal::wait::{read, wait};
 use super::update::edit_check;
 use super::{case_library, draw, external_editor, recovery, update};
 use crate::background::lower_priority;
-use crate::files::Target;
+use crate::files::{Target, root};
 use crate::report::chart::Glyphs;
 use crate::run::job::JobEvent;
 
@@ -188,12 +188,12 @@ fn look_for_terminal() -> Result<(), OpenError> {
 /// The directory to list, and the case to open at once.
 fn whereto(options: &WorkbenchOptions) -> Result<(PathBuf, Option<PathBuf>), OpenError> {
     let Some(path) = &options.path else {
-        return Ok((
-            case_library::default_dir().map_err(OpenError::NoCases)?,
-            None,
-        ));
+        let dir = case_library::default_dir().map_err(OpenError::NoCases)?;
+        root::open(&dir);
+        return Ok((dir, None));
     };
     if path.is_dir() {
+        root::open(path);
         return Ok((path.clone(), None));
     }
     if !path.exists() {

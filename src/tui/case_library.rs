@@ -10,6 +10,8 @@ use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
 use crate::files::Target;
+use crate::files::walk::{Found, Search};
+use crate::run::store::RUN;
 
 use crate::case::shipped::{BESIDE, BY_KIND};
 
@@ -26,7 +28,7 @@ const DEPTH: usize = 4;
 /// When the shipped cases cannot be written.
 pub fn default_dir() -> io::Result<PathBuf> {
     let here = PathBuf::from("cases");
-    if !files_below(&here, DEPTH).is_empty() {
+    if !files_below(&here).files.is_empty() {
         return Ok(here);
     }
     let dir = data_dir()?.join("cases");
@@ -61,18 +63,35 @@ pub fn state_dir() -> io::Result<PathBuf> {
 /// The cases of a directory, by path; those that do not pass say why.
 #[must_use]
 pub fn list(dir: &Path) -> Vec<CaseEntry> {
-    let mut files = files_below(dir, DEPTH);
-    files.sort();
-    files.into_iter().map(|path| entry(dir, path)).collect()
+    let found = files_below(dir);
+    let inside = found.files.into_iter().map(|path| {
+        let about = about(&path);
+        entry(dir, path, about)
+    });
+    let outside = found.outside.into_iter().map(|path| {
+        let line = "a symbolic link that leads outside this directory".to_owned();
+        let whole = format!("{line}; --root DIR names a directory in which both lie");
+        entry(dir, path, Err((line, whole)))
+    });
+    let mut all: Vec<CaseEntry> = inside.chain(outside).collect();
+    all.sort_by(|one, other| one.path.cmp(&other.path));
+    all
 }
 
-fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
+fn entry(dir: &Path, path: PathBuf, about: About) -> CaseEntry {
     let name = path
         .strip_prefix(dir)
         .unwrap_or(&path)
         .display()
         .to_string();
-    let about = match read_file(&path) {
+    CaseEntry { path, name, about }
+}
+
+/// Title and source, or what is wrong, in a line and as a whole.
+type About = Result<(String, String), (String, String)>;
+
+fn about(path: &Path) -> About {
+    match read_file(path) {
         Ok((_, content)) => {
             let kind = content.kind().info();
             let title = match &content {
@@ -85,39 +104,25 @@ fn entry(dir: &Path, path: PathBuf) -> CaseEntry {
             let line = all.first().map_or_else(String::new, |d| {
                 format!("line {}, column {}: {}", d.line, d.column, d.problem)
             });
-            Err((line, story(&path, &all)))
+            Err((line, story(&all)))
         }
-    };
-    CaseEntry { path, name, about }
+    }
 }
 
 /// All that is wrong with a file, with the lines meant.
 #[must_use]
-pub fn story(path: &Path, all: &[case::Diagnostic]) -> String {
-    let text = fs::read_to_string(path).unwrap_or_default();
-    render_all(all, &text, false)
+pub fn story(all: &[case::Diagnostic]) -> String {
+    render_all(all, false)
 }
 
-fn files_below(dir: &Path, depth: usize) -> Vec<PathBuf> {
-    let Ok(inside) = fs::read_dir(dir) else {
-        return Vec::new();
+/// The files that may be cases: those of stored runs are none.
+fn files_below(dir: &Path) -> Found {
+    let search = Search {
+        extension: "toml",
+        except_with: RUN,
+        depth: DEPTH,
     };
-    let mut files = Vec::new();
-    for item in inside.flatten() {
-        let path = item.path();
-        let hidden = item.file_name().to_string_lossy().starts_with('.');
-        if hidden {
-            continue;
-        }
-        if path.is_dir() {
-            if depth > 0 {
-                files.extend(files_below(&path, depth - 1));
-            }
-        } else if path.extension().is_some_and(|e| e == "toml") {
-            files.push(path);
-        }
-    }
-    files
+    search.below(dir)
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ fn file_words(program: &str, path: &Path, place: Option<(u32, u32)>) -> Vec<OsSt
 /// All that is wrong with it, with the lines meant.
 pub(super) fn read(path: &Path) -> Result<String, String> {
     let read = read_file(path).map(|(text, _)| text);
-    read.map_err(|all| case_library::story(path, &all))
+    read.map_err(|all| case_library::story(&all))
 }
 
 #[cfg(test)]

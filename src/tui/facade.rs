@@ -21,7 +21,7 @@ pub use crate::reference::ValidationRow;
 /// # Errors
 /// The first thing wrong, as one line with file, line and column.
 pub fn parse(text: &str, file: &str) -> Result<Case, String> {
-    case::parse(text, file).map_err(|all| first(&all, file))
+    case::parse_stored(text, file).map_err(|all| first(&all, file))
 }
 
 /// Reads a text as the case of a file, which may name others beside it.

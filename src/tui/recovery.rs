@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use rustix::process::{Pid, test_kill_process};
 
 use super::case_library::state_dir;
-use crate::files::Target;
+use crate::files::{Target, read};
 use crate::report::chart::Glyphs;
 
 /// What a session left of a case.
@@ -70,7 +70,7 @@ pub fn find(case: &Path) -> Option<RecoveredEdits> {
     let newest = recovery_files(case)
         .into_iter()
         .max_by_key(|path| fs::metadata(path).and_then(|m| m.modified()).ok())?;
-    let file = fs::read_to_string(newest).ok()?;
+    let file = read::text(&newest).ok()?;
     Some(RecoveredEdits::read(&file))
 }
 
@@ -126,7 +126,7 @@ fn alive(process: i32) -> bool {
 
 /// Name and state of a process, from Linux's `/proc`; the state is `Z` or `X` once it has ended.
 fn about(process: i32) -> Option<(String, char)> {
-    let stat = fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+    let stat = read::text(Path::new(&format!("/proc/{process}/stat"))).ok()?;
     // pid (name) state ..., and the name may hold blanks and brackets.
     let (head, tail) = stat.rsplit_once(')')?;
     let (_, name) = head.split_once('(')?;
@@ -151,7 +151,7 @@ fn prefix(case: &Path) -> String {
 /// The glyphs the user chose in an earlier session.
 #[must_use]
 pub fn remembered_glyphs() -> Option<Glyphs> {
-    let text = fs::read_to_string(state_dir().ok()?.join("glyphs")).ok()?;
+    let text = read::text(&state_dir().ok()?.join("glyphs")).ok()?;
     match text.trim() {
         "braille" => Some(Glyphs::Braille),
         "ascii" => Some(Glyphs::Ascii),

@@ -14,6 +14,7 @@ mod cli;
 mod compare;
 mod documents;
 mod effects;
+mod hostile_files;
 mod hostile_text;
 mod json;
 mod limits;

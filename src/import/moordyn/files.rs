@@ -3,12 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::case::read_current;
+use crate::files::root;
 use crate::import::fault::Fault;
 use crate::import::mooring::{CurrentFile, WaveComponent, WorkingCurve, WorkingForm};
 use crate::import::words::{Row, Word};
-
-/// Greatest size of a file that is named \[bytes\].
-const GREATEST_SIZE: u64 = 64 << 20;
 
 /// Where files that a file names are looked for.
 #[derive(Debug, Clone)]
@@ -39,12 +37,8 @@ impl Files<'_> {
                 "check the file",
             )
         };
-        let size = std::fs::metadata(&path).map_or(0, |found| found.len());
-        if size > GREATEST_SIZE {
-            return Err(unreadable(format!("it has {} MB", size >> 20)));
-        }
-        let bytes = std::fs::read(&path).map_err(|error| unreadable(error.to_string()))?;
-        Ok(String::from_utf8_lossy(&bytes).into_owned())
+        let text = root::place_at(self.folder, &path).and_then(|place| place.text_lossy());
+        text.map_err(|error| unreadable(error.to_string()))
     }
 
     /// Where a file lies that is named, if it is there.

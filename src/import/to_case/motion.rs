@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::case_text::{CaseText, number, numbers};
+use crate::files::read;
 use crate::import::mooring::{Hold, Mooring};
 use crate::numerics::V3;
 use crate::system::pose::Pose;
@@ -61,8 +62,7 @@ impl Motion {
     /// The file cannot be read, has other columns than the coupled parts, or times that do not rise.
     pub fn read(path: &Path, mooring: &Mooring) -> Result<Self, String> {
         let file = path.display();
-        let text = std::fs::read_to_string(path)
-            .map_err(|error| format!("{file} cannot be read: {error}"))?;
+        let text = read::text(path).map_err(|error| format!("{file} cannot be read: {error}"))?;
         let (heads, rows) = table(&text).map_err(|why| format!("{file}, {why}"))?;
         let Some(width) = rows.first().map(Vec::len) else {
             return Err(format!("{file} has no rows of numbers"));

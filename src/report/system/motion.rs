@@ -148,7 +148,7 @@ fn charts(run: &Run) -> Vec<Chart> {
 /// # Errors
 /// Everything that is wrong with the text for this version.
 pub fn stored_report(run: &Run, glyphs: Glyphs) -> Result<String, Vec<Diagnostic>> {
-    let solved = kind::parse::<SystemFile>(&run.case_text, &run.info.case_file)?;
+    let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
     let mut fields = kind::rows::<SystemFile>(&run.case_text);
     edited::mark(&mut fields, &edited_inputs::<SystemFile>(run));
     Ok(report(&solved, run, &fields, glyphs))

@@ -9,6 +9,7 @@ use super::IndexError;
 use super::baseline::{self, Inputs};
 use super::query::MeasuredResult;
 use crate::case::TextDigest;
+use crate::files::read::{run_table, run_text};
 use crate::run::store::{self, CASE, ERRORS, RUN, RunNotes, SUMMARY};
 use crate::run::{RunInfo, RunState};
 
@@ -64,7 +65,7 @@ impl FolderRun {
     /// Reads a run; what is missing or damaged is left out.
     pub(super) fn read(dir: &Path) -> Self {
         let info = store::read_info(dir).map_err(|error| error.to_string());
-        let text = fs::read_to_string(dir.join(CASE)).unwrap_or_default();
+        let text = run_text(&dir.join(CASE)).unwrap_or_default();
         let whole = info.as_ref().is_ok_and(|i| i.state != RunState::Partial);
         Self {
             info,
@@ -102,7 +103,8 @@ fn results(dir: &Path) -> Vec<(String, MeasuredResult)> {
 
 /// The rows of a table, as far as they can be read.
 fn rows(file: &Path) -> impl Iterator<Item = csv::StringRecord> {
-    let reader = csv::ReaderBuilder::new().flexible(true).from_path(file);
-    let rows = reader.ok().into_iter().flat_map(csv::Reader::into_records);
+    let reader = |file| csv::ReaderBuilder::new().flexible(true).from_reader(file);
+    let opened = run_table(file).ok().into_iter();
+    let rows = opened.flat_map(move |file| reader(file).into_records());
     rows.map_while(Result::ok)
 }

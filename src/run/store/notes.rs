@@ -5,6 +5,7 @@ use std::{fs, io, path::Path};
 use serde::{Deserialize, Serialize};
 
 use super::{NOTES, StoreError, create::replace, read_info};
+use crate::files::read::run_text;
 use crate::visible;
 
 /// What the user says of a stored run.
@@ -23,7 +24,7 @@ impl RunNotes {
     /// What is said of the run in a directory; nothing where nothing can be read.
     #[must_use]
     pub fn read(dir: &Path) -> Self {
-        let text = fs::read_to_string(dir.join(NOTES)).unwrap_or_default();
+        let text = run_text(&dir.join(NOTES)).unwrap_or_default();
         let mut notes: Self = toml::from_str(&text).unwrap_or_default();
         notes.order();
         notes

@@ -1,16 +1,12 @@
 //! A run back from disk, as far as it goes.
 
-use std::{
-    fs::{self, File},
-    io,
-    path::Path,
-};
+use std::{io, path::Path};
 
 use serde::de::DeserializeOwned;
 
 use super::{
-    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES, SUMMARY, ShapeReader,
-    StoreError, columns,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES,
+    SUMMARY, ShapeReader, StoreError, columns,
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     is_locked,
     number::parse,
@@ -18,6 +14,7 @@ use super::{
     table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
+use crate::files::read::{run_table, run_text};
 use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
     RunInfo, RunState, VERSION,
@@ -87,7 +84,7 @@ pub(crate) fn sealed_checkpoint<C: DeserializeOwned>(
     dir: &Path,
 ) -> Result<(C, Result<(), StoreError>), StoreError> {
     let file = dir.join(CHECKPOINT);
-    let text = fs::read_to_string(&file).map_err(|error| match error.kind() {
+    let text = run_text(&file).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => StoreError::NoCheckpoint(dir.to_owned()),
         _ => StoreError::io("Reading", &file)(error),
     })?;
@@ -115,7 +112,7 @@ pub(crate) fn sealed_checkpoint<C: DeserializeOwned>(
 /// Checks that a file begins with what a checkpoint was written after.
 fn check_sealed(dir: &Path, name: &str, part: &SealedPart) -> Result<(), StoreError> {
     let file = dir.join(name);
-    let begins = File::open(&file).and_then(|file| part.begins(file));
+    let begins = run_table(&file).and_then(|file| part.begins(file));
     if begins.map_err(StoreError::io("Reading", &file))? {
         return Ok(());
     }
@@ -132,7 +129,7 @@ fn check_sealed(dir: &Path, name: &str, part: &SealedPart) -> Result<(), StoreEr
 /// It cannot be read.
 pub fn case_text(dir: &Path) -> Result<String, StoreError> {
     let file = dir.join(CASE);
-    fs::read_to_string(&file).map_err(StoreError::io("Reading", file))
+    run_text(&file).map_err(StoreError::io("Reading", file))
 }
 
 /// Reads only `run.toml`.
@@ -141,7 +138,7 @@ pub fn case_text(dir: &Path) -> Result<String, StoreError> {
 /// As [`read`].
 pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
     let path = dir.join(RUN);
-    let text = fs::read_to_string(&path).map_err(|error| match error.kind() {
+    let text = run_text(&path).map_err(|error| match error.kind() {
         io::ErrorKind::NotFound if !dir.exists() => StoreError::NotFound(dir.to_owned()),
         io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => {
             StoreError::NotARun(dir.to_owned())
@@ -199,7 +196,7 @@ struct RunReader<'a> {
 
 impl RunReader<'_> {
     fn case_text(&mut self) -> String {
-        fs::read_to_string(self.dir.join(CASE)).unwrap_or_else(|error| {
+        run_text(&self.dir.join(CASE)).unwrap_or_else(|error| {
             self.warnings
                 .push(format!("{CASE} cannot be read: {error}."));
             String::new()

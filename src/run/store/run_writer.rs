@@ -156,7 +156,9 @@ impl RunWriter {
         }
         let part = |file: usize| {
             let stream = self.streams.get(file);
-            stream.map_or_else(Digest::default, GrowingFile::digest).part()
+            stream
+                .map_or_else(Digest::default, GrowingFile::digest)
+                .part()
         };
         let seal = Seal {
             case: self.case.part(),

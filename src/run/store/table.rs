@@ -7,6 +7,7 @@ use std::{
 };
 
 use super::StoreError;
+use crate::files::read::run_table;
 
 /// CSV text being written.
 pub(super) struct CsvWriter {
@@ -194,7 +195,7 @@ impl CsvReader {
 
 /// The whole lines of a file, and whether more follows.
 fn whole_lines(path: &Path) -> io::Result<(Take<File>, bool)> {
-    let mut file = File::open(path)?;
+    let mut file = run_table(path)?;
     let length = file.metadata()?.len();
     let mut whole = length;
     let mut block = [0_u8; 4096];
@@ -219,5 +220,7 @@ fn whole_lines(path: &Path) -> io::Result<(Take<File>, bool)> {
 
 /// That a line holds something else than numbers.
 pub(super) fn not_a_number(name: &str, line: u64) -> String {
-    format!("{name}, line {line} holds something that is not a finite number; it was read up to there.")
+    format!(
+        "{name}, line {line} holds something that is not a finite number; it was read up to there."
+    )
 }

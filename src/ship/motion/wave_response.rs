@@ -6,6 +6,7 @@ use std::path::Path;
 use super::DegreeOfFreedom;
 use super::rao_file;
 use crate::case::Diagnostic;
+use crate::files::root;
 use crate::physics::sea::{Component, Rao, RaoResponse, Spectrum, synthesise};
 use crate::ship::model::{MotionSettings, SpectrumKind};
 use crate::ship::motion::spectral_band::MotionRms;
@@ -37,16 +38,21 @@ impl WaveResponse {
         heading: f64,
         folder: &Path,
     ) -> Result<Self, Diagnostic> {
-        let path = folder.join(settings.responses.as_deref().unwrap_or_default());
-        let file = path.display().to_string();
-        let text = std::fs::read_to_string(&path).map_err(|error| {
+        let name = settings.responses.as_deref().unwrap_or_default();
+        let file = folder.join(name).display().to_string();
+        let place = root::place(folder, name);
+        let is_outside = place.as_ref().is_ok_and(|place| place.is_outside);
+        let text = place.and_then(|place| place.text()).map_err(|error| {
             Diagnostic::whole_file(
                 &file,
                 format!("the RAOs cannot be read: {error}"),
                 "name a CSV file in motion.responses, relative to the folder of the ship's file",
             )
         })?;
-        let raos = rao_file::read(&text, &file)?;
+        let raos = rao_file::read(&text, &file).map_err(|found| match is_outside {
+            true => found.without_contents(),
+            false => found,
+        })?;
         let direction = settings.waves_towards_deg.unwrap_or_default();
         let relative_direction = (direction.to_radians() - heading).rem_euclid(TAU);
         let rao = rao_file::at_angle(&raos, relative_direction, &file)?;

@@ -20,6 +20,7 @@ use super::model::MotionSettings;
 use super::motion::wave_response::WaveResponse;
 use super::motion::{ShipMotion, point_displacement};
 use crate::case::kind;
+use crate::files::root;
 use crate::numerics::V3;
 use crate::numerics::statistics::Gumbel;
 use crate::ropeway::winch::ShipOffset;
@@ -53,11 +54,14 @@ impl RopeAnalysis {
     /// # Errors
     /// In words: a ropeway that cannot be read or has no solution.
     pub fn load(hang_off: &HangOffMotion<'_>, folder: &Path) -> Result<Self, String> {
-        let loaded =
-            kind::load::<Ropeway>(&folder.join(&hang_off.rope.ropeway)).map_err(|all| {
-                all.first()
-                    .map_or_else(|| "it cannot be read".to_owned(), ToString::to_string)
-            })?;
+        let name = &hang_off.rope.ropeway;
+        let place = root::place(folder, name).map_err(|error| format!("{name}: {error}"))?;
+        let loaded = kind::load::<Ropeway>(&folder.join(name)).map_err(|all| {
+            match all.first().filter(|_| !place.is_outside) {
+                Some(first) => first.to_string(),
+                None => "it cannot be read".to_owned(),
+            }
+        })?;
         Self::new(hang_off, loaded.computed)
     }
 

@@ -119,11 +119,12 @@ pub fn resume_request(
     let mut overrides = info.overrides.clone();
     if let Some(until) = until {
         let value = format!("{until:?}");
-        text = kind::set::<SystemFile>(&text, "solver.duration_s", &value)
+        text = kind::put::<SystemFile>(&text, "solver.duration_s", &value)
             .map_err(|all| first(&all))?;
         overrides.push(format!("solver.duration_s={value}"));
     }
-    let solved = kind::parse::<SystemFile>(&text, &info.case_file).map_err(|all| first(&all))?;
+    let solved =
+        kind::parse_stored::<SystemFile>(&text, &info.case_file).map_err(|all| first(&all))?;
     let request = SystemRequest::new(solved.into(), &text, info.case_file.clone(), overrides);
     let request = request.ok_or("its case.toml has no table `[solver]`")?;
     if let Some(from) = &from {

@@ -18,6 +18,6 @@ pub(super) fn read_case(path: &Path) -> Msg {
             let read = FileRead::new(path.to_owned(), text, content, recovered);
             Msg::FileRead(Box::new(read))
         }
-        Err(all) => Msg::CaseRejected(path.to_owned(), case_library::story(path, &all)),
+        Err(all) => Msg::CaseRejected(path.to_owned(), case_library::story(&all)),
     }
 }

@@ -90,7 +90,7 @@ fn every_fault_of_bodies_starts_and_trials_is_reported() {
     for text in &spoilt {
         let found = faults(text);
         assert_eq!(found.len(), 1, "{found:#?}");
-        writeln!(reported, "{}\n", found[0].render(text, false)).unwrap();
+        writeln!(reported, "{}\n", found[0].render(false)).unwrap();
     }
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));

@@ -26,7 +26,7 @@ fn syntax_that_is_not_toml() {
         "this is not TOML: unclosed table",
         "key = value",
     );
-    let shown = last.render(text, false);
+    let shown = last.render(false);
     assert!(shown.contains("4 | [line\n  |      ^"), "{shown}");
 }
 
@@ -91,7 +91,7 @@ fn a_binary_file() {
 #[test]
 fn a_fault_is_shown_under_its_line() {
     let text = GOOD.replace("length_m = 80.0", "length_m = -80.0");
-    let shown = case::render_all(&faults(&text), &text, false);
+    let shown = case::render_all(&faults(&text), false);
     assert_eq!(
         shown,
         "error: line.upper.length_m: is out of range: -80 m
@@ -102,7 +102,7 @@ fn a_fault_is_shown_under_its_line() {
    |
    = help: give greater than 0 m, up to 1e5 m"
     );
-    assert!(case::render_all(&faults(&text), &text, true).contains('\u{1b}'));
+    assert!(case::render_all(&faults(&text), true).contains('\u{1b}'));
 }
 
 #[test]
