@@ -10,6 +10,7 @@ pub mod read;
 pub mod root;
 pub mod walk;
 
+use crate::visible;
 use std::fs::{self, File, Metadata, OpenOptions, Permissions};
 use std::io::{self, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
@@ -35,28 +36,28 @@ pub enum Existing<'a> {
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
     /// The target is a file that the same command reads.
-    #[error("{} is an input of this command and is not overwritten; name another file", .0.display())]
+    #[error("{} is an input of this command and is not overwritten; name another file", visible::path(.0))]
     IsInput(PathBuf),
     /// The target is a file of a stored run.
-    #[error("{} belongs to the run in its directory and is not overwritten; name another file", .0.display())]
+    #[error("{} belongs to the run in its directory and is not overwritten; name another file", visible::path(.0))]
     OfRun(PathBuf),
     /// The target is a symbolic link.
-    #[error("{} is a symbolic link; name the file itself", .0.display())]
+    #[error("{} is a symbolic link; name the file itself", visible::path(.0))]
     IsLink(PathBuf),
     /// The target is a directory, a device or a pipe.
-    #[error("{} is not a regular file", .0.display())]
+    #[error("{} is not a regular file", visible::path(.0))]
     NotRegular(PathBuf),
     /// The target exists and is not to be replaced.
-    #[error("{} exists", .0.display())]
+    #[error("{} exists", visible::path(.0))]
     Exists(PathBuf),
     /// The target has no write permission.
-    #[error("{} is read-only", .0.display())]
+    #[error("{} is read-only", visible::path(.0))]
     ReadOnly(PathBuf),
     /// The target no longer holds what the caller read from it.
-    #[error("{} has changed on disk", .0.display())]
+    #[error("{} has changed on disk", visible::path(.0))]
     Changed(PathBuf),
     /// The operating system refused.
-    #[error("writing {} failed: {source}", path.display())]
+    #[error("writing {} failed: {source}", visible::path(path))]
     Io {
         /// The target.
         path: PathBuf,

@@ -5,6 +5,8 @@
 //! error, the screen, reports and tables. The program's own colours are added after this step.
 
 use std::borrow::Cow;
+use std::os::unix::ffi::OsStrExt;
+use std::path::Path;
 
 /// Whether a character shows nothing, or changes how its neighbours are shown: controls (C0, DEL, C1), bidirectional
 /// controls, separators of lines, fillers, zero-width and other format characters, tags.
@@ -67,6 +69,35 @@ pub fn json(document: &str) -> Cow<'_, str> {
         let units = c.encode_utf16(&mut units).iter();
         units.map(|unit| format!("\\u{unit:04x}")).collect()
     })
+}
+
+/// A path as it can be typed again: as it is, or, with bytes that are no text or show nothing, in the quotes of a shell that
+/// know their numbers, `$'caf\351.toml'`.
+#[must_use]
+pub fn path(path: &Path) -> String {
+    let bytes = path.as_os_str().as_bytes();
+    let plain = std::str::from_utf8(bytes).ok();
+    if let Some(plain) = plain.filter(|plain| !plain.contains(is_invisible)) {
+        return plain.to_owned();
+    }
+    let mut out = String::from("$'");
+    for part in bytes.utf8_chunks() {
+        for c in part.valid().chars() {
+            match c {
+                '\'' | '\\' => out.extend(['\\', c]),
+                c if is_invisible(c) => numbers(c.encode_utf8(&mut [0; 4]).as_bytes(), &mut out),
+                c => out.push(c),
+            }
+        }
+        numbers(part.invalid(), &mut out);
+    }
+    out.push('\'');
+    out
+}
+
+/// Bytes by their numbers. Three octal digits end where they must, whatever follows.
+fn numbers(bytes: &[u8], out: &mut String) {
+    out.extend(bytes.iter().map(|byte| format!("\\{byte:03o}")));
 }
 
 /// Longest text of one message, as of a word that it quotes \[characters\].
@@ -132,6 +163,19 @@ mod tests {
         );
         assert_eq!(text("a\n\tb"), "a\n\tb");
         assert_eq!(line("a\n\tb\u{7}"), "a\\n\\tb\\u{7}");
+    }
+
+    #[test]
+    fn a_path_can_be_typed_again() {
+        use std::ffi::OsStr;
+        let shown = |bytes: &[u8]| path(Path::new(OsStr::from_bytes(bytes)));
+        assert_eq!(shown("a b/häfen.toml".as_bytes()), "a b/häfen.toml");
+        assert_eq!(shown(b"caf\xe9.toml"), "$'caf\\351.toml'");
+        assert_eq!(
+            shown(b"a\nerror: b's\x1b[2J"),
+            "$'a\\012error: b\\'s\\033[2J'"
+        );
+        assert_eq!(shown("a\u{202e}1".as_bytes()), "$'a\\342\\200\\2561'");
     }
 
     #[test]

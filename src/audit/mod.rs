@@ -81,7 +81,7 @@ pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, V
             for one in &found {
                 let one = imported.at_its_row(one, file, text);
                 audit.findings.push(
-                    Finding::new(Topic::Equilibrium, &one.key, &one.problem, &one.remedy)
+                    Finding::new(Topic::Equilibrium, &one.key, &one.problem, &*one.remedy)
                         .at(&one.span),
                 );
             }

@@ -20,11 +20,11 @@ pub struct Diagnostic {
     /// What is wrong.
     pub problem: String,
     /// What would be right.
-    pub remedy: String,
+    pub remedy: Box<str>,
     /// The bytes meant, in the text of the file.
     pub span: Range<usize>,
     /// The lines of the file that they are in; absent where no place is meant, or where the file is not to be quoted.
-    pub excerpt: Option<Excerpt>,
+    pub excerpt: Option<Box<Excerpt>>,
 }
 
 /// Longest part of a file that is shown with what is wrong in it \[bytes\].
@@ -71,7 +71,7 @@ impl Diagnostic {
         Self {
             key: String::new(),
             problem: format!("{number} more {faults} not shown"),
-            remedy: "mend those shown first".to_owned(),
+            remedy: "mend those shown first".into(),
             ..first
         }
     }
@@ -85,7 +85,7 @@ impl Diagnostic {
             column: 1,
             key: String::new(),
             problem: problem.into(),
-            remedy: remedy.into(),
+            remedy: remedy.into().into_boxed_str(),
             span: 0..0,
             excerpt: None,
         }
@@ -107,7 +107,7 @@ impl Diagnostic {
         Self {
             key: String::new(),
             problem: "this table is not what it is named for".to_owned(),
-            remedy: "what it holds is not shown, as it lies outside the root: --root DIR names the directory of the root".to_owned(),
+            remedy: "what it holds is not shown, as it lies outside the root: --root DIR names the directory of the root".into(),
             excerpt: None,
             ..self
         }
@@ -128,7 +128,7 @@ impl Diagnostic {
 
     fn group(&self) -> Group<'_> {
         let title = Level::ERROR.primary_title(self.headline());
-        let help = Level::HELP.message(self.remedy.as_str());
+        let help = Level::HELP.message(&*self.remedy);
         let Some(excerpt) = &self.excerpt else {
             let origin = Origin::path(self.file.as_str());
             let origin = match self.line {
@@ -209,8 +209,8 @@ impl Finding {
             column,
             key: shortened(self.key),
             problem: shortened(self.problem),
-            remedy: shortened(self.remedy),
-            excerpt: Excerpt::of(text, &self.span),
+            remedy: shortened(self.remedy).into_boxed_str(),
+            excerpt: Excerpt::of(text, &self.span).map(Box::new),
             span,
         }
     }

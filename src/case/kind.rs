@@ -3,6 +3,7 @@
 // The kinds are closed: files are checked by types that stay in the crate.
 #![expect(private_bounds)]
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 
 use super::attachments::{FileSource, with_files};
@@ -69,8 +70,9 @@ fn loaded<K: FileKind>(
     text: String,
     path: &Path,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    let file = path.display().to_string();
-    let (root, content) = with_its_files::<K>(&text, &file, folder_of(&file))?;
+    let file = visible::path(path);
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let (root, content) = with_its_files::<K>(&text, &file, folder)?;
     let whole_text = whole(&text, &content);
     let computed = computed(content, &root, &text, &file)?;
     Ok(LoadedFile {

@@ -1,5 +1,6 @@
 //! From a file to a checked case.
 
+use crate::visible;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -38,7 +39,8 @@ pub struct LoadedCase {
 /// or empty, faults of the TOML syntax, or every fault of keys and values.
 pub fn load(path: &Path) -> Result<LoadedCase, Vec<Diagnostic>> {
     let text = text_of(path, &CASE).map_err(|diagnostic| vec![diagnostic])?;
-    let case = parse(&text, &path.display().to_string())?;
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let case = parse_beside(&text, &visible::path(path), folder)?;
     Ok(LoadedCase {
         text,
         case,
@@ -216,7 +218,7 @@ fn nothing_said(text: &str, file: &str, schema: &Schema) -> Option<Diagnostic> {
 
 /// The text of a file.
 pub(crate) fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic> {
-    let file = path.display().to_string();
+    let file = visible::path(path);
     if path.is_dir() {
         let what = schema.what;
         let remedy = format!(

@@ -1,5 +1,6 @@
 //! A case that starts from the state of a stored run: what of that run must agree with the case.
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
@@ -55,7 +56,7 @@ pub(super) fn gather(
         let read = place.and_then(|place| read::run_text(&place.path.join(CHECKPOINT)));
         let read = read.map_err(|error| {
             let path = dir.join(CHECKPOINT);
-            let problem = format!("{} cannot be read: {error}", path.display());
+            let problem = format!("{} cannot be read: {error}", visible::path(&path));
             let remedy = "name the directory of a dynamic run that reached an output time, relative to the case file or to here";
             fault(problem, remedy)
         })?;

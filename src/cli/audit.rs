@@ -1,5 +1,6 @@
 //! `seacable audit`: a second opinion on a file of another program.
 
+use crate::visible;
 use std::{path::PathBuf, process::ExitCode};
 
 use super::{
@@ -35,12 +36,15 @@ pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--csv", args.csv.as_deref(), args.force, &inputs)?;
     let text = files::read::text_lossy(&args.file).map_err(|error| {
-        CommandError::Usage(format!("Reading {} failed: {error}", args.file.display()))
+        CommandError::Usage(format!(
+            "Reading {} failed: {error}",
+            visible::path(&args.file)
+        ))
     })?;
     if !import::is_foreign_file(&args.file, &text) {
         let what = format!(
             "{} is not a file of MoorDyn, MoorPy or MAP++, and no design in YAML.",
-            args.file.display()
+            visible::path(&args.file)
         );
         return Err(CommandError::Usage(what));
     }

@@ -1,5 +1,6 @@
 //! Cases as the command line names them.
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 
 use super::CommandError;
@@ -239,7 +240,7 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     let mut named = ValidationFiles::default();
     for file in &files {
         let unreadable =
-            |error| CommandError::Usage(format!("Reading {} failed: {error}", file.display()));
+            |error| CommandError::Usage(format!("Reading {} failed: {error}", visible::path(file)));
         match FileType::of(file) {
             FileType::Line => named.lines.push(load(file)?),
             kind => {
@@ -260,19 +261,22 @@ fn files_below(dir: &Path) -> Result<Vec<PathBuf>, CommandError> {
     };
     let found = search.below(dir);
     if let Some((at, error)) = found.faults.first() {
-        let what = format!("Listing {} failed: {error}", at.display());
+        let what = format!("Listing {} failed: {error}", visible::path(at));
         return Err(CommandError::Usage(what));
     }
     if let Some(link) = found.outside.first() {
         let what = format!(
             "{} is a symbolic link that leads outside {}; --root DIR names a directory in which both lie.",
-            link.display(),
-            dir.display()
+            visible::path(link),
+            visible::path(dir)
         );
         return Err(CommandError::Usage(what));
     }
     if found.files.is_empty() {
-        let what = format!("There is no case file (*.toml) below {}.", dir.display());
+        let what = format!(
+            "There is no case file (*.toml) below {}.",
+            visible::path(dir)
+        );
         return Err(CommandError::Usage(what));
     }
     Ok(found.files)

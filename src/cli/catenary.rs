@@ -1,5 +1,6 @@
 //! `seacable catenary`: a table of lines at rest.
 
+use crate::visible;
 use std::process::ExitCode;
 
 use super::{
@@ -12,7 +13,7 @@ use crate::{files::read, study::lines};
 pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.input.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let input = args.input.display();
+    let input = visible::path(&args.input);
     let bytes = read::bytes(&args.input)
         .map_err(|e| CommandError::Usage(format!("Reading {input} failed: {e}")))?;
     let table = lines::solve(&bytes).map_err(|e| CommandError::Usage(format!("{input}: {e}")))?;

@@ -1,5 +1,6 @@
 //! `seacable study effects`: which inputs matter to a result.
 
+use crate::visible;
 use std::{process::ExitCode, time::Instant};
 
 use super::{
@@ -30,8 +31,8 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
         output::message("Stopped before all variants were computed.");
         return Ok(status);
     }
-    let found =
-        found.map_err(|why| CommandError::Usage(format!("{}: {why}", args.case.file.display())))?;
+    let found = found
+        .map_err(|why| CommandError::Usage(format!("{}: {why}", visible::path(&args.case.file))))?;
     let mut tables: Vec<Table> = Vec::new();
     let mut csv = Table::default();
     for id in &ids {

@@ -1,5 +1,6 @@
 //! `seacable export`: the file of another program that a case is.
 
+use crate::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -105,7 +106,7 @@ fn write_beside(args: &ExportArgs, made: &Exported) -> Result<(), CommandError> 
 fn refusal(path: &Path, target: Target, refused: &[Unsayable]) -> String {
     let rows: Vec<String> = refused
         .iter()
-        .map(|one| format!("{}: {}: {}", path.display(), one.key, one.what))
+        .map(|one| format!("{}: {}: {}", visible::path(path), one.key, one.what))
         .collect();
     format!(
         "{}\nA file of {} would not be the same system; set these keys otherwise with --set, or leave them out.",

@@ -1,5 +1,6 @@
 //! `seacable import`: the case that a file of another program is.
 
+use crate::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -85,12 +86,12 @@ pub(super) fn import(args: &ImportCommandArgs) -> Result<ExitCode, CommandError>
 /// The case of a file, checked as a case.
 fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError> {
     let source = files::read::text_lossy(path).map_err(|error| {
-        CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
+        CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)))
     })?;
     if !import::is_foreign_file(path, &source) {
         let what = format!(
             "{} is not a file of MoorDyn, MoorPy or MAP++, which have rows of dashes between their tables, nor a design in YAML.",
-            path.display()
+            visible::path(path)
         );
         return Err(CommandError::Usage(what));
     }

@@ -1,5 +1,6 @@
 //! `seacable lines`: the library of line types.
 
+use crate::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -57,9 +58,9 @@ pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
 /// A library of the user.
 fn read(path: &Path) -> Result<Library, CommandError> {
     let text = files::read::text_lossy(path).map_err(|error| {
-        CommandError::Usage(format!("Reading {} failed: {error}", path.display()))
+        CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)))
     })?;
-    let found = library::read(&text, &path.display().to_string());
+    let found = library::read(&text, &visible::path(path));
     found.map_err(CommandError::Invalid)
 }
 

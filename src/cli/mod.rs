@@ -42,6 +42,7 @@ mod vary;
 mod words;
 mod workbench;
 
+use crate::visible;
 use std::{panic, process::ExitCode};
 
 use clap::Parser;
@@ -104,7 +105,7 @@ fn reading(args: &ReadingArgs) -> Result<(), CommandError> {
     root::set(dir).map_err(|error| {
         CommandError::Usage(format!(
             "--root: {} is no directory to read: {error}.",
-            dir.display()
+            visible::path(dir)
         ))
     })
 }

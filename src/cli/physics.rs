@@ -1,5 +1,6 @@
 //! `seacable study physics`: which effects a case needs.
 
+use crate::visible;
 use std::process::ExitCode;
 
 use super::{
@@ -24,8 +25,8 @@ pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
         output::message("Stopped before all variants were computed.");
         return Ok(status);
     }
-    let study =
-        study.map_err(|why| CommandError::Usage(format!("{}: {why}", args.case.file.display())))?;
+    let study = study
+        .map_err(|why| CommandError::Usage(format!("{}: {why}", visible::path(&args.case.file))))?;
     let tables = [report::table(&study, &ids)];
     print(
         "physics",

@@ -1,5 +1,6 @@
 //! `seacable run`: a case computed and kept.
 
+use crate::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -48,7 +49,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         output::object(&run_json::run(&run, &dir))?;
         return Ok(status(&run, &stop));
     }
-    let mut text = format!("{}\n\n{}", dir.display(), text::summary(&run));
+    let mut text = format!("{}\n\n{}", visible::path(&dir), text::summary(&run));
     if let Some(limits) = limits::of_run(&request.case, &run.profile) {
         text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));
     }
@@ -143,7 +144,7 @@ pub(super) fn stored(
     if let Some(why) = full {
         return Err(CommandError::Usage(format!(
             "{why}. {} holds the run up to there; `seacable run --resume` goes on from it where there is room.",
-            dir.display()
+            visible::path(&dir)
         )));
     }
     Ok(StoredRun { run, dir })

@@ -1,5 +1,6 @@
 //! `seacable run` on a system of lines: at rest, or in time where its file has a table `[solver]`; as a report or as JSON.
 
+use crate::visible;
 use std::{path::Path, process::ExitCode, sync::Arc};
 
 use super::{
@@ -108,7 +109,7 @@ fn stored_run(
         object["motion"] = motion::object(run, dir);
         output::object(&object)?;
     } else {
-        let text = format!("{}\n\n{}", dir.display(), motion::summary(run));
+        let text = format!("{}\n\n{}", visible::path(dir), motion::summary(run));
         output::results(&text, args.ascii)?;
     }
     Ok(status(run, stop))

@@ -1,14 +1,18 @@
 //! The words of the command line before they are parsed.
 
 use std::ffi::{OsStr, OsString};
+use std::path::Path;
 use std::process::ExitCode;
 
 use clap::{CommandFactory, error::ErrorKind};
 
 use super::{BAD_INPUT, args::Args, output};
+use crate::visible;
 
-/// Options of every command that take a value.
-const GLOBAL: [&str; 2] = ["--root", "--limit-file-size"];
+/// Whether this is an option of every command; each takes a value.
+fn is_global(name: &str) -> bool {
+    name == "--root" || name.starts_with("--limit-")
+}
 
 /// The words with the command before the options that every command takes, so that these may also stand before it.
 pub(super) fn command_first(mut words: Vec<OsString>) -> Vec<OsString> {
@@ -17,7 +21,7 @@ pub(super) fn command_first(mut words: Vec<OsString>) -> Vec<OsString> {
         let (name, value) = word
             .split_once('=')
             .map_or((word, None), |(n, v)| (n, Some(v)));
-        if !GLOBAL.contains(&name) {
+        if !is_global(name) {
             break;
         }
         at += if value.is_some() { 1 } else { 2 };
@@ -43,29 +47,17 @@ pub(super) fn no_text(words: &[OsString], error: &clap::Error) -> Option<ExitCod
     let mut shown = Vec::new();
     for word in words.iter().skip(1) {
         if word.to_str().is_none() {
-            let bytes = word.as_encoded_bytes();
             let option = match before.to_str() {
                 Some(option) if option.starts_with('-') => format!("{option} "),
                 _ => String::new(),
             };
-            shown.push(format!(
-                "`{option}{}`",
-                bytes.utf8_chunks().map(escaped).collect::<String>()
-            ));
+            shown.push(format!("`{option}{}`", visible::path(Path::new(word))));
         }
         before = word;
     }
     let said = format!("error: not text in UTF-8: {}.", shown.join(", "));
     output::message(&said);
     Some(ExitCode::from(BAD_INPUT))
-}
-
-/// A part of a word, its bytes that are not UTF-8 as numbers.
-fn escaped(chunk: std::str::Utf8Chunk<'_>) -> String {
-    let bytes = chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}"));
-    std::iter::once(chunk.valid().to_owned())
-        .chain(bytes)
-        .collect()
 }
 
 #[cfg(test)]
@@ -82,8 +74,8 @@ mod tests {
         for (given, wanted) in [
             ("p --root d run c", "p run --root d c"),
             (
-                "p --root=d --limit-file-size 5 run c",
-                "p run --root=d --limit-file-size 5 c",
+                "p --root=d --limit-steps 5 run c",
+                "p run --root=d --limit-steps 5 c",
             ),
             ("p --root run", "p --root run"),
             ("p --root d case.toml", "p --root d case.toml"),

@@ -1,5 +1,6 @@
 //! `seacable [CASE|DIR]`: the screen, when there is one.
 
+use crate::visible;
 use std::{path::Path, process::ExitCode};
 
 use clap::CommandFactory;
@@ -25,7 +26,7 @@ pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
 }
 
 fn absent(path: &Path) -> String {
-    let shown = path.display().to_string();
+    let shown = visible::path(path);
     let commands = Args::command();
     let words = commands.get_subcommands().map(clap::Command::get_name);
     let near = words

@@ -4,6 +4,7 @@
 //! folder named `cases` that the case lies below; else the folder of the case. Where a name leads is asked of the system, links and `..`
 //! resolved. Names that the user types, as in `--set`, may lead anywhere, but what stands outside is never quoted.
 
+use crate::visible;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock};
@@ -111,7 +112,7 @@ pub fn place_of_run(folder: &Path, dir: &Path, name: &str) -> io::Result<Place> 
 pub fn shown(folder: &Path, name: &str) -> String {
     match folder == Path::new(NOWHERE) {
         true => name.to_owned(),
-        false => folder.join(name).display().to_string(),
+        false => visible::path(&folder.join(name)),
     }
 }
 
@@ -147,7 +148,7 @@ fn place_below(folder: &Path, path: &Path, name: &str, also: Option<PathBuf>) ->
     if is_outside && !said(|given| given.names.iter().any(|known| known == name)) {
         let reason = format!(
             "it lies outside {}, where files that a case names must lie; --root DIR names another directory",
-            root.display()
+            visible::path(&root)
         );
         return Err(io::Error::new(io::ErrorKind::PermissionDenied, reason));
     }

@@ -85,10 +85,12 @@ impl Walk<'_> {
                 .extension()
                 .is_some_and(|end| end == self.search.extension);
             match depth {
-                _ if kind.is_symlink() && path.is_dir() => {
-                    if depth > 0 && !leads_outside(self.top, &path) {
-                        self.links.insert(0, (path, depth - 1));
-                    }
+                _ if kind.is_symlink()
+                    && path.is_dir()
+                    && depth > 0
+                    && !leads_outside(self.top, &path) =>
+                {
+                    self.links.insert(0, (path, depth - 1));
                 }
                 0 if kind.is_dir() => {
                     let reason = "directories are nested too deeply to look further";

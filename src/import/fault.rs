@@ -53,9 +53,9 @@ impl Fault {
             column,
             key: self.key.clone(),
             problem: self.problem.clone(),
-            remedy: self.remedy.clone(),
+            remedy: self.remedy.as_str().into(),
             span: self.span.clone(),
-            excerpt: Excerpt::of(text, &self.span),
+            excerpt: Excerpt::of(text, &self.span).map(Box::new),
         }
     }
 }

@@ -63,7 +63,7 @@ impl Imported {
         let line = found.line.max(1) as usize;
         let here = self.from.iter().take(line).rev();
         let span = here.flatten().next().cloned().unwrap_or(0..0);
-        let fault = Fault::new(span, &found.key, &found.problem, &found.remedy);
+        let fault = Fault::new(span, &found.key, &found.problem, &*found.remedy);
         if let Some(named) = self.named(found) {
             return named.diagnostic(file, source);
         }
@@ -88,7 +88,7 @@ impl Imported {
             from.clone()?,
             "OPTIONS, SeafloorFile",
             format!("in `{name}`{at}: {}", found.problem),
-            &found.remedy,
+            &*found.remedy,
         ))
     }
 }

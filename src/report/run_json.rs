@@ -1,5 +1,6 @@
 //! A run, and rows of validation tables, as JSON objects for scripts; keys end in their units.
 
+use crate::visible;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -19,7 +20,7 @@ pub fn run(run: &Run, directory: &Path) -> Value {
         "kind": "run",
         "title": info.title,
         "version": info.version,
-        "directory": directory.display().to_string(),
+        "directory": visible::path(directory),
         "state": info.state,
         "failure": info.failure,
         "warnings": info.warnings,

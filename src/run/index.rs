@@ -20,6 +20,7 @@ mod sync;
 #[cfg(test)]
 mod tests;
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 
 use rusqlite::Connection;
@@ -35,7 +36,7 @@ pub use sync::SyncProgress;
 #[derive(Debug, thiserror::Error)]
 pub enum IndexError {
     /// The directory of the runs cannot be listed.
-    #[error("{} cannot be listed: {error}", dir.display())]
+    #[error("{} cannot be listed: {error}", visible::path(dir))]
     Folder {
         /// The directory.
         dir: PathBuf,

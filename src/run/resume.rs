@@ -1,5 +1,6 @@
 //! Resuming a stored run: the request to compute, and the checkpoint.
 
+use crate::visible;
 use std::path::Path;
 
 use super::job::Request;
@@ -18,7 +19,7 @@ pub(crate) fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
     if store::is_locked(dir) {
         return Err(format!(
             "{} is still being computed by another program; it can be resumed once that has ended.",
-            dir.display()
+            visible::path(dir)
         ));
     }
     Ok(info)
@@ -38,7 +39,7 @@ pub fn resume_request(
     if FileType::of_text(&text) == FileType::System {
         return Err(format!(
             "{} is a run of a system of lines, which `seacable run --resume` continues.",
-            dir.display()
+            visible::path(dir)
         ));
     }
     let found = match store::sealed_checkpoint(dir) {
@@ -108,5 +109,5 @@ fn check_tables(dir: &Path, case: &Case, checkpoint: &Checkpoint) -> Result<(), 
         Method::Auto => by(Method::Rk4).or_else(|_| by(Method::Alpha)),
         method => by(method),
     };
-    checked.map_err(|reason| format!("{} cannot be resumed: {reason}.", dir.display()))
+    checked.map_err(|reason| format!("{} cannot be resumed: {reason}.", visible::path(dir)))
 }

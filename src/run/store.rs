@@ -41,6 +41,7 @@ mod shapes_csv;
 mod table;
 mod timestamp;
 
+use crate::visible;
 use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
@@ -81,16 +82,16 @@ pub(crate) const FILES: [&str; 11] = [
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// The directory is inside another run.
-    #[error("{} would be inside the run that its parent directory is. Name another directory.", .0.display())]
+    #[error("{} would be inside the run that its parent directory is. Name another directory.", visible::path(.0))]
     InRun(PathBuf),
     /// Nothing is there.
-    #[error("There is no run directory at {}.", .0.display())]
+    #[error("There is no run directory at {}.", visible::path(.0))]
     NotFound(PathBuf),
     /// Something is there, but not a run.
-    #[error("{} is not a run directory: it holds no run.toml. A run directory is what `seacable run` writes.", .0.display())]
+    #[error("{} is not a run directory: it holds no run.toml. A run directory is what `seacable run` writes.", visible::path(.0))]
     NotARun(PathBuf),
     /// `run.toml` cannot be understood, so nothing else can be trusted.
-    #[error("{} cannot be read: {reason}", file.display())]
+    #[error("{} cannot be read: {reason}", visible::path(file))]
     Damaged {
         /// The file.
         file: PathBuf,
@@ -98,16 +99,16 @@ pub enum StoreError {
         reason: String,
     },
     /// A run that cannot be resumed.
-    #[error("{} has no checkpoint.toml to resume from: it is static, or its checkpoint was removed.", .0.display())]
+    #[error("{} has no checkpoint.toml to resume from: it is static, or its checkpoint was removed.", visible::path(.0))]
     NoCheckpoint(PathBuf),
     /// The directory chosen for a run already holds something.
-    #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", .0.display())]
+    #[error("{} already holds files; a run never overwrites. Name a directory that does not exist yet.", visible::path(.0))]
     Taken(PathBuf),
     /// A file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
     /// The operating system refused.
-    #[error("{action} {} failed: {source}", path.display())]
+    #[error("{action} {} failed: {source}", visible::path(path))]
     Io {
         /// What was tried ("Writing").
         action: &'static str,

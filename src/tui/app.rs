@@ -1,5 +1,6 @@
 //! The loop of the workbench: terminal, signals and jobs in; frames out; and every way to end.
 
+use crate::visible;
 use std::any::Any;
 use std::collections::VecDeque;
 use std::io;
@@ -55,7 +56,7 @@ pub enum OpenError {
     )]
     NoTerminal(&'static str),
     /// The path named is not there.
-    #[error("There is no file or directory {}. Name a case file (*.toml) or a directory of cases.", .0.display())]
+    #[error("There is no file or directory {}. Name a case file (*.toml) or a directory of cases.", visible::path(.0))]
     NotFound(PathBuf),
     /// The shipped cases cannot be written where the user's data are kept.
     #[error("The shipped cases cannot be written: {0}. Name a directory of cases: seacable DIR")]
@@ -490,7 +491,7 @@ impl App<'_> {
         let words = match kept {
             Ok(path) => format!(
                 "Offered to the clipboard of your terminal (not every terminal takes it); also in {}.",
-                path.display()
+                visible::path(&path)
             ),
             Err(error) => format!("Offered to the clipboard of your terminal; no file: {error}."),
         };

@@ -39,7 +39,7 @@ pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
             Ok(()) => {
                 return Msg::Say(
                     Severity::Info,
-                    format!("{what} is in {}.", target.display()),
+                    format!("{what} is in {}.", visible::path(&target)),
                 );
             }
             Err(WriteError::Exists(_) | WriteError::IsLink(_) | WriteError::NotRegular(_)) => {}
@@ -51,7 +51,7 @@ pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
             }
         }
     }
-    let words = format!("{what} finds no free name beside {}.", path.display());
+    let words = format!("{what} finds no free name beside {}.", visible::path(path));
     Msg::Say(Severity::Error, words)
 }
 

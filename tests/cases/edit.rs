@@ -159,7 +159,7 @@ fn a_bad_value_is_refused_with_its_range() {
 #[test]
 fn a_key_that_no_case_has_is_refused_with_the_one_meant() {
     let fault = edit::set(MANIFOLD, "line.wire.length", "5").unwrap_err();
-    assert_eq!(fault.remedy, "write `length_m`, with the value in m");
+    assert_eq!(&*fault.remedy, "write `length_m`, with the value in m");
     let fault = edit::set(MANIFOLD, "line.wier.length_m", "5").unwrap_err();
     assert!(fault.remedy.contains("chain, polyester, wire"), "{fault}");
     let fault = edit::set(MANIFOLD, "curent.speed_m_per_s", "5").unwrap_err();

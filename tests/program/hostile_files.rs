@@ -370,6 +370,6 @@ fn an_override_that_is_no_text_is_named() {
     let done = command.output().unwrap();
     let said = String::from_utf8_lossy(&done.stderr);
     assert_eq!(done.status.code(), Some(2), "{said}");
-    assert!(said.contains("`--set case.title=a\\xffb`"), "{said}");
+    assert!(said.contains("`--set $'case.title=a\\377b'`"), "{said}");
     assert!(!said.contains("duration"), "{said}");
 }

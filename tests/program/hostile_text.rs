@@ -264,3 +264,73 @@ fn stored_runs() {
         probe.run(&["run", "--resume", &id]);
     }
 }
+
+/// What other programs read back holds the same text, by the escapes of its own format.
+#[test]
+fn json_and_toml_read_back_to_the_same_text() {
+    let mut probe = Probe::new();
+    let title = HOSTILE.replace(['\r', '\u{8}'], "");
+    let value = toml_string(&title);
+    probe.put("case.toml", &with_value(SMALL, "title", &value));
+    for words in [
+        &["run", "case.toml", "--out", "run", "--json"][..],
+        &["validate", "case.toml", "--json"],
+        &["modes", "case.toml", "--json"],
+    ] {
+        let done = probe.run(words);
+        assert!(done.status.success(), "{words:?}");
+        let object: serde_json::Value = serde_json::from_slice(&done.stdout).unwrap();
+        let read = object.to_string();
+        let stated = serde_json::Value::from(title.as_str()).to_string();
+        assert!(
+            !read.contains("title") || read.contains(stated.trim_matches('"')),
+            "{words:?}: {read}"
+        );
+    }
+    let exported = probe.run(&["export", &tripod(), "-o", "tripod.txt"]);
+    assert!(exported.status.success());
+    let text = fs::read_to_string(probe.path("tripod.txt")).unwrap();
+    probe.put(
+        "hostile.txt",
+        &format!("{}\n{text}", HOSTILE.replace(['\r', '\n'], "")),
+    );
+    let done = probe.run(&["import", "hostile.txt"]);
+    let text = String::from_utf8(done.stdout).unwrap();
+    assert!(
+        done.status.success() && text.parse::<toml::Table>().is_ok(),
+        "{text}"
+    );
+}
+
+fn tripod() -> String {
+    let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+    cases
+        .join("systems/tripod.toml")
+        .to_str()
+        .unwrap()
+        .to_owned()
+}
+
+/// A line feed in a path or an argument begins no line of its own, which could pass for a message of the program.
+#[test]
+fn a_line_feed_in_a_path_forges_no_message() {
+    let mut probe = Probe::new();
+    let name = "a\nerror: forged.toml";
+    probe.put(name, "nothing\n");
+    probe.put("case.toml", SMALL);
+    for words in COMMANDS {
+        for tail in [
+            &[name][..],
+            &["b\nerror: forged.toml"],
+            &["case.toml", "-o", name],
+            &["case.toml", "--out", name],
+            &["case.toml", "--set", "x=1\nerror: forged"],
+            &["case.toml", "--force\nerror: forged"],
+        ] {
+            let done = probe.run(&[words, tail].concat());
+            let said = String::from_utf8(done.stderr).unwrap();
+            let forged = said.lines().any(|line| line.starts_with("error: forged"));
+            assert!(!forged, "{words:?} {tail:?}: {said}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! The motion of what a mooring is coupled to, from a table of time and coordinates.
 
+use crate::visible;
 use std::path::Path;
 
 use super::case_text::{CaseText, number, numbers};
@@ -61,7 +62,7 @@ impl Motion {
     /// # Errors
     /// The file cannot be read, has other columns than the coupled parts, or times that do not rise.
     pub fn read(path: &Path, mooring: &Mooring) -> Result<Self, String> {
-        let file = path.display();
+        let file = visible::path(path);
         let text = read::text(path).map_err(|error| format!("{file} cannot be read: {error}"))?;
         let (heads, rows) = table(&text).map_err(|why| format!("{file}, {why}"))?;
         let Some(width) = rows.first().map(Vec::len) else {

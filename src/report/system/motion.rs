@@ -1,5 +1,6 @@
 //! A run of a system in time: tables, charts, text report, JSON.
 
+use crate::visible;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -228,7 +229,7 @@ pub fn object(run: &Run, directory: &Path) -> Value {
         "energy_lost_j": energy(EnergyQuantity::Dissipated),
         "energy_stored_j": energy(EnergyQuantity::Stored),
         "energy_drift_j": energy(EnergyQuantity::Drift),
-        "directory": directory.display().to_string(),
+        "directory": visible::path(directory),
         "channels": ChannelRow::all(run).iter().map(channel).collect::<Vec<_>>(),
     })
 }

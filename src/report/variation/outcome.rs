@@ -7,6 +7,7 @@ use crate::report::comparison::result_text;
 use crate::run::Quantity;
 use crate::study::points::{PointOutcome, PointRun};
 use crate::study::vary::Variation;
+use crate::visible;
 
 /// A result that is shown.
 #[derive(Debug, Clone, PartialEq)]
@@ -88,7 +89,7 @@ impl PointView {
             reason: run.failure().map(|why| ("FAILED", why.to_owned())),
             remark: (warnings > 0).then(|| format!("{warnings} warning{plural}")),
             cpu_s: Some(run.info.cost.cpu_s),
-            dir: run.dir.as_ref().map(|dir| dir.display().to_string()),
+            dir: run.dir.as_ref().map(|dir| visible::path(dir)),
         }
     }
 }

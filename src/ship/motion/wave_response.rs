@@ -1,5 +1,6 @@
 //! First-order response of a ship to irregular waves by its response amplitude operators (RAOs).
 
+use crate::visible;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -39,7 +40,7 @@ impl WaveResponse {
         folder: &Path,
     ) -> Result<Self, Diagnostic> {
         let name = settings.responses.as_deref().unwrap_or_default();
-        let file = folder.join(name).display().to_string();
+        let file = visible::path(&folder.join(name));
         let place = root::place(folder, name);
         let is_outside = place.as_ref().is_ok_and(|place| place.is_outside);
         let text = place.and_then(|place| place.text()).map_err(|error| {

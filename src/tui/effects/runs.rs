@@ -1,5 +1,6 @@
 //! Stored runs: kept, annotated, deleted.
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -19,7 +20,7 @@ pub(super) fn delete_runs(dirs: Vec<PathBuf>) -> Vec<Msg> {
         match store::delete(&dir) {
             Ok(()) => deleted.push(dir),
             Err(error) => {
-                let words = format!("{} cannot be deleted: {error}", dir.display());
+                let words = format!("{} cannot be deleted: {error}", visible::path(&dir));
                 answers.push(Msg::Say(Severity::Error, words));
             }
         }

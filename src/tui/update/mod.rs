@@ -33,6 +33,7 @@ pub use overlay::{palette_matches, run_command};
 
 use super::msg::{Effect, Msg};
 use super::state::AppState;
+use crate::visible;
 
 /// Changes the state as the message says, and returns what is to be done outside of it.
 pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
@@ -78,9 +79,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         }
         Msg::PartMade(key, view) => parts::made(state, *key, view),
         Msg::ValuesChecked(token, table) => parts::compared(state, &token, *table),
-        Msg::CaseRejected(file, text) => {
-            cases::rejected(state, file.display().to_string(), file, text)
-        }
+        Msg::CaseRejected(file, text) => cases::rejected(state, visible::path(&file), file, text),
         Msg::Saved(path, text) => quit::saved(state, path, text),
         Msg::NotSaved(why) => quit::not_saved(state, &why),
         Msg::ChangedOnDisk => quit::changed_on_disk(state),

@@ -1,5 +1,6 @@
 //! Saving, leaving a case, quitting.
 
+use crate::visible;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -153,7 +154,7 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
         }));
     }
     let after = std::mem::take(&mut editor.after_save);
-    let said = format!("Saved to {}.", editor.path.display());
+    let said = format!("Saved to {}.", visible::path(&editor.path));
     let mut effects = vec![nothing_unsaved(old)];
     // Edits made since, and ranges that wait, are not in the file.
     if !editor.kept.is_empty() || differs {

@@ -1,5 +1,6 @@
 //! The runs of the open case.
 
+use crate::visible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -112,7 +113,7 @@ pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effec
         entry.curves = RunCurves::whole(run);
         view.runs.extend([entry]);
     }
-    info(state, format!("Kept in {}.", dir.display()));
+    info(state, format!("Kept in {}.", visible::path(dir)));
     vec![Effect::RefreshRuns]
 }
 
@@ -289,7 +290,7 @@ pub(super) fn deleted(state: &mut AppState, dirs: &[PathBuf]) -> Vec<Effect> {
     }
     check(state);
     let words = match dirs {
-        [dir] => format!("Deleted {}.", dir.display()),
+        [dir] => format!("Deleted {}.", visible::path(dir)),
         _ => format!("Deleted {} runs.", dirs.len()),
     };
     info(state, words);

@@ -6,6 +6,7 @@ mod overlay;
 pub(super) mod paint;
 pub mod painter;
 
+use crate::visible;
 use ratatui::Frame;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
@@ -106,7 +107,7 @@ impl Painter<'_> {
                 self.text(rest, &words, self.theme.strong())
             }
             None => {
-                let words = format!("  {}", state.cases.dir.display());
+                let words = format!("  {}", visible::path(&state.cases.dir));
                 self.text(rest, &words, self.theme.plain())
             }
         };
