@@ -3,13 +3,14 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 7] = [
+const DOCUMENTS: [&str; 8] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
     "docs/GLOSSARY.md",
     "docs/FILES.md",
     "docs/METHODS.md",
+    "docs/MUTANTS.md",
     "docs/SECURITY.md",
 ];
 
