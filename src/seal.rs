@@ -128,10 +128,7 @@ pub(crate) fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), Strin
         );
     }
     let table: toml::Table = toml::from_str(before).map_err(|e| e.to_string())?;
-    if let Some(key) = table
-        .iter()
-        .find_map(|(key, value)| not_finite(key, value))
-    {
+    if let Some(key) = table.iter().find_map(|(key, value)| not_finite(key, value)) {
         return Err(format!("{key} is not finite"));
     }
     let SealTable { seal } = SealTable::deserialize(table.clone()).map_err(|e| e.to_string())?;

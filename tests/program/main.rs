@@ -5,19 +5,26 @@
 #[cfg(target_os = "linux")]
 #[path = "../common/pty.rs"]
 mod pty;
+#[path = "../common/reseal.rs"]
+mod reseal;
 #[path = "../common/sample.rs"]
 mod sample;
 #[path = "../common/small.rs"]
 mod small;
 
+mod chance;
 mod cli;
 mod compare;
+mod damage;
 mod documents;
 mod effects;
+mod full_disk;
 mod hostile_text;
 mod json;
+mod kills;
 mod output_files;
 mod signals;
+mod standard_output;
 mod start_from_run;
 mod store;
 mod stored_versions;

@@ -186,6 +186,18 @@ fn damage_is_reported_by_file_and_line() {
         &|t| t.replacen("\n0.1,", "\nabc,", 1),
         "history.csv, line 3",
     );
+    for wild in ["inf", "-inf", "NaN"] {
+        check(
+            "history.csv",
+            &|t| t.replacen("\n0.1,", &format!("\n{wild},"), 1),
+            "history.csv, line 3 holds something that is not a finite number",
+        );
+    }
+    check(
+        "summary.csv",
+        &|t| t.replacen(",2020000,", ",inf,", 1),
+        "summary.csv, line 3 holds something that is not a finite number",
+    );
     check(
         "history.csv",
         &|t| t.replacen("\n0.1,", "\n0.1,7,", 1),

@@ -9,8 +9,9 @@ use std::{
 };
 
 use super::{
-    CASE, FILES, RUN, StoreError, read_info,
+    CASE, FILES, RUN, StoreError,
     lock::{DirectoryLock, lock_directory},
+    read_info,
     timestamp::stamp,
 };
 use crate::files::{Target, sync_directory};

@@ -9,8 +9,8 @@ use std::{
 use serde::de::DeserializeOwned;
 
 use super::{
-    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES, SUMMARY, ShapeReader,
-    StoreError, columns,
+    CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES,
+    SUMMARY, ShapeReader, StoreError, columns,
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
     is_locked,
     number::parse,
@@ -166,10 +166,10 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
 fn with_version(reason: &str, version: Option<&str>) -> String {
     let reason = reason.trim_end();
     match version {
-        Some(version) => {
+        Some(version) if version != VERSION => {
             format!("{reason}\nVersion {version} wrote it; this is version {VERSION}.")
         }
-        None => reason.to_owned(),
+        _ => reason.to_owned(),
     }
 }
 

@@ -219,5 +219,7 @@ fn whole_lines(path: &Path) -> io::Result<(Take<File>, bool)> {
 
 /// That a line holds something else than numbers.
 pub(super) fn not_a_number(name: &str, line: u64) -> String {
-    format!("{name}, line {line} holds something that is not a finite number; it was read up to there.")
+    format!(
+        "{name}, line {line} holds something that is not a finite number; it was read up to there."
+    )
 }
