@@ -259,7 +259,16 @@ fn without_run_toml_there_is_no_run() {
         Err(StoreError::NotARun(_))
     ));
     let text = fs::read_to_string(dir.join("run.toml")).unwrap();
-    for damaged in [&text[..text.len() / 2], "", "state = \"asleep\"", "\0\0\0"] {
+    let (_, rest) = text.split_once("duration_s = ").unwrap();
+    let duration = rest.lines().next().unwrap();
+    let infinite = text.replace(&format!("duration_s = {duration}"), "duration_s = inf");
+    for damaged in [
+        &infinite,
+        &text[..text.len() / 2],
+        "",
+        "state = \"asleep\"",
+        "\0\0\0",
+    ] {
         fs::write(dir.join("run.toml"), damaged).unwrap();
         let error = read(&dir).unwrap_err();
         assert!(matches!(error, StoreError::Damaged { .. }), "{error}");

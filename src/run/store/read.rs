@@ -152,14 +152,21 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
         },
         _ => StoreError::io("Reading", &path)(error),
     })?;
-    toml::from_str(&text).map_err(|error| {
+    let damaged = |reason: String| {
         let table = text.parse::<toml::Table>().unwrap_or_default();
         let version = table.get("version").and_then(toml::Value::as_str);
         StoreError::Damaged {
-            file: path,
-            reason: with_version(&error.to_string(), version),
+            file: path.clone(),
+            reason: with_version(&reason, version),
         }
-    })
+    };
+    // Few files have these letters, and it is read often.
+    if ["inf", "nan"].iter().any(|word| text.contains(word))
+        && let Ok(table) = text.parse::<toml::Table>()
+    {
+        seal::check_finite(&table).map_err(damaged)?;
+    }
+    toml::from_str(&text).map_err(|error| damaged(error.to_string()))
 }
 
 /// Why a file cannot be understood, and which version of the program wrote it.
