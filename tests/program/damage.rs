@@ -30,7 +30,9 @@ use crate::reseal::{reseal, unsealed};
 use crate::small::SMALL;
 
 /// A case, the keys set in it, and the time at which its run is stopped.
-const CASES: [(&str, &[(&str, &str)], f64); 7] = [
+type StoppedCase = (&'static str, &'static [(&'static str, &'static str)], f64);
+
+const CASES: [StoppedCase; 7] = [
     (SMALL, &[("solver.duration_s", "4")], 2.0),
     (
         include_str!("../../cases/basics/steep_wave.toml"),
@@ -387,7 +389,7 @@ fn no_damage_of_a_run_folder_is_let_in() {
             assert_eq!(wild_words(&page), None, "{what}: reported");
         }
     }
-    println!("{counts:?}");
+    eprintln!("{counts:?}");
     assert!(counts["refused"] > 20, "{counts:?}");
 }
 
@@ -427,7 +429,7 @@ fn no_edited_checkpoint_gives_a_result_that_is_not_finite() {
         };
         *counts.entry(count).or_default() += 1;
     }
-    println!("{counts:?}");
+    eprintln!("{counts:?}");
 }
 
 /// The program says why, ends with status 2, makes nothing and changes nothing.

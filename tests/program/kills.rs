@@ -156,7 +156,7 @@ fn a_killed_run_can_be_finished_to_the_same_bytes() {
             }
         }
     }
-    println!("{killed} killed under way or at the end, {none} before they began, {same} the same");
+    eprintln!("{killed} killed under way or at the end, {none} before they began, {same} the same");
     assert!(killed > 0);
 }
 
@@ -209,7 +209,7 @@ fn a_killed_study_leaves_runs_that_can_be_finished() {
             }
         }
     }
-    println!("{finished} runs of killed studies finished");
+    eprintln!("{finished} runs of killed studies finished");
 }
 
 #[test]
@@ -230,12 +230,12 @@ fn a_killed_report_leaves_the_old_file_or_the_new_one() {
         let found = fs::read_to_string(dir.join("page.txt")).unwrap();
         assert!(found == old || found == page);
         if found == old {
-            before += 1
+            before += 1;
         } else {
-            after += 1
+            after += 1;
         }
     }
-    println!("{before} times the old page, {after} times the new one");
+    eprintln!("{before} times the old page, {after} times the new one");
 }
 
 /// Deletes the runs of the folder that the test below names: in a process of its own, to be killed.
@@ -288,5 +288,5 @@ fn a_killed_deletion_leaves_whole_runs() {
             left += 1;
         }
     }
-    println!("{left} runs left whole");
+    eprintln!("{left} runs left whole");
 }

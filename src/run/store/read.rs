@@ -246,7 +246,12 @@ impl RunReader<'_> {
         }
         // Extremes over every step, where they are known; a run that was stopped has those of its rows.
         for channel in kept.channels_mut() {
-            if let Some(known) = of(&channel.id).filter(|c| !c.peak.0.is_nan()) {
+            let known = of(&channel.id).filter(|c| {
+                [c.peak, c.trough]
+                    .iter()
+                    .all(|(v, t)| v.is_finite() && t.is_finite())
+            });
+            if let Some(known) = known {
                 (channel.peak, channel.trough) = (known.peak, known.trough);
             }
         }
