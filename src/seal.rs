@@ -128,12 +128,22 @@ pub(crate) fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), Strin
         );
     }
     let table: toml::Table = toml::from_str(before).map_err(|e| e.to_string())?;
-    if let Some(key) = table.iter().find_map(|(key, value)| not_finite(key, value)) {
-        return Err(format!("{key} is not finite"));
-    }
+    check_finite(&table)?;
     let SealTable { seal } = SealTable::deserialize(table.clone()).map_err(|e| e.to_string())?;
     let content = C::deserialize(table).map_err(|e| e.to_string())?;
     Ok((content, seal))
+}
+
+/// Checks that all numbers of a file are finite.
+///
+/// # Errors
+/// Which one is not, in words.
+pub(crate) fn check_finite(table: &toml::Table) -> Result<(), String> {
+    let mut all = table.iter();
+    match all.find_map(|(key, value)| not_finite(key, value)) {
+        Some(key) => Err(format!("{key} is not finite")),
+        None => Ok(()),
+    }
 }
 
 /// The key of the first number that is not finite.

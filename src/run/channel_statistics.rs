@@ -118,6 +118,11 @@ impl ChannelStatistics {
         }
     }
 
+    /// How many channels and windows it is of.
+    pub(super) fn series(&self) -> usize {
+        self.series.len()
+    }
+
     /// What is known of each series, for a checkpoint.
     pub(super) fn summaries(&self) -> Vec<ChannelSummary> {
         let known = |series: &WindowSamples| ChannelSummary {

@@ -120,7 +120,6 @@ impl Checkpoint {
             ("accelerations", state.a.len(), nodes),
             ("greatest values", self.peaks.len(), channels),
             ("smallest values", self.troughs.len(), channels),
-            ("statistics", self.summaries.len(), channels),
         ];
         let optional = [
             ("friction springs", memory.grips.len(), nodes),

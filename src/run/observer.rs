@@ -91,6 +91,11 @@ pub(super) trait Observer {
     /// Writes what it needs to be resumed.
     fn save(&self, _checkpoint: &mut Checkpoint) {}
 
+    /// Whether a checkpoint holds what it needs, in these sizes.
+    fn fits(&self, _checkpoint: &Checkpoint) -> bool {
+        true
+    }
+
     /// Continues from a checkpoint, after the rows recorded before it.
     fn restore(&mut self, _checkpoint: &Checkpoint) {}
 

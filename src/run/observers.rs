@@ -172,6 +172,10 @@ impl Observer for ChannelStatistics {
         checkpoint.summaries = self.summaries();
     }
 
+    fn fits(&self, checkpoint: &Checkpoint) -> bool {
+        checkpoint.summaries.len() == self.series()
+    }
+
     fn restore(&mut self, checkpoint: &Checkpoint) {
         self.restore(&checkpoint.summaries, checkpoint.time());
     }

@@ -6,7 +6,7 @@ use super::event::JobEvent;
 use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
 use super::observers::observers;
 use super::step_interval::{LatestSteps, StepInterval, StepSample};
-use super::store::StoreError;
+use super::store::{CHECKPOINT, StoreError};
 use super::{
     Checkpoint, LineShape, OutputFrame, Progress, ResumedRun, energy_balance, replay, step_envelope,
 };
@@ -112,6 +112,15 @@ impl<'a> Recorder<'a> {
     /// # Errors
     /// The earlier record does not reach the checkpoint, or the checkpoint is not that of this line.
     pub(super) fn restore(&mut self, from: &ResumedRun) -> Result<(), StoreError> {
+        let mut observers = self.observers.iter();
+        if !observers.all(|observer| observer.fits(&from.checkpoint)) {
+            return Err(StoreError::Damaged {
+                file: from.dir.join(CHECKPOINT),
+                reason:
+                    "it does not belong to this case: it has not the statistics of its channels"
+                        .to_owned(),
+            });
+        }
         let ids: Vec<_> = self.channels.iter().map(|c| c.id.clone()).collect();
         replay::replay(from, &ids, &mut |time, values, shape| {
             self.row.values.copy_from_slice(values);

@@ -37,7 +37,8 @@ impl StepEnvelope {
     }
 }
 
-/// The profile of a line before its first step.
+/// The profile of a line before its first step. Envelopes hold nothing yet: they begin with the greatest numbers there are, not with
+/// infinite ones, since a run may be stopped here and all of a checkpoint is finite.
 pub(super) fn profile(scene: &Scene) -> Profile {
     let nodes = scene.line_nodes();
     let bending = if scene.elements.flexure.is_some() {
@@ -49,10 +50,10 @@ pub(super) fn profile(scene: &Scene) -> Profile {
         arc: scene.line.arc[..nodes].to_vec(),
         nodes: vec![[0.0; 3]; nodes],
         tension: vec![0.0; nodes],
-        tension_min: vec![f64::INFINITY; nodes],
-        tension_max: vec![f64::NEG_INFINITY; nodes],
-        z_min: vec![f64::INFINITY; nodes],
-        z_max: vec![f64::NEG_INFINITY; nodes],
+        tension_min: vec![f64::MAX; nodes],
+        tension_max: vec![f64::MIN; nodes],
+        z_min: vec![f64::MAX; nodes],
+        z_max: vec![f64::MIN; nodes],
         curvature: vec![0.0; bending],
         curvature_max: vec![0.0; bending],
         moment: vec![0.0; bending],
@@ -108,9 +109,9 @@ fn begin_segment(ropes: &mut RopeProfile, arc: f64) {
     ropes.mean_load.push(0.0);
     ropes.stiffness.push(0.0);
     for list in [&mut ropes.deviation_min, &mut ropes.stiffness_min] {
-        list.push(f64::INFINITY);
+        list.push(f64::MAX);
     }
     for list in [&mut ropes.deviation_max, &mut ropes.stiffness_max] {
-        list.push(f64::NEG_INFINITY);
+        list.push(f64::MIN);
     }
 }

@@ -122,9 +122,8 @@ pub enum StoreError {
 impl StoreError {
     /// Whether there was no room on the disk.
     fn is_full_disk(&self) -> bool {
-        let source = match self {
-            Self::Io { source, .. } | Self::Write(WriteError::Io { source, .. }) => source,
-            _ => return false,
+        let (Self::Io { source, .. } | Self::Write(WriteError::Io { source, .. })) = self else {
+            return false;
         };
         matches!(
             source.kind(),

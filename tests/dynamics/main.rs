@@ -10,6 +10,8 @@ mod lines;
 mod march;
 #[path = "../common/period.rs"]
 mod period;
+#[path = "../common/reseal.rs"]
+mod reseal;
 #[path = "../common/rest.rs"]
 mod rest;
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use crate::reseal::{reseal, unsealed};
 use seacable::case;
 use seacable::run::job::{self, JobEvent, Request};
 use seacable::run::store::{self, RunLocation, RunWriter};
@@ -184,6 +185,14 @@ fn a_record_cut_short_is_told() {
     let history = dir.join("history.csv");
     let text = std::fs::read_to_string(&history).unwrap();
     std::fs::write(&history, &text[..text.len() / 2]).unwrap();
+    let refused = store::resume(&dir).unwrap_err().to_string();
+    assert!(
+        refused.contains("history.csv cannot be read: it was changed or cut"),
+        "{refused}"
+    );
+    // Sealed anew it still lacks rows.
+    let checkpoint = std::fs::read_to_string(dir.join("checkpoint.toml")).unwrap();
+    reseal(&dir, unsealed(&checkpoint));
     let from = store::resume(&dir).unwrap();
     let run = job::execute_from(
         &request("alpha", 8.0),
@@ -199,8 +208,7 @@ fn a_record_cut_short_is_told() {
     );
 }
 
-/// A checkpoint belongs to its case: one of a case that was edited since is refused in words, but for what only describes or
-/// records. One that does not say its case, as builds before wrote it, is resumed with a warning.
+/// A checkpoint belongs to its case: one of a case that was edited since is refused in words, whatever was edited.
 #[test]
 fn a_checkpoint_of_an_edited_case_is_refused() {
     let place = tempfile::tempdir().unwrap();
@@ -226,7 +234,18 @@ fn a_checkpoint_of_an_edited_case_is_refused() {
             "{refused}"
         );
     }
-    let (request_as_before, from) = resume("goes on", "goes on and on").unwrap();
+    for (old, new) in [
+        ("goes on", "goes on and on"),
+        ("duration_s = 3.0", "duration_s = 20.0"),
+        ("interval_s = 0.5", "interval_s = 0.25"),
+    ] {
+        let refused = resume(old, new).unwrap_err();
+        assert!(
+            refused.contains("it is not the case that the checkpoint beside it belongs to"),
+            "{refused}"
+        );
+    }
+    let (request_as_before, from) = resume("goes on", "goes on").unwrap();
     let from = from.unwrap();
     let (_, checkpoint) = run(&request_as_before, Some(&from));
     assert_eq!(checkpoint.case, from.checkpoint.case);
@@ -237,12 +256,6 @@ fn a_checkpoint_of_an_edited_case_is_refused() {
     let failed = job::execute_from(&other, Some(&from), &never, &mut |_| {});
     let why = failed.info.failure.unwrap();
     assert!(why.contains("changed in [environment]"), "{why}");
-
-    let mut unsaid = from.clone();
-    unsaid.checkpoint.case.clear();
-    let (resumed, _) = run(&request("alpha", 8.0), Some(&unsaid));
-    let mut warnings = resumed.info.warnings.iter();
-    assert!(warnings.any(|warning| warning.contains("does not say which case")));
 }
 
 /// Paths of all lists of more than one entry in a table.
@@ -264,7 +277,8 @@ fn a_checkpoint_that_is_damaged_is_refused() {
     let dir = place.path().join("run");
     stored(&request("alpha", 5.0), None, &dir);
     let file = dir.join("checkpoint.toml");
-    let whole: toml::Table = std::fs::read_to_string(&file).unwrap().parse().unwrap();
+    let text = std::fs::read_to_string(&file).unwrap();
+    let whole: toml::Table = unsealed(&text).parse().unwrap();
     let mut found = Vec::new();
     lists(&whole, &[], &mut found);
     assert!(found.len() > 15, "{found:?}");
@@ -276,7 +290,7 @@ fn a_checkpoint_that_is_damaged_is_refused() {
             place = place[key].as_table_mut().unwrap();
         }
         place[&path[path.len() - 1]].as_array_mut().unwrap().pop();
-        std::fs::write(&file, toml::to_string(&damaged).unwrap()).unwrap();
+        reseal(&dir, &toml::to_string(&damaged).unwrap());
         let Ok(from) = store::resume(&dir) else {
             refused += 1;
             continue;

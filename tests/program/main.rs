@@ -5,21 +5,28 @@
 #[cfg(target_os = "linux")]
 #[path = "../common/pty.rs"]
 mod pty;
+#[path = "../common/reseal.rs"]
+mod reseal;
 #[path = "../common/sample.rs"]
 mod sample;
 #[path = "../common/small.rs"]
 mod small;
 
+mod chance;
 mod cli;
 mod compare;
+mod damage;
 mod documents;
 mod effects;
+mod full_disk;
 mod hostile_files;
 mod hostile_text;
 mod json;
+mod kills;
 mod limits;
 mod output_files;
 mod signals;
+mod standard_output;
 mod start_from_run;
 mod store;
 mod stored_versions;

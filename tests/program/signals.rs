@@ -179,3 +179,61 @@ fn a_run_stopped_at_any_moment_resumes_to_the_same_results() {
         assert!(stopped > 6, "{stopped} stopped");
     }
 }
+
+/// Whether a program catches a signal.
+#[cfg(target_os = "linux")]
+fn catches(child: &Child, signal: Signal) -> bool {
+    let status = fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+    let mask = mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok());
+    mask.is_some_and(|mask| mask >> (signal.as_raw() - 1) & 1 == 1)
+}
+
+/// Signals are caught before the case is read, which takes a while here: a stop that early leaves a run too.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_while_the_case_is_read_leaves_a_run_that_can_be_finished() {
+    let moved = "kind = \"moving\"\nposition_m = [0.0, 0.0, -10.0]\nmotion = \"table\"\nmotion_file = \"p.csv\"\nmotion_interpolation = \"linear\"";
+    let text = SMALL.replace("kind = \"fixed\"\nposition_m = [0.0, 0.0, -10.0]", moved);
+    let dir = place(&text.replace("shape = \"straight\"\nelevation_deg = -30.0", ""));
+    let row = |i: u32| format!("{},{},0,0\n", f64::from(i) / 1000.0, i % 2);
+    let rows: String = (0..200_000).map(row).collect();
+    fs::write(
+        dir.path().join("p.csv"),
+        format!("time_s,x_m,y_m,z_m\n{rows}"),
+    )
+    .unwrap();
+    let runs = || store::list(&dir.path().join("runs")).unwrap();
+    let listening = |child: &Child| {
+        let begun = Instant::now();
+        while !catches(child, Signal::TERM) {
+            assert!(begun.elapsed() < Duration::from_secs(60));
+            thread::sleep(Duration::from_micros(200));
+        }
+        begun.elapsed()
+    };
+    // It listens long before it has read the case.
+    let mut child = spawn(dir.path());
+    let listens = listening(&child);
+    let begun = Instant::now();
+    while runs().is_empty() && begun.elapsed() < Duration::from_secs(60) {
+        thread::sleep(Duration::from_micros(200));
+    }
+    let reads = begun.elapsed();
+    assert!(reads > Duration::from_millis(20), "{listens:?}, {reads:?}");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    fs::remove_dir_all(dir.path().join("runs")).unwrap();
+
+    let mut child = spawn(dir.path());
+    listening(&child);
+    signal(&child, Signal::TERM);
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+    let stopped = runs();
+    let info = stopped[0].info.as_ref().unwrap();
+    assert_eq!(info.state, RunState::Cancelled);
+    let mut resume = Process::new(env!("CARGO_BIN_EXE_seacable"));
+    resume.args(["run", "--resume"]).arg(&stopped[0].dir);
+    resume.current_dir(dir.path()).stdout(Stdio::null());
+    assert!(resume.status().unwrap().success());
+}

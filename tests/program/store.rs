@@ -186,6 +186,18 @@ fn damage_is_reported_by_file_and_line() {
         &|t| t.replacen("\n0.1,", "\nabc,", 1),
         "history.csv, line 3",
     );
+    for wild in ["inf", "-inf", "NaN"] {
+        check(
+            "history.csv",
+            &|t| t.replacen("\n0.1,", &format!("\n{wild},"), 1),
+            "history.csv, line 3 holds something that is not a finite number",
+        );
+    }
+    check(
+        "summary.csv",
+        &|t| t.replacen(",2020000,", ",inf,", 1),
+        "summary.csv, line 3 holds something that is not a finite number",
+    );
     check(
         "history.csv",
         &|t| t.replacen("\n0.1,", "\n0.1,7,", 1),
@@ -247,7 +259,16 @@ fn without_run_toml_there_is_no_run() {
         Err(StoreError::NotARun(_))
     ));
     let text = fs::read_to_string(dir.join("run.toml")).unwrap();
-    for damaged in [&text[..text.len() / 2], "", "state = \"asleep\"", "\0\0\0"] {
+    let (_, rest) = text.split_once("duration_s = ").unwrap();
+    let duration = rest.lines().next().unwrap();
+    let infinite = text.replace(&format!("duration_s = {duration}"), "duration_s = inf");
+    for damaged in [
+        &infinite,
+        &text[..text.len() / 2],
+        "",
+        "state = \"asleep\"",
+        "\0\0\0",
+    ] {
         fs::write(dir.join("run.toml"), damaged).unwrap();
         let error = read(&dir).unwrap_err();
         assert!(matches!(error, StoreError::Damaged { .. }), "{error}");

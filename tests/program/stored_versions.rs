@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
+use crate::reseal::{reseal, unsealed};
 use seacable::report::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::store::{RunLocation, RunWriter, StoreError, read};
@@ -57,8 +58,16 @@ fn changed(run: &Path, change: impl Fn(&str, String) -> String) -> tempfile::Tem
     dir
 }
 
-/// That the run resumed in this directory is the run that was never interrupted.
+/// That the run in this directory is not resumed, since its history was changed; sealed anew, it is the run that was never
+/// interrupted.
 fn assert_resumes(dir: &Path) {
+    let refused = resume_request(dir, Some(5.0)).unwrap_err();
+    assert!(
+        refused.contains("history.csv cannot be read: it was changed"),
+        "{refused}"
+    );
+    let checkpoint = fs::read_to_string(dir.join("checkpoint.toml")).unwrap();
+    reseal(dir, unsealed(&checkpoint));
     let (request, from) = resume_request(dir, Some(5.0)).unwrap();
     let never = AtomicBool::new(false);
     let resumed = job::execute_from(&request, from.as_ref(), &never, &mut |_| ());
@@ -105,7 +114,7 @@ fn a_run_of_the_version_before_opens_and_reports_and_says_why_it_does_not_resume
     let report = text::report(&run, &case, &rows, Glyphs::Ascii);
     assert!(report.contains(&run.info.title) && report.contains("mean_load_percent.max"));
     let refused = resume_request(&stored(), Some(5.0)).unwrap_err();
-    assert!(refused.contains("version 0.1.0"), "{refused}");
+    assert!(refused.contains("Version 0.1.0 wrote it"), "{refused}");
 }
 
 #[test]

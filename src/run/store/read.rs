@@ -149,24 +149,31 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
         },
         _ => StoreError::io("Reading", &path)(error),
     })?;
-    toml::from_str(&text).map_err(|error| {
+    let damaged = |reason: String| {
         let table = text.parse::<toml::Table>().unwrap_or_default();
         let version = table.get("version").and_then(toml::Value::as_str);
         StoreError::Damaged {
-            file: path,
-            reason: with_version(&error.to_string(), version),
+            file: path.clone(),
+            reason: with_version(&reason, version),
         }
-    })
+    };
+    // Few files have these letters, and it is read often.
+    if ["inf", "nan"].iter().any(|word| text.contains(word))
+        && let Ok(table) = text.parse::<toml::Table>()
+    {
+        seal::check_finite(&table).map_err(damaged)?;
+    }
+    toml::from_str(&text).map_err(|error| damaged(error.to_string()))
 }
 
 /// Why a file cannot be understood, and which version of the program wrote it.
 fn with_version(reason: &str, version: Option<&str>) -> String {
     let reason = reason.trim_end();
     match version {
-        Some(version) => {
+        Some(version) if version != VERSION => {
             format!("{reason}\nVersion {version} wrote it; this is version {VERSION}.")
         }
-        None => reason.to_owned(),
+        _ => reason.to_owned(),
     }
 }
 
@@ -236,7 +243,12 @@ impl RunReader<'_> {
         }
         // Extremes over every step, where they are known; a run that was stopped has those of its rows.
         for channel in kept.channels_mut() {
-            if let Some(known) = of(&channel.id).filter(|c| !c.peak.0.is_nan()) {
+            let known = of(&channel.id).filter(|c| {
+                [c.peak, c.trough]
+                    .iter()
+                    .all(|(v, t)| v.is_finite() && t.is_finite())
+            });
+            if let Some(known) = known {
                 (channel.peak, channel.trough) = (known.peak, known.trough);
             }
         }

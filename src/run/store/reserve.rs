@@ -9,7 +9,7 @@ use rustix::fs::{FallocateFlags, fallocate};
 const AT_FIRST: usize = 256 << 10;
 const LEAST: usize = 16 << 10;
 /// Bytes of a checkpoint by node of a line, at most.
-const BY_NODE: usize = 2 << 10;
+const BY_NODE: usize = 1 << 10;
 /// Files of the size of a checkpoint that are written at the end: it is beside the one before until it takes its name, and the rows and
 /// tables of the end come to another two.
 const TIMES: usize = 4;

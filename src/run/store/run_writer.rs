@@ -186,13 +186,19 @@ impl RunWriter {
     /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
     ///
     /// # Errors
-    /// The system refuses; the directory then still reads as a partial run.
+    /// The system refuses; the directory then reads as a failed run, or still as a partial one.
     pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
         self.flush()?;
         self.streams.iter().try_for_each(GrowingFile::sync)?;
         let streamed = !self.streams.is_empty();
-        self.with_room(|writer| complete::all(&writer.dir, &writer.id, run, streamed))?;
-        Ok(self.dir)
+        let all = |writer: &mut Self| complete::all(&writer.dir, &writer.id, run, streamed);
+        match self.with_room(all) {
+            Ok(()) => Ok(self.dir),
+            Err(error) => {
+                self.give_up(&run.info, &error);
+                Err(error)
+            }
+        }
     }
 
     /// Marks the run as failed, where it cannot be written as a whole: its record so far and its last checkpoint stay.
