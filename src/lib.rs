@@ -30,7 +30,7 @@
 //! * [`comparison`]: stored runs compared: inputs, results with error bars, curves.
 //! * [`study`]: hard cases by every method that applies; speed against error; tables of lines.
 //! * [`report`]: tables, charts and pages, shared by every view; [`number`]: numbers as text.
-//! * [`files`]: the one way to write a file; [`visible`]: the one way out for text.
+//! * [`files`]: the one way to write a file and to read one; [`visible`]: the one way out for text.
 //! * [`tui`], [`cli`]: the screen and the command line.
 //!
 //! The chapter [`equations`] states what is solved. Two examples build lines in code: `examples/hanging_line.rs` and

@@ -43,7 +43,7 @@ pub struct Excerpt {
 
 impl Excerpt {
     /// The lines of a text that these bytes are in. Without a place there are none, and none where they are very long.
-    pub(crate) fn of(text: &str, span: &Range<usize>) -> Option<Self> {
+    pub(crate) fn of(text: &str, span: &Range<usize>) -> Option<Box<Self>> {
         if text.is_empty() || *span == (0..0) {
             return None;
         }
@@ -51,11 +51,13 @@ impl Excerpt {
         let from = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
         let rest = text[span.end..].find('\n');
         let to = rest.map_or(text.len(), |end| span.end + end + 1);
-        (to - from <= LONGEST_EXCERPT).then(|| Self {
+        let is_short = to - from <= LONGEST_EXCERPT;
+        let excerpt = || Self {
             text: text[from..to].to_owned(),
             line: text[..from].matches('\n').count() + 1,
             span: span.start - from..span.end - from,
-        })
+        };
+        is_short.then(|| Box::new(excerpt()))
     }
 }
 

@@ -57,7 +57,7 @@ fn every_command_refuses_special_files_at_once() {
     let large = fs::File::create(project.join("large")).unwrap();
     large.set_len(8 << 30).unwrap();
     fs::write(project.join("case.toml"), SMALL).unwrap();
-    let commands: [&[&str]; 15] = [
+    let commands: [&[&str]; 14] = [
         &["run"],
         &["validate"],
         &["catenary"],
@@ -67,7 +67,6 @@ fn every_command_refuses_special_files_at_once() {
         &["modes"],
         &["import"],
         &["audit"],
-        &["export"],
         &["lines", "--library"],
         &["study", "bars"],
         &["study", "effects"],
