@@ -68,7 +68,6 @@ struct Batch {
 /// Reads the inputs of a plan.
 pub(crate) fn run(plan: &Plan) -> Vec<Tally> {
     targets::enter();
-    silence();
     let all: Vec<&Target> = targets::all()
         .filter(|target| plan.only.as_deref().is_none_or(|only| only == target.name))
         .collect();
@@ -183,6 +182,7 @@ fn cpu_time() -> Duration {
 
 /// Reads one input.
 pub(crate) fn one(target: &Target, data: &[u8], tally: &mut Tally, folder: &Path) {
+    silence();
     PANIC.set(Some(String::new()));
     let mut read = Ok(false);
     let (start, began) = (cpu_time(), Instant::now());

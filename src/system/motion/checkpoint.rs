@@ -75,7 +75,7 @@ impl SystemCheckpoint {
             .ok_or_else(|| "its checkpoint.toml does not belong to this system".to_owned())
     }
 
-    /// Checks that it is one of this system: sizes agree.
+    /// Checks that it is one of this system: sizes agree, and lines end at joints that it has.
     pub(super) fn check(&self, state: &SystemState, channels: usize) -> Result<(), String> {
         let sizes = |state: &SystemState| -> Vec<usize> {
             let parts = state
@@ -87,10 +87,12 @@ impl SystemCheckpoint {
         };
         let jerk: Vec<usize> = self.method.jerk.iter().map(Vec::len).collect();
         let nodes: Vec<usize> = state.parts().map(|part| part.x.len()).collect();
+        let mut attached = self.state.attached.iter().flatten();
         let agrees = sizes(&self.state) == sizes(state)
             && (jerk.is_empty() || jerk == nodes)
             && self.state.velocities.len() == state.velocities.len()
             && self.state.drive_excess.len() == state.drive_excess.len()
+            && attached.all(|joint| *joint < state.joints.x.len())
             && self.recorder.fits(channels)
             && self.place.is_possible();
         agrees
