@@ -110,7 +110,7 @@ fn lines(text: &str) -> Vec<Vec<u8>> {
 }
 
 /// Looks at what is wrong as the command line does: that it is refused. Of many faults a few.
-pub(super) fn shown(faults: &[Diagnostic], text: &str) -> bool {
+pub(super) fn shown(faults: &[Diagnostic]) -> bool {
     assert!(!faults.is_empty());
     for fault in faults.iter().take(4) {
         assert!(!fault.render(false).is_empty());
@@ -126,7 +126,7 @@ fn line_case(data: &[u8]) -> bool {
             assert!(case::stand_alone(&text, &case).len() >= text.len());
             scene::build(&case, 1).is_ok()
         }
-        Err(faults) => shown(&faults, &text),
+        Err(faults) => shown(&faults),
     }
 }
 
@@ -135,7 +135,7 @@ fn system(data: &[u8]) -> bool {
     let name = file("system.toml");
     let solved = match kind::parse::<SystemFile>(&text, &name) {
         Ok(solved) => solved,
-        Err(faults) => return shown(&faults, &text),
+        Err(faults) => return shown(&faults),
     };
     assert!(!kind::rows::<SystemFile>(&text).is_empty());
     for target in [export::Target::MoorDyn, export::Target::MapPlusPlus] {
@@ -149,7 +149,7 @@ fn system(data: &[u8]) -> bool {
 fn computed(data: &[u8], compute: fn(&str, &str) -> Result<(), Vec<Diagnostic>>) -> bool {
     let text = contained(data);
     let computed = compute(&text, &file("file.toml"));
-    computed.map_or_else(|faults| shown(&faults, &text), |()| true)
+    computed.map_or_else(|faults| shown(&faults), |()| true)
 }
 
 fn paper(data: &[u8]) -> bool {

@@ -86,7 +86,7 @@ fn imported(data: &[u8], name: &str, options: &ImportOptions) -> bool {
     let _ = import::is_foreign_file(Path::new(&name), &text);
     let case = match import::read(&text, &name, options) {
         Ok(case) => case,
-        Err(faults) => return shown(&faults, &text),
+        Err(faults) => return shown(&faults),
     };
     let Err(faults) = kind::parse::<SystemFile>(&case.text, &name) else {
         return true;
@@ -94,14 +94,14 @@ fn imported(data: &[u8], name: &str, options: &ImportOptions) -> bool {
     for fault in faults.iter().take(4) {
         assert!(case.at_its_row(fault, &name, &text).line >= 1);
     }
-    shown(&faults, &case.text)
+    shown(&faults)
 }
 
 fn line_types(data: &[u8]) -> bool {
     let text = contained(data);
     let library = match library::read(&text, &file("library.yaml")) {
         Ok(library) => library,
-        Err(faults) => return shown(&faults, &text),
+        Err(faults) => return shown(&faults),
     };
     for of in &library.types {
         drop(library.properties(of, 0.1));
@@ -119,11 +119,11 @@ fn motion(data: &[u8]) -> bool {
         ..ImportOptions::default()
     };
     let read = import::read(MOORDYN, &file("file.dat"), &options);
-    read.map_or_else(|faults| shown(&faults, MOORDYN), |_| true)
+    read.map_or_else(|faults| shown(&faults), |_| true)
 }
 
 fn audited(data: &[u8]) -> bool {
     let text = contained(data);
     let audit = audit::audit(&text, &file("file.dat"), &ImportOptions::default());
-    audit.map_or_else(|faults| shown(&faults, &text), |_| true)
+    audit.map_or_else(|faults| shown(&faults), |_| true)
 }

@@ -119,7 +119,7 @@ fn opened(dir: &Path) -> bool {
     }
     let case = match case::parse(&run.case_text, &file("line.toml")) {
         Ok(case) => case,
-        Err(faults) => return shown(&faults, &run.case_text),
+        Err(faults) => return shown(&faults),
     };
     let rows = reference::rows_of_run(&run, &case);
     !text::report(&run, &case, &rows, Glyphs::Ascii).is_empty()
@@ -154,7 +154,7 @@ fn warm_start(data: &[u8]) -> bool {
     text.push_str(&format!("text = {checkpoint}\n"));
     let case = match case::parse(&text, &file("line.toml")) {
         Ok(case) => case,
-        Err(faults) => return shown(&faults, &text),
+        Err(faults) => return shown(&faults),
     };
     let request = job::Request {
         case,

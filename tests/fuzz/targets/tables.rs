@@ -151,7 +151,7 @@ fn carrying(keys: &str, name: &str, text: &str) -> String {
 fn built(text: &str) -> bool {
     match case::parse(text, &file("case.toml")) {
         Ok(case) => scene::build(&case, 1).is_ok(),
-        Err(faults) => shown(&faults, text),
+        Err(faults) => shown(&faults),
     }
 }
 
@@ -186,7 +186,7 @@ fn depths(data: &[u8]) -> bool {
     let both = [BedInterpolation::Bilinear, BedInterpolation::Smooth];
     let read = both.map(|how| match depth_grid((Some("bed.csv"), how), &files) {
         Ok(grid) => grid.is_some(),
-        Err(fault) => shown(&[fault], &files["bed.csv"].text),
+        Err(fault) => shown(&[fault]),
     });
     read == [true; 2]
 }
@@ -199,7 +199,7 @@ fn current(data: &[u8]) -> bool {
     };
     match current_grid(&named, &files) {
         Ok(grid) => grid.is_some(),
-        Err(fault) => shown(&[fault], &files["current.csv"].text),
+        Err(fault) => shown(&[fault]),
     }
 }
 
@@ -210,7 +210,7 @@ fn coefficients(data: &[u8], read: fn(&str, &Scales) -> Result<(), Diagnostic>) 
         gravity: 9.81,
         length: 1.0,
     };
-    read(&text, &scales).map_or_else(|fault| shown(&[fault], &text), |()| true)
+    read(&text, &scales).map_or_else(|fault| shown(&[fault]), |()| true)
 }
 
 /// Response amplitude operators of a ship.
@@ -222,7 +222,7 @@ fn responses(data: &[u8]) -> bool {
     let mut settings = ship.motion.unwrap();
     settings.responses = Some("raos.csv".to_owned());
     let read = WaveResponse::read(&settings, 0.1, path("").as_path());
-    read.map_or_else(|fault| shown(&[fault], &text), |_| true)
+    read.map_or_else(|fault| shown(&[fault]), |_| true)
 }
 
 /// Every row keeps its place, answered or refused.
