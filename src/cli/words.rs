@@ -50,7 +50,10 @@ pub(super) fn no_text(words: &[OsString], error: &clap::Error) -> Option<ExitCod
             };
             shown.push(format!(
                 "`{option}{}`",
-                bytes.utf8_chunks().map(escaped).collect::<String>()
+                bytes
+                    .utf8_chunks()
+                    .map(|chunk| escaped(&chunk))
+                    .collect::<String>()
             ));
         }
         before = word;
@@ -61,7 +64,7 @@ pub(super) fn no_text(words: &[OsString], error: &clap::Error) -> Option<ExitCod
 }
 
 /// A part of a word, its bytes that are not UTF-8 as numbers.
-fn escaped(chunk: std::str::Utf8Chunk<'_>) -> String {
+fn escaped(chunk: &std::str::Utf8Chunk<'_>) -> String {
     let bytes = chunk.invalid().iter().map(|byte| format!("\\x{byte:02x}"));
     std::iter::once(chunk.valid().to_owned())
         .chain(bytes)

@@ -103,7 +103,7 @@ pub fn place(folder: &Path, name: &str) -> io::Result<Place> {
 /// # Errors
 /// As [`place`].
 pub fn place_of_run(folder: &Path, dir: &Path, name: &str) -> io::Result<Place> {
-    place_below(folder, dir, name, Some(real(Path::new("."))?))
+    place_below(folder, dir, name, Some(&real(Path::new("."))?))
 }
 
 /// What a file that a case in a folder names is called.
@@ -135,15 +135,15 @@ pub fn is_outside(folder: &Path, file: &str) -> bool {
     leads_out(&folder.join(file)) || leads_out(Path::new(file))
 }
 
-fn place_below(folder: &Path, path: &Path, name: &str, also: Option<PathBuf>) -> io::Result<Place> {
+fn place_below(folder: &Path, path: &Path, name: &str, also: Option<&Path>) -> io::Result<Place> {
     if folder == Path::new(NOWHERE) {
         let reason = "a stored run carries the files that it needs, and this one is not among them";
         return Err(io::Error::new(io::ErrorKind::NotFound, reason));
     }
     let root = root_of(folder)?;
     let path = real(path)?;
-    let is_below = |root: &PathBuf| path.starts_with(root);
-    let is_outside = !is_below(&root) && !also.as_ref().is_some_and(is_below);
+    let is_below = |root: &Path| path.starts_with(root);
+    let is_outside = !is_below(&root) && !also.is_some_and(is_below);
     if is_outside && !said(|given| given.names.iter().any(|known| known == name)) {
         let reason = format!(
             "it lies outside {}, where files that a case names must lie; --root DIR names another directory",
