@@ -212,7 +212,7 @@ impl Finding {
             key: shortened(self.key),
             problem: shortened(self.problem),
             remedy: shortened(self.remedy).into_boxed_str(),
-            excerpt: Excerpt::of(text, &self.span).map(Box::new),
+            excerpt: Excerpt::of(text, &self.span),
             span,
         }
     }

@@ -84,14 +84,12 @@ impl Walk<'_> {
             let is_wanted = path
                 .extension()
                 .is_some_and(|end| end == self.search.extension);
+            let leads_to_directory = kind.is_symlink() && path.is_dir();
             match depth {
-                _ if kind.is_symlink()
-                    && path.is_dir()
-                    && depth > 0
-                    && !leads_outside(self.top, &path) =>
-                {
+                1.. if leads_to_directory && !leads_outside(self.top, &path) => {
                     self.links.insert(0, (path, depth - 1));
                 }
+                _ if leads_to_directory => {}
                 0 if kind.is_dir() => {
                     let reason = "directories are nested too deeply to look further";
                     self.found.faults.push((path, io::Error::other(reason)));

@@ -55,7 +55,7 @@ impl Fault {
             problem: self.problem.clone(),
             remedy: self.remedy.as_str().into(),
             span: self.span.clone(),
-            excerpt: Excerpt::of(text, &self.span).map(Box::new),
+            excerpt: Excerpt::of(text, &self.span),
         }
     }
 }
