@@ -3,7 +3,7 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::visible::shortened;
+use crate::visible::{self, shortened};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
 /// One thing wrong with a case file.
@@ -132,7 +132,7 @@ impl Diagnostic {
         let title = Level::ERROR.primary_title(self.headline());
         let help = Level::HELP.message(&*self.remedy);
         let Some(excerpt) = &self.excerpt else {
-            let origin = Origin::path(self.file.as_str());
+            let origin = Origin::path(visible::line(&self.file));
             let origin = match self.line {
                 // What has no lines, as an option.
                 0 => origin,
@@ -141,7 +141,7 @@ impl Diagnostic {
             return title.element(origin).element(help);
         };
         let snippet = Snippet::source(excerpt.text.as_str())
-            .path(self.file.as_str())
+            .path(visible::line(&self.file))
             .line_start(excerpt.line)
             .annotation(AnnotationKind::Primary.span(excerpt.span.clone()));
         title.element(snippet).element(help)

@@ -66,7 +66,7 @@ pub fn main() -> ExitCode {
     let args = match Args::try_parse_from(&words) {
         Ok(args) => args,
         Err(error) => {
-            return words::no_text(&words, &error).unwrap_or_else(|| output::usage(&error));
+            return words::no_text(&words, &error).unwrap_or_else(|| output::usage(&error, &words));
         }
     };
     args.limits.apply();

@@ -3,6 +3,7 @@
 use std::{
     backtrace::{Backtrace, BacktraceStatus},
     borrow::Cow,
+    ffi::OsString,
     io::{self, IsTerminal, Write},
     panic::PanicHookInfo,
     path::{Path, PathBuf},
@@ -187,9 +188,17 @@ pub(super) fn progress(text: &str) {
 }
 
 /// Prints what clap has to report: help, the version, or what is wrong with the arguments. Gives the exit status.
-pub(super) fn usage(error: &clap::Error) -> ExitCode {
-    match visible::text(&error.render().to_string()) {
-        Cow::Borrowed(_) => {
+/// `words` are those of the command line, which it may repeat.
+pub(super) fn usage(error: &clap::Error, words: &[OsString]) -> ExitCode {
+    let said = error.render().to_string();
+    // A line feed in an argument begins no line of its own.
+    let shown = words.iter().filter_map(|word| word.to_str());
+    let shown = shown.fold(said.clone(), |said, word| match visible::line(word) {
+        Cow::Borrowed(_) => said,
+        Cow::Owned(escaped) => said.replace(word, &escaped),
+    });
+    match visible::text(&shown) {
+        Cow::Borrowed(_) if shown == said => {
             let printed = error.print().and_then(|()| io::stdout().flush());
             // Help and version are results; a closed standard error is not an error.
             if let (Err(source), false) = (printed, error.use_stderr()) {
@@ -197,7 +206,7 @@ pub(super) fn usage(error: &clap::Error) -> ExitCode {
             }
         }
         // The error repeats an argument with invisible characters.
-        Cow::Owned(text) => message(text.trim_end()),
+        text => message(text.trim_end()),
     }
     ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(BAD_INPUT))
 }

@@ -333,8 +333,9 @@ fn published_values_do_not_judge_an_edited_case() {
         ));
 }
 
+/// A report that nobody read to its end is none: the status says so, as it does for a full disk.
 #[test]
-fn a_reader_that_leaves_is_not_an_error() {
+fn a_reader_that_leaves_is_an_error_in_a_line() {
     let dir = place(SMALL);
     seacable(dir.path())
         .args(["run", "small.toml", "--out", "r"])
@@ -355,8 +356,12 @@ fn a_reader_that_leaves_is_not_an_error() {
         .unwrap()
         .read_to_string(&mut said)
         .unwrap();
-    assert!(child.wait().unwrap().success());
-    assert_eq!(said, "");
+    assert_eq!(child.wait().unwrap().code(), Some(2));
+    assert!(
+        said.starts_with("error: Writing standard output failed"),
+        "{said}"
+    );
+    assert_eq!(said.lines().count(), 1, "{said}");
 }
 
 #[test]

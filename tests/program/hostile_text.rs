@@ -287,7 +287,7 @@ fn json_and_toml_read_back_to_the_same_text() {
             "{words:?}: {read}"
         );
     }
-    let exported = probe.run(&["export", &tripod(), "-o", "tripod.txt"]);
+    let exported = probe.run(&["export", &tripod(), "--moordyn", "-o", "tripod.txt"]);
     assert!(exported.status.success());
     let text = fs::read_to_string(probe.path("tripod.txt")).unwrap();
     probe.put(
