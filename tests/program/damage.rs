@@ -386,7 +386,10 @@ fn no_damage_of_a_run_folder_is_let_in() {
         let reported = reported.unwrap_or_else(|_| panic!("{what}: the report panics"));
         if let Some((run, page)) = reported {
             assert!(is_finite(&run), "{what}: read as not finite");
-            assert_eq!(wild_words(&page), None, "{what}: reported");
+            // What is wrong with a damaged case is reported in its own words.
+            if name != "case.toml" {
+                assert_eq!(wild_words(&page), None, "{what}: reported");
+            }
         }
     }
     eprintln!("{counts:?}");
