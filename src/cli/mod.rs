@@ -18,6 +18,7 @@ mod import;
 mod inputs;
 mod keys;
 mod kinds;
+mod limit_args;
 mod lines;
 mod modes;
 mod output;
@@ -49,7 +50,8 @@ use clap::Parser;
 
 use crate::files::{read, root};
 
-use args::{Args, CliCommand, ReadingArgs};
+use args::{Args, CliCommand};
+use limit_args::ReadingArgs;
 
 use error::CommandError;
 

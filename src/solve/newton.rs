@@ -5,7 +5,7 @@
 //! snapping lines it added iterations.
 //!
 //! Convergence: the largest displacement of an iteration falls below the tolerance; or, since convergence is quadratic, the
-//! extrapolated next one does (`|d1| = c |d0|²` with c measured on the iterations before, and a safety factor), which saves
+//! extrapolated next one does (`|d1| = c |d0|²` with c measured on the iterations before, near there, and a safety factor), which saves
 //! an assembly a step. Transverse to the line, where a displacement changes the forces little, a step with error control has a
 //! larger tolerance than along it. An iteration that cycles, as between two sides of a kink, stops early: the march then
 //! halves its step at less cost.
