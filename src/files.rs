@@ -4,22 +4,21 @@
 //! The contents go to a temporary file in the same directory, created exclusively, are synced, and take their name by a
 //! rename. On failure the temporary file is removed and an existing file keeps its contents.
 //!
-//! Files are read by [`read`] only; [`root`] says where files lie that cases name, [`walk`] lists those below a directory.
+//! Files are read by [`read`] only, and made by [`disk`] only; [`root`] says where files lie that cases name, [`walk`] lists those below a directory.
 
+pub(crate) mod disk;
 pub mod read;
 pub mod root;
 pub mod walk;
 
 use crate::visible;
-use std::fs::{self, File, Metadata, OpenOptions, Permissions};
-use std::io::{self, Write};
-use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
+use std::fs::{self, Metadata, Permissions};
+use std::io;
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
+use self::disk::Beside;
 use crate::strays::{self, Hidden};
-
-/// Permissions of a new file, before the umask.
-const NEW_FILE_MODE: u32 = 0o666;
 
 /// What may happen to a file that exists at the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -172,23 +171,11 @@ impl<'a> Target<'a> {
     ) -> io::Result<()> {
         let directory = directory_of(self.path);
         strays::remove(directory, &[]);
-        let mut temporary = tempfile::Builder::new()
-            .prefix(&strays::prefix(self.path.file_name().unwrap_or_default()))
-            .suffix(Hidden::File.suffix())
-            .permissions(Permissions::from_mode(NEW_FILE_MODE))
-            .tempfile_in(directory)?;
-        temporary.write_all(contents)?;
-        if let Some(permissions) = permissions {
-            temporary.as_file().set_permissions(permissions)?;
-        }
-        temporary.as_file().sync_all()?;
-        if self.existing == Existing::Keep {
-            temporary.persist_noclobber(self.path)
-        } else {
-            temporary.persist(self.path)
-        }
-        .map_err(|error| error.error)?;
-        sync_directory(directory);
+        let prefix = strays::prefix(self.path.file_name().unwrap_or_default());
+        let mut beside = Beside::create(directory, &prefix, Hidden::File.suffix(), permissions)?;
+        beside.fill(contents)?;
+        beside.take_name(self.path, self.existing != Existing::Keep)?;
+        disk::sync_directory(directory);
         Ok(())
     }
 
@@ -197,26 +184,6 @@ impl<'a> Target<'a> {
             path: self.path.to_owned(),
             source,
         }
-    }
-}
-
-/// Creates a file that grows while it is written; it must not exist yet.
-///
-/// # Errors
-/// Something exists there, or the system refuses.
-pub fn create_stream(path: &Path) -> io::Result<File> {
-    OpenOptions::new()
-        .write(true)
-        .create_new(true)
-        .mode(NEW_FILE_MODE)
-        .open(path)
-}
-
-/// Makes renames in a directory survive a power cut. A file system that cannot sync a directory is left alone.
-pub fn sync_directory(directory: &Path) {
-    if let Ok(open) = File::open(directory) {
-        // Not every file system syncs directories, and the file itself is synced already.
-        let _ = open.sync_all();
     }
 }
 
@@ -241,6 +208,10 @@ fn is_same(target: &Path, found: &Metadata, input: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
+    use std::fs::File;
+    use std::os::unix::fs::PermissionsExt;
+
+    use super::disk::NewFile;
     use super::*;
 
     /// A directory with a file `old.txt` that holds "old".
@@ -365,10 +336,10 @@ mod tests {
     #[test]
     fn a_stream_is_created_exclusively() {
         let (dir, file) = place();
-        assert!(create_stream(&file).is_err());
+        assert!(NewFile::create(&file).is_err());
         let link = dir.path().join("link.txt");
         std::os::unix::fs::symlink("absent.txt", &link).unwrap();
-        assert!(create_stream(&link).is_err());
-        assert!(create_stream(&dir.path().join("new.txt")).is_ok());
+        assert!(NewFile::create(&link).is_err());
+        assert!(NewFile::create(&dir.path().join("new.txt")).is_ok());
     }
 }

@@ -8,6 +8,8 @@ use std::path::Path;
 use std::process;
 use std::time::Duration;
 
+use crate::files::disk;
+
 use rustix::io::Errno;
 use rustix::process::{Pid, test_kill_process};
 
@@ -55,7 +57,7 @@ pub(crate) fn remove(directory: &Path, files: &[&str]) {
         };
         // Best effort: what stays is hidden, and tried again.
         let _ = match hidden {
-            Hidden::File => fs::remove_file(item.path()),
+            Hidden::File => disk::remove_file(&item.path()),
             Hidden::NewRun | Hidden::DeletedRun => remove_run(&item.path(), files),
         };
     }
@@ -89,10 +91,10 @@ fn remove_run(dir: &Path, files: &[&str]) -> io::Result<()> {
         let name = item.file_name();
         let known = files.iter().any(|file| name == OsStr::new(file));
         if known || left_behind(&name) == Some(Hidden::File) {
-            fs::remove_file(item.path())?;
+            disk::remove_file(&item.path())?;
         }
     }
-    fs::remove_dir(dir)
+    disk::remove_dir(dir)
 }
 
 #[cfg(test)]

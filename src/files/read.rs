@@ -244,11 +244,35 @@ mod tests {
     }
 
     #[test]
+    fn a_disk_is_changed_in_one_place_only() {
+        let mut all = Vec::new();
+        sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
+        let ways = [
+            "fs::write(",
+            "fs::rename(",
+            "fs::remove",
+            "fs::create",
+            "fs::copy(",
+            "fs::hard_link(",
+            "fs::set_permissions(",
+            "File::create",
+            "File::options(",
+            "tempfile::",
+        ];
+        for (file, text) in all {
+            let is_place = file.ends_with("src/files/disk.rs");
+            for way in ways {
+                assert!(is_place || !text.contains(way), "{file} uses {way}");
+            }
+        }
+    }
+
+    #[test]
     fn files_are_read_here_only() {
         let mut all = Vec::new();
         sources(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut all);
         // Directories are opened to be locked and synced.
-        let opened = ["src/run/store/lock.rs", "src/files.rs"];
+        let opened = ["src/run/store/lock.rs", "src/files/disk.rs"];
         for (file, text) in all {
             let ways = ["fs::read(", "read_to_string(", "from_path(", "File::open("];
             for way in ways {

@@ -1,10 +1,10 @@
 //! Samples that are read a second time once the first reading is complete: in memory while they are few, beyond that in a
 //! file that has no name and goes with the process.
 
-use std::fs::{self, File};
 use std::io::{self, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::path::PathBuf;
+
+use crate::files::disk::NewFile;
 
 /// Samples that are held in memory: one megabyte.
 const HELD: usize = 1 << 16;
@@ -12,7 +12,7 @@ const HELD: usize = 1 << 16;
 /// Samples (time \[s\], value), in the order in which they came.
 #[derive(Debug, Default)]
 pub(super) struct SpillBuffer {
-    file: Option<File>,
+    file: Option<NewFile>,
     held: Vec<(f64, f64)>,
 }
 
@@ -35,11 +35,11 @@ impl SpillBuffer {
     /// The disk fails.
     pub(super) fn each(&self, mut take: impl FnMut(f64, f64)) -> io::Result<()> {
         if let Some(file) = &self.file {
-            let mut whole = file;
+            let mut whole = file.open();
             whole.seek(SeekFrom::Start(0))?;
             let mut reader = BufReader::with_capacity(1 << 16, whole);
             let mut pair = [0_u8; 16];
-            for _ in 0..file.metadata()?.len() / 16 {
+            for _ in 0..file.open().metadata()?.len() / 16 {
                 reader.read_exact(&mut pair)?;
                 let number = |at: usize| {
                     let mut bytes = [0_u8; 8];
@@ -61,7 +61,7 @@ impl SpillBuffer {
             Some(file) => file,
             none => none.insert(nameless()?),
         };
-        file.seek(SeekFrom::End(0))?;
+        file.open().seek(SeekFrom::End(0))?;
         let mut writer = BufWriter::new(file);
         for (time, value) in self.held.drain(..) {
             writer.write_all(&time.to_le_bytes())?;
@@ -72,30 +72,17 @@ impl SpillBuffer {
 }
 
 /// A file that nobody else sees. `/var/tmp` is on disk where `/tmp` may be in memory.
-fn nameless() -> io::Result<File> {
-    static COUNTER: AtomicU64 = AtomicU64::new(0);
+fn nameless() -> io::Result<NewFile> {
     let chosen = std::env::var_os("TMPDIR").map(PathBuf::from);
     let usual = [chosen, Some("/var/tmp".into()), Some(std::env::temp_dir())];
     let mut made = Err(io::Error::from(io::ErrorKind::NotFound));
     for dir in usual.iter().flatten() {
-        let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-        let name = format!(".seacable-{}-{number}", std::process::id());
-        made = open(&dir.join(name));
+        made = NewFile::nameless_in(dir);
         if made.is_ok() {
             break;
         }
     }
     made
-}
-
-fn open(path: &Path) -> io::Result<File> {
-    let file = File::options()
-        .read(true)
-        .write(true)
-        .create_new(true)
-        .open(path)?;
-    fs::remove_file(path)?;
-    Ok(file)
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ use super::terminal::wait::{read, wait};
 use super::update::edit_check;
 use super::{case_library, draw, external_editor, recovery, update};
 use crate::background::lower_priority;
-use crate::files::{Target, root};
+use crate::files::{Target, disk, root};
 use crate::report::chart::Glyphs;
 use crate::run::job::JobEvent;
 
@@ -483,7 +483,7 @@ impl App<'_> {
             self.screen.write(sequence.as_bytes())?;
         }
         let kept = case_library::state_dir().and_then(|dir| {
-            std::fs::create_dir_all(&dir)?;
+            disk::create_dir_all(&dir)?;
             let path = dir.join("copied.txt");
             Target::replacing(&path).write(text.as_bytes())?;
             Ok(path)

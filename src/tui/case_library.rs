@@ -1,6 +1,5 @@
 //! The shipped cases, and listing a directory of cases.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -9,8 +8,8 @@ use etcetera::base_strategy::{BaseStrategy, Xdg};
 use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
-use crate::files::Target;
 use crate::files::walk::{Found, Search};
+use crate::files::{Target, disk};
 use crate::run::store::RUN;
 
 use crate::case::shipped::{BESIDE, BY_KIND};
@@ -37,7 +36,7 @@ pub fn default_dir() -> io::Result<PathBuf> {
         let path = dir.join(name);
         if !path.exists() {
             if let Some(parent) = path.parent() {
-                fs::create_dir_all(parent)?;
+                disk::create_dir_all(parent)?;
             }
             Target::new(&path).write(text.as_bytes())?;
         }
@@ -127,6 +126,8 @@ fn files_below(dir: &Path) -> Found {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
 
     #[test]

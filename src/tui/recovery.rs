@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use rustix::process::{Pid, test_kill_process};
 
 use super::case_library::state_dir;
-use crate::files::{Target, read};
+use crate::files::{Target, disk, read};
 use crate::report::chart::Glyphs;
 
 /// What a session left of a case.
@@ -57,7 +57,7 @@ pub fn store(case: &Path, edits: Option<&RecoveredEdits>) -> io::Result<()> {
     let path = dir.join(format!("{}{}.toml", prefix(case), std::process::id()));
     match edits {
         Some(edits) => {
-            fs::create_dir_all(&dir)?;
+            disk::create_dir_all(&dir)?;
             Ok(Target::replacing(&path).write(edits.written().as_bytes())?)
         }
         None => remove_if_present(&path),
@@ -85,7 +85,7 @@ pub fn discard(case: &Path) -> io::Result<()> {
 }
 
 fn remove_if_present(path: &Path) -> io::Result<()> {
-    match fs::remove_file(path) {
+    match disk::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => Err(error),
         _ => Ok(()),
     }
@@ -165,7 +165,7 @@ pub fn remembered_glyphs() -> Option<Glyphs> {
 /// When the state directory cannot be written.
 pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
     let dir = state_dir()?;
-    fs::create_dir_all(&dir)?;
+    disk::create_dir_all(&dir)?;
     let word = match glyphs {
         Glyphs::Braille => "braille\n",
         Glyphs::Ascii => "ascii\n",

@@ -8,6 +8,7 @@ use rusqlite::{Connection, ErrorCode};
 
 use super::IndexError;
 use crate::case::TextDigest;
+use crate::files::disk;
 
 /// Another number makes every index anew.
 const VERSION: i64 = 1;
@@ -65,7 +66,7 @@ pub(super) fn open(file: Option<PathBuf>) -> Result<(Connection, Option<PathBuf>
     if let Some(file) = file {
         if let Some(folder) = file.parent() {
             // Where that fails, so does what follows.
-            let _ = fs::create_dir_all(folder);
+            let _ = disk::create_dir_all(folder);
         }
         let opened = at(&file).or_else(|error| {
             if is_damaged(&IndexError::Database(error)) {
@@ -139,6 +140,6 @@ pub(super) fn remove(file: Option<&Path>) {
         let mut name = file.as_os_str().to_owned();
         name.push(end);
         // Best effort: what cannot be removed cannot be opened either, and memory serves.
-        let _ = fs::remove_file(PathBuf::from(name));
+        let _ = disk::remove_file(Path::new(&name));
     }
 }

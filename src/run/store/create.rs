@@ -14,7 +14,7 @@ use super::{
     read_info,
     timestamp::stamp,
 };
-use crate::files::{Target, sync_directory};
+use crate::files::{Target, disk};
 use crate::run::{RunInfo, RunState};
 use crate::strays::{self, Hidden};
 use crate::visible;
@@ -139,10 +139,10 @@ pub fn delete(dir: &Path) -> Result<(), StoreError> {
     let hidden = parent_of(dir).join(hidden_name(dir, number, Hidden::DeletedRun));
     let link = dir.symlink_metadata().is_ok_and(|found| found.is_symlink());
     if !link {
-        fs::rename(dir, &hidden).map_err(StoreError::io("Deleting", dir))?;
+        disk::rename(dir, &hidden).map_err(StoreError::io("Deleting", dir))?;
     }
     let left = if link { dir } else { &hidden };
-    fs::remove_dir_all(left).map_err(StoreError::io("Deleting", dir))
+    disk::remove_dir_all(left).map_err(StoreError::io("Deleting", dir))
 }
 
 /// Fills a hidden directory beside the final one, then renames it.
@@ -162,14 +162,14 @@ fn appear(
         let absent = io::Error::from(io::ErrorKind::NotFound);
         return Err(StoreError::io("Opening", &parent)(absent));
     }
-    fs::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
+    disk::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
     let number = COUNTER.fetch_add(1, Ordering::Relaxed);
     strays::remove(&parent, &FILES);
     let hidden = parent.join(hidden_name(dir, number, Hidden::NewRun));
 
     let filled = fill(&hidden, info, case_text).and_then(|()| {
         let held = lock_directory(&hidden);
-        let renamed = fs::rename(&hidden, dir);
+        let renamed = disk::rename(&hidden, dir);
         renamed.map(|()| held).map_err(|error| match error.kind() {
             io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => {
                 StoreError::Taken(dir.to_owned())
@@ -179,15 +179,15 @@ fn appear(
     });
     if filled.is_err() {
         // Best effort: the error that matters is the one already in hand.
-        let _ = fs::remove_dir_all(&hidden);
+        let _ = disk::remove_dir_all(&hidden);
     }
     let held = filled?;
-    sync_directory(&parent);
+    disk::sync_directory(&parent);
     Ok(held)
 }
 
 fn fill(hidden: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {
-    fs::create_dir(hidden).map_err(StoreError::io("Making the directory", hidden))?;
+    disk::create_dir(hidden).map_err(StoreError::io("Making the directory", hidden))?;
     replace(hidden, CASE, case_text.as_bytes())?;
     replace(hidden, RUN, info_text(hidden, info)?.as_bytes())
 }

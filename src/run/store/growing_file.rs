@@ -1,12 +1,11 @@
 //! A file that grows while a run is computed: what a full disk refuses stays in memory, and can be written again.
 
-use std::fs::File;
 use std::io::{self, Write};
 use std::path::PathBuf;
 
 use super::StoreError;
 use super::table::CsvWriter;
-use crate::files::create_stream;
+use crate::files::disk::NewFile;
 use crate::seal::Digest;
 
 /// Bytes that may wait in memory.
@@ -16,7 +15,7 @@ const WAITING: usize = 1 << 16;
 #[derive(Debug)]
 pub(super) struct GrowingFile {
     path: PathBuf,
-    file: File,
+    file: NewFile,
     /// What is not written yet.
     waiting: Vec<u8>,
     /// That of the file with what waits.
@@ -27,7 +26,7 @@ impl GrowingFile {
     /// A new file with the names of its columns.
     pub(super) fn create(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
         let head = head.bytes()?;
-        let file = create_stream(&path).map_err(StoreError::io("Writing", &path))?;
+        let file = NewFile::create(&path).map_err(StoreError::io("Writing", &path))?;
         let mut stream = Self {
             path,
             file,
@@ -69,7 +68,7 @@ impl GrowingFile {
 
     /// Makes what is written survive a power cut.
     pub(super) fn sync(&self) -> Result<(), StoreError> {
-        self.check(self.file.sync_all())
+        self.check(self.file.sync())
     }
 
     /// The digest of all that was added.

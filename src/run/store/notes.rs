@@ -1,11 +1,11 @@
 //! What the user says of a stored run: a name, tags, a note. Kept in the run's own directory, so that it goes where the run goes.
 
-use std::{fs, io, path::Path};
+use std::{io, path::Path};
 
 use serde::{Deserialize, Serialize};
 
 use super::{NOTES, StoreError, create::replace, read_info};
-use crate::files::read::run_text;
+use crate::files::{disk, read::run_text};
 use crate::visible;
 
 /// What the user says of a stored run.
@@ -38,7 +38,7 @@ impl RunNotes {
         read_info(dir)?;
         let file = dir.join(NOTES);
         if *self == Self::default() {
-            return match fs::remove_file(&file) {
+            return match disk::remove_file(&file) {
                 Err(error) if error.kind() != io::ErrorKind::NotFound => {
                     Err(StoreError::io("Removing", &file)(error))
                 }

@@ -1,9 +1,8 @@
 //! Room on the disk that is held for the end of a run: given up when the disk is full, it holds a checkpoint and the last files.
 
-use std::fs::File;
 use std::path::{Path, PathBuf};
 
-use rustix::fs::{FallocateFlags, fallocate};
+use crate::files::disk::NewFile;
 
 /// What is held at first, and the least that is of any use.
 const AT_FIRST: usize = 256 << 10;
@@ -18,7 +17,7 @@ const TIMES: usize = 4;
 #[derive(Debug)]
 pub(super) struct Reserve {
     dir: PathBuf,
-    file: Option<File>,
+    file: Option<NewFile>,
     bytes: usize,
     given_up: bool,
 }
@@ -63,10 +62,10 @@ impl Reserve {
             return false;
         }
         if self.file.is_none() {
-            self.file = tempfile::tempfile_in(&self.dir).ok();
+            self.file = NewFile::nameless_in(&self.dir).ok();
         }
         let Some(file) = &self.file else { return false };
-        let held = fallocate(file, FallocateFlags::empty(), 0, bytes as u64).is_ok();
+        let held = file.hold(bytes as u64).is_ok();
         if held {
             self.bytes = bytes;
         } else if self.bytes == 0 {
