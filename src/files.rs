@@ -7,6 +7,7 @@
 //! Files are read by [`read`] only, and made by [`disk`] only; [`root`] says where files lie that cases name, [`walk`] lists those below a directory.
 
 pub(crate) mod disk;
+pub(crate) mod faults;
 pub mod read;
 pub mod root;
 pub mod walk;

@@ -18,7 +18,7 @@ use crate::{
         Run, RunInfo, RunState,
         job::{self, JobEvent, Request},
         resume_request,
-        store::{self, RunLocation, RunWriter},
+        store::{self, Recorder, RunLocation},
     },
     strays,
 };
@@ -103,12 +103,11 @@ pub(super) fn stored(
         Some(dir) => RunLocation::Exactly(dir.clone()),
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
-    let mut writer = RunWriter::begin(&place, info.clone(), case_text)?;
+    let mut recorder = Recorder::begin(&place, info.clone(), case_text)?;
     if let Some(dir) = &args.resume {
         strays::remove(dir, &[]);
     }
     let mut line = progress::ProgressLine::new();
-    let mut store_error = None;
     let mut run = compute(stop.cancel(), &mut |event: JobEvent| {
         match &event {
             JobEvent::Searching(search) => line.show(&search.to_string()),
@@ -120,33 +119,12 @@ pub(super) fn stored(
             | JobEvent::SystemCheckpoint(_)
             | JobEvent::Finished(_) => {}
         }
-        if store_error.is_none() {
-            store_error = writer.event(&event).err();
-            if store_error.is_some() || writer.full().is_some() {
-                stop.request();
-            }
+        if !recorder.event(&event) {
+            stop.request();
         }
     });
     drop(line);
-    if let Some(error) = store_error {
-        writer.give_up(&run.info, &error);
-        return Err(error.into());
-    }
-    writer.id().clone_into(&mut run.info.id);
-    // Stopped by the full disk: what it has can be resumed elsewhere.
-    let full = writer.full().map(str::to_owned);
-    let full = full.filter(|_| run.info.state == RunState::Cancelled && stop.status().is_none());
-    if let Some(why) = &full {
-        run.info.state = RunState::Failed;
-        run.info.failure = Some(why.clone());
-    }
-    let dir = writer.finish(&run)?;
-    if let Some(why) = full {
-        return Err(CommandError::Usage(format!(
-            "{why}. {} holds the run up to there; `seacable run --resume` goes on from it where there is room.",
-            visible::path(&dir)
-        )));
-    }
+    let dir = recorder.finish(&mut run, stop.status().is_some())?;
     Ok(StoredRun { run, dir })
 }
 

@@ -1,11 +1,14 @@
-//! The one way to what changes a disk: files made, written, synced, renamed and removed.
+//! The one way to what changes a disk: files made, written, synced, renamed and removed. Here tests let an operation fail (see
+//! [`super::faults`]).
 
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, Write};
 use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
+
+use super::faults::{self, Operation};
 
 /// Permissions of a new file, before the umask.
 const NEW_FILE_MODE: u32 = 0o666;
@@ -14,6 +17,7 @@ const NEW_FILE_MODE: u32 = 0o666;
 #[derive(Debug)]
 pub(crate) struct NewFile {
     file: File,
+    path: PathBuf,
 }
 
 impl NewFile {
@@ -22,12 +26,16 @@ impl NewFile {
     /// # Errors
     /// Something exists there, or the system refuses.
     pub(crate) fn create(path: &Path) -> io::Result<Self> {
+        faults::met(Operation::Create, path)?;
         let file = OpenOptions::new()
             .write(true)
             .create_new(true)
             .mode(NEW_FILE_MODE)
             .open(path)?;
-        Ok(Self { file })
+        Ok(Self {
+            file,
+            path: path.to_owned(),
+        })
     }
 
     /// Makes a file in a directory that has no name: the system frees it however the program ends.
@@ -35,8 +43,10 @@ impl NewFile {
     /// # Errors
     /// The system refuses.
     pub(crate) fn nameless_in(dir: &Path) -> io::Result<Self> {
+        faults::met(Operation::Create, dir)?;
         Ok(Self {
             file: tempfile::tempfile_in(dir)?,
+            path: dir.to_owned(),
         })
     }
 
@@ -45,6 +55,7 @@ impl NewFile {
     /// # Errors
     /// The system refuses.
     pub(crate) fn sync(&self) -> io::Result<()> {
+        faults::met(Operation::Sync, &self.path)?;
         self.file.sync_all()
     }
 
@@ -59,13 +70,15 @@ impl NewFile {
     /// There is no such room, or the file system cannot hold any.
     pub(crate) fn hold(&self, bytes: u64) -> io::Result<()> {
         use rustix::fs::{FallocateFlags, fallocate};
+        faults::met(Operation::Write, &self.path)?;
         Ok(fallocate(&self.file, FallocateFlags::empty(), 0, bytes)?)
     }
 }
 
 impl Write for NewFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        self.file.write(bytes)
+        let taken = faults::taken(&self.path, bytes.len())?;
+        self.file.write(&bytes[..taken])
     }
 
     fn flush(&mut self) -> io::Result<()> {
@@ -91,6 +104,7 @@ impl Beside {
         suffix: &str,
         permissions: Option<Permissions>,
     ) -> io::Result<Self> {
+        faults::met(Operation::Create, dir)?;
         let made = tempfile::Builder::new()
             .prefix(prefix)
             .suffix(suffix)
@@ -98,10 +112,12 @@ impl Beside {
             .tempfile_in(dir)?;
         let (file, name) = NamedTempFile::into_parts(made);
         if let Some(permissions) = permissions {
+            faults::met(Operation::Permissions, &name)?;
             file.set_permissions(permissions)?;
         }
+        let path = name.to_path_buf();
         Ok(Self {
-            file: NewFile { file },
+            file: NewFile { file, path },
             name,
         })
     }
@@ -120,6 +136,7 @@ impl Beside {
     /// # Errors
     /// The name is taken, or the system refuses.
     pub(crate) fn take_name(self, path: &Path, over: bool) -> io::Result<()> {
+        faults::met(Operation::Rename, path)?;
         let taken = if over {
             self.name.persist(path)
         } else {
@@ -134,6 +151,7 @@ impl Beside {
 /// # Errors
 /// As [`fs::rename`].
 pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
+    faults::met(Operation::Rename, to)?;
     fs::rename(from, to)
 }
 
@@ -142,6 +160,7 @@ pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::create_dir`].
 pub(crate) fn create_dir(path: &Path) -> io::Result<()> {
+    faults::met(Operation::Create, path)?;
     fs::create_dir(path)
 }
 
@@ -153,6 +172,7 @@ pub(crate) fn create_dir_all(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Ok(());
     }
+    faults::met(Operation::Create, path)?;
     fs::create_dir_all(path)
 }
 
@@ -161,6 +181,7 @@ pub(crate) fn create_dir_all(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_file`].
 pub(crate) fn remove_file(path: &Path) -> io::Result<()> {
+    faults::met(Operation::Remove, path)?;
     fs::remove_file(path)
 }
 
@@ -169,6 +190,7 @@ pub(crate) fn remove_file(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_dir`].
 pub(crate) fn remove_dir(path: &Path) -> io::Result<()> {
+    faults::met(Operation::Remove, path)?;
     fs::remove_dir(path)
 }
 
@@ -177,6 +199,7 @@ pub(crate) fn remove_dir(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_dir_all`].
 pub(crate) fn remove_dir_all(path: &Path) -> io::Result<()> {
+    faults::met(Operation::Remove, path)?;
     fs::remove_dir_all(path)
 }
 

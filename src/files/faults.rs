@@ -1,8 +1,8 @@
 //! Faults of a disk, made by tests: an operation is refused, a write takes only a part, or the clock is wrong.
 //!
 //! In a program built with debug assertions, `SEACABLE_FAULT=17:full` lets the seventeenth operation on a disk fail as on a full one,
-//! `17+:full` that one and all after it; `SEACABLE_FAULT_LOG=FILE` counts the operations in a file, a line each. A program built without
-//! them knows neither.
+//! `17+:full` that one and all after it; `SEACABLE_FAULT_LOG=FILE` counts the operations in a file, a line each. `SEACABLE_CLOCK=SECONDS`
+//! sets the clock, `SECONDS,STEP` one that steps so at every look. A program built without them knows none of these.
 
 use std::io;
 use std::path::Path;
@@ -48,14 +48,15 @@ pub(crate) fn taken(path: &Path, bytes: usize) -> io::Result<usize> {
     }
 }
 
-/// The time of day, or what a test says that the clock shows.
+/// What the clock shows, if a test says so.
 #[must_use]
-pub fn now() -> SystemTime {
-    made::clock().unwrap_or_else(SystemTime::now)
+pub(crate) fn clock() -> Option<SystemTime> {
+    made::clock()
 }
 
 /// What a test lets happen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(not(debug_assertions), expect(dead_code, reason = "no fault is made"))]
 enum Fault {
     Refused(rustix::io::Errno),
     Part,
@@ -119,7 +120,7 @@ mod made {
         is_due.then_some(plan.fault)
     }
 
-    /// `SEACABLE_CLOCK=SECONDS` since 1970, and `SECONDS,STEP` for a clock that steps so at every look.
+    /// Seconds since 1970, and what they grow by at every look.
     pub(super) fn clock() -> Option<SystemTime> {
         static LOOKS: AtomicI64 = AtomicI64::new(0);
         let text = std::env::var("SEACABLE_CLOCK").ok()?;

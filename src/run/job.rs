@@ -2,7 +2,7 @@
 //! sent; a bounded channel makes the solver wait for its receiver, a receiver that is gone does not.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::time::{Instant, SystemTime};
+use std::time::Instant;
 
 use crossbeam_channel::Sender;
 
@@ -10,7 +10,7 @@ use super::compute::{Computed, Resolution, compute};
 use super::error_estimate::ErrorEstimates;
 pub use super::event::JobEvent;
 use super::observer::RunRecord;
-use super::store::rfc3339;
+use super::store::{now, rfc3339};
 use super::{
     Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
     energy_balance, error_estimate, limits, refuse_not_finite, settings,
@@ -44,7 +44,7 @@ impl Request {
             case_file: self.file.clone(),
             state: RunState::Partial,
             version: VERSION.to_owned(),
-            started: rfc3339(SystemTime::now()),
+            started: rfc3339(now()),
             overrides: self.overrides.clone(),
             failure: None,
             warnings: Vec::new(),
@@ -95,7 +95,7 @@ pub fn execute_from(
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Run {
-    let started = rfc3339(SystemTime::now());
+    let started = rfc3339(now());
     let (chosen, reason) = chosen(request, cancel);
     // The method of a trial that was stopped may be another one than that of the whole trial.
     let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);

@@ -35,6 +35,7 @@ mod notes;
 mod number;
 mod profile_csv;
 mod read;
+mod recorder;
 mod reserve;
 mod run_writer;
 mod shapes_csv;
@@ -54,9 +55,10 @@ pub use lock::is_locked;
 pub use notes::RunNotes;
 pub(crate) use read::sealed_checkpoint;
 pub use read::{case_text, read, read_info, resume};
+pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
-pub use timestamp::{rfc3339, stamp};
+pub use timestamp::{now, rfc3339, stamp};
 
 /// The directory under which runs are kept unless the user says otherwise.
 pub const DEFAULT_ROOT: &str = "runs";
@@ -107,6 +109,17 @@ pub enum StoreError {
     /// A file cannot be written.
     #[error(transparent)]
     Write(#[from] WriteError),
+    /// The disk was full: the run ended there, and can be resumed.
+    #[error(
+        "{why}. {} holds the run up to there; `seacable run --resume` goes on from it where there is room.",
+        visible::path(dir)
+    )]
+    Full {
+        /// What the system said.
+        why: String,
+        /// The run directory.
+        dir: PathBuf,
+    },
     /// The operating system refused.
     #[error("{action} {} failed: {source}", visible::path(path))]
     Io {

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::case::fields::number;
 use crate::case::{self, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
 use crate::run::job::{self, Request};
-use crate::run::store::{RunLocation, RunWriter, StoreError};
+use crate::run::store::{Recorder, RunLocation, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
 
 /// The case that points are set on top of.
@@ -156,7 +156,7 @@ pub struct PointProgress<'a> {
 }
 
 /// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores their runs below a directory
-/// where one is given. A point that fails stops no other. Once `cancel` is set no further one begins; a point that did not begin has no
+/// where one is given. A point that fails stops no other, unless it cannot be stored, which sets `cancel`. Once that is set no further one begins; a point that did not begin has no
 /// outcome.
 pub fn compute(
     requests: Vec<PointRequest>,
@@ -225,19 +225,13 @@ fn execute_stored(
 ) -> Result<(Run, PathBuf), StoreError> {
     let place = RunLocation::Below(root.to_owned());
     let text = stand_alone(&request.text, &request.case);
-    let mut writer = RunWriter::begin(&place, request.initial_info(), &text)?;
-    writer.id().clone_into(&mut request.id);
-    let mut failure = None;
-    let run = job::execute(request, cancel, &mut |event| {
-        if failure.is_none() {
-            failure = writer.event(&event).err();
+    let mut recorder = Recorder::begin(&place, request.initial_info(), &text)?;
+    recorder.id().clone_into(&mut request.id);
+    let mut run = job::execute(request, cancel, &mut |event| {
+        if !recorder.event(&event) {
+            cancel.store(true, Ordering::Relaxed);
         }
     });
-    match failure {
-        Some(error) => Err(error),
-        None => {
-            let dir = writer.finish(&run)?;
-            Ok((run, dir))
-        }
-    }
+    let dir = recorder.finish(&mut run, false)?;
+    Ok((run, dir))
 }

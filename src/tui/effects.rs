@@ -42,7 +42,7 @@ use crate::modes;
 use crate::report::table::Table;
 use crate::run::coarse;
 use crate::run::job::{self, JobEvent, Request};
-use crate::run::store::{self, RunLocation, RunWriter};
+use crate::run::store::{self, RunLocation, RunWriter, StoreError};
 
 /// What is outside of the state.
 #[derive(Debug)]
@@ -411,24 +411,31 @@ fn relay(
     record: &Mutex<RunCurves>,
     out: &Outbox,
 ) -> Result<(), String> {
-    let mut complaint = None;
+    let mut given_up: Option<(RunWriter, StoreError)> = None;
+    let complain = |error: &StoreError| {
+        let words = format!("The run cannot be stored: {error}");
+        out.send(Msg::Say(Severity::Error, words));
+    };
     for mut event in said {
         let last = matches!(event, JobEvent::Finished(_));
         if let JobEvent::Finished(run) = &mut event {
             if let Some(writer) = writer.take() {
                 writer.id().clone_into(&mut run.info.id);
-                complaint = complaint.or(writer.finish(run).err());
+                if let Err(error) = writer.finish(run) {
+                    complain(&error);
+                }
+            } else if let Some((writer, error)) = given_up.take() {
+                writer.give_up(&run.info, &error);
             }
-        } else if let Some(open) = &mut writer
-            && let Err(error) = open.event(&event)
-        {
-            // The run continues in memory; its directory stays marked as partial.
-            complaint = Some(error);
-            writer = None;
-        }
-        if let Some(error) = complaint.take() {
-            let words = format!("The run cannot be stored: {error}");
-            out.send(Msg::Say(Severity::Error, words));
+        } else if let Some(mut open) = writer.take() {
+            match open.event(&event) {
+                Ok(()) => writer = Some(open),
+                Err(error) => {
+                    // The run continues in memory, and can be stored once there is room.
+                    complain(&error);
+                    given_up = Some((open, error));
+                }
+            }
         }
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
@@ -448,7 +455,7 @@ fn relay(
     Err("The run ended without a result; this is a fault of seacable.".to_owned())
 }
 
-fn begin(request: &JobRequest) -> Result<RunWriter, store::StoreError> {
+fn begin(request: &JobRequest) -> Result<RunWriter, StoreError> {
     RunWriter::begin(
         &RunLocation::Below(PathBuf::from(store::DEFAULT_ROOT)),
         request.initial_info(),

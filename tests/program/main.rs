@@ -18,6 +18,7 @@ mod compare;
 mod damage;
 mod documents;
 mod effects;
+mod faults;
 mod full_disk;
 mod hostile_files;
 mod hostile_text;

@@ -5,14 +5,13 @@ use std::{
     fs, io,
     path::{Component, Path, PathBuf},
     sync::atomic::{AtomicU64, Ordering},
-    time::SystemTime,
 };
 
 use super::{
     CASE, FILES, RUN, StoreError,
     lock::{DirectoryLock, lock_directory},
     read_info,
-    timestamp::stamp,
+    timestamp::{now, stamp},
 };
 use crate::files::{Target, disk};
 use crate::run::{RunInfo, RunState};
@@ -53,7 +52,7 @@ fn below(
     info: &mut RunInfo,
     case_text: &str,
 ) -> Result<(PathBuf, Option<DirectoryLock>), StoreError> {
-    let base = format!("{}-{}", stem(&info.case_file), stamp(SystemTime::now()));
+    let base = format!("{}-{}", stem(&info.case_file), stamp(now()));
     let mut count = 1_u64;
     loop {
         info.id = if count == 1 {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
-use std::time::SystemTime;
 
 use super::checkpoint::ResumedSystem;
 use super::march::Stored;
@@ -11,7 +10,7 @@ use super::run::{ChannelResult, MotionRun, run_stored};
 use crate::case::attachments::with_files;
 use crate::case::{EnergyQuantity, QuantityId, Statistic, Subject};
 use crate::run::event::JobEvent;
-use crate::run::store::rfc3339;
+use crate::run::store::{now, rfc3339};
 use crate::run::{
     Cost, History, Profile, Quantity, Run, RunInfo, RunState, Settings, VERSION, Work,
     refuse_not_finite,
@@ -66,7 +65,7 @@ impl SystemRequest {
             case_file: self.file.clone(),
             state: RunState::Partial,
             version: VERSION.to_owned(),
-            started: rfc3339(SystemTime::now()),
+            started: rfc3339(now()),
             overrides: self.overrides.clone(),
             failure: None,
             warnings: Vec::new(),
