@@ -36,3 +36,24 @@ impl MarchProgress {
         self.level <= MAX_HALVINGS && self.done <= 1 << self.level && self.time.is_finite()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_march_takes_no_more_parts_of_a_step_than_there_are() {
+        let at = |level, done, time| MarchProgress {
+            level,
+            done,
+            time,
+            ..MarchProgress::default()
+        };
+        assert!(at(0, 1, 0.0).is_possible());
+        assert!(at(3, 8, 2.0).is_possible());
+        assert!(!at(3, 9, 2.0).is_possible());
+        assert!(at(MAX_HALVINGS, 1 << MAX_HALVINGS, 2.0).is_possible());
+        assert!(!at(MAX_HALVINGS + 1, 0, 2.0).is_possible());
+        assert!(!at(0, 0, f64::NAN).is_possible());
+    }
+}

@@ -352,6 +352,9 @@ fn its_channels_are_recorded_and_its_keys_checked() {
     ] {
         assert!(names.iter().any(|known| known == name), "{name}");
     }
+    // Its way may end where the line does.
+    let to_the_end = text.replace("to_m = 77.6", "to_m = 81.6006");
+    assert!(case::parse(&to_the_end, "crossing").is_ok());
     let beyond = text.replace("to_m = 77.6", "to_m = 90.0");
     let reported = case::parse(&beyond, "crossing").unwrap_err();
     assert!(

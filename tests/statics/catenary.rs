@@ -504,3 +504,49 @@ mod command {
             .code(2);
     }
 }
+
+/// Wholly on a rough slope the tension falls along the line by `w (sin θ + μ cos θ)` per metre, to nothing where friction holds the line.
+#[test]
+fn a_line_wholly_on_a_slope_has_tensions_and_stiffness_in_closed_form() {
+    let (slope, friction): (f64, f64) = (0.2, 0.6);
+    let (length, w, ea) = (100.0, 50.0, 1e6);
+    let (sin, cos) = slope.sin_cos();
+    let loss = w * (sin + friction * cos);
+    for t_b in [0.4 * loss * length, 3.0 * loss * length] {
+        let moving = length.min(t_b / loss);
+        let t_a = (t_b - loss * length).max(0.0);
+        let distance = length + 0.5 * (t_b + t_a) * moving / ea;
+        let ends = EndOffset {
+            x_m: distance * cos,
+            z_m: distance * cos * slope.tan(),
+        };
+        let bed = RigidBed {
+            below_a_m: 0.0,
+            slope_rad: slope,
+            friction,
+        };
+        let section = [SectionProperties::new(length, w, ea)];
+        let rest = line(ends, &section, Some(bed)).solve().unwrap();
+        assert_eq!(rest.shape, Shape::WhollyOnBed);
+        let near = |found: f64, expected: f64, of: f64| {
+            assert!(
+                (found - expected).abs() < 1e-9 * of,
+                "{found} for {expected}"
+            );
+        };
+        near(rest.h_b_n, t_b * cos, t_b);
+        near(rest.v_b_n, t_b * sin, t_b);
+        near(rest.h_a_n, t_a * cos, t_b);
+        near(rest.v_a_n.abs(), t_a * sin, t_b);
+        let k = ea / moving;
+        let [[hx, hz], [vx, vz]] = rest.stiffness_n_per_m;
+        for (found, expected) in [
+            (hx, k * cos * cos),
+            (hz, k * cos * sin),
+            (vx, k * cos * sin),
+            (vz, k * sin * sin),
+        ] {
+            near(found, expected, k);
+        }
+    }
+}

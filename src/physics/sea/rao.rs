@@ -201,6 +201,17 @@ mod tests {
     }
 
     #[test]
+    fn the_ship_turns_by_the_response_times_the_wave() {
+        for (degree, axis) in [(3, V3::x()), (4, V3::y()), (5, V3::z())] {
+            let turned = one(degree, Complex::from_polar(0.1, 0.4)).rotations_in(&[WAVE]);
+            for t in [0.0, 2.0, 7.0] {
+                let expected = axis * (0.2 * (0.5 * t + 0.7_f64).cos());
+                assert!((turned.at(t).0 - expected).norm() < 1e-14);
+            }
+        }
+    }
+
+    #[test]
     fn linear_between_and_held_beyond() {
         let entry = |x: f64| {
             let mut e = zero();
@@ -211,6 +222,7 @@ mod tests {
         assert!((rao.response(0.75)[0] - Complex::new(2.0, 4.0)).norm() < 1e-14);
         assert_eq!(rao.response(0.1), entry(1.0));
         assert_eq!(rao.response(9.0), entry(3.0));
+        assert_eq!(rao.span(), (0.5, 1.0));
         let quick = Component { omega: 2.0, ..WAVE };
         assert_eq!(rao.energy_beyond(&[WAVE, quick]), 0.5);
         assert_eq!(Rao::new(vec![]), Err(RaoError::Empty));

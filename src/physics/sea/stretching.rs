@@ -103,6 +103,14 @@ mod tests {
     }
 
     #[test]
+    fn without_a_law_the_water_ends_at_the_surface() {
+        let read = |z: f64| Stretching::None.read(z, 2.0, 40.0);
+        assert_eq!((read(-5.0).z, read(-5.0).by_z), (-5.0, 1.0));
+        assert_eq!((read(1.5).z, read(1.5).by_z), (1.5, 1.0));
+        assert_eq!((read(3.0).z, read(3.0).by_elevation), (2.0, 1.0));
+    }
+
+    #[test]
     fn slopes_are_derivatives_and_readings_are_continuous() {
         let laws = [
             Stretching::None,

@@ -244,3 +244,34 @@ fn grounded_span_pieces(grounded: &GroundedSpan, forces: &GroundedForces) -> [Pi
         line.suspended_piece(s_a + on_bed, s_b, up, h, 0.0),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::statics::catenary::solution::LocalFrame;
+
+    #[test]
+    fn a_vertical_leg_that_misses_its_height_is_wrong_by_the_force_to_lift_it() {
+        let (w, ea, length) = (0.5, 2e4, 100.0);
+        let line = PlanarLine {
+            x: 0.0,
+            z: 0.0,
+            length,
+            w,
+            ea,
+            bed: None,
+            frame: LocalFrame {
+                along: 1.0,
+                up: 1.0,
+            },
+        };
+        let height = length + 0.5 * w * length * length / ea;
+        assert!(straight_error(&line, length, height) < 1e-15);
+        let miss = 1e-3;
+        // The top of a longer leg carries what the leg weighs: `d(wL)/dz` over the weight.
+        let expected = miss / (length * (1.0 + w * length / ea));
+        let found = straight_error(&line, length, height + miss);
+        assert!((found - expected).abs() < 1e-9 * expected, "{found}");
+        assert_eq!(straight_error(&line, 0.0, 1.0), 0.0);
+    }
+}
