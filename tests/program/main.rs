@@ -23,6 +23,7 @@ mod hostile_files;
 mod hostile_text;
 mod json;
 mod kills;
+mod kills_editor;
 mod limits;
 mod output_files;
 mod signals;
