@@ -20,6 +20,7 @@ mod documents;
 mod effects;
 mod full_disk;
 mod hostile_files;
+mod hostile_screen;
 mod hostile_text;
 mod json;
 mod kills;

@@ -8,7 +8,7 @@ mod column_plot;
 mod curves;
 mod desk;
 mod footer;
-mod hostile_text;
+mod hostile;
 mod line_types;
 mod marks;
 mod modes;
