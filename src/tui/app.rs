@@ -301,7 +301,15 @@ impl App<'_> {
                 due = Some(Due::of(&message)).into_iter().chain(due).min();
                 end = end.or(self.take(message)?);
             }
-            while end.is_none() && self.key_hold().is_none() {
+            while end.is_none() && !self.typed.is_empty() && self.key_hold().is_none() {
+                // A file that is done by now was answered before: its answer comes before the key.
+                for message in self.effects.poll() {
+                    due = Some(Due::of(&message)).into_iter().chain(due).min();
+                    end = end.or(self.take(message)?);
+                }
+                if end.is_some() || self.key_hold().is_some() {
+                    break;
+                }
                 let Some(key) = self.typed.pop_front() else {
                     break;
                 };

@@ -364,6 +364,11 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             let kept = recovery::store(&path, edits.as_ref());
             return warning(kept, "The unsaved changes cannot be kept for recovery");
         }
+        Effect::TakeOverRecovery { path, text, kept } => {
+            let edits = text.map(|text| RecoveredEdits { text, kept });
+            let kept = recovery::take_over(&path, edits.as_ref());
+            return warning(kept, "The unsaved changes cannot be kept for recovery");
+        }
         Effect::DropRecovery(path) => {
             let dropped = recovery::discard(&path);
             return warning(dropped, "The kept changes cannot be dropped");

@@ -234,7 +234,16 @@ pub enum Effect {
         /// Ranges kept for a grid, as `KEY=VALUES`.
         kept: Vec<String>,
     },
-    /// Delete the recovery file of a case.
+    /// The same, and then delete what earlier sessions left of the case.
+    TakeOverRecovery {
+        /// The case it belongs to.
+        path: PathBuf,
+        /// The text; absent: there is nothing unsaved.
+        text: Option<String>,
+        /// Ranges kept for a grid, as `KEY=VALUES`.
+        kept: Vec<String>,
+    },
+    /// Delete what earlier sessions left of a case.
     DropRecovery(PathBuf),
     /// Start a job.
     Start {

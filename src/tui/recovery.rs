@@ -12,6 +12,7 @@ use rustix::process::{Pid, test_kill_process};
 use super::case_library::state_dir;
 use crate::files::{Target, disk, read};
 use crate::report::chart::Glyphs;
+use crate::strays;
 
 /// What a session left of a case.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -64,14 +65,44 @@ pub fn store(case: &Path, edits: Option<&RecoveredEdits>) -> io::Result<()> {
     }
 }
 
-/// What a session which is no longer there left of this case; the newest of several.
+/// What a session which is no longer there left of this case, beyond its text in the file; the newest of several. What is in the file
+/// goes: a session that was killed between saving and dropping left it.
 #[must_use]
-pub fn find(case: &Path) -> Option<RecoveredEdits> {
-    let newest = recovery_files(case)
-        .into_iter()
-        .max_by_key(|path| fs::metadata(path).and_then(|m| m.modified()).ok())?;
-    let file = read::text(&newest).ok()?;
-    Some(RecoveredEdits::read(&file))
+pub fn find(case: &Path, saved: &str) -> Option<RecoveredEdits> {
+    let left = recovery_files(case).into_iter().filter_map(|path| {
+        let edits = RecoveredEdits::read(&read::text(&path).ok()?);
+        if edits.text == saved && edits.kept.is_empty() {
+            // Best effort: what stays is looked at again.
+            let _ = remove_if_present(&path);
+            return None;
+        }
+        let changed = fs::metadata(&path).and_then(|found| found.modified()).ok();
+        Some((changed, edits))
+    });
+    left.max_by_key(|(changed, _)| *changed)
+        .map(|(_, edits)| edits)
+}
+
+/// Removes what killed sessions left half written: beside a case, among what is kept for recovery, and beside that.
+pub fn tidy(case: &Path) {
+    let state = state_dir().ok();
+    let kept = state.as_ref().map(|dir| dir.join("recovery"));
+    let beside = case.parent().map(|dir| match dir.as_os_str().is_empty() {
+        true => PathBuf::from("."),
+        false => dir.to_owned(),
+    });
+    for dir in [beside, state, kept].into_iter().flatten() {
+        strays::remove(&dir, &[]);
+    }
+}
+
+/// Keeps what is unsaved of a case, and then drops what sessions that are no longer there left of it: at no moment is there neither.
+///
+/// # Errors
+/// When the state directory cannot be written; what they left is then still there.
+pub fn take_over(case: &Path, edits: Option<&RecoveredEdits>) -> io::Result<()> {
+    store(case, edits)?;
+    discard(case)
 }
 
 /// Drops what sessions that are no longer there left of this case.

@@ -11,6 +11,7 @@ use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
+use rustix::process::{Pid, Signal, kill_process};
 use rustix::termios::{LocalModes, tcgetattr};
 use vt100::{Parser, Screen};
 
@@ -238,6 +239,16 @@ impl Pty {
             assert!(Instant::now() < until, "the program never started");
             std::thread::sleep(POLL);
         }
+    }
+
+    /// Kills the program where the shell has become it, and returns its directory.
+    pub(crate) fn kill(mut self) -> tempfile::TempDir {
+        let process = i32::try_from(self.shell.process_id().unwrap()).unwrap();
+        let process = Pid::from_raw(process).unwrap();
+        // It may have ended by itself.
+        let _ = kill_process(process, Signal::KILL);
+        self.shell.wait().unwrap();
+        std::mem::replace(&mut self.dir, tempfile::tempdir().unwrap())
     }
 
     /// Pulls the plug: the terminal is gone as soon as the program writes the next byte, as the

@@ -10,7 +10,7 @@ use seacable::visible::is_invisible;
 use crate::small::SMALL;
 
 /// Escape sequences of C0 and C1, bidirectional controls and marks, zero-width characters, separators, a tag, DEL.
-const HOSTILE: &str = "a\u{1b}]0;x\u{7}\u{9b}31m\u{202e}b\u{2066}\u{200f}\u{61c}\u{200b}\u{feff}\u{2028}\u{e0041}\u{7f}\u{8}\rc";
+pub(crate) const HOSTILE: &str = "a\u{1b}]0;x\u{7}\u{9b}31m\u{202e}b\u{2066}\u{200f}\u{61c}\u{200b}\u{feff}\u{2028}\u{e0041}\u{7f}\u{8}\rc";
 
 /// The subcommands that take a file, up to its name, and whether the file is a line case.
 const COMMANDS: [&[&str]; 10] = [
@@ -80,7 +80,7 @@ fn check(bytes: &[u8], what: &str) {
 }
 
 /// The text as a TOML string with every character escaped.
-fn toml_string(text: &str) -> String {
+pub(crate) fn toml_string(text: &str) -> String {
     let each = text.chars().map(|c| format!("\\U{:08X}", u32::from(c)));
     format!("\"{}\"", each.collect::<String>())
 }
@@ -93,7 +93,7 @@ fn shipped(name: &str) -> String {
 }
 
 /// The text with the value of its first `key = ` replaced.
-fn with_value(text: &str, key: &str, value: &str) -> String {
+pub(crate) fn with_value(text: &str, key: &str, value: &str) -> String {
     let head = format!("{key} = ");
     let at = text.find(&head).unwrap() + head.len();
     let end = at + text[at..].find('\n').unwrap();

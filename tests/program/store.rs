@@ -1,5 +1,6 @@
 //! Runs on disk: what is written is what is read, whatever happens in between.
 
+use crate::kills::RESULTS;
 use crate::sample;
 use std::{
     collections::BTreeSet,
@@ -358,16 +359,7 @@ fn a_kill_between_any_two_files_of_the_end_leaves_a_partial_run() {
     let mut writer = begun(root.path(), 30);
     writer.flush().unwrap();
     let dir = writer.dir().to_owned();
-    let order = [
-        "case.toml",
-        "summary.csv",
-        "errors.csv",
-        "channels.csv",
-        "history.csv",
-        "profile.csv",
-        "shapes.csv",
-    ];
-    for name in order {
+    for name in RESULTS {
         // A kill while the next file was being written beside its name.
         fs::write(dir.join(format!(".{name}.new")), "half a fi").unwrap();
         assert_eq!(read(&dir).unwrap().info.state, RunState::Partial);

@@ -13,8 +13,8 @@ pub(super) fn read_case(path: &Path) -> Msg {
         Ok((text, content)) => {
             // The case of a file of another program is saved beside it, never onto it.
             let path = &case_path(path);
-            let recovered = recovery::find(path);
-            let recovered = recovered.filter(|left| left.text != text || !left.kept.is_empty());
+            recovery::tidy(path);
+            let recovered = recovery::find(path, &text);
             let read = FileRead::new(path.to_owned(), text, content, recovered);
             Msg::FileRead(Box::new(read))
         }

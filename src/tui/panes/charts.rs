@@ -23,6 +23,7 @@ use crate::tui::update::pages;
 use crate::tui::view::layout;
 use crate::tui::view::paint::right;
 use crate::tui::view::painter::Painter;
+use crate::visible;
 
 /// Small and large steps of the instant across the run, on charts without a time axis.
 const INSTANTS: (f64, f64) = (60.0, 10.0);
@@ -284,7 +285,8 @@ fn copy(state: &mut AppState) -> Vec<Effect> {
                 chart.x.label,
                 number::si(at, &chart.x.unit)
             );
-            vec![Effect::Copy(format!("{head}\n{}\n", words.join("\n")))]
+            let text = format!("{head}\n{}\n", words.join("\n"));
+            vec![Effect::Copy(visible::text(&text).into_owned())]
         }
         _ => info(
             state,

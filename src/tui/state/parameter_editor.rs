@@ -111,6 +111,8 @@ pub struct ParameterEditor {
     pub file: String,
     /// Text of the file as read or saved last.
     pub saved: String,
+    /// The text of a save that is not answered yet.
+    pub saving: Option<String>,
     /// The text now.
     pub text: String,
     /// The fields of the editor.
@@ -165,6 +167,7 @@ impl ParameterEditor {
             edited: Vec::new(),
             undo: Vec::new(),
             redo: Vec::new(),
+            saving: None,
             after_save: AfterSave::Stay,
             folded: false,
             field: 0,

@@ -154,11 +154,7 @@ fn accepted(state: &mut AppState, edit: &PendingEdit) -> Vec<Effect> {
             false => Vec::new(),
         };
     }
-    let path = state.editor().map(|editor| editor.path.clone());
-    let mut effects: Vec<Effect> = path.into_iter().map(Effect::DropRecovery).collect();
-    // The edits of this session are kept after those of the earlier one are dropped.
-    effects.extend(edit::keep_recovery(state));
-    effects
+    edit::take_over_recovery(state)
 }
 
 /// A refusal stays with the value where that is typed.

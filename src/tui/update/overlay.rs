@@ -18,6 +18,7 @@ use crate::tui::panes;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 use crate::tui::view::last_scroll;
+use crate::visible;
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     if key == KeyPress::Ctrl('z') {
@@ -243,7 +244,7 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::LineInput => export::write_line_input(state),
         CommandId::Write => export::write_report(state),
         CommandId::Copy => {
-            let text = document.kind().copy()?.to_owned();
+            let text = visible::toml(document.kind().copy()?).into_owned();
             vec![Effect::Copy(text)]
         }
         _ => return None,

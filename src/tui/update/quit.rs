@@ -90,7 +90,11 @@ fn close(state: &mut AppState) -> Vec<Effect> {
 
 /// Writes the text to its file, unless that has changed on disk.
 pub(super) fn save(state: &mut AppState) -> Vec<Effect> {
-    let expected = state.editor().map(|editor| editor.saved.clone());
+    let expected = state.editor().map(|editor| {
+        // A save that is still on its way comes first.
+        let on_its_way = editor.saving.as_ref();
+        on_its_way.unwrap_or(&editor.saved).clone()
+    });
     write(state, expected)
 }
 
@@ -99,8 +103,9 @@ pub(super) fn overwrite(state: &mut AppState) -> Vec<Effect> {
     write(state, None)
 }
 
-fn write(state: &AppState, expected: Option<String>) -> Vec<Effect> {
-    state.editor().map_or_else(Vec::new, |editor| {
+fn write(state: &mut AppState, expected: Option<String>) -> Vec<Effect> {
+    state.editor_mut().map_or_else(Vec::new, |editor| {
+        editor.saving = Some(editor.text.clone());
         vec![Effect::SaveCase {
             path: editor.path.clone(),
             text: editor.text.clone(),
@@ -145,6 +150,7 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     if let Some(name) = editor.path.file_name() {
         editor.file = name.to_string_lossy().into_owned();
     }
+    editor.saving = editor.saving.take().filter(|later| *later != text);
     editor.saved = text;
     let differs = editor.unsaved() || !editor.pending.is_empty();
     if !differs {
@@ -155,11 +161,10 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     }
     let after = std::mem::take(&mut editor.after_save);
     let said = format!("Saved to {}.", visible::path(&editor.path));
-    let mut effects = vec![nothing_unsaved(old)];
-    // Edits made since, and ranges that wait, are not in the file.
-    if !editor.kept.is_empty() || differs {
-        effects.extend(edit::keep_recovery(state));
-    }
+    let moved = (old != editor.path).then_some(old);
+    // Edits made since, and ranges that wait, are not in the file: they are kept anew before anything is dropped.
+    let mut effects = edit::keep_recovery(state);
+    effects.extend(moved.map(nothing_unsaved));
     info(state, said);
     effects.extend(match after {
         // What was edited since differs from another file now.
@@ -172,11 +177,20 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
 }
 
 pub(super) fn not_saved(state: &mut AppState, why: &str) -> Vec<Effect> {
+    forget_saving(state);
     state.say(Severity::Error, why);
     ask_name(state, why)
 }
 
+/// No save of before is in the file.
+fn forget_saving(state: &mut AppState) {
+    if let Some(editor) = state.editor_mut() {
+        editor.saving = None;
+    }
+}
+
 pub(super) fn changed_on_disk(state: &mut AppState) -> Vec<Effect> {
+    forget_saving(state);
     state.overlay = Some(Overlay::Ask(Question::Overwrite));
     Vec::new()
 }

@@ -15,6 +15,7 @@ use crate::tui::state::AppState;
 use crate::tui::state::parts::{Part, PartView};
 use crate::tui::table_pane::TablePane;
 use crate::tui::theme::Theme;
+use crate::visible;
 
 /// What drawing a pane needs.
 pub struct Painter<'a> {
@@ -37,9 +38,11 @@ impl Painter<'_> {
 
     /// Writes text at the left of a line, with a mark at its end where it does not fit; returns the rest of the line.
     pub fn text(&mut self, line: Rect, words: &str, style: Style) -> Rect {
+        // Escapes are longer than what they stand for, so they come before the cut.
+        let words = visible::line(words);
         let words = match self.glyphs() {
-            Glyphs::Braille => words.into(),
-            Glyphs::Ascii => ascii(words),
+            Glyphs::Braille => words,
+            Glyphs::Ascii => ascii(&words).into_owned().into(),
         };
         let words = cut(&words, line.width.into(), self.glyphs());
         let x = text(self.buf, (line.x, line.y), line.width, &words, style);

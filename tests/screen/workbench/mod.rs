@@ -8,7 +8,7 @@ mod column_plot;
 mod curves;
 mod desk;
 mod footer;
-mod hostile_text;
+mod hostile;
 mod line_types;
 mod marks;
 mod modes;
@@ -309,6 +309,67 @@ fn unsaved_changes_ask_and_are_kept_for_recovery_meanwhile() {
     assert!(has(&desk, |e| matches!(
         e,
         Effect::KeepRecovery { text: None, .. }
+    )));
+}
+
+#[test]
+fn edits_made_while_a_save_is_on_its_way_are_saved_after_it_and_kept_until_then() {
+    let mut desk = Desk::with_case(SMALL);
+    desk.keys("M s M s");
+    let saves: Vec<(String, Option<String>)> = desk
+        .asked
+        .iter()
+        .filter_map(|effect| match effect {
+            Effect::SaveCase { text, expected, .. } => Some((text.clone(), expected.clone())),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(saves.len(), 2);
+    assert_eq!(saves[0].1.as_deref(), Some(desk::CASE));
+    assert_eq!(saves[1].1.as_ref(), Some(&saves[0].0));
+    desk.asked.clear();
+    let path = PathBuf::from("cases/body.toml");
+    desk.tell(Msg::Saved(path.clone(), saves[0].0.clone()));
+    let dropped = |e: &Effect| matches!(e, Effect::KeepRecovery { text: None, .. });
+    assert!(!has(&desk, dropped), "{:?}", desk.asked);
+    assert!(has(
+        &desk,
+        |e| matches!(e, Effect::KeepRecovery { text: Some(text), .. } if *text == saves[1].0)
+    ));
+    desk.tell(Msg::Saved(path, saves[1].0.clone()));
+    assert!(has(&desk, dropped));
+    assert!(!desk.state.editor().unwrap().unsaved());
+    // Without an answer on its way, the file is what was saved last.
+    desk.keys("M s");
+    desk.tell(Msg::ChangedOnDisk);
+    desk.keys("c");
+    desk.asked.clear();
+    desk.keys("s");
+    assert!(has(
+        &desk,
+        |e| matches!(e, Effect::SaveCase { expected: Some(text), .. } if *text == saves[1].0)
+    ));
+}
+
+#[test]
+fn edits_of_an_earlier_session_are_dropped_only_after_they_are_kept_anew() {
+    let mut desk = Desk::new(SMALL);
+    let recovered = RecoveredEdits {
+        text: desk::CASE.replace("= 0.3", "= 0.7"),
+        kept: Vec::new(),
+    };
+    desk.tell(Msg::FileRead(Box::new(seacable::tui::msg::FileRead::new(
+        PathBuf::from("cases/body.toml"),
+        desk::CASE.to_owned(),
+        content_of(seacable::case::parse(desk::CASE, "body.toml").unwrap()),
+        Some(recovered.clone()),
+    ))));
+    desk.keys("r");
+    let dropped = |e: &Effect| matches!(e, Effect::DropRecovery(_));
+    assert!(!has(&desk, dropped), "{:?}", desk.asked);
+    assert!(has(&desk, |e| matches!(
+        e,
+        Effect::TakeOverRecovery { text: Some(text), .. } if *text == recovered.text
     )));
 }
 

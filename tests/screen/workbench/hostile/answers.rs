@@ -1,0 +1,114 @@
+//! What threads and files may answer to the workbench, in hostile words. A new effect needs its answer here.
+
+use std::path::PathBuf;
+
+use seacable::run::{Settings, Work};
+use seacable::study::{TrialOutcome, TrialVerdict};
+use seacable::tui::state::Severity;
+use seacable::tui::state::trials::TrialProgress;
+use seacable::tui::{Effect, Msg};
+use seacable::visible::is_invisible;
+
+use super::HOSTILE;
+use super::documents::path;
+
+/// The worst that can be answered to an effect, one after the other.
+pub(super) fn answers(effect: Effect) -> Vec<Msg> {
+    let said = || HOSTILE.to_owned();
+    let long = || format!("{HOSTILE}\n\n{HOSTILE}\t{HOSTILE}\n").repeat(30);
+    let say = |level| Msg::Say(level, long());
+    match effect {
+        Effect::ReadCases => Vec::new(),
+        Effect::ReadCase(file) => vec![Msg::CaseRejected(file, long())],
+        Effect::SaveCase { text, .. } => vec![
+            Msg::NotSaved(said()),
+            Msg::ChangedOnDisk,
+            Msg::Saved(path(), text),
+        ],
+        Effect::KeepRecovery { .. }
+        | Effect::TakeOverRecovery { .. }
+        | Effect::DropRecovery(_)
+        | Effect::RememberGlyphs(_) => {
+            vec![say(Severity::Warning)]
+        }
+        Effect::Start { ticket, .. } => vec![
+            Msg::Stored(ticket, path()),
+            Msg::Recorded(ticket, Box::default()),
+            Msg::JobFailed(ticket, long()),
+        ],
+        Effect::StartTrials { ticket, of: _ } => {
+            vec![Msg::TrialProgress(ticket, Box::new(trials()))]
+        }
+        Effect::EditFile(_) => vec![Msg::Edited(Err(long())), Msg::Edited(Ok(long()))],
+        Effect::ReadEdited(_) => vec![Msg::Edited(Err(long()))],
+        Effect::FindModes { text, .. } => vec![Msg::Modes(text, Err(long()))],
+        Effect::PrepareResume(dir, until) => vec![Msg::ResumeReady(dir, until, Err(long()))],
+        Effect::Compare { name, .. } => vec![
+            Msg::Page(name, Err(long()), false),
+            Msg::Page(said(), Ok(long()), false),
+        ],
+        Effect::Study(request, _) => vec![
+            Msg::Page(request.of.title(&request.result), Err(long()), true),
+            Msg::Page(request.of.title(&request.result), Ok(long()), true),
+        ],
+        Effect::WriteNotes(..) | Effect::WriteText { .. } => vec![say(Severity::Error)],
+        Effect::ReadRunCase { dir, wanted, .. } => vec![Msg::RunCase(dir, wanted, Err(long()))],
+        Effect::ReadRun(dir) => vec![Msg::RunRead(dir, Err(long()))],
+        Effect::DeleteRuns(dirs) => vec![Msg::RunsDeleted(dirs), say(Severity::Error)],
+        Effect::KeepRun(run) => vec![Msg::Kept(PathBuf::from(HOSTILE), run), say(Severity::Error)],
+        Effect::Copy(text) => {
+            let raw: Vec<char> = text
+                .chars()
+                .filter(|c| is_invisible(*c) && *c != '\n')
+                .collect();
+            assert!(raw.is_empty(), "{raw:?} for the clipboard:\n{text}");
+            vec![say(Severity::Info)]
+        }
+        // The desk answers these, or they change nothing that is seen.
+        Effect::MakePart(_)
+        | Effect::CheckValues(_)
+        | Effect::ComputeShip(_)
+        | Effect::Plan { .. }
+        | Effect::Vary(..)
+        | Effect::CheckEdits(_)
+        | Effect::MakeReport(_)
+        | Effect::WriteMade(_)
+        | Effect::ListRuns { .. }
+        | Effect::RefreshRuns
+        | Effect::Cancel(_)
+        | Effect::Repaint
+        | Effect::Suspend
+        | Effect::Quit => Vec::new(),
+    }
+}
+
+/// Trials of a case with hostile names, computed, refused and wrong.
+fn trials() -> TrialProgress {
+    let said = || HOSTILE.to_owned();
+    let trial = |outcome, reason| TrialVerdict {
+        case: said(),
+        file: said(),
+        trial: said(),
+        settings: Some(Settings {
+            method: said(),
+            error_method: said(),
+            method_reason: Some(said()),
+            ..Settings::default()
+        }),
+        work: Work::default(),
+        outcome,
+        reason,
+        expect_refusal: false,
+        numbers: Vec::new(),
+    };
+    TrialProgress {
+        findings: vec![
+            trial(TrialOutcome::Ok, None),
+            trial(TrialOutcome::Refused, Some(said())),
+            trial(TrialOutcome::Wrong, Some(said())),
+        ],
+        done: 3,
+        all: 4,
+        over: false,
+    }
+}
