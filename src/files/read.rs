@@ -261,6 +261,8 @@ mod tests {
         ];
         for (file, text) in all {
             let is_place = file.ends_with("src/files/disk.rs");
+            // Our own types are made through that place.
+            let text = text.replace("NewFile::", "").replace("GrowingFile::", "");
             for way in ways {
                 assert!(is_place || !text.contains(way), "{file} uses {way}");
             }
