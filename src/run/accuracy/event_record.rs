@@ -9,8 +9,8 @@ const KEPT: usize = 1 << 22;
 pub(super) struct EventRecord {
     events: Option<Vec<JobEvent>>,
     numbers: usize,
-    /// The last state from which the run can be resumed.
-    checkpoint: Option<JobEvent>,
+    /// The last state from which the run can be resumed, and how many events came before it.
+    checkpoint: Option<(usize, JobEvent)>,
 }
 
 impl EventRecord {
@@ -24,7 +24,8 @@ impl EventRecord {
 
     pub(super) fn push(&mut self, event: JobEvent) {
         if matches!(event, JobEvent::Checkpoint(_)) {
-            self.checkpoint = Some(event);
+            let before = self.events.as_ref().map_or(0, Vec::len);
+            self.checkpoint = Some((before, event));
             return;
         }
         self.numbers += match &event {
@@ -47,7 +48,10 @@ impl EventRecord {
 
     pub(super) fn finish(self) -> Option<Vec<JobEvent>> {
         let mut events = self.events?;
-        events.extend(self.checkpoint);
+        // Where it came: its seal is over the rows before it.
+        if let Some((before, checkpoint)) = self.checkpoint {
+            events.insert(before, checkpoint);
+        }
         Some(events)
     }
 }
