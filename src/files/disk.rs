@@ -1,6 +1,7 @@
 //! The one way to what changes a disk: files made, written, synced, renamed and removed. Here tests let an operation fail (see
 //! [`super::faults`]).
 
+use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, Write};
 use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
@@ -100,7 +101,7 @@ impl Beside {
     /// The system refuses.
     pub(crate) fn create(
         dir: &Path,
-        prefix: &std::ffi::OsStr,
+        prefix: &OsStr,
         suffix: &str,
         permissions: Option<Permissions>,
     ) -> io::Result<Self> {

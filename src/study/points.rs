@@ -156,8 +156,8 @@ pub struct PointProgress<'a> {
 }
 
 /// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores their runs below a directory
-/// where one is given. A point that fails stops no other, unless it cannot be stored, which sets `cancel`. Once that is set no further one begins; a point that did not begin has no
-/// outcome.
+/// where one is given. A point that fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no
+/// further one begins; a point that did not begin has no outcome.
 pub fn compute(
     requests: Vec<PointRequest>,
     store: Option<&Path>,
@@ -207,8 +207,11 @@ fn outcome(mut request: Request, store: Option<&Path>, cancel: &AtomicBool) -> P
     let (run, dir) = match store {
         None => (job::execute(&request, cancel, &mut |_| {}), None),
         Some(root) => {
-            let stored = execute_stored(&mut request, root, cancel);
-            let stored = stored.map_err(|error| format!("its run cannot be stored: {error}"));
+            let stored = execute_stored(&mut request, root, cancel).map_err(|error| {
+                // Nor can those of the other points.
+                cancel.store(true, Ordering::Relaxed);
+                format!("its run cannot be stored: {error}")
+            });
             let (run, dir) = stored?;
             (run, Some(dir))
         }

@@ -297,6 +297,47 @@ fn a_fault_at_any_operation_is_survived() {
     eprintln!("{count} of {all} faults tried, {well_ones} of them without harm");
 }
 
+/// Of four points whose first cannot be stored the others are not computed.
+#[test]
+fn a_study_ends_at_the_first_run_that_cannot_be_stored() {
+    if !cfg!(debug_assertions) {
+        eprintln!("not tested: the program has no faults built in");
+        return;
+    }
+    let place = tempfile::tempdir().unwrap();
+    let words = [
+        "study",
+        "vary",
+        "small.toml",
+        "--vary",
+        "payload.drag_area_m2=1,2,3,4",
+    ];
+    let dir = place.path().join("whole");
+    fs::create_dir(&dir).unwrap();
+    with_case(&dir);
+    let log = place.path().join("log");
+    let mut command = seacable(&dir, &words);
+    command.env("RAYON_NUM_THREADS", "1");
+    command.env("SEACABLE_FAULT_LOG", &log);
+    assert!(command.status().unwrap().success());
+    assert_eq!(store::list(&dir.join("runs")).unwrap().len(), 4);
+    let log = fs::read_to_string(log).unwrap();
+    let write = log
+        .lines()
+        .find(|line| line.contains("Write") && line.ends_with("history.csv"));
+    let number = write.unwrap().split(' ').next().unwrap();
+    let dir = place.path().join("tried");
+    fs::create_dir(&dir).unwrap();
+    with_case(&dir);
+    let output = with_fault(&dir, &words, &format!("{number}:broken"));
+    assert_eq!(output.status.code(), Some(1), "{output:?}");
+    let page = String::from_utf8_lossy(&output.stdout);
+    assert!(page.contains("its run cannot be stored"), "{page}");
+    let runs = store::list(&dir.join("runs")).unwrap();
+    assert_eq!(runs.len(), 1, "{page}");
+    assert_eq!(runs[0].info.as_ref().unwrap().state, RunState::Failed);
+}
+
 #[test]
 fn a_wrong_clock_spoils_no_run() {
     if !cfg!(debug_assertions) {
