@@ -417,27 +417,24 @@ fn relay(
     out: &Outbox,
 ) -> Result<(), String> {
     let mut given_up: Option<(RunWriter, StoreError)> = None;
-    let complain = |error: &StoreError| {
-        let words = format!("The run cannot be stored: {error}");
-        out.send(Msg::Say(Severity::Error, words));
-    };
+    let mut not_stored = None;
+    let complain = |words: String| out.send(Msg::Say(Severity::Error, words));
     for mut event in said {
         let last = matches!(event, JobEvent::Finished(_));
         if let JobEvent::Finished(run) = &mut event {
             if let Some(writer) = writer.take() {
                 writer.id().clone_into(&mut run.info.id);
-                if let Err(error) = writer.finish(run) {
-                    complain(&error);
-                }
+                not_stored = writer.finish(run).err().map(|error| error.to_string());
             } else if let Some((writer, error)) = given_up.take() {
                 writer.give_up(&run.info, &error);
+                not_stored = Some(error.to_string());
             }
         } else if let Some(mut open) = writer.take() {
             match open.event(&event) {
                 Ok(()) => writer = Some(open),
                 Err(error) => {
-                    // The run continues in memory, and can be stored once there is room.
-                    complain(&error);
+                    // The run continues in memory.
+                    complain(format!("The run cannot be stored: {error}"));
                     given_up = Some((open, error));
                 }
             }
@@ -452,6 +449,12 @@ fn relay(
                 }
                 out.send(Msg::Job(ticket, Box::new(event)));
                 if last {
+                    // After the word that it is done, which it would be taken for.
+                    if let Some(why) = not_stored {
+                        complain(format!(
+                            "The run is shown until the program ends, but not stored: {why}"
+                        ));
+                    }
                     return Ok(());
                 }
             }

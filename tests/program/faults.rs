@@ -12,6 +12,8 @@ use std::process::{Command, Output};
 use seacable::run::{RunState, store};
 
 use crate::chance::{Chance, asked, seed};
+#[cfg(target_os = "linux")]
+use crate::pty::Start;
 use crate::small::SMALL;
 
 /// What a fault is called, and what the system says.
@@ -335,6 +337,43 @@ fn a_study_ends_at_the_first_run_that_cannot_be_stored() {
     assert!(page.contains("its run cannot be stored"), "{page}");
     let runs = store::list(&dir.join("runs")).unwrap();
     assert_eq!(runs.len(), 1, "{page}");
+    assert_eq!(runs[0].info.as_ref().unwrap().state, RunState::Failed);
+}
+
+/// The workbench shows the run, and its last word is that it is not stored.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_run_of_the_workbench_that_cannot_be_stored_says_so_last() {
+    if !cfg!(debug_assertions) {
+        eprintln!("not tested: the program has no faults built in");
+        return;
+    }
+    let run_until = |variable: &str, value: &str, words: &str| {
+        let dir = tempfile::tempdir().unwrap();
+        with_case(dir.path());
+        let mut pty = Start {
+            args: &["small.toml"],
+            vars: &[("LANG", "C.UTF-8"), (variable, value)],
+            ..Start::default()
+        }
+        .go_in(dir);
+        pty.wait("the case", |screen| screen.contents().contains("Inputs"));
+        pty.send("R");
+        pty.wait(words, |screen| screen.contents().contains(words));
+        pty
+    };
+    let place = tempfile::tempdir().unwrap();
+    let log = place.path().join("log");
+    run_until("SEACABLE_FAULT_LOG", log.to_str().unwrap(), "is done");
+    let log = fs::read_to_string(log).unwrap();
+    let row = |line: &&str| line.contains("Write") && line.ends_with("history.csv");
+    let number = log.lines().find(row).unwrap().split(' ').next().unwrap();
+    let pty = run_until(
+        "SEACABLE_FAULT",
+        &format!("{number}:broken"),
+        "but not stored",
+    );
+    let runs = store::list(&pty.dir.path().join("runs")).unwrap();
     assert_eq!(runs[0].info.as_ref().unwrap().state, RunState::Failed);
 }
 
