@@ -4,7 +4,7 @@
 //! The contents go to a temporary file in the same directory, created exclusively, are synced, and take their name by a
 //! rename. On failure the temporary file is removed and an existing file keeps its contents.
 //!
-//! Files are read by [`read`] only, and made, renamed and removed by [`disk`] only; [`root`] says where files lie that cases name, [`walk`]
+//! Files are read by [`read`] only, and made, renamed and removed by `disk` only; [`root`] says where files lie that cases name, [`walk`]
 //! lists those below a directory.
 
 pub(crate) mod disk;
