@@ -21,6 +21,8 @@ pub static STEPS: Limit = Limit::new("--limit-steps", 1e8);
 pub static LINES: Limit = Limit::new("--limit-lines", 5e6);
 /// The same in a current, some milliseconds each.
 pub static LINES_IN_CURRENT: Limit = Limit::new("--limit-lines", 2e4);
+/// Load cases, or points of a variation, each a run of its own.
+pub static POINTS: Limit = Limit::new("--limit-points", 1e4);
 /// Rows of a history.
 pub static ROWS: Limit = Limit::new("--limit-rows", 1e6);
 

@@ -24,6 +24,10 @@ pub(super) struct LimitArgs {
     #[arg(long, global = true, value_name = "N", value_parser = allowed)]
     limit_rows: Option<f64>,
 
+    /// Allow more points of a variation.
+    #[arg(long, global = true, value_name = "N", value_parser = allowed)]
+    limit_points: Option<f64>,
+
     /// Allow more lines of a table of lines at rest.
     #[arg(long, global = true, value_name = "N", value_parser = allowed)]
     limit_lines: Option<f64>,
@@ -37,6 +41,7 @@ impl LimitArgs {
             (&limits::SEGMENTS, self.limit_segments),
             (&limits::STEPS, self.limit_steps),
             (&limits::ROWS, self.limit_rows),
+            (&limits::POINTS, self.limit_points),
             (&limits::LINES, self.limit_lines),
             (&limits::LINES_IN_CURRENT, self.limit_lines),
         ];

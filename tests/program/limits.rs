@@ -92,6 +92,26 @@ fn steps_and_rows_beyond_a_limit_are_refused_with_the_option_that_allows_them() 
 }
 
 #[test]
+fn points_of_a_variation_beyond_a_limit_are_refused_with_the_option_that_allows_them() {
+    let bench = Bench::new();
+    let vary = |values: &str, limit: &[&str]| {
+        let words = ["study", "vary", "case.toml", "--no-store", "--vary", values];
+        bench.put("case.toml", SMALL);
+        let done = bench.run(&[&words[..], limit].concat());
+        (done.status.code(), String::from_utf8(done.stderr).unwrap())
+    };
+    let durations = "solver.duration_s=1..2/20000";
+    let (status, said) = vary(durations, &[]);
+    assert_eq!(status, Some(2));
+    assert!(said.contains("`--limit-points 20000`"), "{said}");
+    let (status, said) = vary("solver.duration_s=1..2/3", &["--limit-points", "2"]);
+    assert_eq!(status, Some(2));
+    assert!(said.contains("2 are allowed"), "{said}");
+    let (status, said) = vary("solver.duration_s=1..2/3", &["--limit-points", "3"]);
+    assert_eq!(status, Some(0), "{said}");
+}
+
+#[test]
 fn very_many_tables_are_refused_in_every_kind_of_file() {
     let bench = Bench::new();
     let tables: [fn(usize) -> String; 4] = [

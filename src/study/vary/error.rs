@@ -1,7 +1,7 @@
 //! Why a variation cannot be computed.
 
-use super::MOST_POINTS;
 use crate::case::Diagnostic;
+use crate::limits::POINTS;
 
 /// What is wrong with the values of a key, and what would be right.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -14,9 +14,12 @@ pub enum RangeError {
     NoCount(String),
     /// A count that is none.
     #[error(
-        "`{0}` is no number of values; give a whole number from 2 to {MOST_POINTS}, with `log` behind it for even ratios"
+        "`{0}` is no number of values; give a whole number from 2 on, with `log` behind it for even ratios"
     )]
     Count(String),
+    /// A count above the limit.
+    #[error("it has {count} values; {remedy}", count = .0, remedy = POINTS.remedy("give fewer", *.0 as f64))]
+    TooMany(usize),
     /// A text that is no number.
     #[error("`{text}` is no number{of_unit}; {remedy}")]
     NoNumber {
@@ -85,6 +88,6 @@ pub enum VariationError {
     #[error("`{0}` is varied twice; give all of its values at once")]
     Twice(String),
     /// More points than are computed.
-    #[error("the variation has {0} points, more than {MOST_POINTS}; give fewer values")]
+    #[error("the variation has {count} points; {remedy}.", count = .0, remedy = POINTS.remedy("give fewer values", *.0 as f64))]
     TooMany(usize),
 }

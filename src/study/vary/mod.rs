@@ -15,10 +15,8 @@ pub use range::{Spacing, ValueRange};
 
 use super::points::{BaseCase, Point, PointRequest, Setting};
 use crate::case::kind;
+use crate::limits::POINTS;
 use crate::system::SystemFile;
-
-/// Points of a variation, at most.
-pub const MOST_POINTS: usize = 10_000;
 
 /// A case and the points at which it is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,7 +65,7 @@ impl Variation {
         }
         let counts = keys.iter().map(|key| key.range.values.len());
         let count = counts.fold(1_usize, usize::saturating_mul);
-        if count > MOST_POINTS {
+        if POINTS.is_exceeded_by(count as f64) {
             return Err(VariationError::TooMany(count));
         }
         let points = product(&keys);

@@ -2,9 +2,10 @@
 //! `1..100/3log` (in even ratios), `0.2,0.5,0.8`. Numbers may carry a unit, as in a field: `0.1..0.5 km/3`; a unit behind the last number
 //! alone is that of all.
 
-use super::{MOST_POINTS, RangeError};
+use super::RangeError;
 use crate::case::StudyValue;
 use crate::case::fields::{Field, TypedNumber, ValueType, either, nearest, quantity};
+use crate::limits::POINTS;
 
 /// Values of a key, in its unit.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,9 +76,11 @@ fn spaced(whole: &str, from: &str, rest: &str, field: &Field) -> Result<ValueRan
         Some(digits) => (digits.trim(), Spacing::Logarithmic),
         None => (count, Spacing::Linear),
     };
-    let number = digits.parse::<usize>().ok();
-    let number = number.filter(|n| (2..=MOST_POINTS).contains(n));
+    let number = digits.parse::<usize>().ok().filter(|n| *n >= 2);
     let number = number.ok_or_else(|| RangeError::Count(count.to_owned()))?;
+    if POINTS.is_exceeded_by(number as f64) {
+        return Err(RangeError::TooMany(number));
+    }
     let unit = TypedNumber::unit_text(to).unwrap_or_default();
     let (a, b) = (typed(from, unit, field)?, typed(to, unit, field)?);
     let show = |value: f64| quantity(value, field.unit);
