@@ -1,5 +1,6 @@
 //! A case computed at many points, side by side: what studies have in common.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
@@ -7,9 +8,10 @@ use rayon::prelude::*;
 
 use crate::case::fields::number;
 use crate::case::{self, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
-use crate::run::job::{self, Request};
+use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{Recorder, RunLocation, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
+use crate::system::motion::job::{self as motion_job, SystemRequest};
 
 /// The case that points are set on top of.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,8 +60,63 @@ pub struct Point {
     pub settings: Vec<Setting>,
 }
 
-/// What is computed at a point, or why the case refuses it.
+/// The case at a point, or why it refuses the settings.
 pub type PointRequest = Result<Request, String>;
+
+/// What is computed at a point.
+#[derive(Debug, Clone)]
+pub enum PointJob {
+    /// A line.
+    Line(Box<Request>),
+    /// A system of lines, in time.
+    System(Box<SystemRequest>),
+}
+
+impl PointJob {
+    /// The content of `run.toml` while it is computed.
+    fn initial_info(&self) -> RunInfo {
+        match self {
+            Self::Line(request) => request.initial_info(),
+            Self::System(request) => request.initial_info(),
+        }
+    }
+
+    /// Its text with all files that it names.
+    pub(super) fn text(&self) -> Cow<'_, str> {
+        match self {
+            Self::Line(request) => stand_alone(&request.text, &request.case),
+            Self::System(request) => Cow::Borrowed(&request.text),
+        }
+    }
+
+    /// Names its run.
+    fn name(&mut self, id: &str) {
+        let known = match self {
+            Self::Line(request) => &mut request.id,
+            Self::System(request) => &mut request.id,
+        };
+        id.clone_into(known);
+    }
+
+    fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
+        match self {
+            Self::Line(request) => job::execute(request, cancel, events),
+            Self::System(request) => motion_job::execute(request, None, cancel, events),
+        }
+    }
+}
+
+impl From<Request> for PointJob {
+    fn from(request: Request) -> Self {
+        Self::Line(Box::new(request))
+    }
+}
+
+impl From<SystemRequest> for PointJob {
+    fn from(request: SystemRequest) -> Self {
+        Self::System(Box::new(request))
+    }
+}
 
 impl BaseCase {
     /// A case without overrides.
@@ -158,14 +215,14 @@ pub struct PointProgress<'a> {
 /// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores their runs below a directory
 /// where one is given. A point that fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no
 /// further one begins; a point that did not begin has no outcome.
-pub fn compute(
-    requests: Vec<PointRequest>,
+pub fn compute<J: Into<PointJob> + Send>(
+    requests: Vec<Result<J, String>>,
     store: Option<&Path>,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Vec<Option<PointOutcome>> {
-    let compute =
-        |request: PointRequest| request.and_then(|request| outcome(request, store, cancel));
+    let place = store.map(|root| RunLocation::Below(root.to_owned()));
+    let compute = |request: Result<J, String>| outcome(request?.into(), place.as_ref(), cancel);
     side_by_side(requests, cancel, compute, |done, of, index, outcome| {
         progress(PointProgress {
             done,
@@ -202,12 +259,16 @@ pub(super) fn side_by_side<R: Send, T: Send>(
     points.map(one).collect()
 }
 
-/// Computes a point, and stores its run where a directory is given.
-fn outcome(mut request: Request, store: Option<&Path>, cancel: &AtomicBool) -> PointOutcome {
+/// Computes a point, and stores its run where a place is given.
+pub(super) fn outcome(
+    mut job: PointJob,
+    store: Option<&RunLocation>,
+    cancel: &AtomicBool,
+) -> PointOutcome {
     let (run, dir) = match store {
-        None => (job::execute(&request, cancel, &mut |_| {}), None),
-        Some(root) => {
-            let stored = execute_stored(&mut request, root, cancel).map_err(|error| {
+        None => (job.execute(cancel, &mut |_| {}), None),
+        Some(place) => {
+            let stored = execute_stored(&mut job, place, cancel).map_err(|error| {
                 // Nor can those of the other points.
                 cancel.store(true, Ordering::Relaxed);
                 format!("its run cannot be stored: {error}")
@@ -220,17 +281,15 @@ fn outcome(mut request: Request, store: Option<&Path>, cancel: &AtomicBool) -> P
     Ok(PointRun { info, summary, dir })
 }
 
-/// Computes a request and stores its run below a directory while it is computed.
+/// Computes a job and stores its run while it is computed.
 fn execute_stored(
-    request: &mut Request,
-    root: &Path,
+    job: &mut PointJob,
+    place: &RunLocation,
     cancel: &AtomicBool,
 ) -> Result<(Run, PathBuf), StoreError> {
-    let place = RunLocation::Below(root.to_owned());
-    let text = stand_alone(&request.text, &request.case);
-    let mut recorder = Recorder::begin(&place, request.initial_info(), &text)?;
-    recorder.id().clone_into(&mut request.id);
-    let mut run = job::execute(request, cancel, &mut |event| {
+    let mut recorder = Recorder::begin(place, job.initial_info(), &job.text())?;
+    job.name(recorder.id());
+    let mut run = job.execute(cancel, &mut |event| {
         if !recorder.event(&event) {
             cancel.store(true, Ordering::Relaxed);
         }
