@@ -34,6 +34,7 @@ pub mod shipped;
 mod size;
 mod subject;
 mod tree;
+mod value_range;
 mod warm_start;
 mod write;
 
@@ -56,6 +57,7 @@ pub use read::{LoadedCase, load, parse, parse_beside, parse_keys, parse_stored};
 pub(crate) use rows::FieldLister;
 pub use rows::FieldRow;
 pub use subject::{ModePlane, Subject};
+pub use value_range::{RangeError, Spacing, ValueRange};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.

@@ -1,8 +1,8 @@
 //! A key of a case with the values it is varied over.
 
-use super::{RangeError, ValueRange, VariationError};
+use super::VariationError;
 use crate::case::fields::{Field, ValueType};
-use crate::case::{Diagnostic, edit};
+use crate::case::{Diagnostic, RangeError, ValueRange, edit};
 
 /// A key that is varied.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,12 +6,10 @@
 
 mod error;
 mod key;
-mod range;
 pub mod system;
 
-pub use error::{RangeError, VariationError};
+pub use error::VariationError;
 pub use key::VariedKey;
-pub use range::{Spacing, ValueRange};
 
 use super::points::{BaseCase, Point, PointRequest, Setting};
 use crate::case::kind;
