@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::diagnostic::{Diagnostic, Finding};
-use super::model::{Attachment, Case, EndKind, MotionName};
+use super::model::{Attachment, CASE, Case, EndKind, MotionName};
 use super::shipped;
 use super::tree::TomlNode;
 use crate::files::root;
@@ -75,6 +75,8 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
     if let Some(bed) = case.seabed.clone() {
         reading.take_depths(&mut case.files, bed.depths(), "seabed")?;
     }
+    let tables = case.load_cases.clone();
+    reading.take_load_cases(&mut case.files, &tables, &CASE)?;
     for number in 0..case.published_curve.len() {
         let curve = &case.published_curve[number];
         let Some(name) = curve.points_file.clone() else {
@@ -201,7 +203,7 @@ pub(crate) fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>
 }
 
 /// A word of a line and where it stands in the text.
-type PlacedWord<'t> = (&'t str, Range<usize>);
+pub(super) type PlacedWord<'t> = (&'t str, Range<usize>);
 
 /// A number and where it stands in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -237,7 +239,7 @@ pub(crate) fn placed(
     file: &str,
     columns: &[String],
 ) -> Result<Vec<Vec<PlacedNumber>>, Diagnostic> {
-    let mut lines = lines(text);
+    let mut lines = placed_lines(text);
     let wanted = columns.join(",");
     let Some(head) = lines.next() else {
         return Err(Diagnostic::whole_file(
@@ -310,8 +312,8 @@ fn row(
     places.iter().map(number).collect()
 }
 
-/// The lines that say something, as words.
-fn lines(text: &str) -> impl Iterator<Item = Vec<PlacedWord<'_>>> {
+/// The lines of a table that say something, as words between commas, each with its place in the text.
+pub(super) fn placed_lines(text: &str) -> impl Iterator<Item = Vec<PlacedWord<'_>>> {
     let mut start = 0;
     let placed = text.split_inclusive('\n').map(move |line| {
         let from = start;

@@ -47,6 +47,7 @@ fn physics(case: &Case) -> Case {
     kept.modes = None;
     kept.marks.clear();
     kept.study.clear();
+    kept.load_cases.clear();
     kept.published.clear();
     kept.published_curve.clear();
     kept.trend.clear();

@@ -21,11 +21,12 @@ pub struct EffectiveInput {
 }
 
 /// Tables that describe, record or judge a case and are no input of it.
-const NO_INPUTS: [&str; 8] = [
+pub(crate) const NO_INPUTS: [&str; 9] = [
     "case",
     "system",
     "marks",
     "study",
+    "load_cases",
     "published",
     "published_curve",
     "trend",

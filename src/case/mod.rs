@@ -24,6 +24,8 @@ mod file;
 pub(crate) mod file_kind;
 pub mod kind;
 mod line_quantity;
+mod load_case_file;
+pub mod load_cases;
 pub mod model;
 mod placed_words;
 mod quantity_id;
@@ -48,7 +50,7 @@ pub use diagnostic::{Diagnostic, Excerpt, render_all};
 pub use digest::{TextDigest, digests};
 pub use edited::{EditedKey, Origin, ReplacedValue, YOURS};
 pub use effective_inputs::EffectiveInput;
-pub(crate) use effective_inputs::effective_inputs;
+pub(crate) use effective_inputs::{NO_INPUTS, effective_inputs};
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
@@ -62,8 +64,8 @@ pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub(crate) use check::{
-    increasing, of_current, of_material, of_waves, too_many_rows, too_many_steps, unknown,
-    unknown_name, used_twice,
+    increasing, of_current, of_load_cases, of_material, of_waves, takes_values, too_many_rows,
+    too_many_steps, unknown, unknown_name, used_twice,
 };
 pub(crate) use diagnostic::Finding;
 pub(crate) use fields::{is_name, join, nearest, split};

@@ -15,6 +15,7 @@ use crate::case::schema::{FromDefault, KeyValue, schema_of, table};
 mod construct;
 mod ends;
 mod line;
+mod load_cases;
 mod sea;
 mod settings;
 mod validation_data;
@@ -29,6 +30,8 @@ pub use line::{
     Material, Modules, Section, StiffnessScope, Traveller, WorkingCurveShape,
 };
 pub(crate) use line::{BoreKeys, MaterialKeys};
+pub use load_cases::LoadCaseInputs;
+pub(crate) use load_cases::LoadCaseKeys;
 pub(crate) use sea::WavesKeys;
 pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
@@ -109,6 +112,8 @@ table! {
         marks: BTreeMap<String, Mark>;
         /// One key varied over a list of values.
         study: Vec<Study>;
+        /// Load cases that `seacable sweep` computes, in all combinations.
+        load_cases: Vec<LoadCaseInputs>;
         /// A published value the case is held against.
         published: Vec<Published>;
         /// A published curve over time that a channel is held against.

@@ -67,6 +67,9 @@ pub enum RangeError {
     },
 }
 
+/// By how much steps or ratios that are even may differ.
+const EVEN: f64 = 1e-6;
+
 /// Values of a key, in its unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ValueRange {
@@ -97,7 +100,9 @@ impl ValueRange {
         if text.is_empty() {
             return Err(RangeError::Empty);
         }
-        let range = match text.split_once("..") {
+        // Words may be paths.
+        let ends = text.split_once("..").filter(|_| field.takes_number());
+        let range = match ends {
             Some((from, rest)) => spaced(text, from, rest, field)?,
             None => Self {
                 values: listed(text, field)?,
@@ -114,6 +119,24 @@ impl ValueRange {
             }
         }
         Ok(range)
+    }
+
+    /// Values that are listed, and how they happen to be spaced.
+    #[must_use]
+    pub fn of(values: Vec<StudyValue>) -> Self {
+        let numbers: Vec<f64> = values.iter().filter_map(StudyValue::number).collect();
+        let even = |steps: &dyn Fn(f64, f64) -> f64| {
+            let steps: Vec<f64> = numbers.windows(2).map(|w| steps(w[0], w[1])).collect();
+            steps
+                .windows(2)
+                .all(|w| (w[1] - w[0]).abs() <= EVEN * w[0].abs())
+        };
+        let spacing = match numbers.len() == values.len() && numbers.len() > 2 {
+            true if even(&|a, b| b - a) => Spacing::Linear,
+            true if numbers.iter().all(|n| *n > 0.0) && even(&|a, b| b / a) => Spacing::Logarithmic,
+            _ => Spacing::Listed,
+        };
+        Self { values, spacing }
     }
 
     /// The values as numbers; none where one is a word.
@@ -192,6 +215,8 @@ fn word(text: &str, field: &Field) -> Option<Result<String, RangeError>> {
     let words: &[&str] = match field.kind {
         ValueType::Choice(words) | ValueType::NumberOrChoice(words) => words,
         ValueType::Boolean => &["true", "false"],
+        // The file itself checks what it names.
+        ValueType::Text => return Some(Ok(text.to_owned())),
         _ => return None,
     };
     if field.takes_number() && TypedNumber::read(text, field.unit).is_some() {
@@ -352,9 +377,9 @@ mod tests {
                 "current.speed_m_per_s",
                 "lacks the number of values",
             ),
-            ("0.2..0.8/1", "current.speed_m_per_s", "from 2 to"),
-            ("0.2..0.8/4.5", "current.speed_m_per_s", "from 2 to"),
-            ("0.2..0.8/3lin", "current.speed_m_per_s", "from 2 to"),
+            ("0.2..0.8/1", "current.speed_m_per_s", "from 2 on"),
+            ("0.2..0.8/4.5", "current.speed_m_per_s", "from 2 on"),
+            ("0.2..0.8/3lin", "current.speed_m_per_s", "from 2 on"),
             (
                 "0.2..30/2",
                 "current.speed_m_per_s",

@@ -9,6 +9,7 @@ use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
+use super::sweep_args::SweepArgs;
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
@@ -145,6 +146,12 @@ pub(super) enum CliCommand {
     /// Studies over many runs.
     #[command(subcommand)]
     Study(StudyArgs),
+    /// Compute a case or a system of lines at all of its load cases.
+    ///
+    /// Load cases are the combinations of the tables [[load_cases]] of the file, of --load-cases and of --vary. Each is a run of its own,
+    /// stored beside the folder of the sweep; the table of results does not depend on --jobs. A sweep that was stopped or killed goes on
+    /// with --resume. The exit status is 1 when a load case failed.
+    Sweep(SweepArgs),
 }
 
 #[derive(Debug, clap::Args)]

@@ -24,7 +24,7 @@ pub(super) struct LimitArgs {
     #[arg(long, global = true, value_name = "N", value_parser = allowed)]
     limit_rows: Option<f64>,
 
-    /// Allow more points of a variation.
+    /// Allow more points of a variation, or load cases.
     #[arg(long, global = true, value_name = "N", value_parser = allowed)]
     limit_points: Option<f64>,
 

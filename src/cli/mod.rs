@@ -35,6 +35,8 @@ mod signals;
 mod study;
 mod study_args;
 mod study_page;
+mod sweep;
+mod sweep_args;
 mod system;
 mod system_args;
 mod system_study;
@@ -92,6 +94,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Audit(args)) => audit::audit(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
+        Some(CliCommand::Sweep(args)) => sweep::sweep(args),
     };
     done.unwrap_or_else(CommandError::report)
 }

@@ -1,5 +1,6 @@
 //! The points of a variation as a table, as CSV and as charts.
 
+mod extremes;
 mod outcome;
 mod system;
 
@@ -17,6 +18,9 @@ use crate::study::vary::{Variation, VariedKey};
 
 /// Curves of a chart, at most; a finer grid is drawn as a map.
 const MOST_CURVES: usize = 6;
+
+/// Failed points that are listed.
+const MOST_FAILURES: usize = 100;
 
 /// A variation with what became of its points and the results of interest.
 #[derive(Debug, Clone)]
@@ -47,6 +51,31 @@ impl VariationView<'_> {
                 outcome: &self.outcomes[index],
             })
             .collect()
+    }
+
+    /// Number of points.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        self.outcomes.len()
+    }
+
+    /// The points that failed and why, up to a hundred; nothing where none did.
+    #[must_use]
+    pub fn failures(&self) -> Option<Table> {
+        let mut rows = self.rows();
+        rows.retain(|row| row.outcome.reason.is_some());
+        let failed = rows.len();
+        rows.truncate(MOST_FAILURES);
+        let more = failed - rows.len();
+        let table = Table::of("Without results", &rows)
+            .count("point", |row| row.number)
+            .text("state", |row| row.outcome.state())
+            .text("reason", |row| {
+                let reason = row.outcome.reason.as_ref();
+                reason.map(|(_, why)| why.clone()).unwrap_or_default()
+            });
+        let note = (more > 0).then(|| format!("{more} more failed."));
+        (failed > 0).then(|| table.build().noted(note))
     }
 
     /// Whether every point has come to its end.
@@ -103,6 +132,11 @@ impl VariationView<'_> {
                 Cell::plain(setting(key, &row.point.settings[place].value))
             });
         }
+        if let Some(probability) = self.variation.probability.as_ref().filter(|_| with_state) {
+            table = table.cell("probability", Align::Decimal, move |row| {
+                Cell::plain(si(probability[row.number - 1], ""))
+            });
+        }
         for place in results {
             table = table.cell(&self.results[place].name, Align::Decimal, move |row| {
                 let found = row.outcome.result(place);
@@ -130,6 +164,16 @@ impl VariationView<'_> {
     /// The same for other programs: every digit, errors in columns of their own, the run's directory, the reason of a failure.
     #[must_use]
     pub fn csv_table(&self) -> Table {
+        self.csv(true)
+    }
+
+    /// The same without what the runs cost, which is another at every time.
+    #[must_use]
+    pub fn results_table(&self) -> Table {
+        self.csv(false)
+    }
+
+    fn csv(&self, with_cost: bool) -> Table {
         let rows = self.rows();
         let number = |value: Option<f64>| {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
@@ -138,6 +182,11 @@ impl VariationView<'_> {
         for (place, key) in self.variation.keys.iter().enumerate() {
             table = table.text(&headed(&key.path, key.unit()), move |row| {
                 row.point.settings[place].value.to_string()
+            });
+        }
+        if let Some(probability) = &self.variation.probability {
+            table = table.cell("probability", Align::Right, |row| {
+                number(probability.get(row.number - 1).copied())
             });
         }
         for (place, result) in self.results.iter().enumerate() {
@@ -160,12 +209,13 @@ impl VariationView<'_> {
                     .or_else(|| row.outcome.remark.clone())
                     .unwrap_or_default()
             })
+            .when(self.runs && with_cost, |table| {
+                table.cell("CPU time [s]", Align::Right, move |row| {
+                    number(row.outcome.cpu_s)
+                })
+            })
             .when(self.runs, |table| {
-                table
-                    .cell("CPU time [s]", Align::Right, move |row| {
-                        number(row.outcome.cpu_s)
-                    })
-                    .text("run", |row| row.outcome.dir.clone().unwrap_or_default())
+                table.text("run", |row| row.outcome.dir.clone().unwrap_or_default())
             })
             .build()
     }
@@ -176,6 +226,7 @@ impl VariationView<'_> {
     pub fn charts(&self) -> Vec<Chart> {
         let numbers = |key: &VariedKey| key.range.numbers();
         match self.variation.keys.as_slice() {
+            _ if !self.variation.is_grid => Vec::new(),
             [key] => self.each(|place| Some(self.one(key, &numbers(key)?, place))),
             [first, second] if second.range.values.len() <= MOST_CURVES => {
                 self.each(|place| Some(self.family(first, second, &numbers(first)?, place)))

@@ -47,14 +47,16 @@ use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
 
+pub(crate) use create::stem;
 pub use create::{RunLocation, delete};
 pub(in crate::run) use history_csv::HistoryReader;
 pub use history_csv::write_history;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
+pub(crate) use lock::{DirectoryLock, lock_directory};
 pub use notes::RunNotes;
 pub(crate) use read::sealed_checkpoint;
-pub use read::{case_text, read, read_info, resume};
+pub use read::{case_text, read, read_info, read_results, resume};
 pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;

@@ -13,6 +13,7 @@ pub mod random_motion;
 pub mod random_systems;
 pub mod results;
 pub mod speed;
+pub mod sweep;
 pub mod vary;
 mod verdict;
 mod verdict_table;

@@ -43,6 +43,12 @@ impl Setting {
         }
     }
 
+    /// Key and value as an option sets them.
+    #[must_use]
+    pub fn as_override(&self) -> String {
+        format!("{}={}", self.key, self.written())
+    }
+
     /// The value as it is written in a case file.
     #[must_use]
     pub fn written(&self) -> String {
@@ -129,6 +135,13 @@ impl BaseCase {
         }
     }
 
+    /// Its file name.
+    #[must_use]
+    pub fn file(&self) -> String {
+        let file = Path::new(&self.path).file_name();
+        file.map_or_else(String::new, |name| name.to_string_lossy().into_owned())
+    }
+
     /// The case with some settings on top.
     ///
     /// # Errors
@@ -138,7 +151,7 @@ impl BaseCase {
         let keys = settings.iter().map(|setting| setting.key.as_str());
         let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
         let text = edit::set_all(&self.text, &edits).map_err(|faults| reasons(&faults))?;
-        let set = edits.iter().map(|(key, value)| format!("{key}={value}"));
+        let set = settings.iter().map(Setting::as_override);
         let overrides = self.overrides.iter().cloned().chain(set).collect();
         self.request_of(text, overrides)
     }
@@ -149,11 +162,10 @@ impl BaseCase {
     /// What is wrong with the text.
     pub fn request_of(&self, text: String, overrides: Vec<String>) -> PointRequest {
         let case = case::parse(&text, &self.path).map_err(|faults| reasons(&faults))?;
-        let file = Path::new(&self.path).file_name();
         Ok(Request {
             case,
             text,
-            file: file.map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+            file: self.file(),
             overrides,
             id: String::new(),
         })

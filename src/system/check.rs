@@ -1,15 +1,17 @@
 //! Checks of the keys of a system against each other: names, ends, places, what holds what.
 
 use super::ageing::check::ageing;
+use super::build::{angles as angles_of, copy_name};
 use super::check_bed::{bed, below_bed};
+use super::file::SYSTEM;
 use super::model::{
-    BodyKeys, BodyKind, LineKeys, MemberKeys, PointKeys, PointKind, RodKeys, SystemKeys,
+    BodyKeys, BodyKind, LineKeys, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
-use crate::case::{Finding, of_current, of_material, unknown, used_twice};
+use crate::case::{Finding, nearest, of_current, of_load_cases, of_material, unknown, used_twice};
 use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
@@ -61,6 +63,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, material) in &keys.materials {
         found.extend(of_material(material));
     }
+    found.extend(lost_line(keys));
     found.extend(without_unknowns(keys));
     found.extend(keys.current.iter().flat_map(of_current));
     found.extend(bed(keys));
@@ -69,6 +72,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(motion::motion(keys));
     found.extend(check_payout::payouts(keys));
     found.extend(ageing(keys));
+    found.extend(of_load_cases(&SYSTEM, keys.place.node, &keys.load_cases));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));
@@ -511,6 +515,40 @@ fn bends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> bool {
     names.any(|name| {
         let material = keys.materials.iter().find(|(known, _)| known == name);
         material.is_some_and(|(_, material)| material.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
+    })
+}
+
+/// A line that is lost is one of the system, and nothing else needs it.
+fn lost_line(keys: &SystemKeys<'_>) -> Option<Finding> {
+    let key = &keys.damage.as_ref()?.lost_line;
+    let lost = key.given().filter(|name| *name != NO_LINE)?;
+    let copies = keys.lines.iter().flat_map(|(_, line)| {
+        let angles = line.repeat_at_deg.value().unwrap_or_default();
+        let name = line.name.value().unwrap_or_default();
+        let copies = angles_of(&angles).iter();
+        copies
+            .map(|angle| copy_name(&name, *angle))
+            .collect::<Vec<_>>()
+    });
+    let known: Vec<String> = copies.collect();
+    if !known.contains(lost) {
+        let problem = format!("there is no line `{lost}` in this system");
+        let remedy = match nearest(lost, known.iter().map(String::as_str)) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None => format!(
+                "its lines are {}; `{NO_LINE}` leaves it intact",
+                known.join(", ")
+            ),
+        };
+        return Some(key.finding(problem, remedy));
+    }
+    let paid = keys.payouts.iter().map(|(_, payout)| &payout.line);
+    let slid = keys.sliding_points.iter();
+    let slid = slid.flat_map(|(_, sliding)| [&sliding.line, &sliding.other]);
+    let needed = paid.chain(slid).any(|line| line.get() == Some(lost));
+    needed.then(|| {
+        let problem = format!("line `{lost}` is paid out, or a point slides along it");
+        key.finding(problem, "leave that out, or let another line be lost")
     })
 }
 

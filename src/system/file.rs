@@ -56,6 +56,7 @@ impl FileKind for SystemFile {
                 }
             }
         }
+        source.take_load_cases(&mut self.files, &self.load_cases, &SYSTEM)?;
         if let Some(bed) = &self.seabed {
             source.take_depths(&mut self.files, bed.depths(), "seabed")?;
         }
@@ -115,6 +116,7 @@ impl FileKind for SystemFile {
         rows.extend(lister.named("goals", "goal"));
         rows.extend(lister.named("offset_curves", "offset curve"));
         rows.extend(lister.named("watch_circles", "watch circle"));
+        rows.extend(lister.if_given(&["damage"], "damage"));
         rows.extend(lister.if_given(&["solver"], "solver"));
         rows.extend(lister.if_given(&["output"], "output"));
         rows.extend(lister.if_given(&["ageing"], "ageing"));

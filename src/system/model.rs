@@ -15,7 +15,8 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, Current, Environment, Mark, Material, OneOrMany, Waves,
+    Attachment, BedInterpolation, Current, Environment, LoadCaseInputs, Mark, Material, OneOrMany,
+    Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -62,6 +63,8 @@ table! {
         goals: Vec<GoalInputs>;
         /// Marine growth and corrosion of the lines; absent leaves them new.
         ageing: Option<AgeingInputs>;
+        /// What is broken; absent leaves the system intact.
+        damage: Damage, optional;
         /// The run in time; absent leaves the system at rest.
         solver: Option<MotionInputs>;
         /// What is recorded of a run in time.
@@ -70,6 +73,8 @@ table! {
         files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
+        /// Load cases that `seacable sweep` computes, in all combinations.
+        load_cases: Vec<LoadCaseInputs>;
         /// A published value the system is held against.
         published: Vec<PublishedNumber>;
         /// A published curve over time that the run is held against.
@@ -116,6 +121,18 @@ impl SystemBed {
     #[must_use]
     pub fn depths(&self) -> (Option<&str>, BedInterpolation) {
         (self.depth_file.as_deref(), self.interpolation)
+    }
+}
+
+/// The word for no line in [`Damage::lost_line`].
+pub const NO_LINE: &str = "none";
+
+table! {
+    /// The damaged condition of a system: what is broken from the start.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Damage => DamageKeys {
+        /// The line that is lost, by its name in the results, such as mooring@120 for a copy; none leaves the system intact.
+        lost_line: String = NO_LINE, "lost line";
     }
 }
 

@@ -144,7 +144,7 @@ fn varied_runs_are_sound(dir: &Path, well: bool, said: &str) {
     assert!(table.is_err() || table.unwrap().lines().count() == 3);
 }
 
-const SCENES: [Scene; 5] = [
+const SCENES: [Scene; 6] = [
     Scene {
         words: &["run", "small.toml", "--out", "run"],
         ready: with_case,
@@ -190,7 +190,36 @@ const SCENES: [Scene; 5] = [
         ready: with_case,
         check: varied_runs_are_sound,
     },
+    Scene {
+        words: &[
+            "sweep",
+            "small.toml",
+            "--vary",
+            "payload.drag_area_m2=1,2",
+            "--out",
+            "sweep",
+            "--csv",
+        ],
+        ready: with_case,
+        check: sweep_goes_on,
+    },
 ];
+
+/// A sweep that a fault ended goes on to its end, if its folder is there; one that said that all is well has its table.
+fn sweep_goes_on(dir: &Path, well: bool, said: &str) {
+    let folder = dir.join("sweep");
+    let results = folder.join("results.csv");
+    assert!(!well || results.exists(), "{said}");
+    assert!(
+        !folder.exists() || folder.join("sweep.toml").exists(),
+        "{said}"
+    );
+    if folder.exists() {
+        succeeds(dir, &["sweep", "--resume", "sweep"]);
+        let table = fs::read_to_string(results).unwrap();
+        assert_eq!(table.matches(",OK,").count(), 2, "{said}: {table}");
+    }
+}
 
 /// The names of hidden files below a directory.
 fn hidden(dir: &Path, found: &mut Vec<String>) {

@@ -35,6 +35,7 @@ mod store;
 mod stored_versions;
 mod stories;
 mod study_speed;
+mod sweep;
 mod system_runs;
 mod terminal;
 mod vary;

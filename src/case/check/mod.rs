@@ -6,6 +6,7 @@ mod creep;
 mod ends;
 mod keys;
 mod line;
+mod load_cases;
 mod loads;
 mod names;
 mod paths;
@@ -22,6 +23,7 @@ use super::diagnostic::Finding;
 use super::model::CaseKeys;
 
 pub(crate) use keys::{check as check_keys, fields_here};
+pub(crate) use load_cases::{of_load_cases, takes_values, varied};
 pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
 pub(crate) use names::{unknown, unknown_name, used_twice};
 pub(crate) use paths::{marks, unknown_path};

@@ -1,21 +1,21 @@
 //! Validation data: studies of keys that exist, published values and trends of channels that a run records.
 
+use super::load_cases::{of_load_cases, values, varied};
 use super::names::{unknown, unknown_name, used_twice};
-use super::paths::existing;
 use super::recorded;
 use super::taken::{number as number_of, stretch, suits, window};
 use crate::case::diagnostic::Finding;
-use crate::case::fields::{Field, ValueType, check_value, number};
+use crate::case::fields::number;
 use crate::case::model::{
     AtKeys, CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, StudyValue, TrendKeys,
 };
 use crate::case::schema::{Key, KeyValue};
-use crate::case::tree::TomlNode;
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found = studies(case);
+    found.extend(of_load_cases(&CASE, case.place.node, &case.load_cases));
     let recorded = recorded::names(case);
     let quantities = LineQuantity::ALL.map(|quantity| quantity.name().to_owned());
     let all = recorded
@@ -130,37 +130,12 @@ fn studies(case: &CaseKeys<'_>) -> Vec<Finding> {
         let Some(key) = study.key.get() else {
             continue;
         };
-        match varied(case.place.node, key) {
-            Ok(field) => found.extend(study_values(study, field)),
+        match varied(&CASE, case.place.node, key) {
+            Ok(field) => found.extend(values(&study.values, field)),
             Err((problem, remedy)) => found.push(study.key.finding(problem, remedy)),
         }
     }
     found
-}
-
-/// The field a study varies.
-fn varied(root: &TomlNode, key: &str) -> Result<&'static Field, (String, String)> {
-    let field = existing(&CASE, root, key)?;
-    if field.takes_number() || matches!(field.kind, ValueType::Choice(_)) {
-        return Ok(field);
-    }
-    let problem = format!("`{key}` is not a number, so a study cannot vary it");
-    let remedy = "name a key that takes one number, or one of some words";
-    Err((problem, remedy.to_owned()))
-}
-
-fn study_values(study: &StudyKeys<'_>, field: &Field) -> Vec<Finding> {
-    let items = study.values.items().iter().enumerate();
-    let wrong = items.filter_map(|(index, item)| {
-        let fault = check_value(field, item).err();
-        let fault = fault.filter(|_| item.number().is_some() || item.text().is_some())?;
-        Some(
-            study
-                .values
-                .finding_at_item(index, fault.problem, fault.remedy),
-        )
-    });
-    wrong.collect()
 }
 
 /// A curve has as many values as times, at least two, and its times increase.

@@ -2,22 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::TextDigest;
+use crate::case::{NO_INPUTS, TextDigest};
 
 /// Inputs by key: `line.polyester.length_m` and `1326`.
 pub(super) type Inputs = BTreeMap<String, String>;
-
-/// Tables that describe or judge a case, or say what else to compute of it; they are no inputs of a run.
-const NO_INPUTS: [&str; 8] = [
-    "case",
-    "system",
-    "study",
-    "published",
-    "published_curve",
-    "trend",
-    "trial",
-    "marks",
-];
 
 /// Longer values, such as tables of a motion, are known by their digest.
 const LONGEST: usize = 100;

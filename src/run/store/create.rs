@@ -76,7 +76,7 @@ fn below(
 }
 
 /// The case's file name without `.toml`, with only characters that no shell or file system minds.
-fn stem(case_file: &str) -> String {
+pub(crate) fn stem(case_file: &str) -> String {
     let name = Path::new(case_file)
         .file_stem()
         .map(|s| s.to_string_lossy().into_owned());

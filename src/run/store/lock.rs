@@ -8,12 +8,12 @@ use rustix::io::Errno;
 
 /// A lock on a run directory, released when dropped.
 #[derive(Debug)]
-pub(super) struct DirectoryLock {
+pub(crate) struct DirectoryLock {
     _directory: File,
 }
 
 /// Locks a directory; `None` where the file system has no locks.
-pub(super) fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
+pub(crate) fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
     let directory = File::open(dir).ok()?;
     flock(&directory, FlockOperation::NonBlockingLockExclusive).ok()?;
     Some(DirectoryLock {

@@ -123,6 +123,27 @@ fn check_sealed(dir: &Path, name: &str, part: &SealedPart) -> Result<(), StoreEr
     })
 }
 
+/// Reads only what was computed and its results, without the history; of a run that came to its end.
+///
+/// # Errors
+/// As [`read_info`], and of results that cannot be understood.
+pub fn read_results(dir: &Path) -> Result<(RunInfo, Vec<Quantity>), StoreError> {
+    let info = read_info(dir)?;
+    let mut reader = RunReader {
+        dir,
+        whole: true,
+        warnings: Vec::new(),
+    };
+    let summary = reader.summary();
+    match reader.warnings.into_iter().next() {
+        None => Ok((info, summary)),
+        Some(reason) => Err(StoreError::Damaged {
+            file: dir.join(SUMMARY),
+            reason,
+        }),
+    }
+}
+
 /// Reads only the text of its case.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 
 use super::VariationError;
 use crate::case::fields::{Field, ValueType};
-use crate::case::{Diagnostic, RangeError, ValueRange, edit};
+use crate::case::{Diagnostic, RangeError, ValueRange, edit, takes_values};
 
 /// A key that is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,8 +39,7 @@ impl VariedKey {
         if field.kind == ValueType::Triple {
             return Err(VariationError::Coordinates(path.to_owned()));
         }
-        let takes_words = matches!(field.kind, ValueType::Choice(_) | ValueType::Boolean);
-        if !field.takes_number() && !takes_words {
+        if !takes_values(path, field) {
             return Err(VariationError::NoNumber(
                 path.to_owned(),
                 field.range_text(),

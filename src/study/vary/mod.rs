@@ -2,7 +2,7 @@
 //!
 //! [`Variation`] says what is computed, [`compute`](super::points::compute) computes its [`Variation::requests`], and
 //! [`report::variation`](crate::report::variation) shows the results. Points need not be a grid: each is a list of settings of its own,
-//! so that a sweep over load cases is a [`Variation`] with other points.
+//! so that a [sweep](super::sweep) over load cases is a [`Variation`] with other points.
 
 mod error;
 mod key;
@@ -12,7 +12,8 @@ pub use error::VariationError;
 pub use key::VariedKey;
 
 use super::points::{BaseCase, Point, PointRequest, Setting};
-use crate::case::kind;
+use crate::case::load_cases::LoadCases;
+use crate::case::{StudyValue, ValueRange, kind};
 use crate::limits::POINTS;
 use crate::system::SystemFile;
 
@@ -25,6 +26,10 @@ pub struct Variation {
     pub keys: Vec<VariedKey>,
     /// The points.
     pub points: Vec<Point>,
+    /// Probability of each point, where it is known; they add up to 1.
+    pub probability: Option<Vec<f64>>,
+    /// Whether the points are the full product of the values of the keys, the last key fastest.
+    pub is_grid: bool,
 }
 
 impl Variation {
@@ -67,7 +72,50 @@ impl Variation {
             return Err(VariationError::TooMany(count));
         }
         let points = product(&keys);
-        Ok(Self { base, keys, points })
+        Ok(Self {
+            base,
+            keys,
+            points,
+            probability: None,
+            is_grid: true,
+        })
+    }
+
+    /// A case at load cases.
+    #[must_use]
+    pub fn of_load_cases(base: BaseCase, cases: LoadCases) -> Self {
+        let keys = cases.keys.iter().enumerate();
+        let varied = keys.map(|(column, key)| {
+            let mut values: Vec<StudyValue> = Vec::new();
+            for row in &cases.rows {
+                if !values.contains(&row[column]) {
+                    values.push(row[column].clone());
+                }
+            }
+            VariedKey {
+                path: key.path.clone(),
+                field: key.field,
+                range: ValueRange::of(values),
+            }
+        });
+        let keys: Vec<VariedKey> = varied.collect();
+        let point = |row: Vec<StudyValue>| {
+            let settings = keys.iter().zip(row);
+            let settings = settings.map(|(key, value)| Setting::new(&key.path, value));
+            Point {
+                settings: settings.collect(),
+            }
+        };
+        let points: Vec<Point> = cases.rows.into_iter().map(point).collect();
+        let counts = keys.iter().map(|key| key.range.values.len());
+        let count = counts.fold(1_usize, usize::saturating_mul);
+        Self {
+            base,
+            is_grid: count == points.len() && points == product(&keys),
+            points,
+            keys,
+            probability: cases.probability,
+        }
     }
 
     /// What is computed at each point; the reason where the case refuses it.

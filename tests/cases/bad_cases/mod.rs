@@ -6,6 +6,7 @@ mod creep;
 mod files;
 mod keys;
 mod line;
+mod load_cases;
 mod loads;
 mod rope;
 mod sea;

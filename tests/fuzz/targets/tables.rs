@@ -62,6 +62,17 @@ pub(super) const ALL: &[Target] = &[
         share: 50,
     },
     Target {
+        name: "load_cases",
+        run: load_cases,
+        seeds: || {
+            texts(&[
+                "current.speed_m_per_s,probability\n0.1,0.25\n0.4,0.75\n",
+                "solver.duration_s, occurrences\n2 s, 3\n4, 9\n",
+            ])
+        },
+        share: 200,
+    },
+    Target {
         name: "wamit_radiation",
         run: |data| {
             coefficients(data, |text, scales| {
@@ -174,6 +185,12 @@ fn curve(data: &[u8]) -> bool {
         published_curve = [{ name = \"tension\", channel = \"tension_n[ship|rope]\", points_file = \"c.csv\", source = \"figure 1\", \
          tolerance_percent = 5.0, inputs = \"published\" }]\n";
     built(&carrying(keys, "c.csv", &contained(data)))
+}
+
+fn load_cases(data: &[u8]) -> bool {
+    let keys = "ends.a = { name = \"ship\", kind = \"fixed\", position_m = [0.0, 0.0, -1.0] }\n\
+        current = { speed_m_per_s = 0.5 }\nload_cases = [{ file = \"l.csv\" }]\n";
+    built(&carrying(keys, "l.csv", &contained(data)))
 }
 
 fn one(name: &str, data: &[u8]) -> BTreeMap<String, Attachment> {

@@ -1,0 +1,47 @@
+//! The arguments of `seacable sweep`.
+
+use std::path::PathBuf;
+
+use super::import::ImportArgs;
+use super::study_args::StudyPageArgs;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct SweepArgs {
+    /// The case or the system of lines.
+    #[arg(value_name = "CASE", required_unless_present = "resume")]
+    pub(super) case: Option<PathBuf>,
+
+    /// Go on with a sweep that was stopped or killed: load cases whose runs are done are not computed again.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["case", "set", "vary", "load_cases", "result", "out"])]
+    pub(super) resume: Option<PathBuf>,
+
+    /// Set a key on top of the file, for example solver.duration_s=60; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub(super) set: Vec<String>,
+
+    #[command(flatten)]
+    pub(super) import: ImportArgs,
+
+    /// Further load cases: a CSV file with a column for each key path, and probability or occurrences where known; may be repeated.
+    #[arg(long, value_name = "FILE.csv")]
+    pub(super) load_cases: Vec<PathBuf>,
+
+    /// Further load cases: a key and its values, such as waves.height_m=2..8/4; may be repeated.
+    #[arg(long, value_name = "KEY=VALUES")]
+    pub(super) vary: Vec<String>,
+
+    /// A result to show, by its name in the summary of a run, such as tension_n.max; may be repeated. By default the main results.
+    #[arg(long, value_name = "NAME")]
+    pub(super) result: Vec<String>,
+
+    /// Load cases computed at a time; by default one for each core.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
+    pub(super) jobs: Option<u16>,
+
+    /// Folder of the sweep, which must not exist yet; by default runs/CASE-sweep-TIME. Runs are stored beside it.
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) page: StudyPageArgs,
+}

@@ -1,0 +1,137 @@
+//! A sweep: a case or a system of lines computed at all of its load cases, each run stored, so that a sweep that was stopped goes on.
+//!
+//! The results of a load case do not depend on the others nor on the number of threads: each is a run of its own, and a run that is
+//! stored is not computed again. A sweep is a [`Variation`] whose points are the load cases.
+
+mod folder;
+mod load_cases;
+mod results;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
+pub use load_cases::{SweepKind, load_cases, without_load_cases};
+pub use results::SweepResults;
+
+use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side};
+use super::vary::Variation;
+use super::vary::system::{self, SystemOutcome};
+use crate::case::{QuantityId, kind};
+use crate::run::store::RunLocation;
+use crate::system::SystemFile;
+use crate::system::motion::job::SystemRequest;
+
+/// What is computed: the load cases, and which results are shown.
+#[derive(Debug, Clone)]
+pub struct Sweep {
+    /// The case and its load cases.
+    pub variation: Variation,
+    /// The results.
+    pub results: SweepResults,
+}
+
+/// What became of the load cases; nothing of those that did not begin.
+#[derive(Debug)]
+pub enum SweepOutcomes {
+    /// Runs.
+    Runs(Vec<Option<PointOutcome>>, Vec<QuantityId>),
+    /// Equilibria of a system.
+    AtRest(Vec<Option<SystemOutcome>>, Vec<String>),
+}
+
+/// How far a sweep is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SweepProgress {
+    /// Load cases that are done.
+    pub done: usize,
+    /// Of which the runs were stored before.
+    pub stored: usize,
+    /// Load cases in all.
+    pub of: usize,
+}
+
+impl Sweep {
+    /// Computes the load cases side by side on the threads of the caller's pool, and stores their runs beside the folder. A load case that
+    /// fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no further one begins.
+    pub fn compute(
+        &self,
+        folder: &SweepFolder,
+        cancel: &AtomicBool,
+        told: &(dyn Fn(SweepProgress) + Sync),
+    ) -> SweepOutcomes {
+        let progress = |done, of, stored| told(SweepProgress { done, stored, of });
+        let ids = match &self.results {
+            SweepResults::AtRest(names) => {
+                let told = |done, of| progress(done, of, 0);
+                let found = system::compute(&self.variation, names, cancel, &told);
+                return SweepOutcomes::AtRest(found, names.clone());
+            }
+            SweepResults::Line(ids) | SweepResults::InTime(ids) => ids,
+        };
+        let known = self.stored(folder);
+        let count = known.len();
+        let left: Vec<usize> = (0..self.variation.points.len())
+            .filter(|index| !known.contains_key(index))
+            .collect();
+        let compute = |index: usize| {
+            let place = RunLocation::Exactly(folder.run(index));
+            points::outcome(self.job(index)?, Some(&place), cancel)
+        };
+        progress(count, self.variation.points.len(), count);
+        let computed = side_by_side(left.clone(), cancel, compute, |done, of, _, _| {
+            progress(count + done, count + of, count);
+        });
+        let mut outcomes: Vec<Option<PointOutcome>> = vec![None; self.variation.points.len()];
+        for (index, outcome) in left.into_iter().zip(computed) {
+            outcomes[index] = outcome;
+        }
+        for (index, outcome) in known {
+            outcomes[index] = Some(outcome);
+        }
+        SweepOutcomes::Runs(outcomes, ids.clone())
+    }
+
+    /// The load cases whose runs are stored, or whose place is taken.
+    fn stored(&self, folder: &SweepFolder) -> BTreeMap<usize, PointOutcome> {
+        let points = self.variation.points.iter().enumerate();
+        let found = points.filter_map(|(index, point)| {
+            let overrides = self.overrides(&point.settings);
+            Some((index, folder.stored(index, &overrides).transpose()?))
+        });
+        found.collect()
+    }
+
+    /// The run of a load case.
+    fn job(&self, index: usize) -> Result<PointJob, String> {
+        let settings = &self.variation.points[index].settings;
+        match &self.results {
+            SweepResults::InTime(_) => self.system_in_time(settings).map(PointJob::from),
+            _ => self.variation.base.request(settings).map(PointJob::from),
+        }
+    }
+
+    fn system_in_time(&self, settings: &[Setting]) -> Result<SystemRequest, String> {
+        let base = &self.variation.base;
+        let written: Vec<String> = settings.iter().map(Setting::written).collect();
+        let keys = settings.iter().map(|setting| setting.key.as_str());
+        let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
+        let found = kind::set_and_compute::<SystemFile>(&base.text, &edits);
+        let (text, solved) = found.map_err(|faults| reasons(&faults))?;
+        let overrides = self.overrides(settings);
+        let request = SystemRequest::new(Arc::new(solved), &text, base.file(), overrides);
+        request.ok_or_else(|| "it has no table [solver]".to_owned())
+    }
+
+    fn overrides(&self, settings: &[Setting]) -> Vec<String> {
+        let set = settings.iter().map(Setting::as_override);
+        self.variation
+            .base
+            .overrides
+            .iter()
+            .cloned()
+            .chain(set)
+            .collect()
+    }
+}
