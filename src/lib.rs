@@ -47,6 +47,8 @@ pub mod comparison;
 pub mod dynamics;
 pub mod equations;
 pub mod export;
+pub mod extremes;
+pub mod fatigue;
 pub mod files;
 pub mod import;
 pub mod kinds;

@@ -7,7 +7,9 @@ use clap::{Parser, Subcommand};
 use super::audit::AuditArgs;
 use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
+use super::intervals::IntervalsArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
+use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
 use super::sweep_args::SweepArgs;
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
@@ -152,6 +154,11 @@ pub(super) enum CliCommand {
     /// stored beside the folder of the sweep; the table of results does not depend on --jobs. A sweep that was stopped or killed goes on
     /// with --resume. The exit status is 1 when a load case failed.
     Sweep(SweepArgs),
+    /// Compute statistics of stored runs: moments, the greatest value of some hours by three methods, fatigue.
+    ///
+    /// Several runs are taken together as records of one sea with other seeds. Two errors are stated and never added: the interval of the
+    /// sample, and the numerical error of the runs.
+    Statistics(StatisticsArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -193,6 +200,10 @@ pub(super) enum StudyArgs {
     ///
     /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
     Bars(HardArgs),
+    /// Measure how often intervals of extremes hold the truth, and how often a verdict over seeds is false.
+    ///
+    /// Samples are drawn from Gumbel's and Weibull's law, and the default intervals made of each. Takes a minute.
+    Intervals(IntervalsArgs),
     /// Hold an accuracy asked against the true one, and its cost against the cheapest setting that is as accurate.
     ///
     /// The truth is a run on twice the mesh found, with a time error four times as small. Takes some minutes for all cases.

@@ -65,6 +65,16 @@ pub(super) fn edits(words: &[String]) -> Result<Vec<(&str, &str)>, CommandError>
     Ok(edits)
 }
 
+/// Lets `KEY=VALUE,VALUE` name any file, as what the user types may.
+pub(super) fn allow_values(words: &[String]) {
+    let values = words.iter().filter_map(|word| word.split_once('='));
+    for (_, values) in values {
+        for value in values.split(',') {
+            root::allow(value.trim());
+        }
+    }
+}
+
 /// Applies every `KEY=VALUE` to the text of a case.
 pub(super) fn set(text: &str, words: &[String]) -> Result<String, CommandError> {
     let edits = edits(words)?;

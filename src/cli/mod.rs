@@ -16,6 +16,7 @@ mod error;
 mod export;
 mod import;
 mod inputs;
+mod intervals;
 mod keys;
 mod kinds;
 mod limit_args;
@@ -32,6 +33,7 @@ mod run;
 mod section;
 mod ship;
 mod signals;
+mod statistics;
 mod study;
 mod study_args;
 mod study_page;
@@ -95,6 +97,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args),
+        Some(CliCommand::Statistics(args)) => statistics::statistics(args),
     };
     done.unwrap_or_else(CommandError::report)
 }

@@ -15,7 +15,7 @@ use super::{
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Case, kind};
-use crate::files::{read, root};
+use crate::files::read;
 use crate::kinds::FileType;
 use crate::report::number::duration;
 use crate::report::table::Table;
@@ -101,13 +101,7 @@ fn show(
 /// A new sweep.
 fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder), CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
-    // What the user types may name any file.
-    let values = args.vary.iter().filter_map(|range| range.split_once('='));
-    values.for_each(|(_, values)| {
-        values
-            .split(',')
-            .for_each(|value| root::allow(value.trim()))
-    });
+    cases::allow_values(&args.vary);
     let mut csv = Vec::with_capacity(args.load_cases.len());
     for file in &args.load_cases {
         let text = read::text(file).map_err(|error| {
@@ -151,7 +145,7 @@ fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun
     let load_cases = load_cases::<Case>(of, csv, &args.vary).map_err(refused)?;
     let text = without_load_cases(&text);
     let case = cases::parse(&text, &loaded.name)?;
-    let results = SweepResults::of_line(&case, &args.result).map_err(no_result)?;
+    let results = SweepResults::of_line(&case, &args.result).map_err(|why| no_result(&why))?;
     let text = case::stand_alone(&text, &case).into_owned();
     Ok((base(text, &loaded.name, &args.set), load_cases, results))
 }
@@ -168,7 +162,7 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
         files: &solved.file.files,
     };
     let load_cases = load_cases::<SystemFile>(of, csv, &args.vary).map_err(refused)?;
-    let results = SweepResults::of_system(&solved, &args.result).map_err(no_result)?;
+    let results = SweepResults::of_system(&solved, &args.result).map_err(|why| no_result(&why))?;
     let text = without_load_cases(&text);
     Ok((base(text, &name, &args.set), load_cases, results))
 }
@@ -189,7 +183,8 @@ fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder), CommandError> {
         FileType::System => {
             let solved = kind::parse_stored::<SystemFile>(&text, &info.case_file);
             let solved = solved.map_err(CommandError::Invalid)?;
-            let results = SweepResults::of_system(&solved, &info.results).map_err(no_result)?;
+            let results =
+                SweepResults::of_system(&solved, &info.results).map_err(|why| no_result(&why))?;
             (
                 load_cases::<SystemFile>(of, &csv, &[]).map_err(refused)?,
                 results,
@@ -197,7 +192,8 @@ fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder), CommandError> {
         }
         _ => {
             let case = case::parse_stored(&text, &info.case_file).map_err(CommandError::Invalid)?;
-            let results = SweepResults::of_line(&case, &info.results).map_err(no_result)?;
+            let results =
+                SweepResults::of_line(&case, &info.results).map_err(|why| no_result(&why))?;
             (load_cases::<Case>(of, &csv, &[]).map_err(refused)?, results)
         }
     };
@@ -220,7 +216,7 @@ fn refused(error: LoadCaseError) -> CommandError {
     }
 }
 
-fn no_result(why: String) -> CommandError {
+fn no_result(why: &str) -> CommandError {
     CommandError::Usage(format!("--result: {why}."))
 }
 

@@ -11,7 +11,6 @@ use super::{
     study_page::{base_case, print, results},
 };
 use crate::case::kind;
-use crate::files::root;
 use crate::kinds::FileType;
 use crate::report::table::Table;
 use crate::report::variation::VariationView;
@@ -21,13 +20,7 @@ use crate::study::vary::{self, Variation};
 use crate::system::{SystemFile, quantities};
 
 pub(super) fn vary(args: &VaryArgs) -> Result<ExitCode, CommandError> {
-    // What the user types may name any file.
-    let values = args.vary.iter().filter_map(|range| range.split_once('='));
-    for (_, values) in values {
-        values
-            .split(',')
-            .for_each(|value| root::allow(value.trim()));
-    }
+    cases::allow_values(&args.vary);
     if FileType::of(&args.case.file) == FileType::System {
         return system(args);
     }

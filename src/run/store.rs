@@ -24,6 +24,7 @@
 //!
 //! Numbers are written with the fewest digits that read back to the same bits.
 
+mod channel_rows;
 mod columns;
 mod complete;
 mod create;
@@ -47,6 +48,7 @@ use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
 
+pub use channel_rows::{ChannelRows, channel_rows};
 pub(crate) use create::stem;
 pub use create::{RunLocation, delete};
 pub(in crate::run) use history_csv::HistoryReader;

@@ -11,6 +11,7 @@ pub mod physics;
 pub mod points;
 pub mod random_motion;
 pub mod random_systems;
+pub mod record_statistics;
 pub mod results;
 pub mod speed;
 pub mod sweep;

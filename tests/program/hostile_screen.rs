@@ -242,6 +242,8 @@ fn runs_that_came_by_mail_send_text_and_own_sequences_only() {
     session.panes(8);
     session.keys("3");
     session.pty.wait_for(SEEN);
+    // Its row comes before the others, and the cursor stays at its place.
+    session.pty.wait_for("live, in memory");
     for keys in ["g", "j", " ", "j", " ", "j", " "] {
         session.keys(keys);
     }

@@ -31,6 +31,7 @@ mod output_files;
 mod signals;
 mod standard_output;
 mod start_from_run;
+mod statistics;
 mod store;
 mod stored_versions;
 mod stories;

@@ -137,7 +137,7 @@ fn load_cases_are_the_combinations_of_tables_files_and_options() {
     assert!(
         run.info
             .overrides
-            .contains(&"payload.wet_mass_kg=600.0".to_owned()),
+            .contains(&"payload.wet_mass_kg=600".to_owned()),
         "{:?}",
         run.info.overrides
     );

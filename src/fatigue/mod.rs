@@ -1,0 +1,36 @@
+//! Fatigue of chains, wire ropes and fibre ropes from tension histories.
+//!
+//! ```text
+//! tensions ──▶ turning points ──▶ cycles ──▶ damage by a T-N or S-N curve ──▶ rate, life
+//!              reversals          rainflow   Miner's sum
+//! ```
+//!
+//! * [`turning_points`]: reversals of a series, value by value or of a slice; [`classes`].
+//! * [`rainflow`]: three-point counting (ASTM E1049-85, 5.4.4); [`four_point`]: four-point counting (ISO 12110-2) and its residue.
+//! * [`histogram`]: cycles by range and mean in fixed memory.
+//! * [`curve`]: T-N and S-N curves; [`component`]: a curve with strength or area; [`curve_library`]: those of API RP 2SK and DNV-OS-E301; [`curve_file`]: a user's own.
+//! * [`mean_stress`]: ranges corrected to zero mean.
+//! * [`damage`]: Miner's sum, its slope to the tension; [`scatter`]: sea states by their share, life.
+//! * [`closed_form`]: narrow-band damage; [`spectral`]: Dirlik's and Tovo-Benasciutti's method.
+//! * [`study`]: rainflow damage of random records against the closed form.
+//!
+//! Ranges are double amplitudes, from trough to crest. Tensions are in N, stresses in MPa, times in s.
+
+pub mod classes;
+pub mod closed_form;
+pub mod component;
+pub mod curve;
+pub mod curve_file;
+pub mod curve_library;
+pub mod damage;
+pub mod four_point;
+pub mod histogram;
+pub mod mean_stress;
+pub mod rainflow;
+pub mod scatter;
+pub mod spectral;
+pub mod study;
+pub mod turning_points;
+
+#[cfg(test)]
+mod fixtures;
