@@ -111,6 +111,12 @@ impl LoadCases {
                         return Err(LoadCaseError::Incomplete(what));
                     }
                 };
+                if let Some(word) = values.iter().find_map(unwritable) {
+                    let why = format!(
+                        "`{word}` cannot be kept in a table: give a word without commas, quotes and blanks around it"
+                    );
+                    return Err(LoadCaseError::Values(path.clone(), why));
+                }
                 Ok(Self::of_key(
                     path,
                     field,
@@ -211,6 +217,18 @@ impl LoadCases {
     }
 }
 
+/// A word that a table of CSV as this program reads it cannot hold.
+fn unwritable(value: &StudyValue) -> Option<&str> {
+    let StudyValue::Word(word) = value else {
+        return None;
+    };
+    let sound = !word.is_empty()
+        && word.trim() == word
+        && !word.starts_with('#')
+        && !word.contains(|c: char| c == ',' || c == '"' || c.is_control());
+    (!sound).then_some(word)
+}
+
 /// Weights over their sum; nothing where they have none, or are probabilities that do not add up to 1.
 pub(super) fn shares(weights: &[f64], are_probabilities: bool) -> Option<Vec<f64>> {
     let sum: f64 = weights.iter().sum();
@@ -290,6 +308,24 @@ mod tests {
         let twice = LoadCases::combined(vec![key(SPEED, "1,2", None), key(SPEED, "3", None)]);
         assert_eq!(twice, Err(LoadCaseError::Twice(SPEED.to_owned())));
         assert!(LoadCases::combined(Vec::new()).unwrap().keys.is_empty());
+    }
+
+    #[test]
+    fn words_that_a_table_cannot_hold_are_refused() {
+        let field = |_: &str| field(SPEED);
+        for word in ["a,b", "", " a", "#a", "a\nb", "\"a"] {
+            let table = LoadCaseInputs {
+                key: Some("ends.a.motion_file".to_owned()),
+                values: Some(vec![StudyValue::Word(word.to_owned())]),
+                range: None,
+                zip: None,
+                probability: None,
+                file: None,
+            };
+            let found = LoadCases::of_tables(&[table], &BTreeMap::new(), &field);
+            let why = found.unwrap_err().to_string();
+            assert!(why.contains("cannot be kept in a table"), "{word}: {why}");
+        }
     }
 
     #[test]

@@ -150,7 +150,7 @@ pub(super) enum CliCommand {
     Study(StudyArgs),
     /// Compute a case or a system of lines at all of its load cases.
     ///
-    /// Load cases are the combinations of the tables [[load_cases]] of the file, of --load-cases and of --vary. Each is a run of its own,
+    /// Load cases are the combinations of the tables `[[load_cases]]` of the file, of --load-cases and of --vary. Each is a run of its own,
     /// stored beside the folder of the sweep; the table of results does not depend on --jobs. A sweep that was stopped or killed goes on
     /// with --resume. The exit status is 1 when a load case failed.
     Sweep(SweepArgs),

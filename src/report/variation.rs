@@ -215,7 +215,12 @@ impl VariationView<'_> {
                 })
             })
             .when(self.runs, |table| {
-                table.text("run", |row| row.outcome.dir.clone().unwrap_or_default())
+                table.text("run", move |row| {
+                    let dir = row.outcome.dir.as_deref().unwrap_or_default();
+                    // Results without their cost are the same wherever they are read from.
+                    let name = dir.rsplit('/').next().unwrap_or(dir);
+                    if with_cost { dir } else { name }.to_owned()
+                })
             })
             .build()
     }

@@ -204,9 +204,6 @@ impl Builder<'_> {
         let [x, y] = line.repeat_about_m;
         let axis = V3::new(x, y, 0.0);
         for &angle in angles(&line.repeat_at_deg) {
-            if copy_name(&line.name, angle) == self.file.damage.lost_line {
-                continue;
-            }
             let from = self.point(&line.from, angle, axis);
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);

@@ -17,6 +17,7 @@ pub mod build;
 mod check;
 mod check_bed;
 pub mod connected;
+mod damage;
 pub mod discretised;
 pub mod equilibrium;
 mod file;

@@ -5,6 +5,7 @@ use nalgebra::Matrix6;
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
 use super::build::{AgedParts, Divided, build};
+use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
@@ -46,6 +47,7 @@ impl SolvedSystem {
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
+    let file = without_lost_line(file);
     let new = build(&file, &AgedParts::new(), Divided::WhereNeeded).map_err(not_divided)?;
     if let Some(buried) = below_bed(&new) {
         return Err(buried);

@@ -308,6 +308,12 @@ fn systems_are_computed_in_time_or_at_rest_and_lines_are_lost() {
             .count()
     });
     assert_eq!(lines, [4, 0], "{text}");
+    // A sweep is found from within too.
+    let before = place.results("s");
+    let mut command = place.command(&["--resume", "."]);
+    command.current_dir(place.dir().join("s"));
+    assert_eq!(command.output().unwrap().status.code(), Some(0));
+    assert_eq!(place.results("s"), before);
     // At rest nothing is stored but the table.
     place.put("oc3.toml", OC3);
     let (status, text, said) = place.sweep(&[

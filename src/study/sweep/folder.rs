@@ -149,6 +149,13 @@ impl SweepFolder {
     /// # Errors
     /// It is no sweep, was changed, or another program computes it.
     pub fn open(dir: &Path) -> Result<(Self, StoredSweep), SweepError> {
+        // The runs stand beside it, under its name.
+        let named = dir.file_name().is_some().then(|| Ok(dir.to_owned()));
+        let named = named.unwrap_or_else(|| dir.canonicalize());
+        let dir = &named.map_err(|source| SweepError::Io {
+            file: dir.to_owned(),
+            source,
+        })?;
         let text = |name: &str| {
             let file = dir.join(name);
             read::run_text(&file).map_err(|source| SweepError::Io { file, source })
