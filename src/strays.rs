@@ -86,13 +86,18 @@ fn remove_run(dir: &Path, files: &[&str]) -> io::Result<()> {
     if !dir.symlink_metadata()?.is_dir() {
         return Ok(());
     }
-    for item in fs::read_dir(dir)? {
-        let item = item?;
+    let items = fs::read_dir(dir)?.collect::<io::Result<Vec<_>>>()?;
+    let is_known = |item: &fs::DirEntry| {
         let name = item.file_name();
         let known = files.iter().any(|file| name == OsStr::new(file));
-        if known || left_behind(&name) == Some(Hidden::File) {
-            disk::remove_file(&item.path())?;
-        }
+        known || left_behind(&name) == Some(Hidden::File)
+    };
+    // A folder of another kind is left whole: a part taken would make it look new.
+    if !items.iter().all(is_known) {
+        return Ok(());
+    }
+    for item in items {
+        disk::remove_file(&item.path())?;
     }
     disk::remove_dir(dir)
 }
@@ -149,11 +154,13 @@ mod tests {
             make(&format!("seen.{gone}-0{suffix}"), inside, true);
             make(&format!(".b{suffix}"), inside, true);
         }
-        make(&format!(".other.{gone}-0.new"), &["letter.txt"], true);
+        let other = format!(".other.{gone}-0.new");
+        make(&other, &["case.toml", "letter.txt"], true);
         let mut expected = names(dir.path());
         expected.retain(|name| !name.starts_with(".a."));
         remove(dir.path(), &["case.toml"]);
         assert_eq!(names(dir.path()), expected);
         assert_eq!(expected.len(), 13);
+        assert_eq!(names(&dir.path().join(other)), ["case.toml", "letter.txt"]);
     }
 }
