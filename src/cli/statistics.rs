@@ -17,7 +17,7 @@ use crate::fatigue::curve_library::{PUBLISHED, published};
 use crate::files::read;
 use crate::numerics::statistics::Statistics as Moments;
 use crate::report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
-use crate::report::table::{Align, Cell, Table};
+use crate::report::table::{Align, Cell, Columns, Table};
 use crate::run::Quantity;
 use crate::run::store::{ChannelRows, channel_rows, read_results};
 use crate::study::record_statistics::{
@@ -266,12 +266,23 @@ fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
 
 /// A figure with its name.
 type Figure<T> = (&'static str, fn(&T) -> f64);
+/// One that may be missing.
+type PossibleFigure<T> = (&'static str, fn(&T) -> Option<f64>);
 
 /// A row for each channel, with every digit.
 fn csv(views: &[ChannelView]) -> Table {
-    let number =
-        |value: Option<f64>| Cell::plain(value.map_or_else(String::new, |v| v.to_string()));
-    let mut table = Table::of("", views).text("channel", |row| row.id.to_string());
+    let table = Table::of("", views)
+        .text("channel", |row| row.id.to_string())
+        .text("unit", |row| row.id.quantity.unit());
+    with_fatigue(with_greatest(with_moments(table))).build()
+}
+
+fn number(value: Option<f64>) -> Cell {
+    Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
+}
+
+/// Moments, in the unit of the channel where they have one.
+fn with_moments(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
     let moments: [Figure<Moments>; 7] = [
         ("mean", |s| s.mean),
         ("deviation", |s| s.deviation),
@@ -286,56 +297,55 @@ fn csv(views: &[ChannelView]) -> Table {
             number(Some(read(&row.statistics.moments)))
         });
     }
-    table = table.cell("error of the mean", Align::Right, move |row| {
-        let mean = row.statistics.mean.as_ref().ok();
-        number(mean.map(|mean| mean.error.max(mean.batch_error)))
-    });
-    table = table.cell("crossings a second", Align::Right, move |row| {
-        number(row.statistics.crossing_rate.as_ref().ok().copied())
-    });
+    table
+        .cell("error of the mean", Align::Right, |row| {
+            let mean = row.statistics.mean.as_ref().ok();
+            number(mean.map(|mean| mean.error.max(mean.batch_error)))
+        })
+        .cell("crossings [1/s]", Align::Right, |row| {
+            number(row.statistics.crossing_rate.as_ref().ok().copied())
+        })
+}
+
+/// Greatest values with the ends of their intervals, in the unit of the channel.
+fn with_greatest(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
+    let figures: [Figure<GreatestValue>; 6] = [
+        ("most probable", |g| g.most_probable.estimate),
+        ("most probable, low", |g| g.most_probable.low),
+        ("most probable, high", |g| g.most_probable.high),
+        ("expected", |g| g.expected.estimate),
+        ("expected, low", |g| g.expected.low),
+        ("expected, high", |g| g.expected.high),
+    ];
     for method in ExtremeMethod::ALL {
-        let figures: [Figure<GreatestValue>; 6] = [
-            ("most probable", |g| g.most_probable.estimate),
-            ("most probable, low", |g| g.most_probable.low),
-            ("most probable, high", |g| g.most_probable.high),
-            ("expected", |g| g.expected.estimate),
-            ("expected, low", |g| g.expected.low),
-            ("expected, high", |g| g.expected.high),
-        ];
         for (name, read) in figures {
             let head = format!("{}: {name}", method.name());
             table = table.cell(&head, Align::Right, move |row| {
-                let found = row.statistics.greatest.iter().find(|(of, _)| *of == method);
-                let found = found.and_then(|(_, found)| found.as_ref().ok());
-                number(found.map(read))
+                let mut all = row.statistics.greatest.iter();
+                let found = all.find(|(of, _)| *of == method);
+                number(found.and_then(|(_, found)| found.as_ref().ok()).map(read))
             });
         }
     }
-    table
-        .cell(
-            "numerical error of the greatest",
-            Align::Right,
-            move |row| number(row.numerical),
-        )
-        .cell("damage a year", Align::Right, move |row| {
+    table.cell("numerical error of the greatest", Align::Right, |row| {
+        number(row.numerical)
+    })
+}
+
+/// Damage of a year with its two errors, where it is asked for.
+fn with_fatigue(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
+    let figures: [PossibleFigure<FatigueView>; 3] = [
+        ("damage [1/year]", |f| Some(f.found.per_year)),
+        ("numerical error of the damage [1/year]", |f| f.numerical),
+        ("sample error of the damage [1/year]", |f| {
+            f.found.sample_error
+        }),
+    ];
+    for (name, read) in figures {
+        table = table.cell(name, Align::Right, move |row| {
             let found = row.fatigue.as_ref().and_then(|found| found.as_ref().ok());
-            number(found.map(|found| found.found.per_year))
-        })
-        .cell(
-            "numerical error of the damage a year",
-            Align::Right,
-            move |row| {
-                let found = row.fatigue.as_ref().and_then(|found| found.as_ref().ok());
-                number(found.and_then(|found| found.numerical))
-            },
-        )
-        .cell(
-            "sample error of the damage a year",
-            Align::Right,
-            move |row| {
-                let found = row.fatigue.as_ref().and_then(|found| found.as_ref().ok());
-                number(found.and_then(|found| found.found.sample_error))
-            },
-        )
-        .build()
+            number(found.and_then(read))
+        });
+    }
+    table
 }

@@ -38,6 +38,18 @@ struct GreatestRow<'a> {
     found: Result<&'a GreatestValue, String>,
 }
 
+impl GreatestRow<'_> {
+    /// A figure with its interval in brackets.
+    fn figure(&self, read: fn(&GreatestValue) -> Interval) -> Cell {
+        let Ok(found) = &self.found else {
+            return Cell::none();
+        };
+        let (of, unit) = (read(found), self.channel.id.quantity.unit());
+        let interval = range_text(of.low, of.high, unit);
+        Cell::plain(format!("{} ({interval})", si(of.estimate, unit)))
+    }
+}
+
 /// Mean, deviation and shape of every channel.
 #[must_use]
 pub fn moments(channels: &[ChannelView]) -> Table {
@@ -91,27 +103,6 @@ pub fn greatest(channels: &[ChannelView], question: ExtremeQuestion) -> Table {
         })
     });
     let rows: Vec<GreatestRow<'_>> = rows.collect();
-    let interval = |read: fn(&GreatestValue) -> Interval| {
-        move |row: &GreatestRow<'_>| {
-            let unit = row.channel.id.quantity.unit();
-            row.found.as_ref().map_or_else(
-                |_| Cell::none(),
-                |found| {
-                    let Interval {
-                        estimate,
-                        low,
-                        high,
-                        ..
-                    } = read(found);
-                    Cell::plain(format!(
-                        "{} ({})",
-                        si(estimate, unit),
-                        range_text(low, high, unit)
-                    ))
-                },
-            )
-        }
-    };
     let notes = rows.iter().enumerate().filter_map(|(number, row)| {
         let why = row.found.as_ref().err()?;
         Some(format!(
@@ -131,8 +122,8 @@ pub fn greatest(channels: &[ChannelView], question: ExtremeQuestion) -> Table {
             let found = row.found.as_ref().ok();
             found.map_or_else(Cell::none, |found| Cell::plain(found.sample.to_string()))
         })
-        .cell("most probable", Align::Decimal, |(_, row)| interval(|f| f.most_probable)(row))
-        .cell("expected", Align::Decimal, |(_, row)| interval(|f| f.expected)(row))
+        .cell("most probable", Align::Decimal, |(_, row)| row.figure(|f| f.most_probable))
+        .cell("expected", Align::Decimal, |(_, row)| row.figure(|f| f.expected))
         .cell("numerical error", Align::Decimal, |(_, row)| {
             let unit = row.channel.id.quantity.unit();
             let error = row.channel.numerical.filter(|_| row.found.is_ok());

@@ -18,7 +18,7 @@ use crate::fatigue::mean_stress::MeanCorrection;
 use crate::fatigue::rainflow::{Cycle, three_point};
 use crate::numerics::statistics::{Statistics, mean, variance};
 
-/// Records with fewer independent values say nothing of extremes.
+/// Runs that Gumbel's law is fitted to, at least.
 const FEWEST_RUNS: usize = 5;
 
 /// The record of a channel in one run, at even steps.
