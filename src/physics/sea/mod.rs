@@ -13,6 +13,7 @@
 //! long-crested; [`spread`] makes a short-crested sea of several.
 
 mod component;
+mod component_lanes;
 mod decay;
 mod dispersion;
 mod harmonics;

@@ -10,7 +10,8 @@
 //! 30 to 60 ns each on the machines at hand. So a line takes the water once a step, not in every iteration
 //! ([`WaterMotion`] goes on from there to first order), and leaves out components that do not reach down to a node.
 
-use super::decay::{DecayFactors, DepthDecay};
+use super::component_lanes::{ComponentLanes, ComponentSums};
+use super::decay::DepthDecay;
 use super::stretching::{StretchedHeight, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
@@ -26,6 +27,8 @@ pub struct WaveField {
     components: Vec<Component>,
     /// Wave numbers \[1/m\], rising.
     numbers: Vec<f64>,
+    /// The same side by side.
+    lanes: ComponentLanes,
     /// Where they run to, a unit vector in plan.
     direction: V3,
     /// Depth of the sea \[m\], infinite where it is deep.
@@ -131,18 +134,6 @@ impl Surface {
     }
 }
 
-/// Sums over the components: `c`, `s` stand for cosine and sine of theta, `k` for another wave number in the sum.
-#[derive(Debug, Clone, Copy, Default)]
-struct ComponentSums {
-    // Weighted by a omega, then by a omega².
-    across: [f64; 2],
-    up: [f64; 2],
-    across_k: [f64; 2],
-    up_k: [f64; 2],
-    across_z: [f64; 2],
-    up_z: [f64; 2],
-}
-
 impl WaveField {
     /// Waves of these components, as they pass the origin, frequencies rising.
     #[must_use]
@@ -150,9 +141,11 @@ impl WaveField {
         let numbers = components
             .iter()
             .map(|c| wave_number(c.omega, setting.gravity, setting.depth));
+        let numbers: Vec<f64> = numbers.collect();
         let (sin, cos) = setting.direction.sin_cos();
         Self {
-            numbers: numbers.collect(),
+            lanes: ComponentLanes::new(&components, &numbers, setting.depth),
+            numbers,
             components,
             direction: V3::new(cos, sin, 0.0),
             depth: setting.depth,
@@ -188,23 +181,10 @@ impl WaveField {
             .collect()
     }
 
-    /// Height of the surface \[m\], its slope along the waves and its rate \[m/s\], at a time and a place, grown to
-    /// the full.
-    fn surface(&self, t: f64, along: f64) -> (f64, f64, f64) {
-        let (mut eta, mut slope, mut rate) = (0.0, 0.0, 0.0);
-        for (c, k) in self.components.iter().zip(&self.numbers) {
-            let (sin, cos) = (c.omega * t - k * along + c.phase).sin_cos();
-            eta += c.amplitude * cos;
-            slope += c.amplitude * k * sin;
-            rate -= c.amplitude * c.omega * sin;
-        }
-        (eta, slope, rate)
-    }
-
     /// Height of the surface above still water \[m\] at time t \[s\] over a place.
     #[must_use]
     pub fn elevation(&self, t: f64, place: &V3) -> f64 {
-        smooth_ramp(t, self.ramp).0 * self.surface(t, self.direction.dot(place)).0
+        smooth_ramp(t, self.ramp).0 * self.lanes.surface(t, self.direction.dot(place)).elevation
     }
 
     /// Whether the height of the surface matters to the stretching.
@@ -217,11 +197,11 @@ impl WaveField {
     #[must_use]
     pub(super) fn surface_at(&self, t: f64, place: &V3) -> Surface {
         let (r, r1, _) = smooth_ramp(t, self.ramp);
-        let (eta, slope, rate) = self.surface(t, self.direction.dot(place));
+        let sums = self.lanes.surface(t, self.direction.dot(place));
         Surface {
-            elevation: r * eta,
-            slope: self.direction * (r * slope),
-            rate: r * rate + r1 * eta,
+            elevation: r * sums.elevation,
+            slope: self.direction * (r * sums.slope),
+            rate: r * sums.rate + r1 * sums.elevation,
         }
     }
 
@@ -256,7 +236,7 @@ impl WaveField {
         if reading.z <= self.decay.reach() {
             return flow;
         }
-        let sums = self.sums(t, along, &reading);
+        let sums = self.lanes.motion((t, along), &reading, &self.decay, FAINT);
         let (velocity, gradient) = self.turned(&sums, &reading, &surface.slope, 0);
         let (acceleration, its_gradient) = self.turned(&sums, &reading, &surface.slope, 1);
         if self.load == WaveLoading::Morison {
@@ -267,23 +247,6 @@ impl WaveField {
         flow.acceleration = acceleration * r + velocity * r1;
         flow.acceleration_gradient = its_gradient * r + gradient * r1;
         flow
-    }
-
-    /// The sums over all components that reach down to where the formula is read.
-    fn sums(&self, t: f64, along: f64, reading: &StretchedHeight) -> ComponentSums {
-        let mut sums = ComponentSums::default();
-        let decays = !matches!(self.decay, DepthDecay::Logarithmic(_));
-        for (c, k) in self.components.iter().zip(&self.numbers) {
-            if decays && k * reading.z < FAINT {
-                break;
-            }
-            let mut share = self.decay.share(*k, self.depth, reading.z);
-            if reading.beyond > 0.0 {
-                share = beyond(share, reading.beyond);
-            }
-            sums.add(c, *k, (c.omega * t - k * along + c.phase).sin_cos(), &share);
-        }
-        sums
     }
 
     /// Velocity (`which` 0) or acceleration (1) along the axes of the case, and its derivative by the place.
@@ -310,37 +273,6 @@ impl WaveField {
             .transpose()
             + e * by_place(sums.up_k[which], sums.up_z[which], up_z).transpose();
         (d * across + e * up, gradient)
-    }
-}
-
-impl ComponentSums {
-    /// Adds a component at `(sin, cos)` of its theta.
-    #[inline]
-    fn add(&mut self, c: &Component, k: f64, (sin, cos): (f64, f64), share: &DecayFactors) {
-        let v = c.amplitude * c.omega;
-        // Velocity goes with (C cos, -S sin), acceleration by time with (-C sin, -S cos) omega, both by place
-        // with d theta / d along = -k.
-        let parts = [
-            (v, cos, -sin, k * sin, k * cos),
-            (v * c.omega, -sin, -cos, k * cos, -k * sin),
-        ];
-        for (which, (size, across, up, across_k, up_k)) in parts.into_iter().enumerate() {
-            self.across[which] += size * share.across * across;
-            self.up[which] += size * share.up * up;
-            self.across_k[which] += size * share.across * across_k;
-            self.up_k[which] += size * share.up * up_k;
-            self.across_z[which] += size * share.across_by_z * across;
-            self.up_z[which] += size * share.up_by_z * up;
-        }
-    }
-}
-
-/// The shares at a distance above still water, along the straight line that touches there.
-fn beyond(s: DecayFactors, above: f64) -> DecayFactors {
-    DecayFactors {
-        across: s.across + s.across_by_z * above,
-        up: s.up + s.up_by_z * above,
-        ..s
     }
 }
 
