@@ -42,6 +42,7 @@
 pub mod audit;
 pub mod background;
 pub mod case;
+pub mod checks;
 pub mod cli;
 pub mod comparison;
 pub mod dynamics;

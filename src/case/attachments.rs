@@ -77,6 +77,8 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
     }
     let tables = case.load_cases.clone();
     reading.take_load_cases(&mut case.files, &tables, &CASE)?;
+    let checks = case.checks.clone();
+    reading.take_checks(&mut case.files, &checks)?;
     for number in 0..case.published_curve.len() {
         let curve = &case.published_curve[number];
         let Some(name) = curve.points_file.clone() else {

@@ -78,6 +78,8 @@ channel_quantities! {
     ForceY: "force_y_n", "N", "force", "Force on the ends, y";
     /// Vertical component of the line's force on a held end \[N\].
     ForceZ: "force_z_n", "N", "force", "Force on the ends, z";
+    /// Upward pull of the lines on a fixed point \[N\].
+    Uplift: "uplift_n", "N", "force", "Upward pull on the anchors";
     /// First component of the force of a pin on its body \[N\].
     PinForceX: "pin_force_x_n", "N", "force", "Force of the pins, x";
     /// Second component of the force of a pin on its body \[N\].

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use toml_edit::DocumentMut;
 
-use super::model::{Case, CaseInfo, EndKind, Output, Solver};
+use super::model::{Case, CaseInfo, EndKind, Output, Solver, StatisticsInputs};
 use super::schema::{TableType, WrittenKeys};
 
 /// The digest of every such table by its name: the whole case without what only describes, records or judges it, how long
@@ -48,6 +48,8 @@ fn physics(case: &Case) -> Case {
     kept.marks.clear();
     kept.study.clear();
     kept.load_cases.clear();
+    kept.statistics = StatisticsInputs::default();
+    kept.checks.clear();
     kept.published.clear();
     kept.published_curve.clear();
     kept.trend.clear();

@@ -21,12 +21,14 @@ pub struct EffectiveInput {
 }
 
 /// Tables that describe, record or judge a case and are no input of it.
-pub(crate) const NO_INPUTS: [&str; 9] = [
+pub(crate) const NO_INPUTS: [&str; 11] = [
     "case",
     "system",
     "marks",
     "study",
     "load_cases",
+    "statistics",
+    "checks",
     "published",
     "published_curve",
     "trend",

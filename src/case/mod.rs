@@ -31,6 +31,7 @@ mod placed_words;
 mod quantity_id;
 mod read;
 mod rows;
+pub mod rule_sets;
 pub(crate) mod schema;
 pub mod shipped;
 mod size;
@@ -64,8 +65,8 @@ pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
 pub(crate) use check::{
-    increasing, of_current, of_load_cases, of_material, of_waves, takes_values, too_many_rows,
-    too_many_steps, unknown, unknown_name, used_twice,
+    increasing, of_checks, of_current, of_load_cases, of_material, of_waves, takes_values,
+    too_many_rows, too_many_steps, unknown, unknown_name, used_twice,
 };
 pub(crate) use diagnostic::Finding;
 pub(crate) use fields::{is_name, join, nearest, split};

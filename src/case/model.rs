@@ -12,6 +12,7 @@ use crate::case::fields::ValueType::{self, NumberOrList};
 use crate::case::fields::{Field, POSITION, Schema, of, positive};
 use crate::case::schema::{FromDefault, KeyValue, schema_of, table};
 
+mod checks;
 mod construct;
 mod ends;
 mod line;
@@ -20,6 +21,11 @@ mod sea;
 mod settings;
 mod validation_data;
 
+pub use checks::{
+    CheckAnalysis, CheckCondition, CheckInputs, CheckKind, GreatestMethod, RuleSet, RuleSetInfo,
+    StatisticsInputs,
+};
+pub(crate) use checks::{CheckKeys, RuleSetKeys};
 pub use ends::{
     Attachment, BoxShape, End, EndKind, Ends, MotionInterpolation, MotionName, Payload,
     PayloadShape, Rotation, SphereAndCylinder,
@@ -114,6 +120,10 @@ table! {
         study: Vec<Study>;
         /// Load cases that `seacable sweep` computes, in all combinations.
         load_cases: Vec<LoadCaseInputs>;
+        /// How `seacable sweep` sums up the results of load cases.
+        statistics: StatisticsInputs, optional;
+        /// A limit that the results of load cases are held to.
+        checks: Vec<CheckInputs>;
         /// A published value the case is held against.
         published: Vec<Published>;
         /// A published curve over time that a channel is held against.

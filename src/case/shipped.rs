@@ -140,6 +140,7 @@ pub const SYSTEMS: &[Shipped] = &[
     shipped!("systems/single_chain.toml"),
     shipped!("systems/slack_chain.toml"),
     shipped!("systems/sliding_cargo.toml"),
+    shipped!("systems/spread_mooring.toml"),
     shipped!("systems/three_chains.toml"),
     shipped!("systems/tripod.toml"),
     shipped!("systems/two_floaters.toml"),

@@ -39,6 +39,7 @@ mod study_args;
 mod study_page;
 mod sweep;
 mod sweep_args;
+mod sweep_seas;
 mod system;
 mod system_args;
 mod system_study;

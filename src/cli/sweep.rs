@@ -12,18 +12,23 @@ use super::{
     signals::StopFlag,
     study_page::print,
     sweep_args::SweepArgs,
+    sweep_seas,
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Case, kind};
+use crate::checks::utilisation::Verdict;
 use crate::files::read;
 use crate::kinds::FileType;
 use crate::report::number::duration;
+use crate::report::plain;
+use crate::report::seas::SeasView;
 use crate::report::table::Table;
 use crate::report::variation::VariationView;
 use crate::study::points::BaseCase;
+use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{
-    Sweep, SweepFolder, SweepKind, SweepOutcomes, SweepProgress, SweepResults, load_cases,
-    without_load_cases,
+    Sweep, SweepError, SweepFolder, SweepKind, SweepOutcomes, SweepProgress, SweepResults,
+    load_cases, without_load_cases,
 };
 use crate::study::vary::Variation;
 use crate::system::SystemFile;
@@ -32,16 +37,25 @@ use crate::visible;
 /// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
 const MOST_ROWS: usize = 100;
 
+/// Columns of the report in the folder.
+const REPORT_WIDTH: usize = 80;
+
 pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let (sweep, folder) = match &args.resume {
+    let (sweep, folder, question) = match &args.resume {
         Some(dir) => resumed(dir)?,
         None => begun(args)?,
     };
     let outcomes = compute(args, &sweep, &folder, &stop)?;
+    let cost = sweep_seas::cost(&outcomes);
+    let results = sweep_seas::answers(&sweep, &outcomes, &question);
+    let seas = results.as_ref().map(|results| SeasView {
+        results,
+        statistics: &question.statistics,
+    });
     let view = match &outcomes {
         SweepOutcomes::Runs(outcomes, ids) => {
             VariationView::of_case(&sweep.variation, outcomes, ids)
@@ -55,10 +69,13 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     let written = results.write_csv(&mut csv).map_err(std::io::Error::other);
     written.map_err(CommandError::Output)?;
     if stop.status().is_none() {
-        let dir = folder.write_results(&csv);
-        dir.map_err(|error| CommandError::Usage(error.to_string()))?;
+        let failed = |error: SweepError| CommandError::Usage(error.to_string());
+        folder.write_results(&csv).map_err(failed)?;
+        if let Some(seas) = &seas {
+            written_down(&folder, (&view, seas))?.map_err(failed)?;
+        }
     }
-    show(args, file.as_ref(), &view, &folder)?;
+    show(args, file.as_ref(), (&view, seas.as_ref(), cost), &folder)?;
     if let Some(status) = stop.status() {
         let dir = visible::path(folder.dir());
         output::message(&format!(
@@ -66,29 +83,70 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
         ));
         return Ok(status);
     }
-    Ok(match view.is_complete() {
+    let passes = seas
+        .and_then(|seas| seas.worst())
+        .is_none_or(|worst| worst == Verdict::Passes);
+    Ok(match view.is_complete() && passes {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),
     })
 }
 
-/// Prints the table of load cases, the extremes and the charts.
-fn show(
-    args: &SweepArgs,
-    file: Option<&OutputFile<'_>>,
-    view: &VariationView<'_>,
+/// Writes what the runs say together beside the table of results.
+fn written_down(
     folder: &SweepFolder,
-) -> Result<(), CommandError> {
-    let mut tables: Vec<Table> = match view.points() {
-        0..=MOST_ROWS => view.tables(output::page_width(args.page.width)),
-        _ => Vec::from_iter(view.failures()),
+    (view, seas): (&VariationView<'_>, &SeasView<'_>),
+) -> Result<Result<(), SweepError>, CommandError> {
+    let csv = |table: &Table| {
+        let mut text = Vec::new();
+        let written = table.write_csv(&mut text).map_err(std::io::Error::other);
+        written.map_err(CommandError::Output).map(|()| text)
     };
+    let tables = page((view, Some(seas), None), REPORT_WIDTH, folder);
+    let texts = tables
+        .iter()
+        .map(|table| plain::ascii_table(table).to_text(REPORT_WIDTH));
+    let report = texts.collect::<Vec<_>>().join("\n");
+    Ok(folder.write_verdict(
+        &csv(&seas.seas_table())?,
+        &csv(&seas.checks_table())?,
+        &report,
+    ))
+}
+
+/// What a sweep found: its load cases, what they say together, what they cost.
+type Found<'a> = (
+    &'a VariationView<'a>,
+    Option<&'a SeasView<'a>>,
+    Option<String>,
+);
+
+/// The tables of the page: what the runs say together, the extremes, the load cases.
+fn page((view, seas, cost): Found<'_>, width: usize, folder: &SweepFolder) -> Vec<Table> {
+    let mut tables: Vec<Table> = seas.map(SeasView::tables).unwrap_or_default();
     tables.push(view.extremes());
+    match view.points() {
+        0..=MOST_ROWS => tables.extend(view.tables(width)),
+        _ => tables.extend(view.failures()),
+    }
     if let Some(last) = tables.last_mut() {
         let dir = visible::path(folder.dir());
+        last.notes.extend(cost);
         last.notes
             .push(format!("The sweep is {dir}; its runs stand beside it."));
     }
+    tables
+}
+
+/// Prints the verdict, the seas, the extremes, the load cases and the charts.
+fn show(
+    args: &SweepArgs,
+    file: Option<&OutputFile<'_>>,
+    (view, seas, cost): Found<'_>,
+    folder: &SweepFolder,
+) -> Result<(), CommandError> {
+    let width = output::page_width(args.page.width);
+    let tables = page((view, seas, cost), width, folder);
     print(
         "sweep",
         &args.page,
@@ -99,7 +157,7 @@ fn show(
 }
 
 /// A new sweep.
-fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder), CommandError> {
+fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     cases::allow_values(&args.vary);
     let mut csv = Vec::with_capacity(args.load_cases.len());
@@ -109,7 +167,7 @@ fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder), CommandError> {
         })?;
         csv.push((visible::path(file), text));
     }
-    let (base, load_cases, results) = match FileType::of(path) {
+    let (base, load_cases, results, question) = match FileType::of(path) {
         FileType::System => system(args, path, &csv)?,
         FileType::Line => line(args, path, &csv)?,
         other => {
@@ -127,11 +185,12 @@ fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder), CommandError> {
     let variation = Variation::of_load_cases(base, load_cases);
     let folder = SweepFolder::create(args.out.as_deref(), &variation, results.names());
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
-    Ok((Sweep { variation, results }, folder))
+    let sweep = sweep_seas::sweep(variation, results, &question);
+    Ok((sweep, folder, question))
 }
 
-/// What is computed at the load cases, these, and the results shown.
-type Begun = (BaseCase, LoadCases, SweepResults);
+/// What is computed at the load cases, these, the results shown, and what is asked of all together.
+type Begun = (BaseCase, LoadCases, SweepResults, SeaQuestion);
 
 fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun, CommandError> {
     let loaded = cases::load(path)?;
@@ -146,8 +205,10 @@ fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun
     let text = without_load_cases(&text);
     let case = cases::parse(&text, &loaded.name)?;
     let results = SweepResults::of_line(&case, &args.result).map_err(|why| no_result(&why))?;
+    let question = sweep_seas::of_line(&case)?;
     let text = case::stand_alone(&text, &case).into_owned();
-    Ok((base(text, &loaded.name, &args.set), load_cases, results))
+    let base = base(text, &loaded.name, &args.set);
+    Ok((base, load_cases, results, question))
 }
 
 fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun, CommandError> {
@@ -163,12 +224,13 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
     };
     let load_cases = load_cases::<SystemFile>(of, csv, &args.vary).map_err(refused)?;
     let results = SweepResults::of_system(&solved, &args.result).map_err(|why| no_result(&why))?;
-    let text = without_load_cases(&text);
-    Ok((base(text, &name, &args.set), load_cases, results))
+    let question = sweep_seas::of_system(&solved)?;
+    let base = base(without_load_cases(&text), &name, &args.set);
+    Ok((base, load_cases, results, question))
 }
 
 /// A sweep that was stopped, as its folder has it.
-fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder), CommandError> {
+fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandError> {
     let opened = SweepFolder::open(dir);
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
     let (text, info) = (stored.case, stored.info);
@@ -179,26 +241,26 @@ fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder), CommandError> {
         tables,
         files,
     };
-    let (cases, results) = match FileType::of_text(&text) {
+    let (cases, results, question) = match FileType::of_text(&text) {
         FileType::System => {
             let solved = kind::parse_stored::<SystemFile>(&text, &info.case_file);
             let solved = solved.map_err(CommandError::Invalid)?;
             let results =
                 SweepResults::of_system(&solved, &info.results).map_err(|why| no_result(&why))?;
-            (
-                load_cases::<SystemFile>(of, &csv, &[]).map_err(refused)?,
-                results,
-            )
+            let cases = load_cases::<SystemFile>(of, &csv, &[]).map_err(refused)?;
+            (cases, results, sweep_seas::of_system(&solved)?)
         }
         _ => {
             let case = case::parse_stored(&text, &info.case_file).map_err(CommandError::Invalid)?;
             let results =
                 SweepResults::of_line(&case, &info.results).map_err(|why| no_result(&why))?;
-            (load_cases::<Case>(of, &csv, &[]).map_err(refused)?, results)
+            let cases = load_cases::<Case>(of, &csv, &[]).map_err(refused)?;
+            (cases, results, sweep_seas::of_line(&case)?)
         }
     };
     let variation = Variation::of_load_cases(base(text, &info.case_file, &info.overrides), cases);
-    Ok((Sweep { variation, results }, folder))
+    let sweep = sweep_seas::sweep(variation, results, &question);
+    Ok((sweep, folder, question))
 }
 
 fn base(text: String, path: &str, overrides: &[String]) -> BaseCase {

@@ -17,6 +17,7 @@ pub mod response;
 pub mod ropeway;
 pub mod run_json;
 pub mod sea;
+pub mod seas;
 pub mod section;
 pub mod ship;
 pub mod system;

@@ -13,6 +13,7 @@ pub mod random_motion;
 pub mod random_systems;
 pub mod record_statistics;
 pub mod results;
+pub mod seas;
 pub mod speed;
 pub mod sweep;
 pub mod vary;

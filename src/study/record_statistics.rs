@@ -19,7 +19,7 @@ use crate::fatigue::rainflow::{Cycle, three_point};
 use crate::numerics::statistics::{Statistics, mean, variance};
 
 /// Runs that Gumbel's law is fitted to, at least.
-const FEWEST_RUNS: usize = 5;
+pub const FEWEST_RUNS: usize = 5;
 
 /// The record of a channel in one run, at even steps.
 #[derive(Debug, Clone, PartialEq)]
@@ -147,7 +147,10 @@ impl RecordStatistics {
 }
 
 /// The mean of all records, each weighted by its length, with its error.
-fn pooled_mean(records: &[ChannelRecord]) -> Result<MeanEstimate, ExtremesError> {
+///
+/// # Errors
+/// Records that are too short or do not vary.
+pub fn pooled_mean(records: &[ChannelRecord]) -> Result<MeanEstimate, ExtremesError> {
     let each: Result<Vec<MeanEstimate>, _> = records
         .iter()
         .map(|record| MeanEstimate::of(&record.values))
@@ -176,7 +179,10 @@ fn pooled_mean(records: &[ChannelRecord]) -> Result<MeanEstimate, ExtremesError>
 }
 
 /// The greatest value of the hours asked for.
-fn greatest(
+///
+/// # Errors
+/// Records that the law cannot be fitted to.
+pub fn greatest(
     records: &[ChannelRecord],
     method: ExtremeMethod,
     question: ExtremeQuestion,

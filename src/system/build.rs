@@ -70,6 +70,7 @@ pub fn build(
     network.bodies = bodies((given, file), &network, sea.as_ref());
     network.sea = sea;
     let gauge = file.waves.iter().find_map(|waves| waves.gauge_m);
+    network.records_uplift = file.output.uplift;
     network.gauge = gauge.map_or_else(V3::zeros, |[x, y]| V3::new(x, y, 0.0));
     let mut builder = Builder {
         file,

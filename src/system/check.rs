@@ -11,7 +11,9 @@ use super::motion::{check as motion, check_payout};
 use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
-use crate::case::{Finding, nearest, of_current, of_load_cases, of_material, unknown, used_twice};
+use crate::case::{
+    Finding, nearest, of_checks, of_current, of_load_cases, of_material, unknown, used_twice,
+};
 use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
@@ -73,6 +75,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(check_payout::payouts(keys));
     found.extend(ageing(keys));
     found.extend(of_load_cases(&SYSTEM, keys.place.node, &keys.load_cases));
+    found.extend(of_checks(&keys.checks));
     found.extend(published_number::check(&keys.published, |key| {
         quantities::unknown(key, keys)
     }));

@@ -57,6 +57,7 @@ impl FileKind for SystemFile {
             }
         }
         source.take_load_cases(&mut self.files, &self.load_cases, &SYSTEM)?;
+        source.take_checks(&mut self.files, &self.checks)?;
         if let Some(bed) = &self.seabed {
             source.take_depths(&mut self.files, bed.depths(), "seabed")?;
         }

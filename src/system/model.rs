@@ -15,8 +15,8 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, Current, Environment, LoadCaseInputs, Mark, Material, OneOrMany,
-    Waves,
+    Attachment, BedInterpolation, CheckInputs, Current, Environment, LoadCaseInputs, Mark,
+    Material, OneOrMany, StatisticsInputs, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -75,6 +75,10 @@ table! {
         marks: BTreeMap<String, Mark>;
         /// Load cases that `seacable sweep` computes, in all combinations.
         load_cases: Vec<LoadCaseInputs>;
+        /// How `seacable sweep` sums up the results of load cases.
+        statistics: StatisticsInputs, optional;
+        /// A limit that the results of load cases are held to.
+        checks: Vec<CheckInputs>;
         /// A published value the system is held against.
         published: Vec<PublishedNumber>;
         /// A published curve over time that the run is held against.

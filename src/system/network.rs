@@ -35,6 +35,8 @@ pub struct Network {
     pub sea: Option<Sea>,
     /// Where the height of the waves is recorded \[m\].
     pub gauge: V3,
+    /// Whether the upward pull of the lines on fixed points is recorded in motion.
+    pub records_uplift: bool,
     /// Velocity of the wind on bodies \[m/s\].
     pub wind: V3,
     /// Points that lines end at.

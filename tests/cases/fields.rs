@@ -21,6 +21,7 @@ case.title = "bare"
 current.speed_m_per_s = 0.1
 published = [{ name = "p", channel = "x_m[b]", statistic = "mean", value = 1.0, tolerance_abs = 1.0, source = "s", inputs = "published", at = { study = "t", value = 10.0 } }]
 trend = [{ name = "q", study = "t", channel = "x_m[b]", statistic = "mean", expect = "rises", source = "s" }]
+checks = [{ kind = "safety-factor", factor = 2.0 }]
 trial = [{ name = "w", set = ["solver.method=rk4"], rows = ["p"] }]
 marks."materials.m.ea_n" = { status = "assumed", reason = "r" }
 
@@ -52,6 +53,7 @@ fn with(field: &Field, written: &str) -> String {
                 "materials" => "m",
                 "floats" | "modules" => "s",
                 "clumps" => "c",
+                "checks" => "1",
                 "study" => "t",
                 "published" => "p",
                 "trend" => "q",

@@ -154,7 +154,10 @@ where
 {
     let items = key.items().iter().enumerate();
     let wrong = items.filter_map(|(index, item)| {
-        let fault = check_value(field, item).err();
+        // A switch stands here as a word, since a list holds numbers or words.
+        let is_switch =
+            field.kind == ValueType::Boolean && matches!(item.text(), Some("true" | "false"));
+        let fault = check_value(field, item).err().filter(|_| !is_switch);
         let fault = fault.filter(|_| item.number().is_some() || item.text().is_some())?;
         Some(key.finding_at_item(index, fault.problem, fault.remedy))
     });

@@ -2,6 +2,7 @@
 //! [`loads`], [`payload`], [`sea`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
 //! over what is missing or faulty, so that everything is reported at once, each at its place.
 
+mod checks;
 mod creep;
 mod ends;
 mod keys;
@@ -22,6 +23,7 @@ mod validation_data;
 use super::diagnostic::Finding;
 use super::model::CaseKeys;
 
+pub(crate) use checks::of_checks;
 pub(crate) use keys::{check as check_keys, fields_here};
 pub(crate) use load_cases::{of_load_cases, takes_values, varied};
 pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};

@@ -1,5 +1,6 @@
 //! Validation data: studies of keys that exist, published values and trends of channels that a run records.
 
+use super::checks::of_checks;
 use super::load_cases::{of_load_cases, values, varied};
 use super::names::{unknown, unknown_name, used_twice};
 use super::recorded;
@@ -16,6 +17,7 @@ use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found = studies(case);
     found.extend(of_load_cases(&CASE, case.place.node, &case.load_cases));
+    found.extend(of_checks(&case.checks));
     let recorded = recorded::names(case);
     let quantities = LineQuantity::ALL.map(|quantity| quantity.name().to_owned());
     let all = recorded

@@ -247,6 +247,8 @@ fn unit_of_key(key: &str) -> Option<&'static str> {
 const UNITS: &[(&str, &str)] = &[
     ("m", "m"),
     ("s", "s"),
+    ("h", "hours"),
+    ("years", "years"),
     ("N", "n"),
     ("kg", "kg"),
     ("deg", "deg"),

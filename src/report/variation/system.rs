@@ -1,7 +1,9 @@
 //! The variation of a system of lines.
 
 use super::{PointView, ResultColumn, ResultView, VariationView};
+use crate::case::StudyValue;
 use crate::number::{si, with_error};
+use crate::study::points::Point;
 use crate::study::vary::Variation;
 use crate::study::vary::system::{SystemOutcome, SystemPoint, SystemResult};
 use crate::system::quantities::unit;
@@ -22,21 +24,37 @@ impl<'a> VariationView<'a> {
             name: name.clone(),
             unit: unit(name).to_owned(),
         });
-        let view = |outcome: &Option<SystemOutcome>| match outcome {
+        let view = |(index, outcome): (usize, &Option<SystemOutcome>)| match outcome {
             None => PointView::stopped(),
             Some(Err(why)) => PointView::without("REFUSED", why),
-            Some(Ok(point)) => at_rest(point, results),
+            Some(Ok(found)) => at_rest(found, results, lost_line(&variation.points[index])),
         };
         Self {
             variation,
             results: columns.collect(),
-            outcomes: outcomes.iter().map(view).collect(),
+            outcomes: outcomes.iter().enumerate().map(view).collect(),
             runs: false,
         }
     }
 }
 
-fn at_rest(point: &SystemPoint, names: &[String]) -> PointView {
+/// The line that is lost at a point.
+fn lost_line(point: &Point) -> Option<&str> {
+    let mut settings = point.settings.iter();
+    let lost = settings.find(|setting| setting.key == "damage.lost_line")?;
+    match &lost.value {
+        StudyValue::Word(word) => Some(word),
+        StudyValue::Number(_) => None,
+    }
+}
+
+/// Whether a result is of this line or of one of its ends.
+fn is_of(name: &str, line: &str) -> bool {
+    let place = name.split_once('[').map_or("", |(_, place)| place);
+    place.split(['|', ']']).next() == Some(line)
+}
+
+fn at_rest(point: &SystemPoint, names: &[String], lost: Option<&str>) -> PointView {
     let found = point.results.iter().zip(names);
     let results: Vec<Option<ResultView>> = found
         .clone()
@@ -48,6 +66,8 @@ fn at_rest(point: &SystemPoint, names: &[String]) -> PointView {
         Stability::Unstable(most) => Some(format!("unstable in {most}")),
     };
     let missing = found.filter_map(|(found, name)| Some((name, found.as_ref().err()?)));
+    // A line that is lost has no results, which is no fault.
+    let missing = missing.filter(|(name, _)| !lost.is_some_and(|line| is_of(name, line)));
     let missing: Vec<String> = missing
         .map(|(name, why)| format!("{name}: {why}"))
         .collect();

@@ -152,6 +152,7 @@ impl<'a> CoupledModel<'a> {
             }),
             output: MotionOutput {
                 interval_s: variant.interval_s,
+                ..MotionOutput::default()
             },
             ..SystemFile::new(&particulars.title)
         };

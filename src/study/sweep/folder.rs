@@ -7,6 +7,9 @@
 //! | `load_cases.csv` | the load cases, a column for each key |
 //! | `sweep.toml` | [`SweepInfo`]: results that are shown, digests of both files |
 //! | `results.csv` | the table of results, when the sweep has ended |
+//! | `seas.csv` | what the seeds of each sea say together |
+//! | `checks.csv` | the share that each check leaves at each place in each sea |
+//! | `report.txt` | the page that is printed, in ASCII at 80 columns |
 //!
 //! The runs are the record of what is done: a sweep that goes on reads those that came to their end. The folder appears in one step.
 
@@ -30,7 +33,10 @@ const CASE: &str = "case.toml";
 const LOAD_CASES: &str = "load_cases.csv";
 const SWEEP: &str = "sweep.toml";
 const RESULTS: &str = "results.csv";
-const FILES: [&str; 4] = [CASE, LOAD_CASES, SWEEP, RESULTS];
+const SEAS: &str = "seas.csv";
+const CHECKS: &str = "checks.csv";
+const REPORT: &str = "report.txt";
+const FILES: [&str; 7] = [CASE, LOAD_CASES, SWEEP, RESULTS, SEAS, CHECKS, REPORT];
 
 /// What a sweep is, as `sweep.toml` says it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -243,10 +249,28 @@ impl SweepFolder {
     ///
     /// # Errors
     /// The system refuses.
-    pub fn write_results(&self, csv: &[u8]) -> Result<PathBuf, SweepError> {
-        let file = self.dir.join(RESULTS);
-        Target::replacing(&file).write(csv)?;
-        Ok(file)
+    pub fn write_results(&self, csv: &[u8]) -> Result<(), SweepError> {
+        self.write(RESULTS, csv)
+    }
+
+    /// Writes what the runs say together: the table of the seas, that of the checks, and the report as text.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn write_verdict(
+        &self,
+        seas: &[u8],
+        checks: &[u8],
+        report: &str,
+    ) -> Result<(), SweepError> {
+        self.write(SEAS, seas)?;
+        self.write(CHECKS, checks)?;
+        self.write(REPORT, report.as_bytes())
+    }
+
+    fn write(&self, name: &str, content: &[u8]) -> Result<(), SweepError> {
+        Target::replacing(&self.dir.join(name)).write(content)?;
+        Ok(())
     }
 }
 

@@ -30,6 +30,8 @@ pub struct Sweep {
     pub variation: Variation,
     /// The results.
     pub results: SweepResults,
+    /// Further results of a system at rest, which checks need; they follow those that are shown.
+    pub needed: Vec<String>,
 }
 
 /// What became of the load cases; nothing of those that did not begin.
@@ -65,7 +67,8 @@ impl Sweep {
         let ids = match &self.results {
             SweepResults::AtRest(names) => {
                 let told = |done, of| progress(done, of, 0);
-                let found = system::compute(&self.variation, names, cancel, &told);
+                let all: Vec<String> = names.iter().chain(&self.needed).cloned().collect();
+                let found = system::compute(&self.variation, &all, cancel, &told);
                 return SweepOutcomes::AtRest(found, names.clone());
             }
             SweepResults::Line(ids) | SweepResults::InTime(ids) => ids,

@@ -21,6 +21,8 @@ enum Source {
     Angle(usize, usize),
     /// A component of the force of the pin of a body.
     Pin(usize, usize),
+    /// Upward pull of the lines on a joint.
+    Uplift(usize),
     /// Height of the waves over the gauge.
     Elevation,
     /// Unstretched length of a line that is paid out, by its number among those.
@@ -74,6 +76,9 @@ impl Channels {
                 }
             }
         }
+        if system.network.records_uplift {
+            channels.uplift(system);
+        }
         if system.network.sea.is_some() {
             let id = ChannelQuantity::WaveElevation.at("gauge");
             channels.add(id, Source::Elevation);
@@ -88,6 +93,15 @@ impl Channels {
     fn place(&mut self, name: &str, joint: usize) {
         for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
             self.add(quantity.at(name), Source::Place(joint, axis));
+        }
+    }
+
+    fn uplift(&mut self, system: &MovingSystem) {
+        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
+            if matches!(point.held, Held::At(_)) && !breaks::is_between(&point.name) {
+                let id = ChannelQuantity::Uplift.at(point.name.as_str());
+                self.add(id, Source::Uplift(joint));
+            }
         }
     }
 
@@ -120,6 +134,7 @@ impl Channels {
                 }
                 pin[axis]
             }
+            Source::Uplift(joint) => uplift(system, state, joint),
             Source::Elevation => {
                 let sea = network.sea.as_ref();
                 sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
@@ -133,6 +148,20 @@ impl Channels {
             Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
         }));
     }
+}
+
+/// The upward pull of all lines on a joint \[N\].
+fn uplift(system: &MovingSystem, state: &SystemState, joint: usize) -> f64 {
+    let mut sum = 0.0;
+    for (number, ends) in state.attached.iter().enumerate() {
+        let (scene, line) = (system.scene(number, state), &state.lines[number]);
+        for (end, at) in ends.iter().enumerate() {
+            if *at == joint {
+                sum += scene.end_force(end * (line.x.len() - 1), line).z;
+            }
+        }
+    }
+    sum
 }
 
 fn moves(system: &MovingSystem, body: usize) -> bool {

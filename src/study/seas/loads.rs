@@ -1,0 +1,182 @@
+//! The load of a sea at a place: its mean and its greatest and least value, each with the error of the sample and the numerical one.
+
+use super::looks::taken;
+use super::records::{RunRecord, Series};
+use crate::case::{GreatestMethod, Statistic, StatisticsInputs};
+use crate::checks::utilisation::Estimate;
+use crate::numerics::statistics::Statistics;
+use crate::study::record_statistics::{
+    ChannelRecord, ExtremeMethod, ExtremeQuestion, FEWEST_RUNS, greatest, pooled_mean,
+};
+
+/// Standard errors of a mean that count as its interval: 95 % of a normal law.
+const NORMAL_95: f64 = 1.96;
+
+/// The greatest or least value of a sea at a place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme {
+    /// The most probable one of the hours asked for.
+    pub estimate: Estimate,
+    /// How it was found.
+    pub method: GreatestMethod,
+    /// The most extreme value that was seen.
+    pub seen: f64,
+    /// In which load case.
+    pub load_case: usize,
+    /// When \[s\]; nothing at rest.
+    pub time: Option<f64>,
+}
+
+/// What a sea does at a place.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlaceLoads {
+    /// The series.
+    pub series: Series,
+    /// The place.
+    pub place: String,
+    /// The mean of all records.
+    pub mean: Estimate,
+    /// Their deviation.
+    pub deviation: f64,
+    /// The greatest value.
+    pub greatest: Extreme,
+    /// The least value.
+    pub least: Extreme,
+    /// Length of all records together \[s\].
+    pub duration: f64,
+}
+
+/// Finds what the runs of a sea do at a place; nothing where they have no such record.
+#[must_use]
+pub(super) fn loads_at(
+    runs: &[RunRecord],
+    (series, place): (Series, &str),
+    question: &StatisticsInputs,
+    is_random: bool,
+) -> Option<PlaceLoads> {
+    let found: Vec<(&RunRecord, ChannelRecord)> = runs
+        .iter()
+        .filter_map(|run| Some((run, run.series(series, place)?)))
+        .filter(|(_, record)| !record.values.is_empty())
+        .collect();
+    if found.is_empty() {
+        return None;
+    }
+    let records: Vec<ChannelRecord> = found.iter().map(|(_, record)| record.clone()).collect();
+    let all: Vec<f64> = records
+        .iter()
+        .flat_map(|record| record.values.iter().copied())
+        .collect();
+    let moments = Statistics::of(&all);
+    // What never changes has no sample.
+    let is_random = is_random && moments.max > moments.min;
+    let numerical = |of: Statistic| {
+        let errors = found
+            .iter()
+            .filter_map(|(run, _)| run.numerical(series, place, of));
+        errors.reduce(f64::max)
+    };
+    let mean = pooled_mean(&records).ok().filter(|_| is_random);
+    let sample = mean.map(|mean| {
+        let error = NORMAL_95 * mean.error.max(mean.batch_error);
+        [moments.mean - error, moments.mean + error]
+    });
+    let extreme = |sign: f64, of: Statistic| {
+        let (seen, place) = most_extreme(&found, sign)?;
+        let (run, row) = place;
+        let (value, sample, method) = match is_random {
+            true => most_probable(&records, sign, seen, question),
+            false => (seen, None, GreatestMethod::Seen),
+        };
+        Some(Extreme {
+            estimate: Estimate {
+                value,
+                numerical: numerical(of),
+                sample,
+            },
+            method,
+            seen,
+            load_case: run.load_case,
+            time: run.time(row),
+        })
+    };
+    Some(PlaceLoads {
+        series,
+        place: place.to_owned(),
+        mean: Estimate {
+            value: moments.mean,
+            numerical: numerical(Statistic::Mean),
+            sample,
+        },
+        deviation: moments.deviation,
+        greatest: extreme(1.0, Statistic::Max)?,
+        least: extreme(-1.0, Statistic::Min)?,
+        duration: records.iter().map(ChannelRecord::duration).sum(),
+    })
+}
+
+/// The greatest value, or with sign -1 the least, with its run and row.
+fn most_extreme<'a>(
+    found: &[(&'a RunRecord, ChannelRecord)],
+    sign: f64,
+) -> Option<(f64, (&'a RunRecord, usize))> {
+    let rows = found.iter().flat_map(|(run, record)| {
+        let values = record.values.iter().enumerate();
+        values.map(move |(row, value)| (*value, (*run, row)))
+    });
+    rows.max_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)))
+}
+
+/// The most probable greatest value, with sign -1 the least one, its interval, and how it was found. A greatest value that was merely
+/// seen may be passed at any time: its interval has no end.
+fn most_probable(
+    records: &[ChannelRecord],
+    sign: f64,
+    seen: f64,
+    question: &StatisticsInputs,
+) -> (f64, Option<[f64; 2]>, GreatestMethod) {
+    let turned: Vec<ChannelRecord>;
+    let records: &[ChannelRecord] = match sign < 0.0 {
+        false => records,
+        true => {
+            let negated = records.iter().map(|record| ChannelRecord {
+                step: record.step,
+                values: record.values.iter().map(|value| -value).collect(),
+            });
+            turned = negated.collect();
+            &turned
+        }
+    };
+    // Verdicts that are looked for again and again take the runs of the last look alone.
+    let (count, level) = taken(question, records.len());
+    let records = &records[..count];
+    let asked = ExtremeQuestion {
+        hours: question.hours,
+        level,
+    };
+    let by = |method: ExtremeMethod| greatest(records, method, asked).ok();
+    let (found, method) = match question.method {
+        GreatestMethod::Auto if records.len() >= FEWEST_RUNS => {
+            (by(ExtremeMethod::Gumbel), GreatestMethod::Gumbel)
+        }
+        GreatestMethod::Auto | GreatestMethod::Weibull => {
+            (by(ExtremeMethod::Weibull), GreatestMethod::Weibull)
+        }
+        GreatestMethod::Gumbel => (by(ExtremeMethod::Gumbel), GreatestMethod::Gumbel),
+        GreatestMethod::PeaksOverThreshold => {
+            let found = by(ExtremeMethod::PeaksOverThreshold);
+            (found, GreatestMethod::PeaksOverThreshold)
+        }
+        GreatestMethod::Seen => (None, GreatestMethod::Seen),
+    };
+    match found {
+        Some(found) => {
+            let interval = found.most_probable;
+            let ends = [sign * interval.low, sign * interval.high];
+            let ends = [f64::min(ends[0], ends[1]), f64::max(ends[0], ends[1])];
+            (sign * interval.estimate, Some(ends), method)
+        }
+        None if sign > 0.0 => (seen, Some([seen, f64::INFINITY]), GreatestMethod::Seen),
+        None => (seen, Some([f64::NEG_INFINITY, seen]), GreatestMethod::Seen),
+    }
+}

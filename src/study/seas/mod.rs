@@ -1,0 +1,313 @@
+//! What the stored runs of a sweep say together: each sea by the records of its seeds, checks by the greatest share of their limits,
+//! fatigue by the probabilities of the seas.
+//!
+//! Load cases that differ by their seeds alone are samples of one [`Sea`]. Two errors go through everything and are never added
+//! to one: that of the sample, which more seeds make smaller, and the numerical one of the runs.
+
+mod at_rest;
+mod bend;
+mod checked;
+mod fatigue;
+mod grouping;
+mod loads;
+mod looks;
+mod records;
+mod scene;
+
+use std::path::PathBuf;
+
+use rayon::prelude::*;
+
+pub use at_rest::RestName;
+pub use checked::{CheckResult, CheckRow};
+pub use fatigue::{SeaDamage, of_service};
+pub use grouping::{Sea, is_of_one_sea, seas};
+pub use loads::{Extreme, PlaceLoads};
+pub use looks::Look;
+pub use records::{RunRecord, Series};
+pub use scene::CheckedScene;
+
+use crate::case::{CheckKind, StatisticsInputs};
+use crate::checks::resolved::Check;
+use crate::run::Quantity;
+use crate::study::vary::Variation;
+use crate::study::vary::system::SystemOutcome;
+use fatigue::SeaFatigue;
+
+/// A stored run of a load case: where it is, and its results.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StoredRun {
+    /// Its directory.
+    pub dir: PathBuf,
+    /// Its results.
+    pub summary: Vec<Quantity>,
+}
+
+/// What is asked of the seas.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeaQuestion {
+    /// What checks need to know of the scene.
+    pub scene: CheckedScene,
+    /// How results are summed up.
+    pub statistics: StatisticsInputs,
+    /// The checks.
+    pub checks: Vec<Check>,
+}
+
+/// What the runs of a sweep say together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SeaResults {
+    /// The seas.
+    pub seas: Vec<Sea>,
+    /// Loads at the places of each sea.
+    pub loads: Vec<Vec<PlaceLoads>>,
+    /// Load cases of each sea that have no results.
+    pub without: Vec<usize>,
+    /// The checks.
+    pub checks: Vec<CheckResult>,
+}
+
+/// What one sea says.
+struct OneSea {
+    loads: Vec<PlaceLoads>,
+    without: usize,
+    rows: Vec<Vec<Result<CheckRow, String>>>,
+    fatigue: Vec<SeaFatigue>,
+}
+
+/// The line, point or body of a place: `mooring@120` of `mooring@120|b`.
+fn subject(place: &str) -> &str {
+    place.split('|').next().unwrap_or(place)
+}
+
+impl SeaResults {
+    /// Of the stored runs of a variation, by load case; seas side by side on the caller's threads. A sea is read, summed up and let
+    /// go, so that memory holds the records of as many seas as there are threads.
+    #[must_use]
+    pub fn of(variation: &Variation, runs: &[Option<StoredRun>], question: &SeaQuestion) -> Self {
+        let seas = seas(variation, &question.scene);
+        let each = seas.par_iter().enumerate();
+        let each = each.map(|(number, sea)| question.one(number, sea, runs));
+        Self::together(seas.clone(), each.collect(), question)
+    }
+
+    /// Of the equilibria of a system, with the results of [`SeaQuestion::rest_names`] last.
+    #[must_use]
+    pub fn at_rest(
+        variation: &Variation,
+        outcomes: &[Option<SystemOutcome>],
+        (names, question): (&[RestName], &SeaQuestion),
+    ) -> Self {
+        let seas = seas(variation, &question.scene);
+        let each = seas.iter().enumerate();
+        let each = each.map(|(number, sea)| question.one_at_rest(number, sea, outcomes, names));
+        Self::together(seas.clone(), each.collect(), question)
+    }
+
+    fn together(seas: Vec<Sea>, each: Vec<OneSea>, question: &SeaQuestion) -> Self {
+        let checks = question.checks.iter().enumerate();
+        let checks = checks.map(|(place, check)| {
+            let mut result = CheckResult {
+                check: check.clone(),
+                rows: Vec::new(),
+                missing: Vec::new(),
+            };
+            for one in &each {
+                for row in &one.rows[place] {
+                    match row {
+                        Ok(row) => result.rows.push(row.clone()),
+                        Err(why) if !result.missing.contains(why) => {
+                            result.missing.push(why.clone());
+                        }
+                        Err(_) => {}
+                    }
+                }
+            }
+            if check.kind == CheckKind::Fatigue {
+                let of = each.iter().map(|one| &one.fatigue[place]);
+                add_fatigue(&mut result, &seas, &of.collect::<Vec<_>>(), question);
+            }
+            result
+        });
+        let checks = checks.collect();
+        let (loads, without) = each.into_iter().map(|one| (one.loads, one.without)).unzip();
+        Self {
+            seas,
+            loads,
+            without,
+            checks,
+        }
+    }
+}
+
+impl SeaQuestion {
+    /// The results of a system at rest that the checks need.
+    #[must_use]
+    pub fn rest_names(&self) -> Vec<RestName> {
+        match self.checks.is_empty() {
+            true => Vec::new(),
+            false => at_rest::names(&self.scene, &self.checks, &self.scene.bodies),
+        }
+    }
+
+    fn one_at_rest(
+        &self,
+        number: usize,
+        sea: &Sea,
+        outcomes: &[Option<SystemOutcome>],
+        names: &[RestName],
+    ) -> OneSea {
+        let found = sea.load_cases.iter().filter_map(|&load_case| {
+            let point = outcomes.get(load_case)?.as_ref()?.as_ref().ok()?;
+            let first = point.results.len().checked_sub(names.len())?;
+            Some(at_rest::loads(names, &point.results[first..], load_case))
+        });
+        let found: Vec<Vec<PlaceLoads>> = found.collect();
+        let without = sea.load_cases.len() - found.len();
+        let loads = found.into_iter().next().unwrap_or_default();
+        let rows = self.checks.iter();
+        let rows = rows.map(|check| self.rows(check, (number, sea), &loads, &[]));
+        OneSea {
+            without,
+            rows: rows.collect(),
+            fatigue: vec![SeaFatigue::new(); self.checks.len()],
+            loads,
+        }
+    }
+
+    fn one(&self, number: usize, sea: &Sea, runs: &[Option<StoredRun>]) -> OneSea {
+        let read = sea.load_cases.iter().filter_map(|&load_case| {
+            let run = runs.get(load_case)?.as_ref()?;
+            RunRecord::read(load_case, &run.dir, &run.summary, self.statistics.from_s).ok()
+        });
+        let read: Vec<RunRecord> = read.collect();
+        let loads = self.loads(&read);
+        let rows = self.checks.iter();
+        let rows = rows
+            .map(|check| self.rows(check, (number, sea), &loads, &read))
+            .collect();
+        let fatigue = self.checks.iter().map(|check| {
+            let counts = check.kind == CheckKind::Fatigue
+                && checked::is_for(check, sea.condition, &self.scene);
+            match counts {
+                true => fatigue::of_sea(&read, check, &self.scene),
+                false => SeaFatigue::new(),
+            }
+        });
+        OneSea {
+            without: sea.load_cases.len() - read.len(),
+            rows,
+            fatigue: fatigue.collect(),
+            loads,
+        }
+    }
+
+    /// Loads of tensions, and of what checks ask for.
+    fn loads(&self, runs: &[RunRecord]) -> Vec<PlaceLoads> {
+        let Some(first) = runs.first() else {
+            return Vec::new();
+        };
+        let is_asked = |series: Series| {
+            let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
+            series == Series::Tension || kinds.any(|of| of == Some(series))
+        };
+        let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
+        let places = asked.flat_map(|series| {
+            let places: Vec<&str> = first.places(series).collect();
+            places.into_iter().map(move |place| (series, place))
+        });
+        let random = self.scene.is_random;
+        places
+            .filter_map(|place| loads::loads_at(runs, place, &self.statistics, random))
+            .collect()
+    }
+
+    fn rows(
+        &self,
+        check: &Check,
+        (number, sea): (usize, &Sea),
+        loads: &[PlaceLoads],
+        runs: &[RunRecord],
+    ) -> Vec<Result<CheckRow, String>> {
+        if !checked::is_for(check, sea.condition, &self.scene) {
+            return Vec::new();
+        }
+        if check.kind == CheckKind::BendRadius {
+            return vec![bend::row(check, number, runs, self)];
+        }
+        let Some(series) = checked::series(check.kind) else {
+            return Vec::new();
+        };
+        let held = loads
+            .iter()
+            .filter(|loads| loads.series == series && check.holds_for(subject(&loads.place)));
+        let rows: Vec<_> = held
+            .map(|loads| checked::compared(check, number, loads, &self.scene))
+            .collect();
+        match rows.is_empty() && !loads.is_empty() {
+            true => vec![Err(nothing_recorded(check, series))],
+            false => rows,
+        }
+    }
+}
+
+/// Why a check has no row in a sea.
+fn nothing_recorded(check: &Check, series: Series) -> String {
+    let of = match &check.inputs.of {
+        Some(of) => format!(" of {}", of.join(", ")),
+        None => String::new(),
+    };
+    match series {
+        Series::Uplift => {
+            format!("no force on an anchor{of} is recorded: add `uplift = true` to [output]")
+        }
+        _ => format!("nothing{of} that it could compare is recorded"),
+    }
+}
+
+/// The damage of the years of service at every place, by the probabilities of the seas that the check is for; alike where none are known.
+fn add_fatigue(
+    result: &mut CheckResult,
+    seas: &[Sea],
+    damages: &[&SeaFatigue],
+    question: &SeaQuestion,
+) {
+    let counted: Vec<(f64, &SeaFatigue)> = seas
+        .iter()
+        .zip(damages)
+        .filter(|(_, damages)| !damages.is_empty())
+        .map(|(sea, damages)| (sea.probability.unwrap_or(1.0), *damages))
+        .collect();
+    let all: f64 = counted.iter().map(|(share, _)| share).sum();
+    let Some((_, first)) = counted.first() else {
+        return;
+    };
+    let factor = result.check.inputs.factor.unwrap_or(1.0);
+    for place in first.keys() {
+        let parts = counted.iter().map(|(share, damages)| {
+            let damage = damages.get(place).cloned();
+            let damage =
+                damage.unwrap_or_else(|| Err(format!("{place} is not recorded in all seas")));
+            damage.map(|damage| (share / all, damage))
+        });
+        let parts: Result<Vec<_>, String> = parts.collect();
+        match parts {
+            Err(why) if !result.missing.contains(&why) => result.missing.push(why),
+            Err(_) => {}
+            Ok(parts) => {
+                let load = of_service(&parts, question.statistics.service_years);
+                result.rows.push(CheckRow {
+                    sea: None,
+                    place: place.clone(),
+                    load,
+                    limit: 1.0 / factor,
+                    unit: "",
+                    used: load.utilisation(|damage| damage * factor),
+                    load_case: None,
+                    time: None,
+                    method: None,
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The records of the runs of a sea: what is read of them, and at which places.
+
+use std::path::Path;
+
+use crate::case::{ChannelId, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
+use crate::run::Quantity;
+use crate::run::store::{ChannelRows, StoreError, channel_rows};
+use crate::study::record_statistics::ChannelRecord;
+
+/// What is recorded of a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Series {
+    /// Tension \[N\].
+    Tension,
+    /// Vertical force of the lines on a fixed point \[N\].
+    Uplift,
+    /// Horizontal distance from the place at the start \[m\].
+    Offset,
+    /// Height above still water \[m\].
+    Height,
+}
+
+impl Series {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Tension, Self::Uplift, Self::Offset, Self::Height];
+
+    /// The quantities whose channels have the places: of a system, then of a line between two ends.
+    const fn quantities(self) -> &'static [ChannelQuantity] {
+        match self {
+            Self::Tension => &[ChannelQuantity::Tension],
+            Self::Uplift => &[ChannelQuantity::Uplift, ChannelQuantity::ForceZ],
+            Self::Offset => &[ChannelQuantity::X],
+            Self::Height => &[ChannelQuantity::Z],
+        }
+    }
+
+    /// The unit as shown.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Tension | Self::Uplift => "N",
+            Self::Offset | Self::Height => "m",
+        }
+    }
+}
+
+/// A run of a sea.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RunRecord {
+    /// Its load case, by its place in the list.
+    pub load_case: usize,
+    rows: ChannelRows,
+    summary: Vec<Quantity>,
+    /// The horizontal places of points and bodies at time zero \[m\].
+    start: Vec<(ChannelId, f64)>,
+}
+
+impl RunRecord {
+    /// Reads the rows of a stored run from a time on \[s\], of all that checks may need.
+    ///
+    /// # Errors
+    /// A history that cannot be read.
+    pub fn read(
+        load_case: usize,
+        dir: &Path,
+        summary: &[Quantity],
+        from: f64,
+    ) -> Result<Self, StoreError> {
+        let wanted = |id: &ChannelId| {
+            id.quantity == ChannelQuantity::Y
+                || Series::ALL
+                    .iter()
+                    .any(|series| series.quantities().contains(&id.quantity))
+        };
+        let mut rows = channel_rows(dir, 0.0, wanted)?;
+        let first = rows.values.iter().map(|values| values.first().copied());
+        let start = rows.ids.iter().cloned().zip(first);
+        let start = start.filter_map(|(id, value)| Some((id, value?))).collect();
+        let skipped = rows.time.partition_point(|time| *time < from);
+        rows.time.drain(..skipped);
+        for values in &mut rows.values {
+            values.drain(..skipped);
+        }
+        Ok(Self {
+            load_case,
+            rows,
+            summary: summary.to_vec(),
+            start,
+        })
+    }
+
+    /// The places at which a series is recorded.
+    pub fn places(&self, series: Series) -> impl Iterator<Item = &str> {
+        let quantities = series.quantities();
+        let ids = self
+            .rows
+            .ids
+            .iter()
+            .filter(move |id| quantities.contains(&id.quantity));
+        ids.map(|id| id.place.as_str())
+    }
+
+    /// The record of a series at a place; one row stands for itself.
+    #[must_use]
+    pub fn series(&self, series: Series, place: &str) -> Option<ChannelRecord> {
+        let values = match series {
+            Series::Offset => self.offset(place)?,
+            _ => {
+                let mut quantities = series.quantities().iter();
+                quantities.find_map(|of| self.values(*of, place))?.to_vec()
+            }
+        };
+        if values.len() == 1 {
+            return Some(ChannelRecord { step: 1.0, values });
+        }
+        ChannelRecord::of(&self.rows.time, &values)
+    }
+
+    /// How long its record is \[s\].
+    #[must_use]
+    pub fn length(&self) -> Option<f64> {
+        Some(self.rows.time.last()? - self.rows.time.first()?)
+    }
+
+    /// The time of a row \[s\].
+    #[must_use]
+    pub fn time(&self, row: usize) -> Option<f64> {
+        self.rows.time.get(row).copied()
+    }
+
+    fn column(&self, quantity: ChannelQuantity, place: &str) -> Option<usize> {
+        let mut ids = self.rows.ids.iter();
+        ids.position(|id| id.quantity == quantity && id.place == place)
+    }
+
+    fn values(&self, quantity: ChannelQuantity, place: &str) -> Option<&[f64]> {
+        let column = self.column(quantity, place)?;
+        self.rows.values.get(column).map(Vec::as_slice)
+    }
+
+    fn offset(&self, place: &str) -> Option<Vec<f64>> {
+        let [x, y] = [ChannelQuantity::X, ChannelQuantity::Y];
+        let start = |quantity| {
+            let found = self
+                .start
+                .iter()
+                .find(|(id, _)| id.quantity == quantity && id.place == place);
+            found.map(|(_, value)| *value)
+        };
+        let (x0, y0) = (start(x)?, start(y)?);
+        let (xs, ys) = (self.values(x, place)?, self.values(y, place)?);
+        Some(
+            xs.iter()
+                .zip(ys)
+                .map(|(x, y)| (x - x0).hypot(y - y0))
+                .collect(),
+        )
+    }
+
+    /// The numerical error of a statistic of a series; nothing where it was not estimated.
+    #[must_use]
+    pub fn numerical(&self, series: Series, place: &str, of: Statistic) -> Option<f64> {
+        let of_channel = |quantity: ChannelQuantity, of: Statistic| {
+            self.error(Subject::Channel(quantity.at(place)), of)
+        };
+        match series {
+            // Of the extremes of both coordinates the least favourable, in both directions.
+            Series::Offset => {
+                let parts = [ChannelQuantity::X, ChannelQuantity::Y].map(|quantity| {
+                    let ends = [Statistic::Min, Statistic::Max].map(|of| of_channel(quantity, of));
+                    ends[0].zip(ends[1]).map(|(a, b)| f64::max(a, b))
+                });
+                parts[0].zip(parts[1]).map(|(x, y)| x.hypot(y))
+            }
+            _ => {
+                let mut quantities = series.quantities().iter();
+                quantities.find_map(|quantity| of_channel(*quantity, of))
+            }
+        }
+    }
+
+    fn error(&self, of: Subject, statistic: Statistic) -> Option<f64> {
+        let id = QuantityId::new(of, statistic, None);
+        let found = self.summary.iter().find(|quantity| quantity.id == id)?;
+        found.error_estimate()
+    }
+
+    /// The least bend radius along the whole line with its numerical error \[m\].
+    #[must_use]
+    pub fn least_bend_radius(&self) -> Option<(f64, Option<f64>)> {
+        let of = Subject::Line(LineQuantity::BendRadius);
+        let id = QuantityId::new(of, Statistic::Min, None);
+        let found = self.summary.iter().find(|quantity| quantity.id == id)?;
+        Some((found.value, found.error_estimate()))
+    }
+}

@@ -1,0 +1,239 @@
+//! Checks over the load cases of a sweep: the verdict, its exit status, what governs, and what is refused.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// A chain from the bed to a fixed point at the surface, which the waves move.
+const CHAIN: &str = r#"
+[system]
+title = "Chain in waves"
+
+[seabed]
+depth_m = 50.0
+
+[materials.chain]
+diameter_m = 0.1
+mass_kg_per_m = 200.0
+ea_n = 8e8
+
+[points.anchor]
+kind = "fixed"
+position_m = [-90.0, 0.0, -50.0]
+
+[points.top]
+kind = "fixed"
+position_m = [0.0, 0.0, -1.0]
+
+[[lines]]
+name = "chain"
+from = "anchor"
+to = "top"
+material = "chain"
+length_m = 110.0
+segments = 10
+
+[[waves]]
+kind = "irregular"
+significant_height_m = 3.0
+peak_period_s = 7.0
+components = 20
+
+[solver]
+duration_s = 60.0
+
+[output]
+uplift = true
+"#;
+const OC3: &str = include_str!("../../cases/systems/oc3_spar.toml");
+
+fn sweep(dir: &Path, words: &[&str]) -> (Option<i32>, String, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_seacable"));
+    command.arg("sweep").args(words).current_dir(dir);
+    command.env("NO_COLOR", "1").stdin(Stdio::null());
+    let Output {
+        status,
+        stdout,
+        stderr,
+    } = command.output().unwrap();
+    let text = |bytes| String::from_utf8(bytes).unwrap();
+    (status.code(), text(stdout), text(stderr))
+}
+
+/// The greatest value in a column of the rows that begin so.
+fn value(csv: &str, row: &str, column: &str) -> f64 {
+    let mut lines = csv.lines();
+    let head = lines.next().unwrap();
+    let mut reader = csv::Reader::from_reader(csv.as_bytes());
+    let place = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .position(|name| name == column);
+    let place = place.unwrap_or_else(|| panic!("{column} in {head}"));
+    let records = reader.records().map(Result::unwrap);
+    let found = records.filter(|record| record[0].starts_with(row));
+    let values = found.map(|record| record[place].parse::<f64>().unwrap());
+    values
+        .reduce(f64::max)
+        .unwrap_or_else(|| panic!("{row} in {csv}"))
+}
+
+#[test]
+fn a_system_at_rest_is_held_to_quasi_static_factors_intact_and_with_a_line_lost() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = OC3.replace("ea_n = 384.243e6", "ea_n = 384.243e6\nbreak_load_n = 2.0e6")
+        + r#"
+[[load_cases]]
+key = "damage.lost_line"
+values = ["none", "mooring@120"]
+
+[[checks]]
+rules = "api-rp-2sk"
+
+[[checks]]
+name = "uplift"
+kind = "uplift"
+limit_n = 1.0e5
+"#;
+    fs::write(dir.path().join("spar.toml"), text).unwrap();
+    let (status, out, err) = sweep(dir.path(), &["spar.toml", "--out", "s"]);
+    // 2 times 0.911 MN of 2 MN.
+    assert_eq!(status, Some(0), "{out}{err}");
+    let checks = fs::read_to_string(dir.path().join("s/checks.csv")).unwrap();
+    let used = value(&checks, "api-rp-2sk intact-quasi-static", "used");
+    assert!((used - 0.91109).abs() < 1e-3, "{checks}");
+    assert!(
+        out.contains("No load case is for: api-rp-2sk intact-dynamic"),
+        "{out}"
+    );
+    let report = fs::read_to_string(dir.path().join("s/report.txt")).unwrap();
+    assert!(
+        report.is_ascii() && report.lines().all(|line| line.len() <= 80),
+        "{report}"
+    );
+
+    // A stronger factor fails, and the exit status says so.
+    let text = fs::read_to_string(dir.path().join("spar.toml")).unwrap();
+    let stricter = text.replace(
+        "rules = \"api-rp-2sk\"",
+        "kind = \"safety-factor\"\nfactor = 2.5",
+    );
+    fs::write(dir.path().join("strict.toml"), stricter).unwrap();
+    let (status, out, _) = sweep(dir.path(), &["strict.toml", "--out", "t"]);
+    assert_eq!(status, Some(1));
+    assert!(out.contains("fails") && out.contains("1.139"), "{out}");
+}
+
+#[test]
+fn seeds_of_a_sea_are_one_sample_and_the_verdict_has_two_errors() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = format!(
+        "{CHAIN}
+[[load_cases]]
+key = \"waves.1.seed\"
+range = \"1..6/6\"
+
+[statistics]
+hours = 0.5
+from_s = 5.0
+
+[[checks]]
+name = \"strength\"
+kind = \"safety-factor\"
+factor = 1.67
+break_load_n = 1e9
+
+[[checks]]
+name = \"anchor\"
+kind = \"uplift\"
+of = [\"anchor\"]
+limit_n = 1e6
+
+[[checks]]
+name = \"fatigue\"
+kind = \"fatigue\"
+curve = \"dnv-studless-chain\"
+diameter_m = 0.1
+"
+    );
+    fs::write(dir.path().join("chain.toml"), text).unwrap();
+    let (status, out, err) = sweep(dir.path(), &["chain.toml", "--out", "s"]);
+    assert!(status.is_some(), "{out}{err}");
+    let seas = fs::read_to_string(dir.path().join("s/seas.csv")).unwrap();
+    assert_eq!(value(&seas, "1", "runs"), 6.0, "{seas}");
+    let [low, most, high] =
+        ["greatest, low", "greatest", "greatest, high"].map(|name| value(&seas, "1", name));
+    assert!(low < most && most < high, "{seas}");
+    assert!(value(&seas, "1", "greatest, numerical error") > 0.0);
+    let checks = fs::read_to_string(dir.path().join("s/checks.csv")).unwrap();
+    let used = value(&checks, "strength", "used");
+    let greatest = value(&checks, "strength", "load");
+    assert!(
+        (used - greatest / 1e9).abs() < 1e-9 && used < 0.5,
+        "{checks}"
+    );
+    assert!(
+        checks.contains("fatigue") && checks.contains("anchor,"),
+        "{checks}"
+    );
+
+    // The same tables whatever the threads, and again from the stored runs.
+    let (_, _, err) = sweep(dir.path(), &["chain.toml", "--jobs", "1", "--out", "t"]);
+    for file in ["seas.csv", "checks.csv"] {
+        let read = |sweep: &str| fs::read(dir.path().join(sweep).join(file)).unwrap();
+        assert_eq!(read("s"), read("t"), "{err}");
+    }
+    fs::remove_file(dir.path().join("s/checks.csv")).unwrap();
+    sweep(dir.path(), &["--resume", "s"]);
+    assert_eq!(
+        fs::read_to_string(dir.path().join("s/checks.csv")).unwrap(),
+        checks
+    );
+}
+
+#[test]
+fn checks_that_cannot_be_are_refused_before_anything_is_computed() {
+    let dir = tempfile::tempdir().unwrap();
+    let refused = |check: &str, wanted: &[&str]| {
+        let text = format!(
+            "{OC3}\n[[load_cases]]\nkey = \"seabed.friction\"\nvalues = [0.0, 0.1]\n{check}"
+        );
+        fs::write(dir.path().join("spar.toml"), text).unwrap();
+        let (status, out, err) = sweep(dir.path(), &["spar.toml", "--out", "s"]);
+        assert_eq!(status, Some(2), "{check}: {out}{err}");
+        for words in wanted {
+            assert!(err.contains(words), "{check}: {err}");
+        }
+        assert!(!dir.path().join("s").exists());
+    };
+    refused(
+        "[[checks]]\nrules = \"dnv-os-e302\"\n",
+        &["spar.toml:", "did you mean `dnv-os-e301`"],
+    );
+    refused(
+        "[[checks]]\nname = \"n\"\n",
+        &["neither what it compares nor by which rules"],
+    );
+    refused(
+        "[[checks]]\nkind = \"offset\"\nlimit_m = 2.0\n",
+        &["`limit_m` and `of`"],
+    );
+    refused(
+        "[[checks]]\nkind = \"uplift\"\nlimit_n = 2.0\nfactor = 3.0\n",
+        &["`factor` is not used"],
+    );
+    refused(
+        "[[checks]]\nrules = \"dnv-os-e301\"\nonly = [\"uls-3\"]\n",
+        &["no rule `uls-3`", "did you mean"],
+    );
+    refused(
+        "[[checks]]\nrules = \"mine.toml\"\n",
+        &["mine.toml cannot be read"],
+    );
+    fs::write(dir.path().join("mine.toml"), "[rules]\ntitle = \"t\"\n").unwrap();
+    refused(
+        "[[checks]]\nrules = \"mine.toml\"\n",
+        &["mine.toml:", "edition"],
+    );
+}
