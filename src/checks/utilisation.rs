@@ -77,6 +77,16 @@ impl Estimate {
 }
 
 impl Utilisation {
+    /// Whether no sample could settle it: wherever the sample's interval has the value, the limit lies within the numerical error.
+    #[must_use]
+    pub fn needs_finer_runs(&self) -> bool {
+        let (Some([low, high]), Some([from, to])) = (self.numerical, self.sample) else {
+            return false;
+        };
+        let (above, below) = (high - self.value, self.value - low);
+        from + above > 1.0 && to - below <= 1.0
+    }
+
     /// What it says.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
@@ -125,6 +135,21 @@ mod tests {
         let exact = Estimate::exact(1.0).utilisation(|load| load);
         assert_eq!(exact.verdict(), Verdict::Passes);
         assert_eq!(exact.both, [1.0, 1.0]);
+    }
+
+    #[test]
+    fn no_seeds_settle_what_lies_within_the_numerical_error() {
+        let at = |limit: f64, numerical: f64| {
+            let load = Estimate {
+                numerical: Some(numerical),
+                ..LOAD
+            };
+            load.utilisation(|load| load / limit).needs_finer_runs()
+        };
+        // The sample is from 1.8 to 2.4.
+        assert!(!at(2.1, 0.1));
+        assert!(at(2.1, 0.5));
+        assert!(!at(4.0, 0.5));
     }
 
     #[test]

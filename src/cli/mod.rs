@@ -40,6 +40,7 @@ mod study_page;
 mod sweep;
 mod sweep_args;
 mod sweep_seas;
+mod sweep_window;
 mod system;
 mod system_args;
 mod system_study;

@@ -12,7 +12,7 @@ use super::{
     signals::StopFlag,
     study_page::print,
     sweep_args::SweepArgs,
-    sweep_seas,
+    sweep_seas, sweep_window,
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Case, kind};
@@ -45,11 +45,15 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let (sweep, folder, question) = match &args.resume {
+    let (sweep, folder, question, sought) = match &args.resume {
         Some(dir) => resumed(dir)?,
         None => begun(args)?,
     };
-    let outcomes = compute(args, &sweep, &folder, &stop)?;
+    if let Some(word) = sought {
+        let of = (&sweep, &folder, &question);
+        return sweep_window::window(args, &word, of, file.as_ref(), &stop);
+    }
+    let outcomes = compute(args, (&sweep, &question), &folder, &stop)?;
     let cost = sweep_seas::cost(&outcomes);
     let results = sweep_seas::answers(&sweep, &outcomes, &question);
     let seas = results.as_ref().map(|results| SeasView {
@@ -58,7 +62,11 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     });
     let view = match &outcomes {
         SweepOutcomes::Runs(outcomes, ids) => {
-            VariationView::of_case(&sweep.variation, outcomes, ids)
+            let view = VariationView::of_case(&sweep.variation, outcomes, ids);
+            match question.statistics.until_settled && stop.status().is_none() {
+                true => view.with_unneeded(outcomes),
+                false => view,
+            }
         }
         SweepOutcomes::AtRest(outcomes, names) => {
             VariationView::of_system(&sweep.variation, outcomes, names)
@@ -125,8 +133,10 @@ type Found<'a> = (
 fn page((view, seas, cost): Found<'_>, width: usize, folder: &SweepFolder) -> Vec<Table> {
     let mut tables: Vec<Table> = seas.map(SeasView::tables).unwrap_or_default();
     tables.push(view.extremes());
+    // Of seeds the sea is what is asked for; each run stands in results.csv.
+    let of_seeds = seas.is_some_and(SeasView::has_seeds);
     match view.points() {
-        0..=MOST_ROWS => tables.extend(view.tables(width)),
+        0..=MOST_ROWS if !of_seeds => tables.extend(view.tables(width)),
         _ => tables.extend(view.failures()),
     }
     if let Some(last) = tables.last_mut() {
@@ -147,17 +157,25 @@ fn show(
 ) -> Result<(), CommandError> {
     let width = output::page_width(args.page.width);
     let tables = page((view, seas, cost), width, folder);
+    // A result against seeds is no curve.
+    let charts = match seas.is_some_and(SeasView::has_seeds) {
+        true => Vec::new(),
+        false => view.charts(),
+    };
     print(
         "sweep",
         &args.page,
         file,
         (&tables, &view.csv_table()),
-        &view.charts(),
+        &charts,
     )
 }
 
+/// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
+type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
+
 /// A new sweep.
-fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandError> {
+fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     cases::allow_values(&args.vary);
     let mut csv = Vec::with_capacity(args.load_cases.len());
@@ -183,10 +201,14 @@ fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandE
         return Err(CommandError::Usage(what.to_owned()));
     }
     let variation = Variation::of_load_cases(base, load_cases);
-    let folder = SweepFolder::create(args.out.as_deref(), &variation, results.names());
+    if let Some(word) = &args.window {
+        sweep_window::begun(word, &variation, &question)?;
+    }
+    let shown = (results.names(), args.window.as_deref());
+    let folder = SweepFolder::create(args.out.as_deref(), &variation, shown);
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
     let sweep = sweep_seas::sweep(variation, results, &question);
-    Ok((sweep, folder, question))
+    Ok((sweep, folder, question, args.window.clone()))
 }
 
 /// What is computed at the load cases, these, the results shown, and what is asked of all together.
@@ -194,7 +216,8 @@ type Begun = (BaseCase, LoadCases, SweepResults, SeaQuestion);
 
 fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun, CommandError> {
     let loaded = cases::load(path)?;
-    let text = cases::set(&loaded.text, &args.set)?;
+    let set = args.overrides();
+    let text = cases::set(&loaded.text, &set)?;
     let case = cases::parse(&text, &loaded.name)?;
     let of = SweepKind {
         text: &text,
@@ -207,7 +230,7 @@ fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun
     let results = SweepResults::of_line(&case, &args.result).map_err(|why| no_result(&why))?;
     let question = sweep_seas::of_line(&case)?;
     let text = case::stand_alone(&text, &case).into_owned();
-    let base = base(text, &loaded.name, &args.set);
+    let base = base(text, &loaded.name, &set);
     Ok((base, load_cases, results, question))
 }
 
@@ -215,7 +238,8 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
     let name = path.display().to_string();
     let loaded = kind::load_as::<SystemFile>(path, &args.import.options());
     let loaded = loaded.map_err(CommandError::Invalid)?;
-    let edits = cases::edits(&args.set)?;
+    let set = args.overrides();
+    let edits = cases::edits(&set)?;
     let (text, solved) = cases::set_and_compute::<SystemFile>(&loaded.whole_text, &edits, path)?;
     let of = SweepKind {
         text: &text,
@@ -225,12 +249,12 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
     let load_cases = load_cases::<SystemFile>(of, csv, &args.vary).map_err(refused)?;
     let results = SweepResults::of_system(&solved, &args.result).map_err(|why| no_result(&why))?;
     let question = sweep_seas::of_system(&solved)?;
-    let base = base(without_load_cases(&text), &name, &args.set);
+    let base = base(without_load_cases(&text), &name, &set);
     Ok((base, load_cases, results, question))
 }
 
 /// A sweep that was stopped, as its folder has it.
-fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandError> {
+fn resumed(dir: &Path) -> Result<Opened, CommandError> {
     let opened = SweepFolder::open(dir);
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
     let (text, info) = (stored.case, stored.info);
@@ -260,7 +284,7 @@ fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder, SeaQuestion), CommandError
     };
     let variation = Variation::of_load_cases(base(text, &info.case_file, &info.overrides), cases);
     let sweep = sweep_seas::sweep(variation, results, &question);
-    Ok((sweep, folder, question))
+    Ok((sweep, folder, question, info.window))
 }
 
 fn base(text: String, path: &str, overrides: &[String]) -> BaseCase {
@@ -283,9 +307,9 @@ fn no_result(why: &str) -> CommandError {
 }
 
 /// Computes with a line of progress, on as many threads as asked for.
-fn compute(
+pub(super) fn compute(
     args: &SweepArgs,
-    sweep: &Sweep,
+    (sweep, question): (&Sweep, &SeaQuestion),
     folder: &SweepFolder,
     stop: &StopFlag,
 ) -> Result<SweepOutcomes, CommandError> {
@@ -294,11 +318,15 @@ fn compute(
     let pool = pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))?;
     let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
     Ok(pool.install(|| {
-        sweep.compute(folder, stop.cancel(), &|progress| {
+        let told = |progress: SweepProgress| {
             if let Ok(mut line) = line.lock() {
                 line.show(&words(progress, begun.elapsed().as_secs_f64()));
             }
-        })
+        };
+        match question.statistics.until_settled {
+            true => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
+            false => sweep.compute(folder, stop.cancel(), &told),
+        }
     }))
 }
 

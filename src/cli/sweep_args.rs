@@ -19,6 +19,14 @@ pub(super) struct SweepArgs {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub(super) set: Vec<String>,
 
+    /// Draw the seeds of each sea, of those in the table, only until its checks are settled; the key statistics.until_settled.
+    #[arg(long, conflicts_with = "resume")]
+    pub(super) until_settled: bool,
+
+    /// Find for each sea of the table the greatest of these values at which all checks pass, such as waves.height_m=1..9/33.
+    #[arg(long, value_name = "KEY=VALUES", conflicts_with = "resume")]
+    pub(super) window: Option<String>,
+
     #[command(flatten)]
     pub(super) import: ImportArgs,
 
@@ -44,4 +52,15 @@ pub(super) struct SweepArgs {
 
     #[command(flatten)]
     pub(super) page: StudyPageArgs,
+}
+
+impl SweepArgs {
+    /// Keys that are set on top of the file.
+    pub(super) fn overrides(&self) -> Vec<String> {
+        let settled = self
+            .until_settled
+            .then_some("statistics.until_settled=true");
+        let own = self.set.iter().map(String::as_str);
+        own.chain(settled).map(str::to_owned).collect()
+    }
 }

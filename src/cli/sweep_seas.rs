@@ -60,13 +60,9 @@ pub(super) fn answers(
             return asked.then(|| SeaResults::at_rest(&sweep.variation, outcomes, of));
         }
     };
-    let stored = outcomes.iter().map(|outcome| {
-        let run = outcome.as_ref()?.as_ref().ok()?;
-        Some(StoredRun {
-            dir: run.dir.clone()?,
-            summary: run.summary.clone(),
-        })
-    });
+    let stored = outcomes
+        .iter()
+        .map(|outcome| outcome.as_ref().and_then(StoredRun::of));
     let stored: Vec<Option<StoredRun>> = stored.collect();
     Some(SeaResults::of(&sweep.variation, &stored, question))
 }

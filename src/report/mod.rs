@@ -25,6 +25,7 @@ pub mod table;
 pub mod text;
 pub mod validation;
 pub mod variation;
+pub mod window;
 pub(crate) mod wrap;
 
 pub use crate::number;

@@ -210,10 +210,12 @@ impl SeasView<'_> {
             })
             .build()
             .noted([note])
-            .noted(
-                (missing > 0)
-                    .then(|| format!("{missing} load cases have no results and are left out.")),
-            )
+            .noted((missing > 0).then(|| match self.statistics.until_settled {
+                true => format!(
+                    "{missing} load cases were not needed or have no results. Looks after 5, 10, 20, ... seeds of a sea; their intervals hold at all looks together."
+                ),
+                false => format!("{missing} load cases have no results and are left out."),
+            }))
     }
 
     /// Life by each check of fatigue, place by place.
@@ -372,6 +374,13 @@ impl SeasView<'_> {
             })
             .text("by", |(_, _, loads)| loads.greatest.method.name())
             .build()
+    }
+
+    /// Whether any sea has several runs.
+    #[must_use]
+    pub fn has_seeds(&self) -> bool {
+        let mut seas = self.results.seas.iter();
+        seas.any(|sea| sea.load_cases.len() > 1)
     }
 
     /// The worst verdict of all checks; nothing where there are none with load cases.

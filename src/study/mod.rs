@@ -19,5 +19,6 @@ pub mod sweep;
 pub mod vary;
 mod verdict;
 mod verdict_table;
+pub mod window;
 
 pub use verdict::{TrialOutcome, TrialTally, TrialVerdict, tally};

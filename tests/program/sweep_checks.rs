@@ -193,6 +193,126 @@ diameter_m = 0.1
 }
 
 #[test]
+fn seeds_are_drawn_until_every_check_is_settled_and_no_longer() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = |strength: &str| {
+        format!(
+            "{CHAIN}
+[[load_cases]]
+key = \"waves.1.significant_height_m\"
+values = [0.5, 3.0]
+
+[[load_cases]]
+key = \"waves.1.seed\"
+range = \"1..12/12\"
+
+[statistics]
+hours = 0.1
+from_s = 5.0
+
+[[checks]]
+kind = \"safety-factor\"
+factor = 1.67
+break_load_n = {strength}
+"
+        )
+    };
+    let unneeded = |name: &str| {
+        let results = fs::read_to_string(dir.path().join(name).join("results.csv")).unwrap();
+        results.matches("NOT NEEDED").count()
+    };
+    fs::write(dir.path().join("strong.toml"), text("1e9")).unwrap();
+    let words = ["strong.toml", "--until-settled", "--out", "s"];
+    let (status, out, err) = sweep(dir.path(), &words);
+    assert_eq!(status, Some(0), "{out}{err}");
+    assert_eq!(
+        unneeded("s"),
+        2 * (12 - 5),
+        "five seeds of each sea are enough"
+    );
+    assert!(out.contains("14 load cases were not needed"), "{out}");
+    // Nothing more is computed by going on, and the same is said.
+    let before = fs::read(dir.path().join("s/checks.csv")).unwrap();
+    sweep(dir.path(), &["--resume", "s"]);
+    assert_eq!(unneeded("s"), 14);
+    assert_eq!(fs::read(dir.path().join("s/checks.csv")).unwrap(), before);
+
+    // A limit at the greatest tension of the rough sea takes all its seeds, and the calm one still five.
+    let seas = fs::read_to_string(dir.path().join("s/seas.csv")).unwrap();
+    let near = 1.67 * value(&seas, "2", "greatest");
+    let near = text(&near.to_string()).replace("[solver]", "[solver]\nerror_estimate = false");
+    fs::write(dir.path().join("near.toml"), near).unwrap();
+    let (status, out, err) = sweep(dir.path(), &["near.toml", "--until-settled", "--out", "t"]);
+    assert_eq!(status, Some(1), "{out}{err}");
+    assert_eq!(unneeded("t"), 12 - 5, "{out}");
+    assert!(
+        out.contains("not settled") || out.contains("not\n"),
+        "{out}"
+    );
+}
+
+#[test]
+fn the_greatest_value_that_passes_is_found_for_each_sea() {
+    let dir = tempfile::tempdir().unwrap();
+    // At rest: a heavier chain is tighter.
+    let text = OC3.replace("ea_n = 384.243e6", "ea_n = 384.243e6\nbreak_load_n = 2.0e6")
+        + r#"
+[[load_cases]]
+key = "damage.lost_line"
+values = ["none", "mooring@120"]
+
+[[checks]]
+rules = "api-rp-2sk"
+only = ["intact-quasi-static", "line-lost-quasi-static"]
+"#;
+    fs::write(dir.path().join("spar.toml"), text).unwrap();
+    let words = [
+        "spar.toml",
+        "--window",
+        "materials.chain.mass_kg_per_m=78..94/33",
+        "--out",
+        "w",
+    ];
+    let (status, out, err) = sweep(dir.path(), &words);
+    assert_eq!(status, Some(0), "{out}{err}");
+    let window = fs::read_to_string(dir.path().join("w/window.csv")).unwrap();
+    let passes = value(&window, "none", "materials.chain.mass_kg_per_m, passes");
+    let fails = value(&window, "none", "materials.chain.mass_kg_per_m, does not");
+    assert!((fails - passes - 0.5).abs() < 1e-12, "{window}");
+    // The same by running both values alone.
+    for (x, wanted) in [(passes, "passes"), (fails, "fails")] {
+        let set = format!("materials.chain.mass_kg_per_m={x}");
+        let name = format!("at-{x}");
+        let (_, out, err) = sweep(dir.path(), &["spar.toml", "--set", &set, "--out", &name]);
+        let checks = fs::read_to_string(dir.path().join(name).join("checks.csv")).unwrap();
+        let intact = checks
+            .lines()
+            .filter(|line| line.contains("intact-quasi-static"));
+        let worst = intact.clone().any(|line| line.contains(",fails,"));
+        assert_eq!(worst, wanted == "fails", "{out}{err}");
+    }
+    // It goes on where it was, and says the same.
+    fs::remove_file(dir.path().join("w/window.csv")).unwrap();
+    let (status, _, err) = sweep(dir.path(), &["--resume", "w"]);
+    assert_eq!(status, Some(0), "{err}");
+    assert_eq!(
+        fs::read_to_string(dir.path().join("w/window.csv")).unwrap(),
+        window
+    );
+
+    for (wrong, words) in [
+        ("damage.lost_line=none,mooring", "takes words"),
+        ("seabed.friction=0.3", "fewer than two values"),
+        ("bodies.spar.place=1..2/3", "no key"),
+    ] {
+        let (status, _, err) = sweep(dir.path(), &["spar.toml", "--window", wrong, "--out", "x"]);
+        assert_eq!(status, Some(2), "{wrong}");
+        assert!(err.contains(words), "{wrong}: {err}");
+        assert!(!dir.path().join("x").exists());
+    }
+}
+
+#[test]
 fn checks_that_cannot_be_are_refused_before_anything_is_computed() {
     let dir = tempfile::tempdir().unwrap();
     let refused = |check: &str, wanted: &[&str]| {

@@ -243,6 +243,20 @@ fn unit_of_key(key: &str) -> Option<&'static str> {
         .map(|(unit, _)| *unit)
 }
 
+/// A key in words, and its unit where it ends in one: `significant height` and `m`.
+#[must_use]
+pub fn in_words(key: &str) -> (String, Option<&'static str>) {
+    let unit = unit_of_key(key).filter(|unit| unit_suffix(unit) != Some(key));
+    let suffix = unit
+        .and_then(unit_suffix)
+        .map(|suffix| format!("_{suffix}"));
+    let stem = suffix.and_then(|suffix| key.strip_suffix(&suffix).map(str::to_owned));
+    (
+        stem.unwrap_or_else(|| key.to_owned()).replace('_', " "),
+        unit,
+    )
+}
+
 /// Units as shown, and as they stand in key names.
 const UNITS: &[(&str, &str)] = &[
     ("m", "m"),

@@ -14,7 +14,7 @@ mod value;
 mod words;
 
 pub(crate) use field::either;
-pub use field::{AbsentValue, Conditions, Field, ValueType, unit_suffix};
+pub use field::{AbsentValue, Conditions, Field, ValueType, in_words, unit_suffix};
 pub use json_schema::json_schema;
 pub use range::Range;
 pub(crate) use range::{number, of, positive, quantity};

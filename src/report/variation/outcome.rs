@@ -46,6 +46,8 @@ pub struct PointView {
     pub cpu_s: Option<f64>,
     /// Where its run is stored.
     pub dir: Option<String>,
+    /// Whether it was not computed since nothing needs it.
+    pub unneeded: bool,
 }
 
 impl PointView {
@@ -67,7 +69,8 @@ impl PointView {
     }
 
     pub(super) fn state(&self) -> &'static str {
-        self.reason.as_ref().map_or("OK", |(state, _)| state)
+        let good = if self.unneeded { "NOT NEEDED" } else { "OK" };
+        self.reason.as_ref().map_or(good, |(state, _)| state)
     }
 
     fn of_case(outcome: Option<&PointOutcome>, results: &[QuantityId]) -> Self {
@@ -90,6 +93,7 @@ impl PointView {
             remark: (warnings > 0).then(|| format!("{warnings} warning{plural}")),
             cpu_s: Some(run.info.cost.cpu_s),
             dir: run.dir.as_ref().map(|dir| visible::path(dir)),
+            unneeded: false,
         }
     }
 }
@@ -103,6 +107,22 @@ impl ResultView {
             text: result_text(quantity),
             unestimated: quantity.error_estimate().is_none(),
         }
+    }
+}
+
+impl VariationView<'_> {
+    /// The same where points without an outcome were not needed: a sea was settled before.
+    #[must_use]
+    pub fn with_unneeded(mut self, outcomes: &[Option<PointOutcome>]) -> Self {
+        for (view, outcome) in self.outcomes.iter_mut().zip(outcomes) {
+            if outcome.is_none() {
+                *view = PointView {
+                    unneeded: true,
+                    ..PointView::default()
+                };
+            }
+        }
+        self
     }
 }
 

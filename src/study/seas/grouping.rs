@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::scene::CheckedScene;
+use crate::case::fields::in_words;
 use crate::case::{CheckCondition, StudyValue};
 use crate::study::points::Setting;
 use crate::study::vary::Variation;
@@ -30,7 +31,9 @@ impl Sea {
         }
         let short = |setting: &Setting| {
             let key = setting.key.rsplit('.').next().unwrap_or(&setting.key);
-            format!("{key} {}", setting.written())
+            let (name, unit) = in_words(key);
+            let unit = unit.map(|unit| format!(" {unit}")).unwrap_or_default();
+            format!("{name} {}{unit}", setting.written())
         };
         self.settings
             .iter()
@@ -95,5 +98,62 @@ fn condition(settings: &[Setting], scene: &CheckedScene) -> CheckCondition {
         CheckCondition::Transient
     } else {
         scene.condition
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::load_cases::{LoadCaseKey, LoadCases};
+    use crate::case::{StudyValue, field_at};
+    use crate::study::points::BaseCase;
+
+    #[test]
+    fn load_cases_that_differ_by_their_seeds_are_one_sea() {
+        let key = |path: &str| LoadCaseKey {
+            path: path.to_owned(),
+            field: field_at(&path.split('.').collect::<Vec<_>>()).unwrap(),
+        };
+        let row = |height: f64, seed: f64| [height, seed].map(StudyValue::Number).to_vec();
+        let load_cases = LoadCases {
+            keys: vec![key("waves.significant_height_m"), key("waves.seed")],
+            rows: vec![row(2.0, 1.0), row(4.0, 1.0), row(2.0, 2.0), row(4.0, 2.0)],
+            probability: Some(vec![0.3, 0.2, 0.3, 0.2]),
+        };
+        let variation = Variation::of_load_cases(BaseCase::new("", "c.toml"), load_cases);
+        let found = seas(&variation, &CheckedScene::default());
+        assert_eq!(found.len(), 2);
+        assert_eq!(found[0].load_cases, [0, 2]);
+        assert_eq!(found[0].words(), "significant height 2 m");
+        assert!((found[1].probability.unwrap() - 0.4).abs() < 1e-15);
+        assert!(
+            found
+                .iter()
+                .all(|sea| sea.condition == CheckCondition::Intact)
+        );
+    }
+
+    #[test]
+    fn a_line_that_is_lost_or_breaks_is_a_condition_of_its_own() {
+        let set =
+            |key: &str, word: &str| vec![Setting::new(key, StudyValue::Word(word.to_owned()))];
+        let intact = CheckedScene::default();
+        let lost = CheckedScene {
+            condition: CheckCondition::LineLost,
+            ..CheckedScene::default()
+        };
+        assert_eq!(
+            condition(&set("damage.lost_line", "a"), &intact),
+            CheckCondition::LineLost
+        );
+        assert_eq!(
+            condition(&set("damage.lost_line", NO_LINE), &lost),
+            CheckCondition::Intact
+        );
+        assert_eq!(
+            condition(&set("lines.a.break_s", "3"), &intact),
+            CheckCondition::Transient
+        );
+        assert_eq!(condition(&[], &lost), CheckCondition::LineLost);
     }
 }

@@ -29,7 +29,9 @@ pub use scene::CheckedScene;
 
 use crate::case::{CheckKind, StatisticsInputs};
 use crate::checks::resolved::Check;
+use crate::checks::utilisation::Verdict;
 use crate::run::Quantity;
+use crate::study::points::PointOutcome;
 use crate::study::vary::Variation;
 use crate::study::vary::system::SystemOutcome;
 use fatigue::SeaFatigue;
@@ -140,7 +142,35 @@ impl SeaResults {
     }
 }
 
+impl StoredRun {
+    /// Of what became of a load case; nothing where it has no stored results.
+    #[must_use]
+    pub fn of(outcome: &PointOutcome) -> Option<Self> {
+        let run = outcome.as_ref().ok()?;
+        Some(Self {
+            dir: run.dir.clone()?,
+            summary: run.summary.clone(),
+        })
+    }
+}
+
 impl SeaQuestion {
+    /// Whether more seeds of a sea would settle nothing: none of its checks is open, or those that are have failed elsewhere in it or lie
+    /// within the numerical error of the runs.
+    #[must_use]
+    pub fn is_settled(&self, number: usize, sea: &Sea, runs: &[Option<StoredRun>]) -> bool {
+        let found = self.one(number, sea, runs);
+        found.rows.iter().all(|rows| {
+            let of = |wanted: Verdict| {
+                rows.iter()
+                    .flatten()
+                    .filter(move |row| row.used.verdict() == wanted)
+            };
+            let fails = of(Verdict::Fails).next().is_some();
+            fails || of(Verdict::Open).all(|row| row.used.needs_finer_runs())
+        })
+    }
+
     /// The results of a system at rest that the checks need.
     #[must_use]
     pub fn rest_names(&self) -> Vec<RestName> {

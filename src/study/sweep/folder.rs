@@ -9,6 +9,7 @@
 //! | `results.csv` | the table of results, when the sweep has ended |
 //! | `seas.csv` | what the seeds of each sea say together |
 //! | `checks.csv` | the share that each check leaves at each place in each sea |
+//! | `window.csv` | of a search: the limiting value of each sea |
 //! | `report.txt` | the page that is printed, in ASCII at 80 columns |
 //!
 //! The runs are the record of what is done: a sweep that goes on reads those that came to their end. The folder appears in one step.
@@ -35,8 +36,11 @@ const SWEEP: &str = "sweep.toml";
 const RESULTS: &str = "results.csv";
 const SEAS: &str = "seas.csv";
 const CHECKS: &str = "checks.csv";
+const WINDOW: &str = "window.csv";
 const REPORT: &str = "report.txt";
-const FILES: [&str; 7] = [CASE, LOAD_CASES, SWEEP, RESULTS, SEAS, CHECKS, REPORT];
+const FILES: [&str; 8] = [
+    CASE, LOAD_CASES, SWEEP, RESULTS, SEAS, CHECKS, WINDOW, REPORT,
+];
 
 /// What a sweep is, as `sweep.toml` says it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -52,6 +56,9 @@ pub struct SweepInfo {
     pub overrides: Vec<String>,
     /// Names of the results that are shown.
     pub results: Vec<String>,
+    /// The key whose limiting value is sought, with its values; absent where the load cases themselves are computed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub window: Option<String>,
     case: SealedPart,
     table: SealedPart,
 }
@@ -117,7 +124,7 @@ impl SweepFolder {
     pub fn create(
         dir: Option<&Path>,
         variation: &Variation,
-        results: Vec<String>,
+        (results, window): (Vec<String>, Option<&str>),
     ) -> Result<Self, SweepError> {
         let base = &variation.base;
         let table = table(variation);
@@ -128,6 +135,7 @@ impl SweepFolder {
             load_cases: variation.points.len(),
             overrides: base.overrides.clone(),
             results,
+            window: window.map(str::to_owned),
             case: digest(&base.text),
             table: digest(&table),
         };
@@ -195,6 +203,39 @@ impl SweepFolder {
                 load_cases,
             },
         ))
+    }
+
+    /// The folder of a round of a search, beside this one: opened where it is there, else made.
+    ///
+    /// # Errors
+    /// It is no sweep of these load cases, or cannot be written.
+    pub fn round(
+        &self,
+        number: usize,
+        variation: &Variation,
+        results: Vec<String>,
+    ) -> Result<Self, SweepError> {
+        let mut name = self.dir.file_name().unwrap_or_default().to_owned();
+        name.push(format!("-round-{number}"));
+        let dir = self.dir.with_file_name(name);
+        if dir.symlink_metadata().is_err() {
+            return Self::create(Some(&dir), variation, (results, None));
+        }
+        let (folder, stored) = Self::open(&dir)?;
+        if stored.load_cases != table(variation) || stored.case != variation.base.text {
+            let reason = "it has other load cases than this round of the search; move it away";
+            return Err(damaged(&dir, LOAD_CASES, reason.to_owned()));
+        }
+        Ok(folder)
+    }
+
+    /// Writes what a search has found, and the report as text.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn write_window(&self, table: &[u8], report: &str) -> Result<(), SweepError> {
+        self.write(WINDOW, table)?;
+        self.write(REPORT, report.as_bytes())
     }
 
     /// Where it is.

@@ -6,6 +6,7 @@
 mod folder;
 mod load_cases;
 mod results;
+mod rounds;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -63,43 +64,68 @@ impl Sweep {
         cancel: &AtomicBool,
         told: &(dyn Fn(SweepProgress) + Sync),
     ) -> SweepOutcomes {
-        let progress = |done, of, stored| told(SweepProgress { done, stored, of });
         let ids = match &self.results {
             SweepResults::AtRest(names) => {
-                let told = |done, of| progress(done, of, 0);
+                let told = |done, of| {
+                    told(SweepProgress {
+                        done,
+                        stored: 0,
+                        of,
+                    });
+                };
                 let all: Vec<String> = names.iter().chain(&self.needed).cloned().collect();
                 let found = system::compute(&self.variation, &all, cancel, &told);
                 return SweepOutcomes::AtRest(found, names.clone());
             }
             SweepResults::Line(ids) | SweepResults::InTime(ids) => ids,
         };
-        let known = self.stored(folder);
+        let all: Vec<usize> = (0..self.variation.points.len()).collect();
+        let found = self.compute_some(folder, &all, cancel, told);
+        SweepOutcomes::Runs(
+            found.into_iter().map(|(_, outcome)| outcome).collect(),
+            ids.clone(),
+        )
+    }
+
+    /// Computes some load cases: each with what became of it, in their order.
+    fn compute_some(
+        &self,
+        folder: &SweepFolder,
+        wanted: &[usize],
+        cancel: &AtomicBool,
+        told: &(dyn Fn(SweepProgress) + Sync),
+    ) -> Vec<(usize, Option<PointOutcome>)> {
+        let progress = |done, of, stored| told(SweepProgress { done, stored, of });
+        let mut known = self.stored(folder, wanted);
         let count = known.len();
-        let left: Vec<usize> = (0..self.variation.points.len())
-            .filter(|index| !known.contains_key(index))
-            .collect();
+        let left = wanted
+            .iter()
+            .copied()
+            .filter(|index| !known.contains_key(index));
+        let left: Vec<usize> = left.collect();
         let compute = |index: usize| {
             let place = RunLocation::Exactly(folder.run(index));
             points::outcome(self.job(index)?, Some(&place), cancel)
         };
-        progress(count, self.variation.points.len(), count);
+        progress(count, wanted.len(), count);
         let computed = side_by_side(left.clone(), cancel, compute, |done, of, _, _| {
             progress(count + done, count + of, count);
         });
-        let mut outcomes: Vec<Option<PointOutcome>> = vec![None; self.variation.points.len()];
         for (index, outcome) in left.into_iter().zip(computed) {
-            outcomes[index] = outcome;
+            if let Some(outcome) = outcome {
+                known.insert(index, outcome);
+            }
         }
-        for (index, outcome) in known {
-            outcomes[index] = Some(outcome);
-        }
-        SweepOutcomes::Runs(outcomes, ids.clone())
+        wanted
+            .iter()
+            .map(|index| (*index, known.remove(index)))
+            .collect()
     }
 
     /// The load cases whose runs are stored, or whose place is taken.
-    fn stored(&self, folder: &SweepFolder) -> BTreeMap<usize, PointOutcome> {
-        let points = self.variation.points.iter().enumerate();
-        let found = points.filter_map(|(index, point)| {
+    fn stored(&self, folder: &SweepFolder, wanted: &[usize]) -> BTreeMap<usize, PointOutcome> {
+        let found = wanted.iter().filter_map(|&index| {
+            let point = self.variation.points.get(index)?;
             let overrides = self.overrides(&point.settings);
             Some((index, folder.stored(index, &overrides).transpose()?))
         });
