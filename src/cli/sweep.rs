@@ -10,8 +10,11 @@ use super::{
     output::{self, OutputFile},
     progress::ProgressLine,
     signals::StopFlag,
+    slurm_refusals,
     study_page::print,
     sweep_args::SweepArgs,
+    sweep_part,
+    sweep_slurm::{self, Watched},
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Case, kind};
@@ -22,8 +25,8 @@ use crate::report::table::Table;
 use crate::report::variation::VariationView;
 use crate::study::points::BaseCase;
 use crate::study::sweep::{
-    Sweep, SweepFolder, SweepKind, SweepOutcomes, SweepProgress, SweepResults, load_cases,
-    without_load_cases,
+    StoredSweep, Sweep, SweepError, SweepFolder, SweepKind, SweepOutcomes, SweepProgress,
+    SweepResults, load_cases, without_load_cases,
 };
 use crate::study::vary::Variation;
 use crate::system::SystemFile;
@@ -33,15 +36,26 @@ use crate::visible;
 const MOST_ROWS: usize = 100;
 
 pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
+    if let Some(part) = args.slurm.part {
+        return sweep_part::compute(args, part);
+    }
     let stop = StopFlag::listen()?;
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
     let (sweep, folder) = match &args.resume {
-        Some(dir) => resumed(dir)?,
+        Some(dir) => resumed(SweepFolder::open(dir))?,
         None => begun(args)?,
     };
-    let outcomes = compute(args, &sweep, &folder, &stop)?;
+    let outcomes = if args.slurm.slurm {
+        match sweep_slurm::compute(args, &sweep, &folder, &stop)? {
+            Watched::Gathered(outcomes) => outcomes,
+            Watched::Left(status) => return Ok(status),
+        }
+    } else {
+        slurm_refusals::refuse_while_queued(&sweep, &folder)?;
+        compute(args, &sweep, &folder, &stop)?
+    };
     let view = match &outcomes {
         SweepOutcomes::Runs(outcomes, ids) => {
             VariationView::of_case(&sweep.variation, outcomes, ids)
@@ -124,6 +138,7 @@ fn begun(args: &SweepArgs) -> Result<(Sweep, SweepFolder), CommandError> {
         let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
         return Err(CommandError::Usage(what.to_owned()));
     }
+    slurm_refusals::check(args, &results)?;
     let variation = Variation::of_load_cases(base, load_cases);
     let folder = SweepFolder::create(args.out.as_deref(), &variation, results.names());
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
@@ -168,8 +183,9 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
 }
 
 /// A sweep that was stopped, as its folder has it.
-fn resumed(dir: &Path) -> Result<(Sweep, SweepFolder), CommandError> {
-    let opened = SweepFolder::open(dir);
+pub(super) fn resumed(
+    opened: Result<(SweepFolder, StoredSweep), SweepError>,
+) -> Result<(Sweep, SweepFolder), CommandError> {
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
     let (text, info) = (stored.case, stored.info);
     let csv = [("load_cases.csv".to_owned(), stored.load_cases)];
@@ -227,9 +243,7 @@ fn compute(
     folder: &SweepFolder,
     stop: &StopFlag,
 ) -> Result<SweepOutcomes, CommandError> {
-    let jobs = args.jobs.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-    let pool = pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))?;
+    let pool = pool(args)?;
     let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
     Ok(pool.install(|| {
         sweep.compute(folder, stop.cancel(), &|progress| {
@@ -240,8 +254,15 @@ fn compute(
     }))
 }
 
+/// As many threads as asked for.
+pub(super) fn pool(args: &SweepArgs) -> Result<rayon::ThreadPool, CommandError> {
+    let jobs = args.jobs.map_or(0, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))
+}
+
 /// How many load cases are done, and how long the others will take.
-fn words(progress: SweepProgress, seconds: f64) -> String {
+pub(super) fn words(progress: SweepProgress, seconds: f64) -> String {
     let SweepProgress { done, stored, of } = progress;
     let left = match done - stored {
         0 => String::new(),
