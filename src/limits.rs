@@ -7,6 +7,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 #[derive(Debug)]
 pub struct Limit {
     option: &'static str,
+    /// The greatest number allowed unless it is lifted.
+    usual: f64,
     /// The greatest number allowed, as the bits of a float.
     greatest: AtomicU64,
 }
@@ -30,6 +32,7 @@ impl Limit {
     const fn new(option: &'static str, greatest: f64) -> Self {
         Self {
             option,
+            usual: greatest,
             greatest: AtomicU64::new(greatest.to_bits()),
         }
     }
@@ -43,6 +46,12 @@ impl Limit {
     /// Lifts the limit, for this process.
     pub fn lift(&self, greatest: f64) {
         self.greatest.store(greatest.to_bits(), Ordering::Relaxed);
+    }
+
+    /// The option that lifts it as it is lifted now; nothing where it is as usual.
+    fn lifted(&self) -> Option<String> {
+        let greatest = self.greatest();
+        (greatest.to_bits() != self.usual.to_bits()).then(|| format!("{}={greatest}", self.option))
     }
 
     /// Whether a number is above the limit; one that is not a number is.
@@ -61,6 +70,13 @@ impl Limit {
             words(number)
         )
     }
+}
+
+/// The options by which another process computes runs within the limits of this one.
+#[must_use]
+pub fn lifted() -> Vec<String> {
+    let limits = [&TABLES, &SEGMENTS, &STEPS, &POINTS, &ROWS];
+    limits.iter().filter_map(|limit| limit.lifted()).collect()
 }
 
 /// A count as people write it: in full up to a million, rounded up to two digits beyond.

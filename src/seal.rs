@@ -67,7 +67,8 @@ impl Digest {
         }
     }
 
-    fn text(&self) -> String {
+    /// The digest so far, 64 hexadecimal digits.
+    pub(crate) fn text(&self) -> String {
         let mut text = String::with_capacity(64);
         for byte in self.sha.clone().finalize() {
             // A string refuses nothing.

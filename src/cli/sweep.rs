@@ -10,9 +10,12 @@ use super::{
     output::{self, OutputFile},
     progress::ProgressLine,
     signals::StopFlag,
+    slurm_refusals,
     study_page::print,
     sweep_args::SweepArgs,
-    sweep_seas, sweep_window,
+    sweep_part, sweep_seas,
+    sweep_slurm::{self, Watched},
+    sweep_window,
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Case, kind};
@@ -27,8 +30,8 @@ use crate::report::variation::VariationView;
 use crate::study::points::BaseCase;
 use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{
-    Sweep, SweepError, SweepFolder, SweepKind, SweepOutcomes, SweepProgress, SweepResults,
-    load_cases, without_load_cases,
+    StoredSweep, Sweep, SweepError, SweepFolder, SweepKind, SweepOutcomes, SweepProgress,
+    SweepResults, load_cases, without_load_cases,
 };
 use crate::study::vary::Variation;
 use crate::system::SystemFile;
@@ -37,23 +40,40 @@ use crate::visible;
 /// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
 const MOST_ROWS: usize = 100;
 
+/// Why a cluster does not compute in rounds.
+const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
+
 /// Columns of the report in the folder.
 const REPORT_WIDTH: usize = 80;
 
 pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
+    if let Some(part) = args.slurm.part {
+        return sweep_part::compute(args, part);
+    }
     let stop = StopFlag::listen()?;
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
     let (sweep, folder, question, sought) = match &args.resume {
-        Some(dir) => resumed(dir)?,
+        Some(dir) => resumed(SweepFolder::open(dir))?,
         None => begun(args)?,
     };
+    if args.slurm.slurm && (sought.is_some() || question.statistics.until_settled) {
+        return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
+    }
     if let Some(word) = sought {
         let of = (&sweep, &folder, &question);
         return sweep_window::window(args, &word, of, file.as_ref(), &stop);
     }
-    let outcomes = compute(args, (&sweep, &question), &folder, &stop)?;
+    let outcomes = if args.slurm.slurm {
+        match sweep_slurm::compute(args, &sweep, &folder, &stop)? {
+            Watched::Gathered(outcomes) => outcomes,
+            Watched::Left(status) => return Ok(status),
+        }
+    } else {
+        slurm_refusals::refuse_while_queued(&sweep, &folder)?;
+        compute(args, (&sweep, &question), &folder, &stop)?
+    };
     let cost = sweep_seas::cost(&outcomes);
     let results = sweep_seas::answers(&sweep, &outcomes, &question);
     let seas = results.as_ref().map(|results| SeasView {
@@ -172,7 +192,7 @@ fn show(
 }
 
 /// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
-type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
+pub(super) type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
 
 /// A new sweep.
 fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
@@ -200,7 +220,11 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
         let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
         return Err(CommandError::Usage(what.to_owned()));
     }
+    slurm_refusals::check(args, &results)?;
     let variation = Variation::of_load_cases(base, load_cases);
+    if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
+        return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
+    }
     if let Some(word) = &args.window {
         sweep_window::begun(word, &variation, &question)?;
     }
@@ -254,8 +278,9 @@ fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Beg
 }
 
 /// A sweep that was stopped, as its folder has it.
-fn resumed(dir: &Path) -> Result<Opened, CommandError> {
-    let opened = SweepFolder::open(dir);
+pub(super) fn resumed(
+    opened: Result<(SweepFolder, StoredSweep), SweepError>,
+) -> Result<Opened, CommandError> {
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
     let (text, info) = (stored.case, stored.info);
     let csv = [("load_cases.csv".to_owned(), stored.load_cases)];
@@ -313,9 +338,7 @@ pub(super) fn compute(
     folder: &SweepFolder,
     stop: &StopFlag,
 ) -> Result<SweepOutcomes, CommandError> {
-    let jobs = args.jobs.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-    let pool = pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))?;
+    let pool = pool(args)?;
     let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
     Ok(pool.install(|| {
         let told = |progress: SweepProgress| {
@@ -330,8 +353,15 @@ pub(super) fn compute(
     }))
 }
 
+/// As many threads as asked for.
+pub(super) fn pool(args: &SweepArgs) -> Result<rayon::ThreadPool, CommandError> {
+    let jobs = args.jobs.map_or(0, usize::from);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
+    pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))
+}
+
 /// How many load cases are done, and how long the others will take.
-fn words(progress: SweepProgress, seconds: f64) -> String {
+pub(super) fn words(progress: SweepProgress, seconds: f64) -> String {
     let SweepProgress { done, stored, of } = progress;
     let left = match done - stored {
         0 => String::new(),

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::import::ImportArgs;
+use super::slurm_args::SlurmArgs;
 use super::study_args::StudyPageArgs;
 
 #[derive(Debug, clap::Args)]
@@ -42,13 +43,16 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "NAME")]
     pub(super) result: Vec<String>,
 
-    /// Load cases computed at a time; by default one for each core.
+    /// Load cases computed at a time; by default one for each core. With --slurm the cores of a task, by default one.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=4096))]
     pub(super) jobs: Option<u16>,
 
     /// Folder of the sweep, which must not exist yet; by default runs/CASE-sweep-TIME. Runs are stored beside it.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) slurm: SlurmArgs,
 
     #[command(flatten)]
     pub(super) page: StudyPageArgs,

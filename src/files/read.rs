@@ -29,6 +29,12 @@ pub fn limit(bytes: u64) {
     let _ = GIVEN.set(bytes);
 }
 
+/// The greatest size of every file that the user gave \[bytes\], if any.
+#[must_use]
+pub fn given_limit() -> Option<u64> {
+    GIVEN.get().copied()
+}
+
 /// The contents of a file.
 ///
 /// # Errors

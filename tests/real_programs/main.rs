@@ -1,6 +1,6 @@
-//! The program inside tmux and behind an SSH server, as its users meet it.
+//! The program inside tmux, behind an SSH server and on a cluster, as its users meet it.
 //!
-//! Needs tmux and OpenSSH, so a plain `cargo test` lists these tests as ignored and says why;
+//! Needs tmux, OpenSSH and Slurm, so a plain `cargo test` lists these tests as ignored and says why;
 //! `.ci/run` installs what is missing and runs them with
 //! `cargo test --test real_programs -- --ignored`. Asked for, they fail where a program is missing.
 
@@ -10,6 +10,8 @@
 #[path = "../common/pty.rs"]
 #[expect(dead_code, reason = "other tests use the rest")]
 mod pty;
+mod slurm;
+mod slurm_servers;
 #[path = "../common/small.rs"]
 mod small;
 mod ssh;

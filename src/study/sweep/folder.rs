@@ -11,6 +11,7 @@
 //! | `checks.csv` | the share that each check leaves at each place in each sea |
 //! | `window.csv` | of a search: the limiting value of each sea |
 //! | `report.txt` | the page that is printed, in ASCII at 80 columns |
+//! | `slurm.toml`, `array.sh`, `tasks` | of a sweep on a cluster: see [`slurm`](super::slurm) and [`Part`](super::Part) |
 //!
 //! The runs are the record of what is done: a sweep that goes on reads those that came to their end. The folder appears in one step.
 
@@ -22,11 +23,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::StudyValue;
 use crate::files::{Target, WriteError, disk, read};
+use crate::run::VERSION;
 use crate::run::store::{self, DirectoryLock, StoreError, lock_directory};
-use crate::run::{RunState, VERSION};
 use crate::seal::{Digest, SealedPart};
 use crate::strays::{self, Hidden};
-use crate::study::points::PointRun;
 use crate::study::vary::Variation;
 use crate::visible;
 
@@ -83,6 +83,20 @@ pub enum SweepError {
     /// The folder exists.
     #[error("{} exists already. Name a folder that does not exist yet, or give it to --resume.", visible::path(.0))]
     Taken(PathBuf),
+    /// A part that has no load cases.
+    #[error("There is no load case {0}: the sweep has {1}. Give --part numbers of these.")]
+    Beyond(usize, usize),
+    /// A sweep that stores no runs.
+    #[error(
+        "The system is computed at rest: its sweep stores no runs and takes no time worth a cluster. Leave out --slurm and --part."
+    )]
+    AtRest,
+    /// A name that cannot stand in the script of an array.
+    #[error("{0}")]
+    Script(super::slurm::Unfit),
+    /// A run that cannot be put aside.
+    #[error("{0}")]
+    Run(StoreError),
     /// The system refuses.
     #[error("{} failed: {source}", visible::path(file))]
     Io {
@@ -101,7 +115,7 @@ pub enum SweepError {
 pub struct SweepFolder {
     dir: PathBuf,
     /// Digits of the numbers of the load cases.
-    digits: usize,
+    pub(super) digits: usize,
     _lock: Option<DirectoryLock>,
 }
 
@@ -163,6 +177,18 @@ impl SweepFolder {
     /// # Errors
     /// It is no sweep, was changed, or another program computes it.
     pub fn open(dir: &Path) -> Result<(Self, StoredSweep), SweepError> {
+        Self::opened(dir, true)
+    }
+
+    /// The same to compute a [`Part`](super::Part) of it, while others compute theirs and a program watches them: nobody is excluded.
+    ///
+    /// # Errors
+    /// It is no sweep, or was changed.
+    pub fn open_part(dir: &Path) -> Result<(Self, StoredSweep), SweepError> {
+        Self::opened(dir, false)
+    }
+
+    fn opened(dir: &Path, alone: bool) -> Result<(Self, StoredSweep), SweepError> {
         // The runs stand beside it, under its name.
         let named = dir.file_name().is_some().then(|| Ok(dir.to_owned()));
         let named = named.unwrap_or_else(|| dir.canonicalize());
@@ -177,10 +203,10 @@ impl SweepFolder {
         if !dir.join(SWEEP).is_file() {
             return Err(SweepError::NotASweep(dir.to_owned()));
         }
-        if store::is_locked(dir) {
+        if alone && store::is_locked(dir) {
             return Err(SweepError::Busy(dir.to_owned()));
         }
-        let lock = lock_directory(dir);
+        let lock = alone.then(|| lock_directory(dir)).flatten();
         let info: SweepInfo = toml::from_str(&text(SWEEP)?)
             .map_err(|error| damaged(dir, SWEEP, error.to_string()))?;
         let (case, load_cases) = (text(CASE)?, text(LOAD_CASES)?);
@@ -242,48 +268,6 @@ impl SweepFolder {
     #[must_use]
     pub fn dir(&self) -> &Path {
         &self.dir
-    }
-
-    /// The directory of the run of a load case, by its place in the list.
-    #[must_use]
-    pub fn run(&self, index: usize) -> PathBuf {
-        let mut name = self.dir.file_name().unwrap_or_default().to_owned();
-        name.push(format!("-{:0digits$}", index + 1, digits = self.digits));
-        self.dir.with_file_name(name)
-    }
-
-    /// The run of a load case that is stored and done: nothing where it is to be computed, a run that was stopped being deleted.
-    ///
-    /// # Errors
-    /// The place is taken by something else, in words.
-    pub(super) fn stored(
-        &self,
-        index: usize,
-        overrides: &[String],
-    ) -> Result<Option<PointRun>, String> {
-        let dir = self.run(index);
-        let taken = |error: StoreError| format!("its run cannot be read: {error}");
-        let info = match store::read_info(&dir) {
-            Err(StoreError::NotFound(_)) => return Ok(None),
-            found => found.map_err(taken)?,
-        };
-        if info.overrides != overrides {
-            let dir = visible::path(&dir);
-            return Err(format!("{dir} is another run; move it away"));
-        }
-        if info.state == RunState::Done {
-            let (info, summary) = store::read_results(&dir).map_err(taken)?;
-            let dir = Some(dir);
-            return Ok(Some(PointRun { info, summary, dir }));
-        }
-        if store::is_locked(&dir) {
-            return Err(format!(
-                "{} is being computed by another program",
-                visible::path(&dir)
-            ));
-        }
-        store::delete(&dir).map_err(taken)?;
-        Ok(None)
     }
 
     /// Writes the table of results.

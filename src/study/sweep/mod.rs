@@ -1,12 +1,18 @@
 //! A sweep: a case or a system of lines computed at all of its load cases, each run stored, so that a sweep that was stopped goes on.
 //!
 //! The results of a load case do not depend on the others nor on the number of threads: each is a run of its own, and a run that is
-//! stored is not computed again. A sweep is a [`Variation`] whose points are the load cases.
+//! stored is not computed again. A sweep is a [`Variation`] whose points are the load cases. One program computes all of them
+//! ([`Sweep::compute`]), or many compute a [`Part`] each and one gathers ([`Sweep::gather`]), as the tasks of [`slurm`] do.
 
 mod folder;
+mod gather;
 mod load_cases;
+mod part;
 mod results;
 mod rounds;
+mod runs;
+pub mod slurm;
+mod tasks;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -14,6 +20,7 @@ use std::sync::atomic::AtomicBool;
 
 pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
 pub use load_cases::{SweepKind, load_cases, without_load_cases};
+pub use part::{Part, PartDone};
 pub use results::SweepResults;
 
 use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side};

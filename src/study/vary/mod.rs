@@ -8,6 +8,8 @@ mod error;
 mod key;
 pub mod system;
 
+use std::collections::HashSet;
+
 pub use error::VariationError;
 pub use key::VariedKey;
 
@@ -86,12 +88,7 @@ impl Variation {
     pub fn of_load_cases(base: BaseCase, cases: LoadCases) -> Self {
         let keys = cases.keys.iter().enumerate();
         let varied = keys.map(|(column, key)| {
-            let mut values: Vec<StudyValue> = Vec::new();
-            for row in &cases.rows {
-                if !values.contains(&row[column]) {
-                    values.push(row[column].clone());
-                }
-            }
+            let values = distinct(cases.rows.iter().map(|row| &row[column]));
             VariedKey {
                 path: key.path.clone(),
                 field: key.field,
@@ -126,6 +123,17 @@ impl Variation {
             .map(|point| self.base.request(&point.settings))
             .collect()
     }
+}
+
+/// The values without those that were before, in their order. Of a million load cases each may have its own.
+fn distinct<'a>(all: impl Iterator<Item = &'a StudyValue>) -> Vec<StudyValue> {
+    let (mut numbers, mut words) = (HashSet::new(), HashSet::new());
+    let is_new = |value: &&'a StudyValue| match value {
+        // Both zeros are the same value.
+        StudyValue::Number(number) => numbers.insert((number + 0.0).to_bits()),
+        StudyValue::Word(word) => words.insert(word.as_str()),
+    };
+    all.filter(is_new).cloned().collect()
 }
 
 /// Every combination of the values of the keys.
