@@ -51,7 +51,7 @@ const fn quantity(
 /// All results.
 #[rustfmt::skip] // one a line
 static QUANTITIES: [Quantity; 15] = [
-    quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line"),
+    quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
     quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
     quantity("on_bed_m", "m", Subject::Line, "unstretched length of a line on the bed"),
@@ -120,6 +120,11 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
         Subject::Line | Subject::LineEnd => {
             let index = network.line(subject).ok_or_else(missing)?;
             let line = &solved.rest.balance.lines[index];
+            if let Some(tension) =
+                between(solved, index, place).filter(|_| quantity.name == "tension_n")
+            {
+                return Ok(tension);
+            }
             let force = match place {
                 "a" => line.force_a,
                 "b" => line.force_b,
@@ -160,6 +165,24 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
             Ok(solved.stiffness[index][at])
         }
     }
+}
+
+/// The tension where two sections of a line meet, by its number from end A.
+fn between(solved: &SolvedSystem, line: usize, place: &str) -> Option<f64> {
+    let meeting: usize = place.parse().ok()?;
+    let given = &solved.network.lines[line];
+    if !(1..given.sections.len()).contains(&meeting) {
+        return None;
+    }
+    let before = given.sections[..meeting].iter();
+    let arc: f64 = before.map(|section| section.length_m).sum();
+    let places = &solved.rest.placement.points;
+    let ends = [&places[given.from], &places[given.to]];
+    Some(
+        solved.rest.balance.lines[line]
+            .at(arc / given.length(), ends)
+            .1,
+    )
 }
 
 /// The error of the result of this name, where it is known: by rounding, or by the mesh of the line.

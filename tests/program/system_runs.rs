@@ -15,11 +15,14 @@ use seacable::run::{Run, RunState, store};
 use seacable::system::SystemFile;
 use seacable::system::motion::checkpoint::{ResumedSystem, resume_request};
 use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::quantities::value;
 
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
 const PLATFORM: &str = include_str!("../../cases/systems/volturnus_in_waves.toml");
 /// Its ends are meshed anew on the way.
 const POLYESTER: &str = include_str!("../../cases/systems/polyester_stages.toml");
+/// Chain and rope in each line.
+const SPREAD: &str = include_str!("../../cases/systems/moved_spread.toml");
 const CARGO: &str = include_str!("../../cases/systems/sliding_cargo.toml");
 
 fn seacable(dir: &Path, words: &[&str]) -> Command {
@@ -78,6 +81,26 @@ fn a_run_of_a_system_is_stored_like_that_of_a_line() {
     let rows = index.rows(&["bridle.toml".to_owned()], 0).unwrap();
     assert_eq!(rows.changed.len(), 1);
     assert_eq!(rows.changed[0].method, "alpha");
+}
+
+#[test]
+fn the_tension_where_sections_meet_is_recorded_and_known_at_rest() {
+    let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("spread.toml"), SPREAD).unwrap();
+    let words = ["run", "spread.toml", "--set", "solver.duration_s=2", "--out", "run"];
+    seacable(dir.path(), &words).assert().success();
+    let run = store::read(&dir.path().join("run")).unwrap();
+    let of = |place: &str| {
+        let name = format!("tension_n[mooring@120|{place}]");
+        run.history.channel(&name).unwrap().values[0]
+    };
+    let (bottom, meeting, top) = (of("a"), of("1"), of("b"));
+    assert!(bottom <= meeting && meeting < top, "{bottom} {meeting} {top}");
+    let file = dir.path().join("spread.toml");
+    let loaded = kind::load::<SystemFile>(&file).unwrap();
+    let rest = value(&loaded.computed, "tension_n[mooring@120|1]").unwrap();
+    assert!((meeting / rest - 1.0).abs() < 0.01, "{meeting} {rest}");
+    assert!(value(&loaded.computed, "tension_n[mooring@120|2]").is_err());
 }
 
 #[test]

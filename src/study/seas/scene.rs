@@ -76,16 +76,19 @@ impl CheckedScene {
         let (mut strengths, mut diameters) = (BTreeMap::new(), BTreeMap::new());
         let mut tensions = Vec::new();
         for line in &solved.network.lines {
-            let sections = [line.break_loads.first(), line.break_loads.last()];
             let stem = line.name.split('@').next().unwrap_or(&line.name);
-            for (end, strength) in ["a", "b"].into_iter().zip(sections) {
-                let place = format!("{}|{end}", line.name);
+            for (place, beside) in places(line.break_loads.len()) {
+                let place = format!("{}|{place}", line.name);
                 tensions.push(place.clone());
-                if let Some(load) = strength.copied().flatten() {
+                // Where sections meet both must bear it.
+                let loads = beside.clone().map(|section| line.break_loads[section]);
+                let stated: Option<Vec<f64>> = loads.collect();
+                if let Some(load) = stated.and_then(|loads| loads.into_iter().reduce(f64::min)) {
                     strengths.insert(place.clone(), load);
                 }
-                if let Some(diameter) = diameter(&solved.file, stem, end == "b") {
-                    diameters.insert(place, diameter);
+                let widths = beside.filter_map(|section| diameter(&solved.file, stem, section));
+                if let Some(width) = widths.reduce(f64::min) {
+                    diameters.insert(place, width);
                 }
             }
         }
@@ -124,17 +127,20 @@ fn is_random(waves: &Waves) -> bool {
     waves.kind == WaveKind::Irregular
 }
 
-/// The diameter of a line at one of its ends, by the name that its copies share.
-fn diameter(file: &SystemFile, line: &str, at_b: bool) -> Option<f64> {
+/// The places of a line of so many sections at which its tension is known, and the sections beside each.
+fn places(sections: usize) -> Vec<(String, std::ops::Range<usize>)> {
+    let last = sections.saturating_sub(1);
+    let mut places = vec![("a".to_owned(), 0..sections.min(1))];
+    places.extend((1..sections).map(|meeting| (meeting.to_string(), meeting - 1..meeting + 1)));
+    places.push(("b".to_owned(), last..sections));
+    places
+}
+
+/// The diameter of a section of a line, by the name that its copies share.
+fn diameter(file: &SystemFile, line: &str, section: usize) -> Option<f64> {
     let line = file.lines.iter().find(|known| known.name == line)?;
-    let section = if at_b {
-        line.sections.last()
-    } else {
-        line.sections.first()
-    };
-    let material = section
-        .map(|section| &section.material)
-        .or(line.material.as_ref())?;
+    let section = line.sections.get(section).map(|section| &section.material);
+    let material = section.or(line.material.as_ref())?;
     file.materials
         .get(material)
         .map(|material| material.diameter_m)

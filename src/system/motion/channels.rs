@@ -15,6 +15,8 @@ use crate::system::network::{Body, Held, Network};
 enum Source {
     /// Tension of a line at its end A or B.
     Tension(usize, usize),
+    /// Tension of a line where its sections of these numbers meet.
+    Between(usize, usize),
     /// A coordinate of a joint.
     Place(usize, usize),
     /// Roll, pitch or yaw of a body.
@@ -52,6 +54,7 @@ impl Channels {
                     channels.add(id, Source::Tension(number, end));
                 }
             }
+            channels.between(system, number);
         }
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
             let moves = match system.joints.roles[joint] {
@@ -96,6 +99,22 @@ impl Channels {
         }
     }
 
+    /// Tensions where the sections of a line meet, by their number from end A; not of lines that may break, whose parts change.
+    fn between(&mut self, system: &MovingSystem, line: usize) {
+        let given = &system.network.lines[line];
+        let ends = [given.from, given.to];
+        if ends
+            .iter()
+            .any(|end| breaks::is_between(&system.network.points[*end].name))
+        {
+            return;
+        }
+        for meeting in 1..given.sections.len() {
+            let id = ChannelQuantity::Tension.at(format!("{}|{meeting}", given.name));
+            self.add(id, Source::Between(line, meeting));
+        }
+    }
+
     fn uplift(&mut self, system: &MovingSystem) {
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
             if matches!(point.held, Held::At(_)) && !breaks::is_between(&point.name) {
@@ -126,6 +145,11 @@ impl Channels {
             Source::Tension(line, end) => {
                 let (scene, line) = (system.scene(line, state), &state.lines[line]);
                 scene.tension_at(end * (line.x.len() - 1), line)
+            }
+            Source::Between(line, meeting) => {
+                let (scene, state) = (system.scene(line, state), &state.lines[line]);
+                let joint = scene.labels.joints.get(meeting);
+                joint.map_or(f64::NAN, |joint| scene.tension_at(joint.node, state))
             }
             Source::Place(joint, axis) => state.joints.x[joint][axis],
             Source::Pin(body, axis) => {
