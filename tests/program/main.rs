@@ -37,6 +37,7 @@ mod stored_versions;
 mod stories;
 mod study_speed;
 mod sweep;
+mod sweep_scale;
 mod sweep_slurm;
 mod system_runs;
 mod terminal;
