@@ -3,12 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 8] = [
+const DOCUMENTS: [&str; 9] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
     "docs/GLOSSARY.md",
     "docs/FILES.md",
+    "docs/CLUSTER.md",
     "docs/METHODS.md",
     "docs/MUTANTS.md",
     "docs/SECURITY.md",
