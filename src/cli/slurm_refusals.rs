@@ -20,7 +20,7 @@ pub(super) fn check(args: &SweepArgs, results: &SweepResults) -> Result<(), Comm
 /// Refuses to compute a sweep here while an array of it is in the queue, and removes what ended tasks left.
 pub(super) fn refuse_while_queued(sweep: &Sweep, folder: &SweepFolder) -> Result<(), CommandError> {
     let of = sweep.variation.points.len();
-    let (_, record) = SlurmFile::open(folder.dir(), of).map_err(usage)?;
+    let (_, record) = SlurmFile::of_folder(folder.dir(), of).map_err(usage)?;
     let Some(record) = record.filter(|record| !record.gathered) else {
         return folder.remove_parts(false).map_err(usage);
     };

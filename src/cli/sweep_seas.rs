@@ -28,10 +28,21 @@ fn question(
     files: &BTreeMap<String, Attachment>,
 ) -> Result<SeaQuestion, CommandError> {
     let checks = resolved(checks, files);
+    let checks = checks.map_err(|error| CommandError::Usage(format!("[[checks]]: {error}.")))?;
+    for check in &checks {
+        if let Some((name, near)) = scene.unknown(check) {
+            let near = near.map_or_else(String::new, |near| format!(" Did you mean `{near}`?"));
+            let what = format!(
+                "[[checks]]: {} holds `{name}`, which is no line, point, body or end.{near}",
+                check.name
+            );
+            return Err(CommandError::Usage(what));
+        }
+    }
     Ok(SeaQuestion {
         scene,
         statistics: statistics.clone(),
-        checks: checks.map_err(|error| CommandError::Usage(format!("[[checks]]: {error}.")))?,
+        checks,
     })
 }
 

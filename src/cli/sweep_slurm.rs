@@ -102,7 +102,7 @@ impl<'a> Watch<'a> {
             usage(SweepError::Io { file, source })
         })?;
         let of = sweep.variation.points.len();
-        let (file, known) = SlurmFile::open(&dir, of).map_err(usage)?;
+        let (file, known) = SlurmFile::of_folder(&dir, of).map_err(usage)?;
         if let Some(record) = known
             .as_ref()
             .filter(|_| args.slurm.slurm_option.is_empty())

@@ -313,6 +313,44 @@ only = ["intact-quasi-static", "line-lost-quasi-static"]
 }
 
 #[test]
+fn a_load_case_without_results_leaves_its_checks_open() {
+    let dir = tempfile::tempdir().unwrap();
+    let text = format!(
+        "{CHAIN}
+[[load_cases]]
+key = \"seabed.depth_m\"
+values = [50.0, 10.0]
+
+[[load_cases]]
+key = \"waves.1.seed\"
+range = \"1..5/5\"
+
+[statistics]
+from_s = 5.0
+
+[[checks]]
+kind = \"safety-factor\"
+factor = 1.67
+break_load_n = 1e10
+"
+    );
+    fs::write(dir.path().join("chain.toml"), text).unwrap();
+    let set = ["--set", "solver.duration_s=10"];
+    let (status, out, err) = sweep(dir.path(), &["chain.toml", set[0], set[1], "--out", "s"]);
+    assert_eq!(status, Some(1), "{out}{err}");
+    let results = fs::read_to_string(dir.path().join("s/results.csv")).unwrap();
+    assert_eq!(results.matches("REFUSED").count(), 5, "{results}");
+    assert!(
+        out.contains("5 load cases of sea 2 have no results"),
+        "{out}"
+    );
+    assert!(
+        out.contains("not settled") || out.contains("not  "),
+        "{out}"
+    );
+}
+
+#[test]
 fn checks_that_cannot_be_are_refused_before_anything_is_computed() {
     let dir = tempfile::tempdir().unwrap();
     let refused = |check: &str, wanted: &[&str]| {
@@ -351,6 +389,8 @@ fn checks_that_cannot_be_are_refused_before_anything_is_computed() {
         "[[checks]]\nrules = \"mine.toml\"\n",
         &["mine.toml cannot be read"],
     );
+    let of = "[[checks]]\nkind = \"offset\"\nlimit_m = 2.0\nof = [\"spart\"]\n";
+    refused(of, &["holds `spart`", "Did you mean `spar`?"]);
     fs::write(dir.path().join("mine.toml"), "[rules]\ntitle = \"t\"\n").unwrap();
     refused(
         "[[checks]]\nrules = \"mine.toml\"\n",

@@ -87,7 +87,14 @@ fn a_run_of_a_system_is_stored_like_that_of_a_line() {
 fn the_tension_where_sections_meet_is_recorded_and_known_at_rest() {
     let dir = tempfile::tempdir().unwrap();
     fs::write(dir.path().join("spread.toml"), SPREAD).unwrap();
-    let words = ["run", "spread.toml", "--set", "solver.duration_s=2", "--out", "run"];
+    let words = [
+        "run",
+        "spread.toml",
+        "--set",
+        "solver.duration_s=2",
+        "--out",
+        "run",
+    ];
     seacable(dir.path(), &words).assert().success();
     let run = store::read(&dir.path().join("run")).unwrap();
     let of = |place: &str| {
@@ -95,7 +102,10 @@ fn the_tension_where_sections_meet_is_recorded_and_known_at_rest() {
         run.history.channel(&name).unwrap().values[0]
     };
     let (bottom, meeting, top) = (of("a"), of("1"), of("b"));
-    assert!(bottom <= meeting && meeting < top, "{bottom} {meeting} {top}");
+    assert!(
+        bottom <= meeting && meeting < top,
+        "{bottom} {meeting} {top}"
+    );
     let file = dir.path().join("spread.toml");
     let loaded = kind::load::<SystemFile>(&file).unwrap();
     let rest = value(&loaded.computed, "tension_n[mooring@120|1]").unwrap();

@@ -39,9 +39,21 @@ pub struct CheckResult {
     pub rows: Vec<CheckRow>,
     /// What could not be compared, and why, each once.
     pub missing: Vec<String>,
+    /// The seas in which something could not be compared.
+    pub open_seas: Vec<usize>,
 }
 
 impl CheckResult {
+    /// Notes that something could not be compared in a sea.
+    pub(super) fn lacks(&mut self, sea: usize, why: &str) {
+        if !self.missing.iter().any(|known| known == why) {
+            self.missing.push(why.to_owned());
+        }
+        if self.open_seas.last() != Some(&sea) {
+            self.open_seas.push(sea);
+        }
+    }
+
     /// The row that governs: the greatest share.
     #[must_use]
     pub fn governing(&self) -> Option<&CheckRow> {
@@ -54,13 +66,9 @@ impl CheckResult {
     /// The worst that any row says; nothing without rows. What could not be compared leaves it open.
     #[must_use]
     pub fn verdict(&self) -> Option<Verdict> {
-        let worst = self.rows.iter().map(|row| row.used.verdict()).max()?;
-        let open = !self.missing.is_empty();
-        Some(if open {
-            worst.max(Verdict::Open)
-        } else {
-            worst
-        })
+        let worst = self.rows.iter().map(|row| row.used.verdict()).max();
+        let open = (!self.missing.is_empty()).then_some(Verdict::Open);
+        worst.max(open)
     }
 }
 
@@ -369,6 +377,7 @@ mod tests {
             check,
             rows: vec![row],
             missing: Vec::new(),
+            open_seas: Vec::new(),
         };
         assert_eq!(result.verdict(), Some(Verdict::Passes));
         result.missing.push("nothing".to_owned());

@@ -113,15 +113,13 @@ impl SeaResults {
                 check: check.clone(),
                 rows: Vec::new(),
                 missing: Vec::new(),
+                open_seas: Vec::new(),
             };
-            for one in &each {
+            for (sea, one) in each.iter().enumerate() {
                 for row in &one.rows[place] {
                     match row {
                         Ok(row) => result.rows.push(row.clone()),
-                        Err(why) if !result.missing.contains(why) => {
-                            result.missing.push(why.clone());
-                        }
-                        Err(_) => {}
+                        Err(why) => result.lacks(sea, why),
                     }
                 }
             }
@@ -195,8 +193,14 @@ impl SeaQuestion {
         let found: Vec<Vec<PlaceLoads>> = found.collect();
         let without = sea.load_cases.len() - found.len();
         let loads = found.into_iter().next().unwrap_or_default();
+        let incomplete = self.incomplete(number, sea, sea.load_cases.len() - without);
         let rows = self.checks.iter();
-        let rows = rows.map(|check| self.rows(check, (number, sea), &loads, &[]));
+        let rows = rows.map(|check| {
+            let mut own = self.rows(check, (number, sea), &loads, &[]);
+            let is_for = checked::is_for(check, sea.condition, &self.scene);
+            own.extend(incomplete.clone().filter(|_| is_for).map(Err));
+            own
+        });
         OneSea {
             without,
             rows: rows.collect(),
@@ -212,24 +216,39 @@ impl SeaQuestion {
         });
         let read: Vec<RunRecord> = read.collect();
         let loads = self.loads(&read);
-        let rows = self.checks.iter();
-        let rows = rows
-            .map(|check| self.rows(check, (number, sea), &loads, &read))
-            .collect();
-        let fatigue = self.checks.iter().map(|check| {
-            let counts = check.kind == CheckKind::Fatigue
-                && checked::is_for(check, sea.condition, &self.scene);
-            match counts {
+        let incomplete = self.incomplete(number, sea, read.len());
+        let (mut rows, mut fatigue) = (Vec::new(), Vec::new());
+        for check in &self.checks {
+            let mut own = self.rows(check, (number, sea), &loads, &read);
+            let is_for = checked::is_for(check, sea.condition, &self.scene);
+            own.extend(incomplete.clone().filter(|_| is_for).map(Err));
+            let damages = match is_for && check.kind == CheckKind::Fatigue {
                 true => fatigue::of_sea(&read, check, &self.scene),
                 false => SeaFatigue::new(),
+            };
+            if is_for && check.kind == CheckKind::Fatigue && damages.is_empty() {
+                own.push(Err(nothing_recorded(check, Series::Tension)));
             }
-        });
+            rows.push(own);
+            fatigue.push(damages);
+        }
         OneSea {
             without: sea.load_cases.len() - read.len(),
             rows,
-            fatigue: fatigue.collect(),
+            fatigue,
             loads,
         }
+    }
+
+    /// Why a sea with so many results says less than it should: a run that failed may have been the worst.
+    fn incomplete(&self, number: usize, sea: &Sea, read: usize) -> Option<String> {
+        let wanted = match self.statistics.until_settled {
+            true => sea.load_cases.len().min(Look::FIRST.runs),
+            false => sea.load_cases.len(),
+        };
+        let missing = wanted.saturating_sub(read);
+        let sea = number + 1;
+        (missing > 0).then(|| format!("{missing} load cases of sea {sea} have no results"))
     }
 
     /// Loads of tensions, and of what checks ask for.

@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use crate::case::nearest;
 use crate::case::{
     Case, ChannelLocation, ChannelQuantity, CheckCondition, Method, Section, WaveKind, Waves,
     channels,
 };
+use crate::checks::resolved::Check;
 use crate::system::model::NO_LINE;
 use crate::system::network::Held;
 use crate::system::{SolvedSystem, SystemFile};
@@ -21,6 +23,8 @@ pub struct CheckedScene {
     pub tensions: Vec<String>,
     /// The bodies of a system.
     pub bodies: Vec<String>,
+    /// Names of lines, points, bodies and ends that a check may hold.
+    pub subjects: Vec<String>,
     /// Depth of a level sea bed \[m\].
     pub depth: Option<f64>,
     /// Points and ends that are fixed.
@@ -34,6 +38,26 @@ pub struct CheckedScene {
 }
 
 impl CheckedScene {
+    /// A name that a check holds and the scene has not, with the nearest that it has.
+    #[must_use]
+    pub fn unknown(&self, check: &Check) -> Option<(String, Option<String>)> {
+        let stems = self.subjects.iter().map(|name| super::subject(name));
+        let known: Vec<&str> = stems.collect();
+        let is_known = |name: &&String| {
+            let is =
+                |known: &&str| *known == name.as_str() || known.split('@').next() == Some(name);
+            known.iter().any(is) || self.subjects.contains(name)
+        };
+        let name = check
+            .inputs
+            .of
+            .iter()
+            .flatten()
+            .find(|name| !is_known(name))?;
+        let near = nearest(name, known.iter().copied());
+        Some((name.clone(), near.map(str::to_owned)))
+    }
+
     /// Of a line.
     #[must_use]
     pub fn of_case(case: &Case) -> Self {
@@ -62,6 +86,10 @@ impl CheckedScene {
             diameters,
             tensions: Vec::new(),
             bodies: Vec::new(),
+            subjects: channels(case)
+                .into_iter()
+                .map(|spec| spec.id.place)
+                .collect(),
             depth: level_depth(case),
             anchors: ends.map(|end| end.name.clone()).to_vec(),
             is_random: case.waves.as_ref().is_some_and(is_random),
@@ -100,6 +128,7 @@ impl CheckedScene {
             diameters,
             tensions,
             bodies: solved.file.bodies.keys().cloned().collect(),
+            subjects: subjects(solved),
             depth: bed
                 .filter(|bed| bed.depth_file.is_none())
                 .map(|bed| bed.depth_m),
@@ -144,6 +173,15 @@ fn diameter(file: &SystemFile, line: &str, section: usize) -> Option<f64> {
     file.materials
         .get(material)
         .map(|material| material.diameter_m)
+}
+
+/// Names of the lines, points and bodies of a system.
+fn subjects(solved: &SolvedSystem) -> Vec<String> {
+    let network = &solved.network;
+    let lines = network.lines.iter().map(|line| line.name.clone());
+    let points = network.points.iter().map(|point| point.name.clone());
+    let bodies = network.bodies.iter().map(|body| body.name.clone());
+    lines.chain(points).chain(bodies).collect()
 }
 
 /// What is broken in a system as its file stands.

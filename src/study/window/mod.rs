@@ -162,7 +162,10 @@ fn said(results: &SeaResults, sea: usize) -> (Verdict, Option<Governing>) {
         let (a, b) = (share(a), share(b));
         a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    let open = results.checks.iter().any(|check| !check.missing.is_empty());
+    let open = results
+        .checks
+        .iter()
+        .any(|check| check.open_seas.contains(&sea));
     match worst {
         None => (Verdict::Open, None),
         Some((check, row)) => {

@@ -135,7 +135,10 @@ impl SlurmFile {
     ///
     /// # Errors
     /// It cannot be read or understood.
-    pub fn open(dir: &Path, load_cases: usize) -> Result<(Self, Option<SlurmRecord>), SweepError> {
+    pub fn of_folder(
+        dir: &Path,
+        load_cases: usize,
+    ) -> Result<(Self, Option<SlurmRecord>), SweepError> {
         let file = dir.join(RECORD);
         let text = match read::run_text(&file) {
             Ok(text) => Some(text),
@@ -205,11 +208,11 @@ mod tests {
     #[test]
     fn it_is_read_back_and_not_written_over_what_another_wrote() {
         let dir = tempfile::tempdir().unwrap();
-        let (mut file, none) = SlurmFile::open(dir.path(), 200).unwrap();
+        let (mut file, none) = SlurmFile::of_folder(dir.path(), 200).unwrap();
         assert_eq!(none, None);
         let mut record = record();
         file.write(&record).unwrap();
-        let (mut other, read) = SlurmFile::open(dir.path(), 200).unwrap();
+        let (mut other, read) = SlurmFile::of_folder(dir.path(), 200).unwrap();
         assert_eq!(read.as_ref(), Some(&record));
         record.submissions.push(Submission::now(13, "7".to_owned()));
         file.write(&record).unwrap();
@@ -245,7 +248,9 @@ mod tests {
             let changed = text.replace(from, to);
             assert_ne!(changed, text, "{from}");
             std::fs::write(dir.path().join(RECORD), changed).unwrap();
-            let error = SlurmFile::open(dir.path(), 200).unwrap_err().to_string();
+            let error = SlurmFile::of_folder(dir.path(), 200)
+                .unwrap_err()
+                .to_string();
             assert!(
                 error.contains(why) && error.contains("remove the file"),
                 "{to}: {error}"
