@@ -153,8 +153,11 @@ fn a_sweep_on_a_cluster_outlives_a_node_and_its_watcher() {
     let files = [
         "array.sh",
         "case.toml",
+        "checks.csv",
         "load_cases.csv",
+        "report.txt",
         "results.csv",
+        "seas.csv",
         "slurm.toml",
         "sweep.toml",
     ];
