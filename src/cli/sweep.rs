@@ -74,13 +74,30 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
         slurm_refusals::refuse_while_queued(&sweep, &folder)?;
         compute(args, (&sweep, &question), &folder, &stop)?
     };
-    let cost = sweep_seas::cost(&outcomes);
-    let results = sweep_seas::answers(&sweep, &outcomes, &question);
+    told(
+        args,
+        (&sweep, &folder, &question),
+        &outcomes,
+        file.as_ref(),
+        &stop,
+    )
+}
+
+/// Writes and prints what became of the load cases, and what they say together.
+fn told(
+    args: &SweepArgs,
+    (sweep, folder, question): (&Sweep, &SweepFolder, &SeaQuestion),
+    outcomes: &SweepOutcomes,
+    file: Option<&OutputFile<'_>>,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
+    let cost = sweep_seas::cost(outcomes);
+    let results = sweep_seas::answers(sweep, outcomes, question);
     let seas = results.as_ref().map(|results| SeasView {
         results,
         statistics: &question.statistics,
     });
-    let view = match &outcomes {
+    let view = match outcomes {
         SweepOutcomes::Runs(outcomes, ids) => {
             let view = VariationView::of_case(&sweep.variation, outcomes, ids);
             match question.statistics.until_settled && stop.status().is_none() {
@@ -100,10 +117,10 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
         folder.write_results(&csv).map_err(failed)?;
         if let Some(seas) = &seas {
-            written_down(&folder, (&view, seas))?.map_err(failed)?;
+            written_down(folder, (&view, seas))?.map_err(failed)?;
         }
     }
-    show(args, file.as_ref(), (&view, seas.as_ref(), cost), &folder)?;
+    show(args, file, (&view, seas.as_ref(), cost), folder)?;
     if let Some(status) = stop.status() {
         let dir = visible::path(folder.dir());
         output::message(&format!(

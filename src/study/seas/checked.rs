@@ -97,6 +97,44 @@ pub(super) const fn series(kind: CheckKind) -> Option<Series> {
     }
 }
 
+/// A load with the limit that it is held to.
+struct Held<'a> {
+    load: Estimate,
+    limit: f64,
+    /// Where and when the load was seen.
+    extreme: &'a Extreme,
+    /// Whether the limit is the least that is allowed.
+    is_least: bool,
+}
+
+impl<'a> Held<'a> {
+    fn most(load: Estimate, limit: f64, extreme: &'a Extreme) -> Self {
+        Self {
+            load,
+            limit,
+            extreme,
+            is_least: false,
+        }
+    }
+
+    fn least(load: Estimate, limit: f64, extreme: &'a Extreme) -> Self {
+        Self {
+            is_least: true,
+            ..Self::most(load, limit, extreme)
+        }
+    }
+
+    /// The share of the limit that is used. A least of zero is kept by all that lies above it.
+    fn used(&self) -> Utilisation {
+        let limit = self.limit;
+        self.load.utilisation(|value| match self.is_least {
+            true if value > 0.0 => limit / value,
+            true => f64::INFINITY,
+            false => value / limit,
+        })
+    }
+}
+
 /// How much of the limit of a check a sea uses at a place.
 ///
 /// # Errors
@@ -107,82 +145,69 @@ pub(super) fn compared(
     loads: &PlaceLoads,
     scene: &CheckedScene,
 ) -> Result<CheckRow, String> {
+    let held = held(check, loads, scene)?;
+    Ok(CheckRow {
+        sea: Some(sea),
+        place: loads.place.clone(),
+        used: held.used(),
+        load: held.load,
+        limit: held.limit,
+        unit: loads.series.unit(),
+        load_case: Some(held.extreme.load_case),
+        time: held.extreme.time,
+        method: Some(held.extreme.method),
+    })
+}
+
+/// The load of a check at a place, and its limit.
+fn held<'a>(
+    check: &Check,
+    loads: &'a PlaceLoads,
+    scene: &CheckedScene,
+) -> Result<Held<'a>, String> {
     let inputs = &check.inputs;
-    let strength = || {
-        let known = inputs
-            .break_load_n
-            .or_else(|| scene.strengths.get(&loads.place).copied());
-        known.ok_or_else(|| {
-            let line = super::subject(&loads.place);
-            format!("no breaking load is stated for {line}: add break_load_n to its material or to the check")
-        })
-    };
-    let share = inputs.strength_share.unwrap_or(1.0);
-    let row = |load: Estimate, limit: f64, extreme: &Extreme, is_least: bool| {
-        // A lower limit of zero is kept by all that lies above it.
-        let used = match is_least {
-            true => load.utilisation(|value| match value > 0.0 {
-                true => limit / value,
-                false => f64::INFINITY,
-            }),
-            false => load.utilisation(|value| value / limit),
-        };
-        CheckRow {
-            sea: Some(sea),
-            place: loads.place.clone(),
-            load,
-            limit,
-            unit: loads.series.unit(),
-            used,
-            load_case: Some(extreme.load_case),
-            time: extreme.time,
-            method: Some(extreme.method),
-        }
-    };
     let (greatest, least) = (&loads.greatest, &loads.least);
+    let length = inputs.limit_m.unwrap_or(0.0);
     Ok(match check.kind {
         CheckKind::SafetyFactor => {
             let load = scaled(&greatest.estimate, inputs.factor.unwrap_or(1.0));
-            row(load, share * strength()?, greatest, false)
+            Held::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::PartialFactors => {
             let load = by_partial_factors(inputs, loads);
-            row(load, share * strength()?, greatest, false)
+            Held::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::LeastTension => {
             let limit = match inputs.limit_n {
                 Some(limit) => limit,
-                None => share * strength()?,
+                None => strength(inputs, loads, scene)?,
             };
-            row(least.estimate, limit, least, true)
+            Held::least(least.estimate, limit, least)
         }
-        CheckKind::Uplift => row(
-            greatest.estimate,
-            inputs.limit_n.unwrap_or(0.0),
-            greatest,
-            false,
-        ),
-        CheckKind::Offset => row(
-            greatest.estimate,
-            inputs.limit_m.unwrap_or(0.0),
-            greatest,
-            false,
-        ),
+        CheckKind::Uplift => Held::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest),
+        CheckKind::Offset => Held::most(greatest.estimate, length, greatest),
         CheckKind::BedClearance => {
-            let depth = scene
-                .depth
-                .ok_or("the sea bed is not level, or there is none")?;
-            let load = shifted(&least.estimate, 1.0, depth);
-            row(load, inputs.limit_m.unwrap_or(0.0), least, true)
+            let depth = scene.depth;
+            let depth = depth.ok_or("the sea bed is not level, or there is none")?;
+            Held::least(shifted(&least.estimate, 1.0, depth), length, least)
         }
         CheckKind::SurfaceClearance => {
-            let load = shifted(&greatest.estimate, -1.0, 0.0);
-            row(load, inputs.limit_m.unwrap_or(0.0), greatest, true)
+            Held::least(shifted(&greatest.estimate, -1.0, 0.0), length, greatest)
         }
         CheckKind::BendRadius | CheckKind::Fatigue => {
             return Err("it is not read of records by place".to_owned());
         }
     })
+}
+
+/// The share of the breaking load at a place that counts as its strength \[N\].
+fn strength(inputs: &CheckInputs, loads: &PlaceLoads, scene: &CheckedScene) -> Result<f64, String> {
+    let stated = scene.strengths.get(&loads.place).copied();
+    let load = inputs.break_load_n.or(stated).ok_or_else(|| {
+        let line = super::subject(&loads.place);
+        format!("no breaking load is stated for {line}: add break_load_n to its material or to the check")
+    })?;
+    Ok(inputs.strength_share.unwrap_or(1.0) * load)
 }
 
 /// Mean and dynamic part by factors of their own: `g_mean T_mean + g_dyn (T_mpm - T_mean)` (DNV-OS-E301, Ch.2 Sec.2). The errors of the
