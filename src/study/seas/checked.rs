@@ -124,13 +124,15 @@ impl<'a> Held<'a> {
         }
     }
 
-    /// The share of the limit that is used. A least of zero is kept by all that lies above it.
+    /// The share of the limit that is used. A limit of zero is kept, and nothing of it used, by all on its side.
     fn used(&self) -> Utilisation {
         let limit = self.limit;
         self.load.utilisation(|value| match self.is_least {
             true if value > 0.0 => limit / value,
             true => f64::INFINITY,
-            false => value / limit,
+            false if limit > 0.0 => value / limit,
+            false if value <= 0.0 => 0.0,
+            false => f64::INFINITY,
         })
     }
 }
@@ -364,6 +366,25 @@ mod tests {
         let row = compared(&check(bed), 0, &height, &scene()).unwrap();
         near(row.used.value, 4.0 / 5.0);
         assert_eq!(row.used.verdict(), Verdict::Open);
+    }
+
+    #[test]
+    fn a_limit_of_zero_is_kept_or_passed() {
+        let used = |value: f64| {
+            let uplift = PlaceLoads {
+                series: Series::Uplift,
+                greatest: extreme(Estimate::exact(value)),
+                ..tension()
+            };
+            let check = check("kind = \"uplift\"\nlimit_n = 0.0\n");
+            compared(&check, 0, &uplift, &scene()).unwrap().used
+        };
+        assert_eq!(
+            (used(0.0).value, used(0.0).verdict()),
+            (0.0, Verdict::Passes)
+        );
+        assert_eq!(used(-5.0).verdict(), Verdict::Passes);
+        assert_eq!(used(5.0).verdict(), Verdict::Fails);
     }
 
     #[test]
