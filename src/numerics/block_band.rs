@@ -9,7 +9,10 @@
 
 use std::ops::Range;
 
+use nalgebra::Matrix3;
+
 use super::both_ends::BothEnds;
+use super::lanes::Pivot;
 use super::lu::{Lu, minus_applied, minus_product};
 use super::{M3, V3};
 
@@ -28,6 +31,44 @@ pub struct BlockBand {
     pub far_lower: Vec<M3>,
     /// Storage for elimination from both ends; none in a matrix that is too small for it.
     both: Option<Box<BothEnds>>,
+}
+
+/// A banded matrix whose blocks are read one by one, so that they need not be stored.
+pub trait Banded<T: Pivot> {
+    /// Number of nodes.
+    fn nodes(&self) -> usize;
+
+    /// Whether nodes two apart are coupled.
+    fn is_wide(&self) -> bool;
+
+    /// The block that couples row i to node j; zero beyond the line.
+    fn coupling(&self, i: usize, j: usize) -> Matrix3<T>;
+}
+
+impl Banded<f64> for BlockBand {
+    fn nodes(&self) -> usize {
+        self.diag.len()
+    }
+
+    fn is_wide(&self) -> bool {
+        Self::is_wide(self)
+    }
+
+    #[inline(always)]
+    fn coupling(&self, i: usize, j: usize) -> M3 {
+        let nodes = self.diag.len();
+        if i >= nodes || j >= nodes {
+            return M3::zeros();
+        }
+        match (i, j) {
+            _ if i == j => self.diag[i],
+            _ if j == i + 1 => self.upper[i],
+            _ if i == j + 1 => self.lower[i],
+            _ if j == i + 2 && Self::is_wide(self) => self.far_upper[i],
+            _ if i == j + 2 && Self::is_wide(self) => self.far_lower[i],
+            _ => M3::zeros(),
+        }
+    }
 }
 
 /// A pivot vanished in the block of this node.
@@ -157,10 +198,10 @@ impl BlockBand {
 const SMALLEST_PIVOT: f64 = 1e-14;
 
 /// Whether no pivot of a block vanishes and all its entries are finite.
-pub(super) fn is_regular(block: &M3, lu: &Lu<f64>) -> bool {
-    let size = block.diagonal().abs().sum();
+pub(super) fn is_regular<T: Pivot>(block: &Matrix3<T>, lu: &Lu<T>) -> bool {
+    let size = block[(0, 0)].size() + block[(1, 1)].size() + block[(2, 2)].size();
     // A comparison that is false for NaN refuses NaN as well.
-    let there = |pivot: &f64| pivot.abs() > SMALLEST_PIVOT * size;
+    let there = |pivot: &T| pivot.size() > SMALLEST_PIVOT * size;
     lu.pivots.iter().all(there) && size < f64::MAX
 }
 

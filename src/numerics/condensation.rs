@@ -6,27 +6,30 @@
 //! A front of three nodes (four with bending) moves along the line: the first node, the one that is eliminated next, and those that
 //! it is coupled to.
 
-use super::block_band::is_regular;
+use nalgebra::{Matrix3, Vector3};
+
+use super::SingularBlock;
+use super::block_band::{Banded, is_regular};
+use super::lanes::Pivot;
 use super::lu::{Lu, minus_applied, minus_product};
-use super::{BlockBand, M3, SingularBlock, V3};
 
 /// Blocks by row and column: of the first node, then of the last.
-pub type EndBlocks = [[M3; 2]; 2];
+pub type EndBlocks<T = f64> = [[Matrix3<T>; 2]; 2];
 
 /// A condensation with its storage: allocates in [`Condensation::new`] only.
 #[derive(Debug, Clone)]
-pub struct Condensation {
+pub struct Condensation<T: Pivot = f64> {
     /// The nodes between, in the order of elimination: `x[i] = load - (first x[0] + near x[i + 1] + far x[i + 2])`.
-    rows: Vec<EliminatedNode>,
+    rows: Vec<EliminatedNode<T>>,
     negative_pivots: usize,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct EliminatedNode {
-    first: M3,
-    near: M3,
-    far: M3,
-    load: V3,
+struct EliminatedNode<T: Pivot> {
+    first: Matrix3<T>,
+    near: Matrix3<T>,
+    far: Matrix3<T>,
+    load: Vector3<T>,
 }
 
 /// Nodes in the front: the first node of the line, the one that is eliminated next, and two beyond it.
@@ -34,17 +37,29 @@ const FRONT: usize = 4;
 /// Where the node is that is eliminated next.
 const NEXT: usize = 1;
 
-type Front = [[M3; FRONT]; FRONT];
+type Front<T> = [[Matrix3<T>; FRONT]; FRONT];
 
-impl Condensation {
+/// A zero block.
+#[inline(always)]
+fn none<T: Pivot>() -> Matrix3<T> {
+    Matrix3::repeat(T::from(0.0))
+}
+
+/// A zero vector.
+#[inline(always)]
+fn unloaded<T: Pivot>() -> Vector3<T> {
+    Vector3::repeat(T::from(0.0))
+}
+
+impl<T: Pivot> Condensation<T> {
     /// Storage for a line of so many nodes.
     #[must_use]
     pub fn new(nodes: usize) -> Self {
         let nothing = EliminatedNode {
-            first: M3::zeros(),
-            near: M3::zeros(),
-            far: M3::zeros(),
-            load: V3::zeros(),
+            first: none(),
+            near: none(),
+            far: none(),
+            load: unloaded(),
         };
         Self {
             rows: vec![nothing; nodes.saturating_sub(2)],
@@ -56,7 +71,7 @@ impl Condensation {
     ///
     /// # Errors
     /// [`SingularBlock`] when a pivot vanishes or is not finite.
-    pub fn condense(&mut self, matrix: &BlockBand) -> Result<EndBlocks, SingularBlock> {
+    pub fn condense(&mut self, matrix: &impl Banded<T>) -> Result<EndBlocks<T>, SingularBlock> {
         Ok(self.condense_any::<false>(matrix, &[])?.0)
     }
 
@@ -66,17 +81,17 @@ impl Condensation {
     /// As [`Condensation::condense`].
     pub fn condense_loaded(
         &mut self,
-        matrix: &BlockBand,
-        loads: &[V3],
-    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
+        matrix: &impl Banded<T>,
+        loads: &[Vector3<T>],
+    ) -> Result<(EndBlocks<T>, [Vector3<T>; 2]), SingularBlock> {
         self.condense_any::<true>(matrix, loads)
     }
 
     fn condense_any<const LOADED: bool>(
         &mut self,
-        matrix: &BlockBand,
-        loads: &[V3],
-    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
+        matrix: &impl Banded<T>,
+        loads: &[Vector3<T>],
+    ) -> Result<(EndBlocks<T>, [Vector3<T>; 2]), SingularBlock> {
         if matrix.is_wide() {
             self.condense_as::<3, LOADED>(matrix, loads)
         } else {
@@ -87,15 +102,15 @@ impl Condensation {
     /// `BEYOND` is the place of the last node in the front.
     fn condense_as<const BEYOND: usize, const LOADED: bool>(
         &mut self,
-        matrix: &BlockBand,
-        loads: &[V3],
-    ) -> Result<(EndBlocks, [V3; 2]), SingularBlock> {
-        let mut front = [[M3::zeros(); FRONT]; FRONT];
-        let mut load = [V3::zeros(); FRONT];
-        let load_of = |node: usize| loads.get(node).copied().unwrap_or_default();
+        matrix: &impl Banded<T>,
+        loads: &[Vector3<T>],
+    ) -> Result<(EndBlocks<T>, [Vector3<T>; 2]), SingularBlock> {
+        let mut front = [[none(); FRONT]; FRONT];
+        let mut load = [unloaded(); FRONT];
+        let load_of = |node: usize| loads.get(node).copied().unwrap_or_else(unloaded);
         for (i, row) in front[..=BEYOND].iter_mut().enumerate() {
             for (j, block) in row[..=BEYOND].iter_mut().enumerate() {
-                *block = coupling(matrix, i, j);
+                *block = matrix.coupling(i, j);
             }
             load[i] = load_of(i);
         }
@@ -105,16 +120,16 @@ impl Condensation {
             if !is_regular(&front[NEXT][NEXT], &lu) {
                 return Err(SingularBlock { node: k + 1 });
             }
-            self.negative_pivots += lu.pivots.iter().filter(|p| **p < 0.0).count();
+            self.negative_pivots += lu.pivots.iter().filter(|p| p.is_negative()).count();
             *eliminated = EliminatedNode {
                 first: lu.solve_block(&front[NEXT][0]),
                 near: lu.solve_block(&front[NEXT][2]),
                 far: if BEYOND > 2 {
                     lu.solve_block(&front[NEXT][3])
                 } else {
-                    M3::zeros()
+                    none()
                 },
-                load: V3::zeros(),
+                load: unloaded(),
             };
             if LOADED {
                 eliminated.load = lu.solve(&load[NEXT]);
@@ -124,8 +139,8 @@ impl Condensation {
                 load.copy_within(NEXT + 1..=BEYOND, NEXT);
                 load[BEYOND] = load_of(k + 1 + BEYOND);
             }
-            eliminate::<BEYOND>(&mut front, eliminated);
-            advance::<BEYOND>(&mut front, matrix, k + 1);
+            eliminate::<T, BEYOND>(&mut front, eliminated);
+            advance::<T, BEYOND>(&mut front, matrix, k + 1);
         }
         let blocks = [
             [front[0][0], front[0][NEXT]],
@@ -136,20 +151,20 @@ impl Condensation {
 
     /// The displacements of the nodes between for those of the first and last in `x`, with the loads condensed last: the linear
     /// response of the matrix condensed last.
-    pub fn respond(&self, x: &mut [V3]) {
+    pub fn respond(&self, x: &mut [Vector3<T>]) {
         self.respond_as::<true>(x);
     }
 
     /// The same without these loads.
-    pub fn respond_unloaded(&self, x: &mut [V3]) {
+    pub fn respond_unloaded(&self, x: &mut [Vector3<T>]) {
         self.respond_as::<false>(x);
     }
 
-    fn respond_as<const LOADED: bool>(&self, x: &mut [V3]) {
+    fn respond_as<const LOADED: bool>(&self, x: &mut [Vector3<T>]) {
         let first = x[0];
         for (k, row) in self.rows.iter().enumerate().rev() {
             let node = k + 1;
-            let load = if LOADED { row.load } else { V3::zeros() };
+            let load = if LOADED { row.load } else { unloaded() };
             let mut here = minus_applied(load, &row.first, &first);
             here = minus_applied(here, &row.near, &x[node + 1]);
             if let Some(far) = x.get(node + 2) {
@@ -167,25 +182,9 @@ impl Condensation {
     }
 }
 
-/// The block that couples row i to node j; zero beyond the line.
-fn coupling(m: &BlockBand, i: usize, j: usize) -> M3 {
-    let nodes = m.diag.len();
-    if i >= nodes || j >= nodes {
-        return M3::zeros();
-    }
-    match (i, j) {
-        _ if i == j => m.diag[i],
-        _ if j == i + 1 => m.upper[i],
-        _ if i == j + 1 => m.lower[i],
-        _ if j == i + 2 && m.is_wide() => m.far_upper[i],
-        _ if i == j + 2 && m.is_wide() => m.far_lower[i],
-        _ => M3::zeros(),
-    }
-}
-
 /// Takes the next node out of the rows and columns of the others.
 #[inline(always)]
-fn eliminate<const BEYOND: usize>(front: &mut Front, row: &EliminatedNode) {
+fn eliminate<T: Pivot, const BEYOND: usize>(front: &mut Front<T>, row: &EliminatedNode<T>) {
     for a in (0..=BEYOND).filter(|a| *a != NEXT) {
         let by = front[a][NEXT];
         front[a][0] = minus_product(front[a][0], &by, &row.first);
@@ -198,16 +197,20 @@ fn eliminate<const BEYOND: usize>(front: &mut Front, row: &EliminatedNode) {
 
 /// Moves the front past the node just eliminated.
 #[inline(always)]
-fn advance<const BEYOND: usize>(front: &mut Front, matrix: &BlockBand, node: usize) {
+fn advance<T: Pivot, const BEYOND: usize>(
+    front: &mut Front<T>,
+    matrix: &impl Banded<T>,
+    node: usize,
+) {
     for row in front.iter_mut() {
         row.copy_within(NEXT + 1..=BEYOND, NEXT);
-        row[BEYOND] = M3::zeros();
+        row[BEYOND] = none();
     }
     front.copy_within(NEXT + 1..=BEYOND, NEXT);
-    front[BEYOND] = [M3::zeros(); FRONT];
+    front[BEYOND] = [none(); FRONT];
     let entering = node + BEYOND;
     for (place, row) in front.iter_mut().enumerate().take(BEYOND).skip(NEXT) {
-        row[BEYOND] = coupling(matrix, node + place, entering);
+        row[BEYOND] = matrix.coupling(node + place, entering);
     }
     for (place, block) in front[BEYOND]
         .iter_mut()
@@ -215,14 +218,15 @@ fn advance<const BEYOND: usize>(front: &mut Front, matrix: &BlockBand, node: usi
         .take(BEYOND + 1)
         .skip(NEXT)
     {
-        *block = coupling(matrix, entering, node + place);
+        *block = matrix.coupling(entering, node + place);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::DMatrix;
+    use crate::numerics::{BlockBand, M3, V3};
+    use nalgebra::{Complex, DMatrix};
     use proptest::prelude::*;
 
     fn matrix(n: usize, wide: bool, entries: &[f64]) -> BlockBand {
@@ -244,7 +248,7 @@ mod tests {
 
     fn dense(m: &BlockBand, rows: &[usize], columns: &[usize]) -> DMatrix<f64> {
         DMatrix::from_fn(3 * rows.len(), 3 * columns.len(), |r, c| {
-            coupling(m, rows[r / 3], columns[c / 3])[(r % 3, c % 3)]
+            m.coupling(rows[r / 3], columns[c / 3])[(r % 3, c % 3)]
         })
     }
 
@@ -313,6 +317,59 @@ mod tests {
             bare.condense(&m).unwrap();
             bare.respond(&mut x);
             assert_eq!(unloaded, x);
+        }
+    }
+
+    /// A band in lanes of its own: real and imaginary part.
+    struct ComplexBand([BlockBand; 2]);
+
+    impl Banded<Complex<f64>> for ComplexBand {
+        fn nodes(&self) -> usize {
+            self.0[0].diag.len()
+        }
+
+        fn is_wide(&self) -> bool {
+            self.0[0].is_wide()
+        }
+
+        fn coupling(&self, i: usize, j: usize) -> Matrix3<Complex<f64>> {
+            let [real, imaginary] = self.0.each_ref().map(|part| part.coupling(i, j));
+            real.zip_map(&imaginary, Complex::new)
+        }
+    }
+
+    #[test]
+    fn complex_bands_are_condensed_like_real_ones() {
+        for wide in [false, true] {
+            let n = 8;
+            let parts = [[0.3, -0.7, 0.2, 0.9], [0.1, 0.4, -0.6, 0.8]];
+            let band = ComplexBand(parts.map(|entries| matrix(n, wide, &entries)));
+            let whole = DMatrix::from_fn(3 * n, 3 * n, |r, c| {
+                band.coupling(r / 3, c / 3)[(r % 3, c % 3)]
+            });
+            let loads: Vec<Vector3<Complex<f64>>> = (0..n)
+                .map(|i| {
+                    Vector3::new(
+                        Complex::new(i as f64, 1.0),
+                        Complex::i(),
+                        Complex::from(-2.0),
+                    )
+                })
+                .collect();
+            let right = nalgebra::DVector::from_iterator(3 * n, loads.iter().flatten().copied());
+            let expected = whole.lu().solve(&right).unwrap();
+            let mut condensation = Condensation::new(n);
+            let (blocks, left) = condensation.condense_loaded(&band, &loads).unwrap();
+            let ends = nalgebra::Matrix6::from_fn(|r, c| blocks[r / 3][c / 3][(r % 3, c % 3)]);
+            let left = nalgebra::Vector6::from_fn(|r, _| left[r / 3][r % 3]);
+            let ends = ends.lu().solve(&left).unwrap();
+            let mut x = vec![Vector3::zeros(); n];
+            x[0].copy_from(&ends.fixed_rows::<3>(0));
+            x[n - 1].copy_from(&ends.fixed_rows::<3>(3));
+            condensation.respond(&mut x);
+            for (k, value) in expected.iter().enumerate() {
+                assert!((x[k / 3][k % 3] - value).norm() < 1e-12);
+            }
         }
     }
 

@@ -3,13 +3,14 @@
 use std::ops::Neg;
 
 use nalgebra::{
-    ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Matrix3, Scalar, Vector3,
+    ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Complex, Matrix3, Scalar,
+    Vector3,
 };
 use wide::f64x2;
 
 use super::{M3, V3};
 
-/// A number, or two side by side.
+/// A number, real or complex, or two side by side.
 pub trait Number:
     Scalar
     + Copy
@@ -24,6 +25,39 @@ pub trait Number:
 
 impl Number for f64 {}
 impl Number for f64x2 {}
+impl Number for Complex<f64> {}
+
+/// A number with a size, by which pivots are judged.
+pub trait Pivot: Number {
+    /// Its absolute value; of a complex number the sum of those of its parts.
+    fn size(self) -> f64;
+
+    /// Whether it is less than zero; never of a complex number.
+    fn is_negative(self) -> bool;
+}
+
+impl Pivot for f64 {
+    #[inline(always)]
+    fn size(self) -> f64 {
+        self.abs()
+    }
+
+    #[inline(always)]
+    fn is_negative(self) -> bool {
+        self < 0.0
+    }
+}
+
+impl Pivot for Complex<f64> {
+    #[inline(always)]
+    fn size(self) -> f64 {
+        self.re.abs() + self.im.abs()
+    }
+
+    fn is_negative(self) -> bool {
+        false
+    }
+}
 
 /// Two numbers.
 pub type Two = f64x2;

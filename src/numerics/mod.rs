@@ -33,7 +33,7 @@ pub mod roots;
 pub mod spline;
 pub mod statistics;
 
-pub use block_band::{BlockBand, SingularBlock};
+pub use block_band::{Banded, BlockBand, SingularBlock};
 pub use block_envelope::BlockEnvelope;
 pub use condensation::{Condensation, EndBlocks};
 pub use depth_grid::{DepthAt, DepthGrid, DepthGridError, DepthInterpolation};

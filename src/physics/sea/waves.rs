@@ -92,6 +92,21 @@ pub struct WaterMotion {
 }
 
 impl WaterMotion {
+    /// The same with all that moves times a factor.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            place: self.place,
+            velocity: self.velocity * factor,
+            gradient: self.gradient * factor,
+            acceleration: self.acceleration * factor,
+            acceleration_gradient: self.acceleration_gradient * factor,
+            elevation: self.elevation * factor,
+            slope: self.slope * factor,
+            elevation_rate: self.elevation_rate * factor,
+        }
+    }
+
     /// Velocity \[m/s\] at a place nearby.
     #[inline]
     #[must_use]
@@ -154,6 +169,24 @@ impl WaveField {
             ramp: setting.ramp,
             load: setting.load,
         }
+    }
+
+    /// One of the components alone with another amplitude \[m\], in full height at all times; nothing beyond the last.
+    #[must_use]
+    pub fn alone(&self, component: usize, amplitude: f64) -> Option<Self> {
+        let number = *self.numbers.get(component)?;
+        let component = Component {
+            amplitude,
+            ..self.components[component]
+        };
+        let (components, numbers) = (vec![component], vec![number]);
+        Some(Self {
+            lanes: ComponentLanes::new(&components, &numbers, self.depth),
+            numbers,
+            components,
+            ramp: 0.0,
+            ..*self
+        })
     }
 
     /// Where they run to, from +x towards +y \[rad\].

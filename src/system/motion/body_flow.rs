@@ -30,7 +30,7 @@ pub struct BodyFlow {
     /// Its retardation functions.
     pub retardation: Option<Retardation>,
     /// Loads of the waves.
-    waves: Option<WaveLoads>,
+    pub(super) waves: Option<WaveLoads>,
 }
 
 impl BodyFlow {

@@ -36,10 +36,22 @@ pub struct Border {
     driven: Vec<DrivenPayout>,
 }
 
+/// The equations of motion at a state, none eliminated.
+pub(super) struct Linearised<'a> {
+    /// The bands of the lines.
+    pub(super) tangents: &'a [BlockBand],
+    /// Their residuals \[N\].
+    pub(super) residuals: &'a [Vec<V3>],
+    /// The matrix of the joints, lines apart.
+    pub(super) matrix: &'a BlockEnvelope,
+    /// Their residuals \[N, N m\].
+    pub(super) rows: &'a [V3],
+}
+
 /// How a place moves with the unknowns: rows, each with the displacement of the place by it; as itself where that is nothing. A force there is
 /// on each row that force by the transpose. A place on a body that is pinned to another has four.
 #[derive(Default)]
-struct Place {
+pub(super) struct Place {
     parts: [(usize, Option<M3>); 4],
     count: usize,
     arms: [Option<Arm>; 2],
@@ -70,7 +82,7 @@ impl Place {
         }
     }
 
-    fn parts(&self) -> &[(usize, Option<M3>)] {
+    pub(super) fn parts(&self) -> &[(usize, Option<M3>)] {
         &self.parts[..self.count]
     }
 
@@ -243,6 +255,37 @@ impl Border {
         );
         self.drives(system, t, state, c);
         Ok(())
+    }
+
+    /// Linearises the equations of motion at a state, none eliminated: the bands of the lines with their residuals, ends included, and
+    /// the matrix of the joints, lines apart, with theirs.
+    pub(super) fn linearise(
+        &mut self,
+        system: &MovingSystem,
+        t: f64,
+        state: &SystemState,
+        c: Factors,
+    ) -> Linearised<'_> {
+        self.matrix.clear();
+        self.rows.fill(V3::zeros());
+        for line in 0..self.lines.len() {
+            let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
+            system
+                .scene(line, state)
+                .linearise(t, &state.lines[line], c, r, tangent);
+            let own = [r[0], r[r.len() - 1]];
+            for (joint, own) in state.attached[line].into_iter().zip(&own) {
+                self.turn_arms(&place(system, state, joint), own, c.stiffness);
+            }
+        }
+        self.points(system, state, c);
+        self.free_bodies(system, state, c);
+        Linearised {
+            tangents: &self.tangents,
+            residuals: &self.lines,
+            matrix: &self.matrix,
+            rows: &self.rows,
+        }
     }
 
     /// The node that moves most, by its number among all, and by how much \[m\]; rotations by the arm of their body.
@@ -458,7 +501,7 @@ fn node(state: &State, joint: usize) -> (&V3, &V3, &V3) {
 }
 
 /// How a joint moves.
-fn place(system: &MovingSystem, state: &SystemState, joint: usize) -> Place {
+pub(super) fn place(system: &MovingSystem, state: &SystemState, joint: usize) -> Place {
     let mut place = Place::default();
     add_parts(system, state, joint, &mut place);
     place

@@ -21,6 +21,7 @@ pub(in crate::system) mod check_payout;
 pub mod checkpoint;
 pub mod energy;
 pub mod foot;
+pub mod frequency;
 pub mod inputs;
 pub mod job;
 pub mod joints;

@@ -263,22 +263,28 @@ impl MovingSystem {
                 false => state.set_body(&self.joints, number, &motion.at(t)),
             }
         }
-        self.carry(state, false);
         for joint in 0..self.joints.free.start {
-            match self.joints.roles[joint] {
-                Role::Prescribed(point) => {
-                    if let Some(motion) = &self.network.points[point].motion {
-                        set(&mut state.joints, joint, motion.at(t));
-                    }
-                }
-                Role::OnBody(body, at) if !self.network.bodies[body].turns() => {
-                    let motion = state.body(&self.joints, body);
-                    set(&mut state.joints, joint, motion.of(&at));
-                }
-                _ => {}
+            if let Role::Prescribed(point) = self.joints.roles[joint]
+                && let Some(motion) = &self.network.points[point].motion
+            {
+                set(&mut state.joints, joint, motion.at(t));
             }
         }
+        self.follow_prescribed(state);
         self.prescribe_payouts(t, state);
+    }
+
+    /// Sets what follows bodies that are prescribed: pins and points on them.
+    pub(super) fn follow_prescribed(&self, state: &mut SystemState) {
+        self.carry(state, false);
+        for joint in 0..self.joints.free.start {
+            if let Role::OnBody(body, at) = self.joints.roles[joint]
+                && !self.network.bodies[body].turns()
+            {
+                let motion = state.body(&self.joints, body);
+                set(&mut state.joints, joint, motion.of(&at));
+            }
+        }
     }
 
     /// Sets the lengths that are prescribed, after the ends whose heave they may follow.

@@ -242,7 +242,7 @@ fn still(state: &mut SystemState) {
 
 /// Newton's method at rest, damped by a little mass, and by more where a step leaves more out of balance than there was: slack line on a
 /// bed, and the spin of a buoy on one line, have no stiffness of their own.
-fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonError> {
+pub(super) fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u64, NewtonError> {
     let size = longest(&system.network);
     let least = LEAST_STIFFNESS * system.network.gravity.max(1.0) / size;
     let force = system

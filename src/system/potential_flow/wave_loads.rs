@@ -11,7 +11,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{Complex, Vector6};
+use nalgebra::{Complex, Matrix3, Vector3, Vector6};
 
 use super::PotentialFlow;
 use crate::numerics::V3;
@@ -115,10 +115,57 @@ impl WaveLoads {
                 }
             }
             let drift = [1, 2, 3].map(|k| cosine[0] * cosine[k] + sine[0] * sine[k]);
-            let drift = Vector6::new(drift[0], drift[1], 0.0, 0.0, 0.0, drift[2]);
-            sum += first * growth + drift * (growth * growth);
+            sum += first * growth + in_plan(&drift) * (growth * growth);
         }
         self.turned(&sum)
+    }
+
+    /// Loads of the first order of a component of a field \[N, N m\] as complex amplitudes by `exp(i omega t)`, in the earth's directions.
+    #[must_use]
+    pub fn of_component(&self, field: usize, component: usize) -> Vector6<Complex<f64>> {
+        let found = self
+            .fields
+            .get(field)
+            .and_then(|(_, terms)| terms.get(component));
+        let Some(term) = found else {
+            return Vector6::zeros();
+        };
+        let load = term.load * Complex::from_polar(1.0, term.phase);
+        let [re, im] = [load.map(|x| x.re), load.map(|x| x.im)].map(|part| self.turned(&part));
+        re.zip_map(&im, Complex::new)
+    }
+
+    /// The mean drift of all waves in full height, in the earth's directions \[N, N m\].
+    #[must_use]
+    pub fn mean_drift(&self) -> Vector6<f64> {
+        let terms = self.fields.iter().flat_map(|(_, terms)| terms);
+        let sum = terms.map(|term| in_plan(&term.drift) * term.amplitude.powi(2));
+        self.turned(&sum.sum())
+    }
+
+    /// Slow drift by bands of its frequency, which end at these \[rad/s\], rising: of each pair of components of a field the load at the
+    /// difference of their frequencies \[N, N m\], as the sum of the squares of its amplitudes in the band,
+    /// `[surge, sway, yaw]` by `[surge, sway, yaw]`, in the earth's directions. Beyond the last band it is left out.
+    #[must_use]
+    pub fn slow_drift(&self, ends: &[f64]) -> Vec<Matrix3<f64>> {
+        let mut squares = vec![Matrix3::zeros(); ends.len()];
+        for (_, terms) in &self.fields {
+            for (j, one) in terms.iter().enumerate() {
+                for other in &terms[j + 1..] {
+                    let difference = (other.omega - one.omega).abs();
+                    let band = ends.partition_point(|end| *end <= difference);
+                    let Some(square) = squares.get_mut(band) else {
+                        continue;
+                    };
+                    let size = one.amplitude * other.amplitude;
+                    let drift = [0, 1, 2].map(|k| size * (one.drift[k] + other.drift[k]));
+                    let load = self.turned(&in_plan(&drift));
+                    let load = Vector3::new(load[0], load[1], load[5]);
+                    *square += load * load.transpose();
+                }
+            }
+        }
+        squares
     }
 
     /// Along the earth's directions.
@@ -128,6 +175,11 @@ impl WaveLoads {
         let ((fx, fy), (mx, my)) = (pair(load[0], load[1]), pair(load[3], load[4]));
         Vector6::new(fx, fy, load[2], mx, my, load[5])
     }
+}
+
+/// Surge, sway and yaw as a load of six components.
+fn in_plan(drift: &[f64; 3]) -> Vector6<f64> {
+    Vector6::new(drift[0], drift[1], 0.0, 0.0, 0.0, drift[2])
 }
 
 #[cfg(test)]
@@ -168,6 +220,11 @@ mod tests {
             let expected = 2.0 * 2.25 - 4.0 - 2.0 * 1.5 * f64::cos(0.1 * t);
             assert!((loads.at(t)[0] - expected).abs() < 1e-12);
         }
+        // The same as a mean, and as the square of the amplitude of the beat.
+        assert!((loads.mean_drift()[0] - (2.0 * 2.25 - 4.0)).abs() < 1e-12);
+        let bands = loads.slow_drift(&[0.05, 0.2]);
+        assert_eq!(bands[0], Matrix3::zeros());
+        assert!((bands[1][(0, 0)] - 9.0).abs() < 1e-12);
         assert!(uncovered(&flow, &sea, 0.0).is_none());
         assert!(uncovered(&flow, &sea, 1.0).is_some());
     }
