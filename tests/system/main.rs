@@ -19,6 +19,7 @@ mod foreign_pinned;
 mod foreign_water;
 mod foreign_yaml;
 mod foreign_yaml_faults;
+mod frequency_domain;
 mod grid_bed;
 mod hauled;
 mod motion;

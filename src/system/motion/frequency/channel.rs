@@ -45,6 +45,12 @@ impl QuickChannel {
         }
     }
 
+    /// Complex amplitudes by `exp(i omega t)`, one an excitation.
+    #[must_use]
+    pub fn amplitudes(&self) -> &[Complex] {
+        &self.amplitudes
+    }
+
     /// Standard deviation.
     #[must_use]
     pub fn deviation(&self) -> f64 {

@@ -20,6 +20,9 @@ use crate::system::motion::wave_stations;
 
 /// Amplitude at which loads of waves are read \[m\]: small against the line, large against rounding.
 const READ_AT: f64 = 0.01;
+/// Greatest displacement at which loads of prescribed motion are read \[m\]: the segments at the ends, whose other nodes stay, must not
+/// turn slack.
+const MOVED_BY: f64 = 1e-5;
 /// Where the bands of slow drift begin and end by the mean frequency of the waves, and how each ends by the one before: as narrow as the
 /// peak of a motion with a hundredth of critical damping at the least.
 const SLOWEST: f64 = 0.01;
@@ -102,19 +105,25 @@ impl<'a> Reader<'a> {
     fn read(&mut self, omega: f64, wave: Option<(Sea, f64)>, given: Vec<Amplitude>) -> Excitation {
         let mut excitation = self.empty(omega);
         for_flows(&mut self.state, |flow| *flow = flow.scaled(0.0));
-        let scale = wave.as_ref().map_or_else(
-            || given.iter().map(Amplitude::norm).fold(0.0, f64::max) / READ_AT,
-            |(_, by)| *by,
-        );
-        for quarter in [0, 1] {
-            // With exp(i omega t): the real part at time zero, minus the imaginary part a quarter of a period later.
-            let t = f64::from(quarter) * FRAC_PI_2 / omega;
-            let unit = [Complex::from(1.0), -Complex::i()][quarter as usize];
-            if let Some((sea, _)) = &wave {
+        let still = vec![Amplitude::zeros(); given.len()];
+        let moved = given.iter().map(Amplitude::norm).fold(0.0, f64::max);
+        for quarter in [false, true] {
+            // By exp(i omega t): the real part at time zero, minus the imaginary part a quarter of a period later.
+            let (t, unit) = match quarter {
+                false => (0.0, Complex::from(1.0)),
+                true => (FRAC_PI_2 / omega, -Complex::i()),
+            };
+            if let Some((sea, scale)) = &wave {
                 read_waves(self.system, sea, t, &mut self.state);
-                self.take_water(unit * scale, &mut excitation);
+                self.take_water(unit * *scale, &mut excitation);
+                let loads = &mut excitation.loads;
+                self.take_loads((omega, quarter), *scale, &still, loads);
+                for_flows(&mut self.state, |flow| *flow = flow.scaled(0.0));
             }
-            self.take_loads((omega, quarter == 1), scale, &given, &mut excitation.loads);
+            if moved > 0.0 {
+                let loads = &mut excitation.loads;
+                self.take_loads((omega, quarter), moved / MOVED_BY, &given, loads);
+            }
         }
         excitation.wave = wave;
         excitation.given = given;
