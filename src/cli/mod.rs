@@ -43,7 +43,6 @@ mod study_page;
 mod sweep;
 mod sweep_args;
 mod sweep_part;
-mod sweep_seas;
 mod sweep_slurm;
 mod sweep_window;
 mod system;

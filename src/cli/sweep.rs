@@ -13,38 +13,27 @@ use super::{
     slurm_refusals,
     study_page::print,
     sweep_args::SweepArgs,
-    sweep_part, sweep_seas,
+    sweep_part,
     sweep_slurm::{self, Watched},
     sweep_window,
 };
-use crate::case::load_cases::{LoadCaseError, LoadCases};
-use crate::case::{self, Case, kind};
+use crate::case::kind;
+use crate::case::load_cases::LoadCaseError;
 use crate::checks::utilisation::Verdict;
 use crate::files::read;
 use crate::kinds::FileType;
 use crate::report::number::duration;
-use crate::report::plain;
-use crate::report::seas::SeasView;
-use crate::report::table::Table;
-use crate::report::variation::VariationView;
-use crate::study::points::BaseCase;
+use crate::report::sweep::SweepReport;
 use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{
-    StoredSweep, Sweep, SweepError, SweepFolder, SweepKind, SweepOutcomes, SweepProgress,
-    SweepResults, load_cases, without_load_cases,
+    PlanChoices, PlanError, StoredSweep, Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan,
+    SweepProgress,
 };
-use crate::study::vary::Variation;
 use crate::system::SystemFile;
 use crate::visible;
 
-/// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
-const MOST_ROWS: usize = 100;
-
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
-
-/// Columns of the report in the folder.
-const REPORT_WIDTH: usize = 80;
 
 pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     if let Some(part) = args.slurm.part {
@@ -91,36 +80,15 @@ fn told(
     file: Option<&OutputFile<'_>>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let cost = sweep_seas::cost(outcomes);
-    let results = sweep_seas::answers(sweep, outcomes, question);
-    let seas = results.as_ref().map(|results| SeasView {
-        results,
-        statistics: &question.statistics,
-    });
-    let view = match outcomes {
-        SweepOutcomes::Runs(outcomes, ids) => {
-            let view = VariationView::of_case(&sweep.variation, outcomes, ids);
-            match question.statistics.until_settled && stop.status().is_none() {
-                true => view.with_unneeded(outcomes),
-                false => view,
-            }
-        }
-        SweepOutcomes::AtRest(outcomes, names) => {
-            VariationView::of_system(&sweep.variation, outcomes, names)
-        }
-    };
-    let mut csv = Vec::new();
-    let results = view.results_table();
-    let written = results.write_csv(&mut csv).map_err(std::io::Error::other);
-    written.map_err(CommandError::Output)?;
-    if stop.status().is_none() {
+    let answers = sweep.answers(outcomes, question);
+    let found = (outcomes, answers.as_ref());
+    let has_ended = stop.status().is_none();
+    let report = SweepReport::new((sweep, question), found, has_ended, folder.dir());
+    if has_ended {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
-        folder.write_results(&csv).map_err(failed)?;
-        if let Some(seas) = &seas {
-            written_down(folder, (&view, seas))?.map_err(failed)?;
-        }
+        report.store(folder).map_err(failed)?;
     }
-    show(args, file, (&view, seas.as_ref(), cost), folder)?;
+    show(args, file, &report)?;
     if let Some(status) = stop.status() {
         let dir = visible::path(folder.dir());
         output::message(&format!(
@@ -128,82 +96,32 @@ fn told(
         ));
         return Ok(status);
     }
-    let passes = seas
-        .and_then(|seas| seas.worst())
-        .is_none_or(|worst| worst == Verdict::Passes);
-    Ok(match view.is_complete() && passes {
+    let worst = report.seas.and_then(|seas| seas.worst());
+    let passes = worst.is_none_or(|worst| worst == Verdict::Passes);
+    Ok(match report.view.is_complete() && passes {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),
     })
-}
-
-/// Writes what the runs say together beside the table of results.
-fn written_down(
-    folder: &SweepFolder,
-    (view, seas): (&VariationView<'_>, &SeasView<'_>),
-) -> Result<Result<(), SweepError>, CommandError> {
-    let csv = |table: &Table| {
-        let mut text = Vec::new();
-        let written = table.write_csv(&mut text).map_err(std::io::Error::other);
-        written.map_err(CommandError::Output).map(|()| text)
-    };
-    let tables = page((view, Some(seas), None), REPORT_WIDTH, folder);
-    let texts = tables
-        .iter()
-        .map(|table| plain::ascii_table(table).to_text(REPORT_WIDTH));
-    let report = texts.collect::<Vec<_>>().join("\n");
-    Ok(folder.write_verdict(
-        &csv(&seas.seas_table())?,
-        &csv(&seas.checks_table())?,
-        &report,
-    ))
-}
-
-/// What a sweep found: its load cases, what they say together, what they cost.
-type Found<'a> = (
-    &'a VariationView<'a>,
-    Option<&'a SeasView<'a>>,
-    Option<String>,
-);
-
-/// The tables of the page: what the runs say together, the extremes, the load cases.
-fn page((view, seas, cost): Found<'_>, width: usize, folder: &SweepFolder) -> Vec<Table> {
-    let mut tables: Vec<Table> = seas.map(SeasView::tables).unwrap_or_default();
-    tables.push(view.extremes());
-    // Of seeds the sea is what is asked for; each run stands in results.csv.
-    let of_seeds = seas.is_some_and(SeasView::has_seeds);
-    match view.points() {
-        0..=MOST_ROWS if !of_seeds => tables.extend(view.tables(width)),
-        _ => tables.extend(view.failures()),
-    }
-    if let Some(last) = tables.last_mut() {
-        let dir = visible::path(folder.dir());
-        last.notes.extend(cost);
-        last.notes
-            .push(format!("The sweep is {dir}; its runs stand beside it."));
-    }
-    tables
 }
 
 /// Prints the verdict, the seas, the extremes, the load cases and the charts.
 fn show(
     args: &SweepArgs,
     file: Option<&OutputFile<'_>>,
-    (view, seas, cost): Found<'_>,
-    folder: &SweepFolder,
+    report: &SweepReport<'_>,
 ) -> Result<(), CommandError> {
     let width = output::page_width(args.page.width);
-    let tables = page((view, seas, cost), width, folder);
+    let tables = report.tables(width);
     // A result against seeds is no curve.
-    let charts = match seas.is_some_and(SeasView::has_seeds) {
+    let charts = match report.has_seeds() {
         true => Vec::new(),
-        false => view.charts(),
+        false => report.view.charts(),
     };
     print(
         "sweep",
         &args.page,
         file,
-        (&tables, &view.csv_table()),
+        (&tables, &report.view.csv_table()),
         &charts,
     )
 }
@@ -222,7 +140,7 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
         })?;
         csv.push((visible::path(file), text));
     }
-    let (base, load_cases, results, question) = match FileType::of(path) {
+    let SweepPlan { sweep, question } = match FileType::of(path) {
         FileType::System => system(args, path, &csv)?,
         FileType::Line => line(args, path, &csv)?,
         other => {
@@ -233,65 +151,55 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
             )));
         }
     };
-    if load_cases.keys.is_empty() {
+    let (variation, results) = (&sweep.variation, &sweep.results);
+    if variation.keys.is_empty() {
         let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
         return Err(CommandError::Usage(what.to_owned()));
     }
-    slurm_refusals::check(args, &results)?;
-    let variation = Variation::of_load_cases(base, load_cases);
+    slurm_refusals::check(args, results)?;
     if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
         return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
     }
     if let Some(word) = &args.window {
-        sweep_window::begun(word, &variation, &question)?;
+        sweep_window::begun(word, variation, &question)?;
     }
     let shown = (results.names(), args.window.as_deref());
-    let folder = SweepFolder::create(args.out.as_deref(), &variation, shown);
+    let folder = SweepFolder::create(args.out.as_deref(), variation, shown);
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
-    let sweep = sweep_seas::sweep(variation, results, &question);
     Ok((sweep, folder, question, args.window.clone()))
 }
 
-/// What is computed at the load cases, these, the results shown, and what is asked of all together.
-type Begun = (BaseCase, LoadCases, SweepResults, SeaQuestion);
-
-fn line(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun, CommandError> {
+fn line(
+    args: &SweepArgs,
+    path: &Path,
+    csv: &[(String, String)],
+) -> Result<SweepPlan, CommandError> {
     let loaded = cases::load(path)?;
     let set = args.overrides();
     let text = cases::set(&loaded.text, &set)?;
-    let case = cases::parse(&text, &loaded.name)?;
-    let of = SweepKind {
-        text: &text,
-        tables: &case.load_cases,
-        files: &case.files,
-    };
-    let load_cases = load_cases::<Case>(of, csv, &args.vary).map_err(refused)?;
-    let text = without_load_cases(&text);
-    let case = cases::parse(&text, &loaded.name)?;
-    let results = SweepResults::of_line(&case, &args.result).map_err(|why| no_result(&why))?;
-    let question = sweep_seas::of_line(&case)?;
-    let text = case::stand_alone(&text, &case).into_owned();
-    let base = base(text, &loaded.name, &set);
-    Ok((base, load_cases, results, question))
+    SweepPlan::of_line(&text, &loaded.name, &set, choices(args, csv)).map_err(refused)
 }
 
-fn system(args: &SweepArgs, path: &Path, csv: &[(String, String)]) -> Result<Begun, CommandError> {
+fn system(
+    args: &SweepArgs,
+    path: &Path,
+    csv: &[(String, String)],
+) -> Result<SweepPlan, CommandError> {
     let name = path.display().to_string();
     let loaded = kind::load_as::<SystemFile>(path, &args.import.options());
     let loaded = loaded.map_err(CommandError::Invalid)?;
     let set = args.overrides();
     let edits = cases::edits(&set)?;
     let (text, solved) = cases::set_and_compute::<SystemFile>(&loaded.whole_text, &edits, path)?;
-    let of = SweepKind {
-        text: &text,
-        tables: &solved.file.load_cases,
-        files: &solved.file.files,
-    };
-    let load_cases = load_cases::<SystemFile>(of, csv, &args.vary).map_err(refused)?;
-    let results = SweepResults::of_system(&solved, &args.result).map_err(|why| no_result(&why))?;
-    let question = sweep_seas::of_system(&solved)?;
-    let base = base(without_load_cases(&text), &name, &set);
-    Ok((base, load_cases, results, question))
+    SweepPlan::of_system((&text, &solved), &name, &set, choices(args, csv)).map_err(refused)
+}
+
+fn choices<'a>(args: &'a SweepArgs, csv: &'a [(String, String)]) -> PlanChoices<'a> {
+    PlanChoices {
+        csv,
+        varied: &args.vary,
+        results: &args.result,
+    }
 }
 
 /// A sweep that was stopped, as its folder has it.
@@ -299,53 +207,18 @@ pub(super) fn resumed(
     opened: Result<(SweepFolder, StoredSweep), SweepError>,
 ) -> Result<Opened, CommandError> {
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
-    let (text, info) = (stored.case, stored.info);
-    let csv = [("load_cases.csv".to_owned(), stored.load_cases)];
-    let (tables, files) = (&[], &std::collections::BTreeMap::new());
-    let of = SweepKind {
-        text: &text,
-        tables,
-        files,
-    };
-    let (cases, results, question) = match FileType::of_text(&text) {
-        FileType::System => {
-            let solved = kind::parse_stored::<SystemFile>(&text, &info.case_file);
-            let solved = solved.map_err(CommandError::Invalid)?;
-            let results =
-                SweepResults::of_system(&solved, &info.results).map_err(|why| no_result(&why))?;
-            let cases = load_cases::<SystemFile>(of, &csv, &[]).map_err(refused)?;
-            (cases, results, sweep_seas::of_system(&solved)?)
-        }
-        _ => {
-            let case = case::parse_stored(&text, &info.case_file).map_err(CommandError::Invalid)?;
-            let results =
-                SweepResults::of_line(&case, &info.results).map_err(|why| no_result(&why))?;
-            let cases = load_cases::<Case>(of, &csv, &[]).map_err(refused)?;
-            (cases, results, sweep_seas::of_line(&case)?)
-        }
-    };
-    let variation = Variation::of_load_cases(base(text, &info.case_file, &info.overrides), cases);
-    let sweep = sweep_seas::sweep(variation, results, &question);
-    Ok((sweep, folder, question, info.window))
+    let window = stored.info.window.clone();
+    let SweepPlan { sweep, question } = SweepPlan::of_stored(stored).map_err(refused)?;
+    Ok((sweep, folder, question, window))
 }
 
-fn base(text: String, path: &str, overrides: &[String]) -> BaseCase {
-    BaseCase {
-        text,
-        path: path.to_owned(),
-        overrides: overrides.to_vec(),
-    }
-}
-
-fn refused(error: LoadCaseError) -> CommandError {
+fn refused(error: PlanError) -> CommandError {
     match error {
-        LoadCaseError::Table(fault) => CommandError::Invalid(vec![*fault]),
+        PlanError::Invalid(faults) => CommandError::Invalid(faults),
+        PlanError::LoadCases(LoadCaseError::Table(fault)) => CommandError::Invalid(vec![*fault]),
+        PlanError::Result(why) => CommandError::Usage(format!("--result: {why}.")),
         error => CommandError::Usage(error.to_string()),
     }
-}
-
-fn no_result(why: &str) -> CommandError {
-    CommandError::Usage(format!("--result: {why}."))
 }
 
 /// Computes with a line of progress, on as many threads as asked for.

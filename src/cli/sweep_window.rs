@@ -9,7 +9,6 @@ use super::{
     study_page::print,
     sweep::compute,
     sweep_args::SweepArgs,
-    sweep_seas,
 };
 use crate::case::kind;
 use crate::kinds::FileType;
@@ -44,7 +43,7 @@ pub(super) fn window(
             "Round {round}: {} load cases.",
             variation.points.len()
         ));
-        let own = sweep_seas::sweep(variation, sweep.results.clone(), question);
+        let own = Sweep::new(variation, sweep.results.clone(), question);
         let outcomes = compute(args, (&own, question), &of_round, stop)?;
         if let Some(status) = stop.status() {
             let dir = visible::path(folder.dir());
@@ -53,7 +52,7 @@ pub(super) fn window(
             ));
             return Ok(status);
         }
-        let results = sweep_seas::answers(&own, &outcomes, question);
+        let results = own.answers(&outcomes, question);
         if let Some(results) = &results {
             key.take(&mut rows, results);
         }

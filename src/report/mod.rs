@@ -20,6 +20,7 @@ pub mod sea;
 pub mod seas;
 pub mod section;
 pub mod ship;
+pub mod sweep;
 pub mod system;
 pub mod table;
 pub mod text;

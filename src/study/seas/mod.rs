@@ -11,6 +11,7 @@ mod fatigue;
 mod grouping;
 mod loads;
 mod looks;
+mod question;
 mod records;
 mod scene;
 

@@ -8,6 +8,7 @@ mod folder;
 mod gather;
 mod load_cases;
 mod part;
+mod plan;
 mod results;
 mod rounds;
 mod runs;
@@ -21,6 +22,7 @@ use std::sync::atomic::AtomicBool;
 pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
 pub use load_cases::{SweepKind, load_cases, without_load_cases};
 pub use part::{Part, PartDone};
+pub use plan::{PlanChoices, PlanError, SweepPlan};
 pub use results::SweepResults;
 
 use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side};

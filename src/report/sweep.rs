@@ -1,0 +1,148 @@
+//! The page of a sweep: its verdict, its seas, its extremes and its load cases; and the tables that stand in its folder.
+
+use std::path::Path;
+
+use super::number::duration;
+use super::plain;
+use super::seas::SeasView;
+use super::table::Table;
+use super::variation::VariationView;
+use crate::study::seas::{SeaQuestion, SeaResults};
+use crate::study::sweep::{Sweep, SweepError, SweepFolder, SweepOutcomes};
+use crate::visible;
+
+/// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
+const MOST_ROWS: usize = 100;
+
+/// Columns of the report in the folder.
+const REPORT_WIDTH: usize = 80;
+
+/// What a sweep found: its load cases, what they say together, what they cost.
+#[derive(Debug, Clone)]
+pub struct SweepReport<'a> {
+    /// The load cases.
+    pub view: VariationView<'a>,
+    /// What they say together.
+    pub seas: Option<SeasView<'a>>,
+    cost: Option<String>,
+    dir: &'a Path,
+}
+
+impl<'a> SweepReport<'a> {
+    /// What became of the load cases of a sweep in this folder. Once it has ended, load cases without an outcome were not needed where
+    /// seeds are drawn until the checks are settled.
+    #[must_use]
+    pub fn new(
+        (sweep, question): (&'a Sweep, &'a SeaQuestion),
+        (outcomes, answers): (&SweepOutcomes, Option<&'a SeaResults>),
+        has_ended: bool,
+        dir: &'a Path,
+    ) -> Self {
+        let statistics = &question.statistics;
+        let view = match outcomes {
+            SweepOutcomes::Runs(outcomes, ids) => {
+                let view = VariationView::of_case(&sweep.variation, outcomes, ids);
+                match statistics.until_settled && has_ended {
+                    true => view.with_unneeded(outcomes),
+                    false => view,
+                }
+            }
+            SweepOutcomes::AtRest(outcomes, names) => {
+                VariationView::of_system(&sweep.variation, outcomes, names)
+            }
+        };
+        let seas = answers.map(|results| SeasView {
+            results,
+            statistics,
+        });
+        Self {
+            view,
+            seas,
+            cost: cost(outcomes),
+            dir,
+        }
+    }
+
+    /// The tables of the page: what the runs say together, the extremes, the load cases.
+    #[must_use]
+    pub fn tables(&self, width: usize) -> Vec<Table> {
+        let mut tables = self.seas.map(|seas| seas.tables()).unwrap_or_default();
+        tables.push(self.view.extremes());
+        // Of seeds the sea is what is asked for; each run stands in results.csv.
+        match self.view.points() {
+            0..=MOST_ROWS if !self.has_seeds() => tables.extend(self.view.tables(width)),
+            _ => tables.extend(self.view.failures()),
+        }
+        if let Some(last) = tables.last_mut() {
+            let dir = visible::path(self.dir);
+            last.notes.extend(self.cost.clone());
+            last.notes
+                .push(format!("The sweep is {dir}; its runs stand beside it."));
+        }
+        tables
+    }
+
+    /// Whether any sea has several runs.
+    #[must_use]
+    pub fn has_seeds(&self) -> bool {
+        self.seas.is_some_and(|seas| seas.has_seeds())
+    }
+
+    /// Writes the tables of a sweep that has ended, and its page as text, into its folder.
+    ///
+    /// # Errors
+    /// The system refuses.
+    pub fn store(&self, folder: &SweepFolder) -> Result<(), SweepError> {
+        let csv = |table: &Table| {
+            let mut text = Vec::new();
+            let written = table.write_csv(&mut text);
+            let failed = |error| SweepError::Io {
+                file: folder.dir().to_owned(),
+                source: std::io::Error::other(error),
+            };
+            written.map(|()| text).map_err(failed)
+        };
+        folder.write_results(&csv(&self.view.results_table())?)?;
+        let Some(seas) = &self.seas else {
+            return Ok(());
+        };
+        let (of_seas, of_checks) = (csv(&seas.seas_table())?, csv(&seas.checks_table())?);
+        folder.write_verdict(&of_seas, &of_checks, &self.text())
+    }
+
+    /// The page in ASCII, without the cost, which is another at every time.
+    fn text(&self) -> String {
+        let without_cost = Self {
+            cost: None,
+            ..self.clone()
+        };
+        let tables = without_cost.tables(REPORT_WIDTH);
+        let texts = tables
+            .iter()
+            .map(|table| plain::ascii_table(table).to_text(REPORT_WIDTH));
+        texts.collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// What the runs cost, in words; nothing of equilibria.
+fn cost(outcomes: &SweepOutcomes) -> Option<String> {
+    let SweepOutcomes::Runs(outcomes, _) = outcomes else {
+        return None;
+    };
+    let runs = outcomes.iter().flatten().flatten();
+    let costs: Vec<_> = runs.map(|run| run.info.cost).collect();
+    if costs.is_empty() {
+        return None;
+    }
+    let [mut own, mut companions] = [0.0; 2];
+    for cost in &costs {
+        own += cost.cpu_s;
+        companions += cost.companions_wall_s;
+    }
+    Some(format!(
+        "The {} runs took {} of one core, and the estimates of their errors {} more.",
+        costs.len(),
+        duration(own),
+        duration(companions)
+    ))
+}
