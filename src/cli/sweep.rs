@@ -23,11 +23,11 @@ use crate::checks::utilisation::Verdict;
 use crate::files::read;
 use crate::kinds::FileType;
 use crate::report::number::duration;
-use crate::report::sweep::SweepReport;
+use crate::report::sweep::{SweepPage, SweepReport};
 use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{
     PlanChoices, PlanError, StoredSweep, Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan,
-    SweepProgress,
+    SweepProgress, SweepResults,
 };
 use crate::system::SystemFile;
 use crate::visible;
@@ -35,7 +35,26 @@ use crate::visible;
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
 
-pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
+/// Why a sweep with checks stores its runs.
+const READ_FROM_RUNS: &str = "The checks of the file, and `statistics.until_settled`, are read from stored runs; leave out --no-store, or them.";
+
+/// The study that JSON names.
+const fn study(page: SweepPage) -> &'static str {
+    match page {
+        SweepPage::Sweep => "sweep",
+        SweepPage::Variation => "vary",
+    }
+}
+
+/// The command that goes on with a sweep.
+const fn command(page: SweepPage) -> &'static str {
+    match page {
+        SweepPage::Sweep => "seacable sweep",
+        SweepPage::Variation => "seacable study vary",
+    }
+}
+
+pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, CommandError> {
     if let Some(part) = args.slurm.part {
         return sweep_part::compute(args, part);
     }
@@ -43,6 +62,9 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    if args.no_store {
+        return unstored(args, page, file.as_ref(), &stop);
+    }
     let (sweep, folder, question, sought) = match &args.resume {
         Some(dir) => resumed(SweepFolder::open(dir))?,
         None => begun(args)?,
@@ -61,38 +83,62 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
         }
     } else {
         slurm_refusals::refuse_while_queued(&sweep, &folder)?;
-        compute(args, (&sweep, &question), &folder, &stop)?
+        compute(args, (&sweep, &question), Some(&folder), &stop)?
     };
     told(
-        args,
-        (&sweep, &folder, &question),
+        (args, page),
+        (&sweep, Some(&folder), &question),
         &outcomes,
         file.as_ref(),
         &stop,
     )
 }
 
+/// Computes and prints a sweep of which nothing is stored.
+fn unstored(
+    args: &SweepArgs,
+    page: SweepPage,
+    file: Option<&OutputFile<'_>>,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
+    let SweepPlan { sweep, question } = planned(args)?;
+    let is_stored = !matches!(sweep.results, SweepResults::AtRest(_));
+    if is_stored && (!question.checks.is_empty() || question.statistics.until_settled) {
+        return Err(CommandError::Usage(READ_FROM_RUNS.to_owned()));
+    }
+    let outcomes = compute(args, (&sweep, &question), None, stop)?;
+    let of = (&sweep, None, &question);
+    told((args, page), of, &outcomes, file, stop)
+}
+
 /// Writes and prints what became of the load cases, and what they say together.
 fn told(
-    args: &SweepArgs,
-    (sweep, folder, question): (&Sweep, &SweepFolder, &SeaQuestion),
+    (args, page): (&SweepArgs, SweepPage),
+    (sweep, folder, question): (&Sweep, Option<&SweepFolder>, &SeaQuestion),
     outcomes: &SweepOutcomes,
     file: Option<&OutputFile<'_>>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let answers = sweep.answers(outcomes, question);
+    let answers = match (folder, outcomes) {
+        (None, SweepOutcomes::Runs(..)) => None,
+        _ => sweep.answers(outcomes, question),
+    };
     let found = (outcomes, answers.as_ref());
     let has_ended = stop.status().is_none();
-    let report = SweepReport::new((sweep, question), found, has_ended, folder.dir());
-    if has_ended {
+    let dir = folder.map(SweepFolder::dir);
+    let report = SweepReport::new((sweep, question), found, has_ended, dir).on_page(page);
+    if let Some(folder) = folder.filter(|_| has_ended) {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
         report.store(folder).map_err(failed)?;
     }
-    show(args, file, &report)?;
+    show((args, page), file, &report)?;
     if let Some(status) = stop.status() {
-        let dir = visible::path(folder.dir());
+        let goes_on = folder.map_or_else(String::new, |folder| {
+            let (command, dir) = (command(page), visible::path(folder.dir()));
+            format!("; `{command} --resume {dir}` goes on")
+        });
         output::message(&format!(
-            "Stopped before all load cases were computed; `seacable sweep --resume {dir}` goes on."
+            "Stopped before all load cases were computed{goes_on}."
         ));
         return Ok(status);
     }
@@ -106,7 +152,7 @@ fn told(
 
 /// Prints the verdict, the seas, the extremes, the load cases and the charts.
 fn show(
-    args: &SweepArgs,
+    (args, page): (&SweepArgs, SweepPage),
     file: Option<&OutputFile<'_>>,
     report: &SweepReport<'_>,
 ) -> Result<(), CommandError> {
@@ -118,7 +164,7 @@ fn show(
         false => report.view.charts(),
     };
     print(
-        "sweep",
+        study(page),
         &args.page,
         file,
         (&tables, &report.view.csv_table()),
@@ -129,33 +175,10 @@ fn show(
 /// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
 pub(super) type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
 
-/// A new sweep.
+/// A new sweep in its folder.
 fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
-    let path = args.case.as_deref().unwrap_or(Path::new(""));
-    cases::allow_values(&args.vary);
-    let mut csv = Vec::with_capacity(args.load_cases.len());
-    for file in &args.load_cases {
-        let text = read::text(file).map_err(|error| {
-            CommandError::Usage(format!("--load-cases {}: {error}.", visible::path(file)))
-        })?;
-        csv.push((visible::path(file), text));
-    }
-    let SweepPlan { sweep, question } = match FileType::of(path) {
-        FileType::System => system(args, path, &csv)?,
-        FileType::Line => line(args, path, &csv)?,
-        other => {
-            return Err(CommandError::Usage(format!(
-                "A sweep takes cases of lines and systems of lines; {} is {}.",
-                visible::path(path),
-                other.description().0
-            )));
-        }
-    };
+    let SweepPlan { sweep, question } = planned(args)?;
     let (variation, results) = (&sweep.variation, &sweep.results);
-    if variation.keys.is_empty() {
-        let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
-        return Err(CommandError::Usage(what.to_owned()));
-    }
     slurm_refusals::check(args, results)?;
     if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
         return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
@@ -167,6 +190,35 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
     let folder = SweepFolder::create(args.out.as_deref(), variation, shown);
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
     Ok((sweep, folder, question, args.window.clone()))
+}
+
+/// The load cases of a file and of the options.
+fn planned(args: &SweepArgs) -> Result<SweepPlan, CommandError> {
+    let path = args.case.as_deref().unwrap_or(Path::new(""));
+    cases::allow_values(&args.vary);
+    let mut csv = Vec::with_capacity(args.load_cases.len());
+    for file in &args.load_cases {
+        let text = read::text(file).map_err(|error| {
+            CommandError::Usage(format!("--load-cases {}: {error}.", visible::path(file)))
+        })?;
+        csv.push((visible::path(file), text));
+    }
+    let plan = match FileType::of(path) {
+        FileType::System => system(args, path, &csv)?,
+        FileType::Line => line(args, path, &csv)?,
+        other => {
+            return Err(CommandError::Usage(format!(
+                "A sweep takes cases of lines and systems of lines; {} is {}.",
+                visible::path(path),
+                other.description().0
+            )));
+        }
+    };
+    if plan.sweep.variation.keys.is_empty() {
+        let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
+        return Err(CommandError::Usage(what.to_owned()));
+    }
+    Ok(plan)
 }
 
 fn line(
@@ -225,7 +277,7 @@ fn refused(error: PlanError) -> CommandError {
 pub(super) fn compute(
     args: &SweepArgs,
     (sweep, question): (&Sweep, &SeaQuestion),
-    folder: &SweepFolder,
+    folder: Option<&SweepFolder>,
     stop: &StopFlag,
 ) -> Result<SweepOutcomes, CommandError> {
     let pool = pool(args)?;
@@ -236,9 +288,9 @@ pub(super) fn compute(
                 line.show(&words(progress, begun.elapsed().as_secs_f64()));
             }
         };
-        match question.statistics.until_settled {
-            true => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
-            false => sweep.compute(folder, stop.cancel(), &told),
+        match folder.filter(|_| question.statistics.until_settled) {
+            Some(folder) => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
+            None => sweep.compute(folder, stop.cancel(), &told),
         }
     }))
 }

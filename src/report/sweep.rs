@@ -17,6 +17,16 @@ const MOST_ROWS: usize = 100;
 /// Columns of the report in the folder.
 const REPORT_WIDTH: usize = 80;
 
+/// What is shown of a sweep: the whole of its load cases, or, as `seacable study vary` does, all of its rows and what is varied.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum SweepPage {
+    /// What the load cases say together, their extremes, and the rows of short tables.
+    #[default]
+    Sweep,
+    /// A row for each point, whatever their number; what they say together only where it is asked for.
+    Variation,
+}
+
 /// What a sweep found: its load cases, what they say together, what they cost.
 #[derive(Debug, Clone)]
 pub struct SweepReport<'a> {
@@ -25,18 +35,19 @@ pub struct SweepReport<'a> {
     /// What they say together.
     pub seas: Option<SeasView<'a>>,
     cost: Option<String>,
-    dir: &'a Path,
+    page: SweepPage,
+    dir: Option<&'a Path>,
 }
 
 impl<'a> SweepReport<'a> {
-    /// What became of the load cases of a sweep in this folder. Once it has ended, load cases without an outcome were not needed where
+    /// What became of the load cases of a sweep, in this folder if it is stored. Once it has ended, load cases without an outcome were not needed where
     /// seeds are drawn until the checks are settled.
     #[must_use]
     pub fn new(
         (sweep, question): (&'a Sweep, &'a SeaQuestion),
         (outcomes, answers): (&SweepOutcomes, Option<&'a SeaResults>),
         has_ended: bool,
-        dir: &'a Path,
+        dir: Option<&'a Path>,
     ) -> Self {
         let statistics = &question.statistics;
         let view = match outcomes {
@@ -59,27 +70,49 @@ impl<'a> SweepReport<'a> {
             view,
             seas,
             cost: cost(outcomes),
+            page: SweepPage::Sweep,
             dir,
         }
+    }
+
+    /// The same as another page.
+    #[must_use]
+    pub fn on_page(self, page: SweepPage) -> Self {
+        Self { page, ..self }
     }
 
     /// The tables of the page: what the runs say together, the extremes, the load cases.
     #[must_use]
     pub fn tables(&self, width: usize) -> Vec<Table> {
-        let mut tables = self.seas.map(|seas| seas.tables()).unwrap_or_default();
-        tables.push(self.view.extremes());
+        let all_rows = self.page == SweepPage::Variation;
+        let seas = self.seas.filter(|seas| !all_rows || seas.is_asked_for());
+        let mut tables = seas.map(|seas| seas.tables()).unwrap_or_default();
+        if !all_rows {
+            tables.push(self.view.extremes());
+        }
         // Of seeds the sea is what is asked for; each run stands in results.csv.
+        let of_seeds = seas.is_some_and(|seas| seas.has_seeds());
         match self.view.points() {
-            0..=MOST_ROWS if !self.has_seeds() => tables.extend(self.view.tables(width)),
+            _ if all_rows => tables.extend(self.view.tables(width)),
+            0..=MOST_ROWS if !of_seeds => tables.extend(self.view.tables(width)),
             _ => tables.extend(self.view.failures()),
         }
         if let Some(last) = tables.last_mut() {
-            let dir = visible::path(self.dir);
             last.notes.extend(self.cost.clone());
-            last.notes
-                .push(format!("The sweep is {dir}; its runs stand beside it."));
+            last.notes.extend(self.dir.map(|dir| self.stored_in(dir)));
         }
         tables
+    }
+
+    /// Where the sweep is stored, in words.
+    fn stored_in(&self, dir: &Path) -> String {
+        let dir = visible::path(dir);
+        match self.view.has_runs() {
+            true => format!(
+                "The sweep is {dir}; its table is results.csv, and its runs stand beside it."
+            ),
+            false => format!("The sweep is {dir}; its table is results.csv."),
+        }
     }
 
     /// Whether any sea has several runs.
@@ -114,6 +147,7 @@ impl<'a> SweepReport<'a> {
     fn text(&self) -> String {
         let without_cost = Self {
             cost: None,
+            page: SweepPage::Sweep,
             ..self.clone()
         };
         let tables = without_cost.tables(REPORT_WIDTH);
