@@ -214,7 +214,7 @@ pub(super) enum StudyArgs {
     /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. It is
     /// `seacable sweep` with a row for every point on its page: the same load cases, folder, table, runs and options, --jobs and --resume
     /// among them. A point that fails says why and stops no other; the exit status is then 1.
-    Vary(SweepArgs),
+    Vary(Box<SweepArgs>),
     /// Rank the inputs of a case by their effect on a result: each varied alone by its tolerance, up and down.
     ///
     /// The tolerance is that of the input's mark (`tolerance_rel`, `tolerance_abs`), 10 % of its value where it states none. Draws a tornado

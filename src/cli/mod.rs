@@ -43,6 +43,7 @@ mod study_page;
 mod sweep;
 mod sweep_args;
 mod sweep_part;
+mod sweep_quick;
 mod sweep_slurm;
 mod sweep_window;
 mod system;

@@ -13,7 +13,7 @@ use super::{
     slurm_refusals,
     study_page::print,
     sweep_args::SweepArgs,
-    sweep_part,
+    sweep_part, sweep_quick,
     sweep_slurm::{self, Watched},
     sweep_window,
 };
@@ -62,6 +62,9 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    if args.quick {
+        return sweep_quick::quick(args, &planned(args)?, file.as_ref(), &stop);
+    }
     if args.no_store {
         return unstored(args, page, file.as_ref(), &stop);
     }

@@ -28,6 +28,14 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "KEY=VALUES", conflicts_with = "resume")]
     pub(super) window: Option<String>,
 
+    /// Look at each sea in the frequency domain instead, linear about the mean position: some hundred times cheaper, of what moves.
+    #[arg(long, conflicts_with_all = ["resume", "until_settled", "window", "slurm", "part"])]
+    pub(super) quick: bool,
+
+    /// With --quick: run so many of the seas in time as well, and state how far the looks are from them.
+    #[arg(long, value_name = "N", requires = "quick")]
+    pub(super) sampled: Option<u8>,
+
     #[command(flatten)]
     pub(super) import: ImportArgs,
 

@@ -225,8 +225,8 @@ mod tests {
         let mut next = (0..).map(|k| f64::from(k * 7919 % 101) / 101.0 - 0.5);
         let mut parts = [(); 2].map(|()| BlockEnvelope::new(first.clone()));
         let mut dense = DMatrix::zeros(6 * n, 6 * n);
-        for i in 0..n {
-            for j in first[i]..=i {
+        for (i, from) in first.iter().enumerate() {
+            for j in *from..=i {
                 for (row, column) in [(i, j), (j, i)] {
                     let mut blocks = [(); 2].map(|()| M3::from_fn(|_, _| next.next().unwrap()));
                     if i == j {

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::ramp::smooth_ramp;
-use super::sea::Harmonics;
+use super::sea::{Harmonic, Harmonics};
 use crate::numerics::V3;
 use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
@@ -160,6 +160,16 @@ impl EndMotion {
 }
 
 impl HarmonicMotion {
+    /// The same as one harmonic.
+    #[must_use]
+    pub fn harmonic(&self) -> Harmonic {
+        Harmonic {
+            omega: self.omega,
+            cosine: self.amplitude.component_mul(&self.phase.map(f64::sin)),
+            sine: self.amplitude.component_mul(&self.phase.map(f64::cos)),
+        }
+    }
+
     /// `A sin(omega t + phase)` and its derivatives.
     fn at(&self, t: f64) -> (V3, V3, V3) {
         let w = self.omega;

@@ -12,6 +12,7 @@ pub mod modes;
 pub mod nodes;
 pub mod physics;
 pub mod plain;
+pub mod quick_look;
 pub mod record_statistics;
 pub mod response;
 pub mod ropeway;

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::case::{CheckKind, StatisticsInputs};
+use crate::case::{CheckKind, GreatestMethod, StatisticsInputs};
 use crate::checks::utilisation::{Utilisation, Verdict};
 use crate::number::{digits, range as range_text, si, with_error};
 use crate::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
@@ -169,11 +169,15 @@ impl SeasView<'_> {
             let greatest = row.loads.map(|loads| loads.greatest);
             greatest.is_some_and(|greatest| greatest.estimate.sample.is_some())
         });
-        let head = match is_random {
+        let by_spectrum = self.is_by_spectrum();
+        let head = match is_random || by_spectrum {
             true => format!("greatest of {hours} h"),
             false => "greatest".to_owned(),
         };
         let note = match is_random {
+            _ if by_spectrum => format!(
+                "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
+            ),
             true => format!(
                 "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {} at the rows of the histories. All places stand in seas.csv.",
                 methods.into_iter().collect::<Vec<_>>().join(" and ")
@@ -246,6 +250,7 @@ impl SeasView<'_> {
                 None => Cell::plain("not known"),
             })
             .cell("sample", Align::Left, |row| match row.row.load.sample {
+                Some([low, high]) if low == high => Cell::plain("none"),
                 Some([low, high]) if high.is_finite() => {
                     Cell::plain(format!("{} to {}", damage(low), damage(high)))
                 }
@@ -257,7 +262,11 @@ impl SeasView<'_> {
             })
             .build()
             .noted([format!(
-                "Damage of {years} years by the probabilities of the seas, rainflow cycles and Miner's sum; life is until a damage of 1, without the factor of the check."
+                "Damage of {years} years by the probabilities of the seas, {} and Miner's sum; life is until a damage of 1, without the factor of the check.",
+                match self.is_by_spectrum() {
+                    true => "Dirlik's law of the ranges of a spectrum",
+                    false => "rainflow cycles",
+                }
             )])
             .noted((all > MOST_PLACES).then(|| format!("The {MOST_PLACES} greatest of {all}; all stand in checks.csv.")));
         Some(table)
@@ -376,6 +385,12 @@ impl SeasView<'_> {
             .build()
     }
 
+    /// Whether the loads are those of quick looks.
+    fn is_by_spectrum(&self) -> bool {
+        let mut loads = self.results.loads.iter().flatten();
+        loads.any(|loads| loads.greatest.method == GreatestMethod::Spectrum)
+    }
+
     /// Whether any sea has several runs.
     #[must_use]
     pub fn has_seeds(&self) -> bool {
@@ -407,7 +422,8 @@ fn greatest_tension(loads: &[PlaceLoads]) -> Option<&PlaceLoads> {
     tensions.max_by(|a, b| value(a).total_cmp(&value(b)))
 }
 
-const fn series_word(series: Series) -> &'static str {
+/// What a series is called in a table.
+pub(super) const fn series_word(series: Series) -> &'static str {
     match series {
         Series::Tension => "tension",
         Series::Uplift => "uplift",

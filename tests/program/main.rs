@@ -38,6 +38,7 @@ mod stories;
 mod study_speed;
 mod sweep;
 mod sweep_checks;
+mod sweep_quick;
 mod sweep_scale;
 mod sweep_slurm;
 mod system_runs;

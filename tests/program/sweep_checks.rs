@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
 /// A chain from the bed to a fixed point at the surface, which the waves move.
-const CHAIN: &str = r#"
+pub(crate) const CHAIN: &str = r#"
 [system]
 title = "Chain in waves"
 
@@ -47,7 +47,7 @@ uplift = true
 "#;
 const OC3: &str = include_str!("../../cases/systems/oc3_spar.toml");
 
-fn sweep(dir: &Path, words: &[&str]) -> (Option<i32>, String, String) {
+pub(crate) fn sweep(dir: &Path, words: &[&str]) -> (Option<i32>, String, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seacable"));
     command.arg("sweep").args(words).current_dir(dir);
     command.env("NO_COLOR", "1").stdin(Stdio::null());
@@ -61,7 +61,7 @@ fn sweep(dir: &Path, words: &[&str]) -> (Option<i32>, String, String) {
 }
 
 /// The greatest value in a column of the rows that begin so.
-fn value(csv: &str, row: &str, column: &str) -> f64 {
+pub(crate) fn value(csv: &str, row: &str, column: &str) -> f64 {
     let mut lines = csv.lines();
     let head = lines.next().unwrap();
     let mut reader = csv::Reader::from_reader(csv.as_bytes());

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use seacable::system::motion::frequency::{QuickLook, quick_look};
+use seacable::system::motion::frequency::{QuickLook, quick_look, quick_look_at_line};
 
 use crate::motion::moved;
 use crate::solved;
-use crate::waves::{SOFT, held, solver, swing};
+use crate::waves::{SOFT, held, solver, swing, swing_in};
 
 const HEAD: &str = "[system]\ntitle = \"test\"\n";
 
@@ -188,6 +188,54 @@ fn drag_grows_with_the_sea_as_by_hand() {
         .sum();
     let exact = 0.5 * 1025.0 * 10.0 * 1.5 * (0.5 * PI).sqrt() * square;
     assert!((high / exact - 1.0).abs() < 0.02, "{high} {exact}");
+}
+
+/// A line between two ends with a payload on its free end, under a top that heaves and in low waves of another period.
+#[test]
+fn a_line_with_a_payload_moves_as_in_time() {
+    let (heave, wave) = (5.0, 8.0);
+    let text = "[case]\ntitle = \"t\"
+        [current]\nspeed_m_per_s = 0.6\ndirection_deg = 30.0
+        [materials.wire]\ndiameter_m = 0.06\nmass_kg_per_m = 20.0\nea_n = 5e7\ndrag_normal = 1.2\nadded_mass_normal = 1.0\naxial_damping_n_s = 2e5
+        [[line]]\nname = \"wire\"\nmaterial = \"wire\"\nlength_m = 60.0\nsegments = 12
+        [ends.a]\nname = \"top\"\nkind = \"moving\"\nposition_m = [0.0, 0.0, -2.0]\namplitude_m = [0.0, 0.0, 0.003]\nperiod_s = 5.0\nramp_s = 40.0
+        [ends.b]\nname = \"body\"\nkind = \"payload\"
+        [payload]\ndry_mass_kg = 4e3\nvolume_m3 = 1.0\ndrag_area_m2 = 3.0\nadded_mass_kg = 2e3
+        [waves]\nkind = \"regular\"\nheight_m = 0.01\nperiod_s = 8.0\nramp_s = 40.0
+        [solver]\nduration_s = 400.0\ntime_step_s = 0.02\nerror_estimate = false\n[output]\ninterval_s = 0.1\n";
+    let case = seacable::case::parse(text, "t.toml").map_err(|all| all[0].to_string());
+    let look = quick_look_at_line(case.as_ref().unwrap(), 1)
+        .unwrap_or_else(|why| panic!("{}", why.problem));
+    let run = crate::turning::computed(case.unwrap(), text);
+    assert_eq!(run.info.failure, None);
+    for name in [
+        "tension_n[top|wire]",
+        "tension_n[wire|body]",
+        "x_m[body]",
+        "z_m[body]",
+    ] {
+        let Some(in_time) = run.history.channel(name) else {
+            panic!("{name} is not recorded")
+        };
+        let channel = look
+            .channels
+            .iter()
+            .find(|c| c.id.to_string() == name)
+            .unwrap();
+        for period in [heave, wave] {
+            let (size, lead) = swing_in(&run.history.time, &in_time.values, period, 40.0 / period);
+            let of = |(omega, found): (&f64, &nalgebra::Complex<f64>)| {
+                ((omega * period / (2.0 * PI) - 1.0).abs() < 1e-9).then_some(*found)
+            };
+            let found = look.omegas.iter().zip(channel.amplitudes()).filter_map(of);
+            let found = found.sum::<nalgebra::Complex<f64>>();
+            let difference = (found - nalgebra::Complex::from_polar(size, lead)).norm() / size;
+            assert!(
+                difference < 0.02,
+                "{name} {period}: {difference}, {found} {size} {lead}"
+            );
+        }
+    }
 }
 
 #[test]

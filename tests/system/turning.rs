@@ -37,9 +37,14 @@ fn line() -> Run {
         {SOLVER}"
     );
     let case = case::parse(&text, "t.toml").map_err(|all| all[0].to_string());
+    computed(case.unwrap(), &text)
+}
+
+/// The run of a case.
+pub(crate) fn computed(case: case::Case, text: &str) -> Run {
     let request = Request {
-        case: case.unwrap(),
-        text,
+        case,
+        text: text.to_owned(),
         file: "t.toml".to_owned(),
         overrides: Vec::new(),
         id: "t".to_owned(),

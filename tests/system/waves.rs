@@ -10,9 +10,13 @@ const G: f64 = 9.80665;
 
 /// Amplitude and lead over `cos(omega t)` of a channel at a period of a whole number of rows, over the last periods.
 pub(crate) fn swing(run: &MotionRun, name: &str, period: f64, periods: f64) -> (f64, f64) {
-    let time = &run.history.time;
+    swing_in(&run.history.time, channel(run, name), period, periods)
+}
+
+/// The same of values over time.
+pub(crate) fn swing_in(time: &[f64], values: &[f64], period: f64, periods: f64) -> (f64, f64) {
     let end = time.last().unwrap() + 0.5 * (time[1] - time[0]);
-    let rows = time.iter().zip(channel(run, name));
+    let rows = time.iter().zip(values);
     let last = rows.filter(|(t, _)| **t > end - period * periods);
     let (mut cosine, mut sine, mut count) = (0.0, 0.0, 0.0);
     for (t, value) in last {

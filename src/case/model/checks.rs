@@ -17,6 +17,8 @@ words! {
         PeaksOverThreshold = "peaks-over-threshold",
         /// The greatest value that was seen, without a law.
         Seen = "seen",
+        /// The law of a normal process with the spectrum of a quick look; of runs in time the greatest value seen.
+        Spectrum = "spectrum",
     }
 }
 

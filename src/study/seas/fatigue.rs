@@ -78,7 +78,11 @@ fn at(
 }
 
 /// The component of a check at a place: its curve with the diameter and the strength there.
-fn component(check: &Check, place: &str, scene: &CheckedScene) -> Result<Component, String> {
+pub(super) fn component(
+    check: &Check,
+    place: &str,
+    scene: &CheckedScene,
+) -> Result<Component, String> {
     if let Some(text) = &check.curve {
         return read_curve(text).map_err(|error| error.to_string());
     }

@@ -167,7 +167,7 @@ fn most_probable(
             let found = by(ExtremeMethod::PeaksOverThreshold);
             (found, GreatestMethod::PeaksOverThreshold)
         }
-        GreatestMethod::Seen => (None, GreatestMethod::Seen),
+        GreatestMethod::Seen | GreatestMethod::Spectrum => (None, GreatestMethod::Seen),
     };
     match found {
         Some(found) => {

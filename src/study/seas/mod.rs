@@ -12,6 +12,7 @@ mod grouping;
 mod loads;
 mod looks;
 mod question;
+mod quick;
 mod records;
 mod scene;
 
@@ -25,6 +26,7 @@ pub use fatigue::{SeaDamage, of_service};
 pub use grouping::{Sea, is_of_one_sea, seas};
 pub use loads::{Extreme, PlaceLoads};
 pub use looks::Look;
+pub use quick::{Difference, QuickSeas, SeaLook, SeaLookOutcome, look_at_seas};
 pub use records::{RunRecord, Series};
 pub use scene::CheckedScene;
 

@@ -98,7 +98,7 @@ impl Sweep {
     }
 
     /// Computes some load cases: each with what became of it, in their order.
-    fn compute_some(
+    pub fn compute_some(
         &self,
         folder: Option<&SweepFolder>,
         wanted: &[usize],

@@ -56,7 +56,10 @@ pub fn compute(
 }
 
 /// The system of a text with some keys set.
-fn solve(text: &str, settings: &[Setting]) -> Result<SolvedSystem, String> {
+///
+/// # Errors
+/// What is wrong with it then, or why it does not come to rest, in words.
+pub fn solve(text: &str, settings: &[Setting]) -> Result<SolvedSystem, String> {
     let written: Vec<String> = settings.iter().map(Setting::written).collect();
     let keys = settings.iter().map(|setting| setting.key.as_str());
     let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();

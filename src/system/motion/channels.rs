@@ -17,6 +17,8 @@ enum Source {
     Tension(usize, usize),
     /// Tension of a line where its sections of these numbers meet.
     Between(usize, usize),
+    /// Tension of a line at a node.
+    At(usize, usize),
     /// A coordinate of a joint.
     Place(usize, usize),
     /// Roll, pitch or yaw of a body.
@@ -93,6 +95,29 @@ impl Channels {
         channels
     }
 
+    /// Of a line between two ends, by the names of its case: tensions where its sections meet and at its ends, places of its ends, height
+    /// of the waves.
+    #[must_use]
+    pub(super) fn of_single_line(system: &MovingSystem) -> Self {
+        let mut channels = Self {
+            ids: Vec::new(),
+            sources: Vec::new(),
+        };
+        let labels = system.scenes.first().map(|scene| &scene.labels);
+        for joint in labels.iter().flat_map(|labels| &labels.joints) {
+            let id = ChannelQuantity::Tension.at(joint.name.as_str());
+            channels.add(id, Source::At(0, joint.node));
+        }
+        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
+            channels.place(&point.name, joint);
+        }
+        if system.network.sea.is_some() {
+            let id = ChannelQuantity::WaveElevation.at("gauge");
+            channels.add(id, Source::Elevation);
+        }
+        channels
+    }
+
     fn place(&mut self, name: &str, joint: usize) {
         for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
             self.add(quantity.at(name), Source::Place(joint, axis));
@@ -150,6 +175,10 @@ impl Channels {
                 let (scene, state) = (system.scene(line, state), &state.lines[line]);
                 let joint = scene.labels.joints.get(meeting);
                 joint.map_or(f64::NAN, |joint| scene.tension_at(joint.node, state))
+            }
+            Source::At(line, node) => {
+                let (scene, line) = (system.scene(line, state), &state.lines[line]);
+                scene.tension_at(node, line)
             }
             Source::Place(joint, axis) => state.joints.x[joint][axis],
             Source::Pin(body, axis) => {

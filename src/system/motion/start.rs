@@ -8,6 +8,8 @@ use super::moving_system::MovingSystem;
 use super::payout_border::holding;
 use super::surplus::Surplus;
 use super::system_state::SystemState;
+use nalgebra::UnitQuaternion;
+
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
 use crate::solve::{Factors, NewtonError, State, StaticSearch};
@@ -208,17 +210,27 @@ fn at_rest(
             point.map_or_else(V3::zeros, |point| placement.points[point])
         }
     };
-    let places = joints.roles.iter().enumerate().map(place).collect();
+    let places: Vec<V3> = joints.roles.iter().enumerate().map(place).collect();
     let bases = placement.bodies.iter().map(|pose| pose.rotation);
-    let ends = |line: &Line| [line.from, line.to].map(|point| joints.points[point]);
+    let state = state_of(&system, (places, bases.collect()), lines);
+    (system, state)
+}
+
+/// The state of a system without motion: its joints at these places, its bodies in these rotations, its lines.
+pub(super) fn state_of(
+    system: &MovingSystem,
+    (places, bases): (Vec<V3>, Vec<UnitQuaternion<f64>>),
+    lines: Vec<State>,
+) -> SystemState {
+    let ends = |line: &Line| [line.from, line.to].map(|point| system.joints.points[point]);
     let stations = system.stations.last().map_or(0, |range| range.end);
-    let state = SystemState {
+    SystemState {
         body_flow: vec![WaterMotion::default(); stations],
         flow_loads: vec![FlowLoad::default(); system.flows.len()],
         velocities: vec![VelocityHistory::default(); system.flows.len()],
         lines,
         joints: State::at_rest(places),
-        bases: bases.collect(),
+        bases,
         attached: system.network.lines.iter().map(ends).collect(),
         paid: system
             .paid
@@ -228,8 +240,7 @@ fn at_rest(
         added: vec![[0; 2]; system.paid.len()],
         surplus: vec![[Surplus::default(); 2]; system.paid.len()],
         drive_excess: vec![0.0; system.payouts.len()],
-    };
-    (system, state)
+    }
 }
 
 /// Takes all velocities and accelerations out.

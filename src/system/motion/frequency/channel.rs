@@ -20,6 +20,8 @@ const STEP: f64 = 1e-4;
 pub struct QuickChannel {
     /// Which.
     pub id: ChannelId,
+    /// Its value at rest, before waves drive what floats away.
+    pub at_start: f64,
     /// Its mean.
     pub mean: f64,
     /// Moments of its spectrum over angular frequency, of orders 0, 1, 2 and 4.
@@ -30,7 +32,11 @@ pub struct QuickChannel {
 
 impl QuickChannel {
     /// Of complex amplitudes at these frequencies \[rad/s\].
-    pub(super) fn new(id: ChannelId, mean: f64, terms: &[(f64, Complex)]) -> Self {
+    pub(super) fn new(
+        id: ChannelId,
+        (at_start, mean): (f64, f64),
+        terms: &[(f64, Complex)],
+    ) -> Self {
         let moment = |order: i32| {
             let terms = terms.iter();
             terms
@@ -39,6 +45,7 @@ impl QuickChannel {
         };
         Self {
             id,
+            at_start,
             mean,
             moments: [0, 1, 2, 4].map(moment),
             amplitudes: terms.iter().map(|(_, y)| *y).collect(),
@@ -83,8 +90,12 @@ impl QuickChannel {
             .zip(omegas)
             .map(|((a, b), omega)| (*omega, a * own + b * others))
             .collect();
-        let mean = own * self.mean + others * other.mean;
-        Self::new(self.id.clone(), mean, &terms)
+        let mixed = |a: f64, b: f64| own * a + others * b;
+        let (at_start, mean) = (
+            mixed(self.at_start, other.at_start),
+            mixed(self.mean, other.mean),
+        );
+        Self::new(self.id.clone(), (at_start, mean), &terms)
     }
 }
 
@@ -100,12 +111,13 @@ pub(super) struct ChannelReader<'a> {
 
 impl<'a> ChannelReader<'a> {
     pub(super) fn new(
+        channels: Channels,
         system: &'a MovingSystem,
         bodies: Vec<MovingBody>,
         mean: &'a SystemState,
     ) -> Self {
         Self {
-            channels: Channels::of(system),
+            channels,
             system,
             bodies,
             state: mean.clone(),
@@ -118,11 +130,11 @@ impl<'a> ChannelReader<'a> {
         &self.channels.ids
     }
 
-    /// Their values in the mean position.
-    pub(super) fn means(&self) -> Vec<f64> {
+    /// Their values in a state without waves.
+    pub(super) fn values_in(&self, state: &SystemState) -> Vec<f64> {
         let mut values = Vec::new();
         let system = (self.system, self.bodies.as_slice());
-        self.channels.read(system, 0.0, self.mean, &mut values);
+        self.channels.read(system, 0.0, state, &mut values);
         for (value, id) in values.iter_mut().zip(&self.channels.ids) {
             if id.quantity == ChannelQuantity::WaveElevation {
                 *value = 0.0;

@@ -197,7 +197,7 @@ impl<'a> DragAverager<'a> {
     pub(super) fn at_stations(
         &mut self,
         spread: &Spread,
-        excitations: &[Excitation],
+        excitations: &[&Excitation],
     ) -> Vec<Vec<Vector6<Complex>>> {
         let bodies = self.system.network.bodies.len();
         let mut loads = vec![vec![Vector6::zeros(); bodies]; excitations.len()];
@@ -330,12 +330,12 @@ fn root(covariance: &M3) -> M3 {
 }
 
 impl Spread {
-    /// Of responses to excitations; those of the water alone where there are none yet.
-    pub(super) fn of(
+    /// Of excitations with the responses to them, or of the water alone where there are none yet; each counts so many times.
+    pub(super) fn of<'a>(
         system: &MovingSystem,
         mean: &SystemState,
-        excitations: &[Excitation],
-        responses: &[Amplitudes],
+        all: impl IntoIterator<Item = (&'a Excitation, Option<&'a Amplitudes>)>,
+        weight: f64,
     ) -> Self {
         let none = |count: usize| vec![M3::zeros(); count];
         let mut spread = Self {
@@ -345,14 +345,21 @@ impl Spread {
             bodies: vec![Vector6::zeros(); system.network.bodies.len()],
         };
         let still = Amplitudes::default();
-        for (number, excitation) in excitations.iter().enumerate() {
-            let response = responses.get(number).unwrap_or(&still);
-            spread.add(system, mean, (excitation, response));
+        for (excitation, response) in all {
+            spread.add(system, mean, (excitation, response.unwrap_or(&still)));
         }
+        spread.weigh(weight);
         for sigma in &mut spread.bodies {
             *sigma = sigma.map(f64::sqrt);
         }
         spread
+    }
+
+    fn weigh(&mut self, weight: f64) {
+        let lines = self.lines.iter_mut().flatten();
+        let all = lines.chain(&mut self.joints).chain(&mut self.stations);
+        all.for_each(|square| *square *= weight);
+        self.bodies.iter_mut().for_each(|square| *square *= weight);
     }
 
     fn add(
@@ -436,10 +443,13 @@ impl Spread {
         };
         let lines = self.lines.iter().flatten().copied().collect::<Vec<_>>();
         let others = other.lines.iter().flatten().copied().collect::<Vec<_>>();
+        // Of a body the velocities of its origin by the greatest of them, and the turns likewise.
         let bodies = self.bodies.iter().zip(&other.bodies).map(|(a, b)| {
-            let change = |k: usize| (a[k] - b[k]).abs() / a[k].max(f64::MIN_POSITIVE);
-            let counts = |k: &usize| a[*k] > 1e-6 * a.amax();
-            (0..6).filter(counts).map(change).fold(0.0, f64::max)
+            let of = |from: usize| {
+                let (a, b) = (a.fixed_rows::<3>(from), b.fixed_rows::<3>(from));
+                (a - b).amax() / a.amax().max(f64::MIN_POSITIVE)
+            };
+            of(0).max(of(3))
         });
         bodies
             .fold(of(&lines, &others), f64::max)
@@ -485,14 +495,14 @@ impl LinearDrag {
 
 /// Adds a band times amplitudes.
 fn multiply_add(band: &BlockBand, x: &[Amplitude], out: &mut [Amplitude]) {
+    let times = |block: &M3, x: &Amplitude| block.map(Complex::from) * x;
     for (i, out) in out.iter_mut().enumerate() {
-        for j in i.saturating_sub(1)..(i + 2).min(x.len()) {
-            let block = match j {
-                _ if j == i => &band.diag[i],
-                _ if j > i => &band.upper[i],
-                _ => &band.lower[i],
-            };
-            *out += block.map(Complex::from) * x[j];
+        *out += times(&band.diag[i], &x[i]);
+        if let Some(next) = x.get(i + 1) {
+            *out += times(&band.upper[i], next);
+        }
+        if i > 0 {
+            *out += times(&band.lower[i], &x[i - 1]);
         }
     }
 }

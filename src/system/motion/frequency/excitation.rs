@@ -240,6 +240,7 @@ impl<'a> Reader<'a> {
     fn given_by_themselves(&self) -> Vec<(f64, Vec<Amplitude>)> {
         let own = |path: &MotionPath| match path {
             MotionPath::Sum(sum) if !self.is_by_responses(path) => sum.terms.clone(),
+            MotionPath::Harmonic(swing) if swing.omega > 0.0 => vec![swing.harmonic()],
             MotionPath::Harmonic(_)
             | MotionPath::Still
             | MotionPath::Table(_)

@@ -1,24 +1,32 @@
 //! The quick look itself: mean position, excitations, drag and responses in turns, channels.
 
-use std::time::Instant;
+use nalgebra::Matrix6;
 
+use super::Complex;
 use super::channel::{ChannelReader, QuickChannel};
 use super::drag::{DragAverager, Spread};
 use super::excitation::{Excitation, Reader};
 use super::linear_system::{Amplitudes, LinearSystem};
 use super::mean::mean_position;
-use crate::case::ChannelQuantity;
+use super::single_line;
+use crate::case::{Case, ChannelQuantity};
 use crate::numerics::SingularBlock;
 use crate::physics::motion::MotionPath;
 use crate::system::SolvedSystem;
 use crate::system::motion::border::Border;
+use crate::system::motion::channels::Channels;
 use crate::system::motion::moving_system::MovingSystem;
-use crate::system::motion::start::start;
+use crate::system::motion::start::{Start, start};
+use crate::system::network::ReleaseCondition;
 use crate::system::rest::UnsolvedSystem;
 
 /// Turns of drag and response at most, and the change of velocities at which they end \[-\].
 const MOST_TURNS: usize = 40;
 const FOUND: f64 = 1e-3;
+/// With more excitations than these the first turns take one of a few, which stands for its neighbours, until the velocities change by less.
+const MANY: usize = 40;
+const STRIDE: usize = 4;
+const ROUGH: f64 = 1e-2;
 /// Share of the way to the velocities just found that each turn goes: at a resonance held by drag alone the whole way overshoots by half.
 const SHARE: f64 = 0.75;
 /// Deviations below the mean at which a tension that is not positive is said to go slack.
@@ -35,8 +43,6 @@ pub struct QuickLook {
     pub turns: usize,
     /// Nodes of the lines.
     pub nodes: usize,
-    /// Time to bring it to rest, and for the rest \[s\].
-    pub cost_s: [f64; 2],
     /// What the linear look cannot see.
     pub warnings: Vec<String>,
 }
@@ -46,37 +52,52 @@ pub struct QuickLook {
 /// # Errors
 /// What has no quick look, or does not come to rest.
 pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
-    let clock = Instant::now();
     let begun = start(solved, coarsening)?;
+    look(&begun, Channels::of(&begun.system))
+}
+
+/// Looks at a line between two ends in its waves.
+///
+/// # Errors
+/// What has no quick look, or does not come to rest.
+pub fn quick_look_at_line(case: &Case, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
+    let begun = single_line::of_case(case, coarsening)?;
+    look(&begun, Channels::of_single_line(&begun.system))
+}
+
+fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> {
     refuse(&begun.system)?;
     let system = &begun.system;
-    let mean = mean_position(&begun).map_err(|why| {
+    let mean = mean_position(begun).map_err(|why| {
         let node = system.node_name(why.node());
         unsolved(
             format!("the mean position is not found: {node} does not come to rest"),
             "run it in time, or with lower waves",
         )
     })?;
-    let at_rest = clock.elapsed().as_secs_f64();
     let mut border = Border::new(system, &mean);
     let excitations = Reader::new(system, &mean, &mut border).all();
     let mut linear = LinearSystem::new(&mut border, system, &mean);
     let (responses, turns) = respond(&mut border, &mut linear, &excitations)?;
-    let mut reader = ChannelReader::new(system, border.bodies().to_vec(), &mean);
+    let mut reader = ChannelReader::new(channels, system, border.bodies().to_vec(), &mean);
     let amplitudes: Vec<_> = excitations
         .iter()
         .zip(&responses)
         .map(|(excitation, response)| reader.amplitudes(excitation, response))
         .collect();
-    let ids = reader.ids().iter().zip(reader.means()).enumerate();
+    let values = [&begun.state, &mean].map(|state| reader.values_in(state));
+    let values: Vec<(f64, f64)> = std::iter::zip(&values[0], &values[1])
+        .map(|(start, mean)| (*start, *mean))
+        .collect();
+    let ids = reader.ids().iter().zip(values).enumerate();
     let channels: Vec<QuickChannel> = ids
-        .map(|(number, (id, mean))| {
+        .map(|(number, (id, values))| {
             let terms: Vec<_> = excitations
                 .iter()
                 .zip(&amplitudes)
                 .map(|(excitation, values)| (excitation.omega, values[number]))
                 .collect();
-            QuickChannel::new(id.clone(), mean, &terms)
+            QuickChannel::new(id.clone(), values, &terms)
         })
         .collect();
     Ok(QuickLook {
@@ -85,53 +106,86 @@ pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook,
         omegas: excitations.iter().map(|one| one.omega).collect(),
         turns,
         nodes: mean.lines.iter().map(|line| line.x.len()).sum(),
-        cost_s: [at_rest, clock.elapsed().as_secs_f64() - at_rest],
     })
 }
 
-/// Drag and responses in turns.
+/// What drag and responses are found with.
+struct Turns<'a, 'b> {
+    averager: DragAverager<'a>,
+    linear: &'a mut LinearSystem<'b>,
+    excitations: &'a [Excitation],
+    radiation: Vec<Vec<Matrix6<Complex>>>,
+    spread: Spread,
+    made: usize,
+}
+
+/// Drag and responses in turns: first with a part of the excitations, then with all.
 fn respond(
     border: &mut Border,
     linear: &mut LinearSystem<'_>,
     excitations: &[Excitation],
 ) -> Result<(Vec<Amplitudes>, usize), UnsolvedSystem> {
     let (system, mean) = (linear.system, linear.mean);
-    let mut averager = DragAverager::new(system, mean, border);
-    let mut spread = Spread::of(system, mean, excitations, &[]);
     let radiation = excitations.iter();
-    let radiation: Vec<_> = radiation
-        .map(|excitation| linear.radiation(excitation.omega))
-        .collect();
-    let mut turns = 0;
-    loop {
-        turns += 1;
-        let drag = averager.average(&spread);
-        let at_stations = averager.at_stations(&spread, excitations);
-        linear.damping = drag.damping.clone();
-        let responses = excitations.iter().zip(&radiation).zip(&at_stations);
-        let responses: Result<Vec<Amplitudes>, _> = responses
-            .map(|((excitation, radiation), bodies)| {
-                let mut loads = excitation.loads.clone();
-                drag.add_loads(system, mean, excitation, &mut loads);
-                linear.add_body_loads(bodies, &mut loads);
-                linear.solve(
-                    (excitation.omega, radiation),
-                    &loads,
-                    Some(&excitation.given),
-                )
-            })
-            .collect();
-        let responses = responses.map_err(|why| not_held(system, why))?;
-        let found = Spread::of(system, mean, excitations, &responses);
-        let change = found.change(&spread);
-        match turns {
-            // At first only the water moved.
-            1 => spread = found,
-            _ => spread.go_towards(&found, SHARE),
+    let radiation = radiation.map(|excitation| linear.radiation(excitation.omega));
+    let mut turns = Turns {
+        averager: DragAverager::new(system, mean, border),
+        radiation: radiation.collect(),
+        spread: Spread::of(system, mean, excitations.iter().map(|one| (one, None)), 1.0),
+        linear,
+        excitations,
+        made: 0,
+    };
+    if excitations.len() > MANY {
+        turns.until(ROUGH, STRIDE)?;
+    }
+    let responses = turns.until(FOUND, 1)?;
+    Ok((responses, turns.made))
+}
+
+impl Turns<'_, '_> {
+    /// Turns until the velocities change by less, each with the excitations of a stride; their responses.
+    fn until(&mut self, change: f64, stride: usize) -> Result<Vec<Amplitudes>, UnsolvedSystem> {
+        let (system, mean) = (self.linear.system, self.linear.mean);
+        let mut left = MOST_TURNS;
+        loop {
+            left -= 1;
+            let responses = self.turn(stride)?;
+            let moved = responses.iter().map(Some);
+            let taken = self.excitations.iter().skip(stride / 2).step_by(stride);
+            let found = Spread::of(system, mean, taken.zip(moved), stride as f64);
+            let changed = found.change(&self.spread);
+            match self.made {
+                // At first only the water moved.
+                1 => self.spread = found,
+                _ => self.spread.go_towards(&found, SHARE),
+            }
+            if changed < change || left == 0 {
+                return Ok(responses);
+            }
         }
-        if change < FOUND || turns == MOST_TURNS {
-            return Ok((responses, turns));
-        }
+    }
+
+    /// The responses with the drag of the velocities known.
+    fn turn(&mut self, stride: usize) -> Result<Vec<Amplitudes>, UnsolvedSystem> {
+        self.made += 1;
+        let (system, mean) = (self.linear.system, self.linear.mean);
+        let drag = self.averager.average(&self.spread);
+        let taken = self.excitations.iter().skip(stride / 2).step_by(stride);
+        let taken: Vec<&Excitation> = taken.collect();
+        let at_stations = self.averager.at_stations(&self.spread, &taken);
+        self.linear.damping = drag.damping.clone();
+        let radiation = self.radiation.iter().skip(stride / 2).step_by(stride);
+        let all = taken.iter().zip(radiation).zip(&at_stations);
+        let responses = all.map(|((excitation, radiation), bodies)| {
+            let mut loads = excitation.loads.clone();
+            drag.add_loads(system, mean, excitation, &mut loads);
+            self.linear.add_body_loads(bodies, &mut loads);
+            let at = (excitation.omega, radiation.as_slice());
+            self.linear.solve(at, &loads, Some(&excitation.given))
+        });
+        let responses: Result<Vec<Amplitudes>, _> = responses.collect();
+        responses.map_err(|why| not_held(system, why))
     }
 }
 
@@ -158,7 +212,7 @@ fn refuse(system: &MovingSystem) -> Result<(), UnsolvedSystem> {
     } else if network
         .lines
         .iter()
-        .any(|line| line.releases.iter().any(|release| release.is_given()))
+        .any(|line| line.releases.iter().any(ReleaseCondition::is_given))
     {
         "a line breaks or is let go".to_owned()
     } else {
@@ -170,7 +224,7 @@ fn refuse(system: &MovingSystem) -> Result<(), UnsolvedSystem> {
     ))
 }
 
-fn unsolved(problem: String, remedy: &str) -> UnsolvedSystem {
+pub(super) fn unsolved(problem: String, remedy: &str) -> UnsolvedSystem {
     UnsolvedSystem {
         problem,
         remedy: remedy.to_owned(),

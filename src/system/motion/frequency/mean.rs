@@ -8,6 +8,7 @@ use crate::system::motion::pose_motion::BodyMotion;
 use crate::system::motion::start::{Start, settle};
 use crate::system::motion::system_state::SystemState;
 use crate::system::pose::Pose;
+use crate::system::potential_flow::wave_loads::WaveLoads;
 
 /// The state in the mean position, without velocities, from that in which a run in time starts.
 ///
@@ -38,7 +39,7 @@ pub(super) fn mean_position(start: &Start) -> Result<SystemState, NewtonError> {
     }
     for (flow, load) in system.flows.iter().zip(&mut mean.flow_loads) {
         let waves = flow.waves.as_ref();
-        load.waves = waves.map_or_else(Vector6::zeros, |waves| waves.mean_drift());
+        load.waves = waves.map_or_else(Vector6::zeros, WaveLoads::mean_drift);
     }
     system.follow_prescribed(&mut mean);
     system.follow(&mut mean);

@@ -28,9 +28,10 @@ mod linear_system;
 mod look;
 mod mean;
 mod perturbed;
+mod single_line;
 
 pub use channel::QuickChannel;
-pub use look::{QuickLook, quick_look};
+pub use look::{QuickLook, quick_look, quick_look_at_line};
 
 /// A complex number.
 type Complex = nalgebra::Complex<f64>;

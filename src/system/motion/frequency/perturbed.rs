@@ -39,8 +39,9 @@ impl Phase {
         (mean, given): (&SystemState, &[Amplitude]),
         state: &mut SystemState,
     ) {
-        for joint in 0..system.joints.free.start {
-            self.move_node(&mut state.joints, joint, (&mean.joints, &given[joint]));
+        let held = given.iter().enumerate().take(system.joints.free.start);
+        for (joint, amplitude) in held {
+            self.move_node(&mut state.joints, joint, (&mean.joints, amplitude));
         }
         system.follow_prescribed(state);
         system.follow(state);
