@@ -78,7 +78,7 @@ fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> 
     let mut border = Border::new(system, &mean);
     let excitations = Reader::new(system, &mean, &mut border).all();
     let mut linear = LinearSystem::new(&mut border, system, &mean);
-    let (responses, turns) = respond(&mut border, &mut linear, &excitations)?;
+    let (responses, turns, missed) = respond(&mut border, &mut linear, &excitations)?;
     let mut reader = ChannelReader::new(channels, system, border.bodies().to_vec(), &mean);
     let amplitudes: Vec<_> = excitations
         .iter()
@@ -101,7 +101,7 @@ fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> 
         })
         .collect();
     Ok(QuickLook {
-        warnings: warnings(&channels),
+        warnings: warnings(&channels, missed),
         channels,
         omegas: excitations.iter().map(|one| one.omega).collect(),
         turns,
@@ -117,14 +117,17 @@ struct Turns<'a, 'b> {
     radiation: Vec<Vec<Matrix6<Complex>>>,
     spread: Spread,
     made: usize,
+    /// The change of velocities in the turn made last \[-\].
+    changed: f64,
 }
 
-/// Drag and responses in turns: first with a part of the excitations, then with all.
+/// Drag and responses in turns: first with a part of the excitations, then with all. The responses, the turns, and by how much the
+/// velocities still change after the most of them.
 fn respond(
     border: &mut Border,
     linear: &mut LinearSystem<'_>,
     excitations: &[Excitation],
-) -> Result<(Vec<Amplitudes>, usize), UnsolvedSystem> {
+) -> Result<(Vec<Amplitudes>, usize, Option<f64>), UnsolvedSystem> {
     let (system, mean) = (linear.system, linear.mean);
     let radiation = excitations.iter();
     let radiation = radiation.map(|excitation| linear.radiation(excitation.omega));
@@ -135,12 +138,14 @@ fn respond(
         linear,
         excitations,
         made: 0,
+        changed: 0.0,
     };
     if excitations.len() > MANY {
         turns.until(ROUGH, STRIDE)?;
     }
     let responses = turns.until(FOUND, 1)?;
-    Ok((responses, turns.made))
+    let missed = (turns.changed > FOUND).then_some(turns.changed);
+    Ok((responses, turns.made, missed))
 }
 
 impl Turns<'_, '_> {
@@ -154,13 +159,13 @@ impl Turns<'_, '_> {
             let moved = responses.iter().map(Some);
             let taken = self.excitations.iter().skip(stride / 2).step_by(stride);
             let found = Spread::of(system, mean, taken.zip(moved), stride as f64);
-            let changed = found.change(&self.spread);
+            self.changed = found.change(&self.spread);
             match self.made {
                 // At first only the water moved.
                 1 => self.spread = found,
                 _ => self.spread.go_towards(&found, SHARE),
             }
-            if changed < change || left == 0 {
+            if self.changed < change || left == 0 {
                 return Ok(responses);
             }
         }
@@ -242,20 +247,22 @@ fn not_held(system: &MovingSystem, (part, singular): (usize, SingularBlock)) -> 
 }
 
 /// What a linear look cannot see in what it found.
-fn warnings(channels: &[QuickChannel]) -> Vec<String> {
+fn warnings(channels: &[QuickChannel], missed: Option<f64>) -> Vec<String> {
     let tensions = channels
         .iter()
         .filter(|channel| channel.id.quantity == ChannelQuantity::Tension);
     let slack = tensions
         .filter(|channel| channel.deviation() > 0.0 && channel.mean < SLACK * channel.deviation());
-    slack
-        .map(|channel| {
+    let slack = slack.map(|channel| {
             format!(
                 "{} goes slack, which no linear look has: its mean of {:.4e} N is less than {SLACK} deviations of {:.4e} N",
                 channel.id,
                 channel.mean,
                 channel.deviation(),
             )
-        })
-        .collect()
+        });
+    let missed = missed.map(|by| {
+        format!("drag and motion were not found together: after {MOST_TURNS} turns velocities still change by {:.1} %", 100.0 * by)
+    });
+    slack.chain(missed).collect()
 }
