@@ -7,7 +7,7 @@ use crate::visible;
 use std::path::{Path, PathBuf};
 
 use super::attachments::{FileSource, with_files};
-use super::check::varied;
+use super::check::variable;
 use super::diagnostic::Diagnostic;
 use super::edit::{field_by, put_all};
 use super::edited::{self, EditedKey, Origin};
@@ -185,7 +185,7 @@ pub fn compute<K: FileKind>(content: K) -> Result<K::Computed, Vec<Diagnostic>> 
     computed.map_err(|finding| vec![finding.at(name, "")])
 }
 
-/// The field of a key that studies and load cases may set: one number, or one of some words.
+/// The field of a key that studies and load cases beside the file may set, given in it or not: one number, or one of some words.
 ///
 /// # Errors
 /// What is wrong with it, and what would be right.
@@ -193,11 +193,12 @@ pub(crate) fn varied_field<K: FileKind>(
     text: &str,
     path: &str,
 ) -> Result<&'static Field, (String, String)> {
-    let root = TomlNode::parse(text).map_err(|_| {
-        let problem = "the file is not TOML".to_owned();
-        (problem, "correct it in an editor first".to_owned())
-    })?;
-    varied(K::schema(), &root, path)
+    let wrong = |fault: Diagnostic| {
+        let problem = format!("`{}` cannot be varied: {}", fault.key, fault.problem);
+        (problem, fault.remedy.to_string())
+    };
+    let field = field::<K>(text, path).map_err(wrong)?;
+    variable(path, field)
 }
 
 /// Every key the file can have, given or not, with its value. A text that is not TOML gives no rows.

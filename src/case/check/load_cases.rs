@@ -138,13 +138,23 @@ pub(crate) fn varied(
     root: &TomlNode,
     key: &str,
 ) -> Result<&'static Field, (String, String)> {
-    let field = existing(schema, root, key)?;
+    variable(key, existing(schema, root, key)?)
+}
+
+/// The field, if studies and load cases may set its key.
+pub(crate) fn variable(
+    key: &str,
+    field: &'static Field,
+) -> Result<&'static Field, (String, String)> {
     if takes_values(key, field) {
         return Ok(field);
     }
     let problem = format!("`{key}` is not a number, so it cannot be varied");
-    let remedy = "name a key that takes one number, or words";
-    Err((problem, remedy.to_owned()))
+    let remedy = match field.kind {
+        ValueType::Triple => format!("vary one of its numbers: `{key}.x`, `{key}.y` or `{key}.z`"),
+        _ => "name a key that takes one number, or words".to_owned(),
+    };
+    Err((problem, remedy))
 }
 
 /// Values that a key does not take.

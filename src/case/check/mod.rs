@@ -25,7 +25,7 @@ use super::model::CaseKeys;
 
 pub(crate) use checks::of_checks;
 pub(crate) use keys::{check as check_keys, fields_here};
-pub(crate) use load_cases::{of_load_cases, takes_values, varied};
+pub(crate) use load_cases::{of_load_cases, takes_values, variable, varied};
 pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
 pub(crate) use names::{unknown, unknown_name, used_twice};
 pub(crate) use paths::{marks, unknown_path};
