@@ -10,7 +10,7 @@ use super::import::{ImportArgs, ImportCommandArgs};
 use super::intervals::IntervalsArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::statistics::StatisticsArgs;
-use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs, VaryArgs};
+use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs};
 use super::sweep_args::SweepArgs;
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
@@ -211,10 +211,10 @@ pub(super) enum StudyArgs {
     /// Compute a case over ranges of its keys, and show results against them.
     ///
     /// `--vary KEY=A..B/N` takes N values from A to B in even steps, `A..B/Nlog` in even ratios, `KEY=a,b,c` the values listed; each with a
-    /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. Runs are
-    /// computed side by side, one for each core, and stored below `runs`. A point that fails says why and stops no other; the exit status
-    /// is then 1. A system of lines is solved at each point, and not stored; `--result` takes the names that `study seek` takes.
-    Vary(VaryArgs),
+    /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. It is
+    /// `seacable sweep` with a row for every point on its page: the same load cases, folder, table, runs and options, --jobs and --resume
+    /// among them. A point that fails says why and stops no other; the exit status is then 1.
+    Vary(SweepArgs),
     /// Rank the inputs of a case by their effect on a result: each varied alone by its tolerance, up and down.
     ///
     /// The tolerance is that of the input's mark (`tolerance_rel`, `tolerance_abs`), 10 % of its value where it states none. Draws a tornado

@@ -103,7 +103,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Audit(args)) => audit::audit(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
         Some(CliCommand::Study(args)) => study::study(args),
-        Some(CliCommand::Sweep(args)) => sweep::sweep(args),
+        Some(CliCommand::Sweep(args)) => sweep::sweep(args, sweep::SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),
     };
     done.unwrap_or_else(CommandError::report)

@@ -23,28 +23,6 @@ fn width(word: &str) -> Result<usize, String> {
 }
 
 #[derive(Debug, clap::Args)]
-pub(super) struct VaryArgs {
-    #[command(flatten)]
-    pub(super) case: CaseArgs,
-
-    /// A key and its values, such as current.speed_m_per_s=0.2..0.8/4; may be repeated for a grid.
-    #[arg(long, value_name = "KEY=VALUES", required = true)]
-    pub(super) vary: Vec<String>,
-
-    /// A result to show, by its name in the summary of a run, such as tension_n.max, or of a system, such as tension_n[mooring|b]; may be
-    /// repeated. By default the main results.
-    #[arg(long, value_name = "NAME")]
-    pub(super) result: Vec<String>,
-
-    /// Store no runs.
-    #[arg(long)]
-    pub(super) no_store: bool,
-
-    #[command(flatten)]
-    pub(super) page: StudyPageArgs,
-}
-
-#[derive(Debug, clap::Args)]
 pub(super) struct EffectsArgs {
     #[command(flatten)]
     pub(super) case: CaseArgs,

@@ -43,10 +43,40 @@ const MOST_ROWS: usize = 100;
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
 
+/// Why a sweep with checks stores its runs.
+const READ_FROM_RUNS: &str = "The checks of the file, and `statistics.until_settled`, are read from stored runs; leave out --no-store, or them.";
+
 /// Columns of the report in the folder.
 const REPORT_WIDTH: usize = 80;
 
-pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
+/// What a sweep prints: the whole of its load cases, or, as `seacable study vary` does, all of its rows and what is varied.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SweepPage {
+    /// What the load cases say together, their extremes, and the rows of short tables.
+    Sweep,
+    /// A row for each point, whatever their number; what they say together only where it is asked for.
+    Variation,
+}
+
+impl SweepPage {
+    /// The study that JSON names.
+    const fn study(self) -> &'static str {
+        match self {
+            Self::Sweep => "sweep",
+            Self::Variation => "vary",
+        }
+    }
+
+    /// The command that goes on with it.
+    const fn command(self) -> &'static str {
+        match self {
+            Self::Sweep => "seacable sweep",
+            Self::Variation => "seacable study vary",
+        }
+    }
+}
+
+pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, CommandError> {
     if let Some(part) = args.slurm.part {
         return sweep_part::compute(args, part);
     }
@@ -54,6 +84,9 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    if args.no_store {
+        return unstored(args, page, file.as_ref(), &stop);
+    }
     let (sweep, folder, question, sought) = match &args.resume {
         Some(dir) => resumed(SweepFolder::open(dir))?,
         None => begun(args)?,
@@ -72,27 +105,48 @@ pub(super) fn sweep(args: &SweepArgs) -> Result<ExitCode, CommandError> {
         }
     } else {
         slurm_refusals::refuse_while_queued(&sweep, &folder)?;
-        compute(args, (&sweep, &question), &folder, &stop)?
+        compute(args, (&sweep, &question), Some(&folder), &stop)?
     };
     told(
-        args,
-        (&sweep, &folder, &question),
+        (args, page),
+        (&sweep, Some(&folder), &question),
         &outcomes,
         file.as_ref(),
         &stop,
     )
 }
 
+/// Computes and prints a sweep of which nothing is stored.
+fn unstored(
+    args: &SweepArgs,
+    page: SweepPage,
+    file: Option<&OutputFile<'_>>,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
+    let (variation, results, question) = planned(args)?;
+    let is_stored = !matches!(results, SweepResults::AtRest(_));
+    if is_stored && (!question.checks.is_empty() || question.statistics.until_settled) {
+        return Err(CommandError::Usage(READ_FROM_RUNS.to_owned()));
+    }
+    let sweep = sweep_seas::sweep(variation, results, &question);
+    let outcomes = compute(args, (&sweep, &question), None, stop)?;
+    let of = (&sweep, None, &question);
+    told((args, page), of, &outcomes, file, stop)
+}
+
 /// Writes and prints what became of the load cases, and what they say together.
 fn told(
-    args: &SweepArgs,
-    (sweep, folder, question): (&Sweep, &SweepFolder, &SeaQuestion),
+    (args, page): (&SweepArgs, SweepPage),
+    (sweep, folder, question): (&Sweep, Option<&SweepFolder>, &SeaQuestion),
     outcomes: &SweepOutcomes,
     file: Option<&OutputFile<'_>>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
     let cost = sweep_seas::cost(outcomes);
-    let results = sweep_seas::answers(sweep, outcomes, question);
+    let results = match (folder, outcomes) {
+        (None, SweepOutcomes::Runs(..)) => None,
+        _ => sweep_seas::answers(sweep, outcomes, question),
+    };
     let seas = results.as_ref().map(|results| SeasView {
         results,
         statistics: &question.statistics,
@@ -113,18 +167,21 @@ fn told(
     let results = view.results_table();
     let written = results.write_csv(&mut csv).map_err(std::io::Error::other);
     written.map_err(CommandError::Output)?;
-    if stop.status().is_none() {
+    if let Some(folder) = folder.filter(|_| stop.status().is_none()) {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
         folder.write_results(&csv).map_err(failed)?;
         if let Some(seas) = &seas {
             written_down(folder, (&view, seas))?.map_err(failed)?;
         }
     }
-    show(args, file, (&view, seas.as_ref(), cost), folder)?;
+    show((args, page), file, (&view, seas.as_ref(), cost), folder)?;
     if let Some(status) = stop.status() {
-        let dir = visible::path(folder.dir());
+        let goes_on = folder.map_or_else(String::new, |folder| {
+            let (command, dir) = (page.command(), visible::path(folder.dir()));
+            format!("; `{command} --resume {dir}` goes on")
+        });
         output::message(&format!(
-            "Stopped before all load cases were computed; `seacable sweep --resume {dir}` goes on."
+            "Stopped before all load cases were computed{goes_on}."
         ));
         return Ok(status);
     }
@@ -147,7 +204,12 @@ fn written_down(
         let written = table.write_csv(&mut text).map_err(std::io::Error::other);
         written.map_err(CommandError::Output).map(|()| text)
     };
-    let tables = page((view, Some(seas), None), REPORT_WIDTH, folder);
+    let tables = tables(
+        SweepPage::Sweep,
+        (view, Some(seas), None),
+        REPORT_WIDTH,
+        Some(folder),
+    );
     let texts = tables
         .iter()
         .map(|table| plain::ascii_table(table).to_text(REPORT_WIDTH));
@@ -167,40 +229,59 @@ type Found<'a> = (
 );
 
 /// The tables of the page: what the runs say together, the extremes, the load cases.
-fn page((view, seas, cost): Found<'_>, width: usize, folder: &SweepFolder) -> Vec<Table> {
+fn tables(
+    page: SweepPage,
+    (view, seas, cost): Found<'_>,
+    width: usize,
+    folder: Option<&SweepFolder>,
+) -> Vec<Table> {
+    let all_rows = page == SweepPage::Variation;
+    let seas = seas.filter(|seas| !all_rows || seas.is_asked_for());
     let mut tables: Vec<Table> = seas.map(SeasView::tables).unwrap_or_default();
-    tables.push(view.extremes());
+    if !all_rows {
+        tables.push(view.extremes());
+    }
     // Of seeds the sea is what is asked for; each run stands in results.csv.
     let of_seeds = seas.is_some_and(SeasView::has_seeds);
     match view.points() {
+        _ if all_rows => tables.extend(view.tables(width)),
         0..=MOST_ROWS if !of_seeds => tables.extend(view.tables(width)),
         _ => tables.extend(view.failures()),
     }
     if let Some(last) = tables.last_mut() {
-        let dir = visible::path(folder.dir());
         last.notes.extend(cost);
-        last.notes
-            .push(format!("The sweep is {dir}; its runs stand beside it."));
+        last.notes.extend(folder.map(|folder| stored(view, folder)));
     }
     tables
 }
 
+/// Where a sweep is stored, in words.
+fn stored(view: &VariationView<'_>, folder: &SweepFolder) -> String {
+    let dir = visible::path(folder.dir());
+    match view.has_runs() {
+        true => {
+            format!("The sweep is {dir}; its table is results.csv, and its runs stand beside it.")
+        }
+        false => format!("The sweep is {dir}; its table is results.csv."),
+    }
+}
+
 /// Prints the verdict, the seas, the extremes, the load cases and the charts.
 fn show(
-    args: &SweepArgs,
+    (args, page): (&SweepArgs, SweepPage),
     file: Option<&OutputFile<'_>>,
     (view, seas, cost): Found<'_>,
-    folder: &SweepFolder,
+    folder: Option<&SweepFolder>,
 ) -> Result<(), CommandError> {
     let width = output::page_width(args.page.width);
-    let tables = page((view, seas, cost), width, folder);
+    let tables = tables(page, (view, seas, cost), width, folder);
     // A result against seeds is no curve.
     let charts = match seas.is_some_and(SeasView::has_seeds) {
         true => Vec::new(),
         false => view.charts(),
     };
     print(
-        "sweep",
+        page.study(),
         &args.page,
         file,
         (&tables, &view.csv_table()),
@@ -211,8 +292,28 @@ fn show(
 /// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
 pub(super) type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
 
-/// A new sweep.
+/// A new sweep in its folder.
 fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
+    let (variation, results, question) = planned(args)?;
+    slurm_refusals::check(args, &results)?;
+    if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
+        return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
+    }
+    if let Some(word) = &args.window {
+        sweep_window::begun(word, &variation, &question)?;
+    }
+    let shown = (results.names(), args.window.as_deref());
+    let folder = SweepFolder::create(args.out.as_deref(), &variation, shown);
+    let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
+    let sweep = sweep_seas::sweep(variation, results, &question);
+    Ok((sweep, folder, question, args.window.clone()))
+}
+
+/// What a sweep computes and shows, and what is asked of all its load cases together.
+type Planned = (Variation, SweepResults, SeaQuestion);
+
+/// The load cases of a file and of the options.
+fn planned(args: &SweepArgs) -> Result<Planned, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     cases::allow_values(&args.vary);
     let mut csv = Vec::with_capacity(args.load_cases.len());
@@ -237,19 +338,8 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
         let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
         return Err(CommandError::Usage(what.to_owned()));
     }
-    slurm_refusals::check(args, &results)?;
     let variation = Variation::of_load_cases(base, load_cases);
-    if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
-        return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
-    }
-    if let Some(word) = &args.window {
-        sweep_window::begun(word, &variation, &question)?;
-    }
-    let shown = (results.names(), args.window.as_deref());
-    let folder = SweepFolder::create(args.out.as_deref(), &variation, shown);
-    let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
-    let sweep = sweep_seas::sweep(variation, results, &question);
-    Ok((sweep, folder, question, args.window.clone()))
+    Ok((variation, results, question))
 }
 
 /// What is computed at the load cases, these, the results shown, and what is asked of all together.
@@ -352,7 +442,7 @@ fn no_result(why: &str) -> CommandError {
 pub(super) fn compute(
     args: &SweepArgs,
     (sweep, question): (&Sweep, &SeaQuestion),
-    folder: &SweepFolder,
+    folder: Option<&SweepFolder>,
     stop: &StopFlag,
 ) -> Result<SweepOutcomes, CommandError> {
     let pool = pool(args)?;
@@ -363,9 +453,9 @@ pub(super) fn compute(
                 line.show(&words(progress, begun.elapsed().as_secs_f64()));
             }
         };
-        match question.statistics.until_settled {
-            true => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
-            false => sweep.compute(folder, stop.cancel(), &told),
+        match folder.filter(|_| question.statistics.until_settled) {
+            Some(folder) => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
+            None => sweep.compute(folder, stop.cancel(), &told),
         }
     }))
 }

@@ -51,6 +51,10 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
 
+    /// Store nothing, neither the folder nor runs; a file with checks is refused, which are read from stored runs.
+    #[arg(long, conflicts_with_all = ["resume", "out", "window", "until_settled", "slurm", "part"])]
+    pub(super) no_store: bool,
+
     #[command(flatten)]
     pub(super) slurm: SlurmArgs,
 

@@ -45,7 +45,7 @@ pub(super) fn window(
             variation.points.len()
         ));
         let own = sweep_seas::sweep(variation, sweep.results.clone(), question);
-        let outcomes = compute(args, (&own, question), &of_round, stop)?;
+        let outcomes = compute(args, (&own, question), Some(&of_round), stop)?;
         if let Some(status) = stop.status() {
             let dir = visible::path(folder.dir());
             output::message(&format!(

@@ -383,6 +383,12 @@ impl SeasView<'_> {
         seas.any(|sea| sea.load_cases.len() > 1)
     }
 
+    /// Whether load cases say more together than each by itself: there are checks, or seeds.
+    #[must_use]
+    pub fn is_asked_for(&self) -> bool {
+        self.has_seeds() || !self.results.checks.is_empty()
+    }
+
     /// The worst verdict of all checks; nothing where there are none with load cases.
     #[must_use]
     pub fn worst(&self) -> Option<Verdict> {

@@ -59,6 +59,12 @@ impl VariationView<'_> {
         self.outcomes.len()
     }
 
+    /// Whether the points are runs, which may be stored.
+    #[must_use]
+    pub const fn has_runs(&self) -> bool {
+        self.runs
+    }
+
     /// The points that failed and why, up to a hundred; nothing where none did.
     #[must_use]
     pub fn failures(&self) -> Option<Table> {

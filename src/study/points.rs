@@ -224,17 +224,15 @@ pub struct PointProgress<'a> {
     pub outcome: &'a PointOutcome,
 }
 
-/// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores their runs below a directory
-/// where one is given. A point that fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no
-/// further one begins; a point that did not begin has no outcome.
+/// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores nothing; points whose runs are
+/// stored are a [sweep](super::sweep). A point that fails stops no other. Once `cancel` is set no further one begins; a point that did not
+/// begin has no outcome.
 pub fn compute<J: Into<PointJob> + Send>(
     requests: Vec<Result<J, String>>,
-    store: Option<&Path>,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Vec<Option<PointOutcome>> {
-    let place = store.map(|root| RunLocation::Below(root.to_owned()));
-    let compute = |request: Result<J, String>| outcome(request?.into(), place.as_ref(), cancel);
+    let compute = |request: Result<J, String>| outcome(request?.into(), None, cancel);
     side_by_side(requests, cancel, compute, |done, of, index, outcome| {
         progress(PointProgress {
             done,

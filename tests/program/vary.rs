@@ -1,6 +1,6 @@
 //! `seacable study vary`: ranges, grids, failures, stored runs.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -8,7 +8,7 @@ use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
 use seacable::run::{RunState, store};
 use seacable::study::points::{self, BaseCase};
-use seacable::study::vary::Variation;
+use seacable::study::vary::{Variation, VariedKey};
 
 use crate::small::SMALL;
 
@@ -31,6 +31,16 @@ fn vary(dir: &Path, words: &[&str]) -> Command {
     let mut command = seacable(dir);
     command.args(["study", "vary", "small.toml"]).args(words);
     command
+}
+
+/// The folders of sweeps among the runs.
+fn sweeps(dir: &Path) -> Vec<PathBuf> {
+    let Ok(listed) = std::fs::read_dir(dir.join("runs")) else {
+        return Vec::new();
+    };
+    let all = listed.map(|item| item.unwrap().path());
+    all.filter(|path| path.join("sweep.toml").is_file())
+        .collect()
 }
 
 fn printed(mut command: Command) -> String {
@@ -58,7 +68,7 @@ fn a_key_over_a_range_gives_a_table_a_chart_and_stored_runs() {
         " +/- ",
         "OK",
         "CPU time",
-        "3 runs are stored below runs",
+        "its table is results.csv",
         "tension_n.max against payload.wet_mass_kg",
     ] {
         assert!(text.contains(word), "{word} is missing in\n{text}");
@@ -67,6 +77,11 @@ fn a_key_over_a_range_gives_a_table_a_chart_and_stored_runs() {
         text.is_ascii() && text.lines().all(|line| line.len() <= 80),
         "{text}"
     );
+    let [sweep] = &sweeps(dir.path())[..] else {
+        panic!("{text}")
+    };
+    let table = std::fs::read_to_string(sweep.join("results.csv")).unwrap();
+    assert_eq!(table.lines().count(), 4, "{table}");
     let stored = store::list(&dir.path().join("runs")).unwrap();
     let mut set: Vec<String> = stored
         .iter()
@@ -215,12 +230,74 @@ fn what_is_wrong_is_named_before_anything_is_computed() {
     assert!(!dir.path().join("runs").exists());
 }
 
+/// One engine: both commands make the same table, and either goes on with what the other began.
+#[test]
+fn it_is_a_sweep_with_the_rows_of_all_points() {
+    let dir = place();
+    let words = [
+        "small.toml",
+        "--vary",
+        "payload.wet_mass_kg=300,400",
+        "--vary",
+        "solver.duration_s=2,3",
+        "--jobs",
+        "1",
+        "--csv",
+        "--out",
+    ];
+    let made = |command: &[&str], out: &str| {
+        let mut command = {
+            let mut made = seacable(dir.path());
+            made.args(command).args(words).arg(out);
+            made
+        };
+        command.assert().success();
+        let folder = dir.path().join(out);
+        std::fs::read_to_string(folder.join("results.csv")).unwrap()
+    };
+    let varied = made(&["study", "vary"], "same");
+    for name in std::fs::read_dir(dir.path()).unwrap() {
+        let path = name.unwrap().path();
+        if path.is_dir() {
+            std::fs::remove_dir_all(path).unwrap();
+        }
+    }
+    assert_eq!(varied, made(&["sweep"], "same"));
+    // A run that is gone is computed again.
+    std::fs::remove_dir_all(dir.path().join("same-0003")).unwrap();
+    let mut again = seacable(dir.path());
+    again.args(["study", "vary", "--resume", "same", "--csv"]);
+    let csv = printed(again);
+    assert_eq!(csv.lines().count(), 5, "{csv}");
+    let table = std::fs::read_to_string(dir.path().join("same/results.csv")).unwrap();
+    assert_eq!(varied, table);
+}
+
+#[test]
+fn what_is_read_from_stored_runs_is_not_left_unstored() {
+    let dir = place();
+    let check = "\n[[checks]]\nname = \"strength\"\nkind = \"safety-factor\"\nfactor = 1.5\nbreak_load_n = 1e6\n";
+    let text = std::fs::read_to_string(dir.path().join("small.toml")).unwrap();
+    std::fs::write(dir.path().join("small.toml"), text + check).unwrap();
+    let words = ["--vary", "payload.wet_mass_kg=300,400"];
+    let refused = vary(dir.path(), &[&words[..], &["--no-store"]].concat())
+        .assert()
+        .code(2);
+    refused.stderr(contains("leave out --no-store"));
+    let text = printed(vary(dir.path(), &words));
+    assert!(
+        text.contains("Verdict") && text.contains("400 kg"),
+        "{text}"
+    );
+}
+
 #[test]
 fn cancelled_points_have_no_outcome() {
     let base = BaseCase::new(SMALL, "small.toml");
-    let variation = Variation::grid(base, &["payload.wet_mass_kg=300..500/21"]).unwrap();
+    let key = VariedKey::parse("payload.wet_mass_kg=300..500/21", SMALL).unwrap();
+    let variation = Variation::of_keys(base, vec![key]).unwrap();
     let (cancel, seen) = (AtomicBool::new(false), Mutex::new(0));
-    let outcomes = points::compute(variation.requests(), None, &cancel, &|progress| {
+    let outcomes = points::compute(variation.requests(), &cancel, &|progress| {
         assert_eq!(progress.of, 21);
         *seen.lock().unwrap() += 1;
         cancel.store(true, Ordering::Relaxed);
@@ -240,7 +317,7 @@ fn system(words: &[&str]) -> (tempfile::TempDir, Command) {
 }
 
 #[test]
-fn a_system_over_a_range_gives_a_table_and_charts_and_stores_nothing() {
+fn a_system_over_a_range_gives_a_table_and_charts_and_stores_the_table_alone() {
     let (dir, command) = system(&["--vary", "lines.mooring.length_m=890..910 m/3", "--ascii"]);
     let text = printed(command);
     for word in [
@@ -255,11 +332,18 @@ fn a_system_over_a_range_gives_a_table_and_charts_and_stores_nothing() {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     // What only runs have, and bars of rounding errors.
-    for word in ["CPU time", "stored", "error bars"] {
+    for word in ["CPU time", "its runs", "error bars"] {
         assert!(!text.contains(word), "{word} in\n{text}");
     }
     assert!(text.is_ascii(), "{text}");
-    assert!(!dir.path().join("runs").exists());
+    assert!(store::list(&dir.path().join("runs")).unwrap().is_empty());
+    let [sweep] = &sweeps(dir.path())[..] else {
+        panic!("{text}")
+    };
+    let table = std::fs::read_to_string(sweep.join("results.csv")).unwrap();
+    assert_eq!(table.lines().count(), 4, "{table}");
+    let (dir, command) = system(&["--vary", "lines.mooring.length_m=890,900", "--no-store"]);
+    assert!(printed(command).contains("890 m") && !dir.path().join("runs").exists());
 }
 
 #[test]

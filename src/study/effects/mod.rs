@@ -40,7 +40,7 @@ pub fn compute(
     let (inputs, skipped) = varied_inputs(&base.base.text);
     let settings = inputs.iter().flat_map(VariedInput::settings);
     let requests = settings.map(|setting| base.base.request(&[setting]));
-    let computed = points::compute(requests.collect(), None, cancel, progress);
+    let computed = points::compute(requests.collect(), cancel, progress);
     let mut computed = computed.into_iter();
     let outcomes = inputs
         .iter()

@@ -66,7 +66,7 @@ pub fn compute(
     let requests = present
         .iter()
         .map(|(part, case)| request(&base, part, case));
-    let outcomes = points::compute(requests.collect(), None, cancel, progress);
+    let outcomes = points::compute(requests.collect(), cancel, progress);
     let variants = present.into_iter().zip(outcomes);
     let variants = variants.map(|((part, _), outcome)| PhysicsVariant { part, outcome });
     Ok(PhysicsStudy {

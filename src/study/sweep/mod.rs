@@ -63,11 +63,12 @@ pub struct SweepProgress {
 }
 
 impl Sweep {
-    /// Computes the load cases side by side on the threads of the caller's pool, and stores their runs beside the folder. A load case that
-    /// fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no further one begins.
+    /// Computes the load cases side by side on the threads of the caller's pool, and stores their runs beside the folder where one is
+    /// given. A load case that fails stops no other, unless its run cannot be stored, which sets `cancel`. Once that is set no further one
+    /// begins.
     pub fn compute(
         &self,
-        folder: &SweepFolder,
+        folder: Option<&SweepFolder>,
         cancel: &AtomicBool,
         told: &(dyn Fn(SweepProgress) + Sync),
     ) -> SweepOutcomes {
@@ -97,13 +98,13 @@ impl Sweep {
     /// Computes some load cases: each with what became of it, in their order.
     fn compute_some(
         &self,
-        folder: &SweepFolder,
+        folder: Option<&SweepFolder>,
         wanted: &[usize],
         cancel: &AtomicBool,
         told: &(dyn Fn(SweepProgress) + Sync),
     ) -> Vec<(usize, Option<PointOutcome>)> {
         let progress = |done, of, stored| told(SweepProgress { done, stored, of });
-        let mut known = self.stored(folder, wanted);
+        let mut known = folder.map_or_else(BTreeMap::new, |folder| self.stored(folder, wanted));
         let count = known.len();
         let left = wanted
             .iter()
@@ -111,8 +112,8 @@ impl Sweep {
             .filter(|index| !known.contains_key(index));
         let left: Vec<usize> = left.collect();
         let compute = |index: usize| {
-            let place = RunLocation::Exactly(folder.run(index));
-            points::outcome(self.job(index)?, Some(&place), cancel)
+            let place = folder.map(|folder| RunLocation::Exactly(folder.run(index)));
+            points::outcome(self.job(index)?, place.as_ref(), cancel)
         };
         progress(count, wanted.len(), count);
         let computed = side_by_side(left.clone(), cancel, compute, |done, of, _, _| {

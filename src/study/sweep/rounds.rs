@@ -21,7 +21,7 @@ impl Sweep {
         told: &(dyn Fn(SweepProgress) + Sync),
     ) -> SweepOutcomes {
         let (SweepResults::Line(ids) | SweepResults::InTime(ids)) = &self.results else {
-            return self.compute(folder, cancel, told);
+            return self.compute(Some(folder), cancel, told);
         };
         let count = self.variation.points.len();
         let mut outcomes: Vec<Option<PointOutcome>> = vec![None; count];
@@ -46,7 +46,7 @@ impl Sweep {
                     of: before + progress.of,
                 });
             };
-            for (index, outcome) in self.compute_some(folder, &wanted, cancel, &told) {
+            for (index, outcome) in self.compute_some(Some(folder), &wanted, cancel, &told) {
                 runs[index] = outcome.as_ref().and_then(StoredRun::of);
                 outcomes[index] = outcome;
             }

@@ -1,8 +1,7 @@
 //! A case computed at many points: keys varied over ranges, alone or as a grid.
 //!
-//! [`Variation`] says what is computed, [`compute`](super::points::compute) computes its [`Variation::requests`], and
-//! [`report::variation`](crate::report::variation) shows the results. Points need not be a grid: each is a list of settings of its own,
-//! so that a [sweep](super::sweep) over load cases is a [`Variation`] with other points.
+//! [`Variation`] says what is computed, a [sweep](super::sweep) computes it, and [`report::variation`](crate::report::variation) shows the
+//! results. Points need not be a grid: each is a list of settings of its own, so that load cases are points as well.
 
 mod error;
 mod key;
@@ -15,9 +14,8 @@ pub use key::VariedKey;
 
 use super::points::{BaseCase, Point, PointRequest, Setting};
 use crate::case::load_cases::LoadCases;
-use crate::case::{StudyValue, ValueRange, kind};
+use crate::case::{StudyValue, ValueRange};
 use crate::limits::POINTS;
-use crate::system::SystemFile;
 
 /// A case and the points at which it is computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,27 +33,6 @@ pub struct Variation {
 }
 
 impl Variation {
-    /// The full product of the values of some keys, each given as `KEY=VALUES` ([`ValueRange`]); the last key varies fastest.
-    ///
-    /// # Errors
-    /// A key that is not known or given twice, values that it cannot have, or too many points.
-    pub fn grid<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
-        let read = |word: &S| VariedKey::parse(word.as_ref(), &base.text);
-        let keys = words.iter().map(read).collect::<Result<_, _>>()?;
-        Self::of_keys(base, keys)
-    }
-
-    /// The same of a system of lines, whose text is the base.
-    ///
-    /// # Errors
-    /// As [`Self::grid`].
-    pub fn of_system<S: AsRef<str>>(base: BaseCase, words: &[S]) -> Result<Self, VariationError> {
-        let field = |path: &str| kind::field::<SystemFile>(&base.text, path);
-        let read = |word: &S| VariedKey::parse_by(word.as_ref(), field);
-        let keys = words.iter().map(read).collect::<Result<_, _>>()?;
-        Self::of_keys(base, keys)
-    }
-
     /// The full product of the values of some keys; the last key varies fastest.
     ///
     /// # Errors
@@ -166,10 +143,17 @@ mod tests {
         BaseCase::new(text, path)
     }
 
+    fn grid(words: &[&str]) -> Result<Variation, VariationError> {
+        let base = base();
+        let keys = words.iter().map(|word| VariedKey::parse(word, &base.text));
+        let keys = keys.collect::<Result<_, _>>()?;
+        Variation::of_keys(base, keys)
+    }
+
     #[test]
     fn two_keys_make_a_grid() {
         let words = ["current.speed_m_per_s=0.2..0.4/3", "line.wire.segments=2,4"];
-        let variation = Variation::grid(base(), &words).unwrap();
+        let variation = grid(&words).unwrap();
         assert_eq!(variation.points.len(), 6);
         let requests = variation.requests();
         let last = requests[5].as_ref().unwrap();
@@ -182,7 +166,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_varied_is_named() {
-        let fault = |words: &[&str]| Variation::grid(base(), words).unwrap_err().to_string();
+        let fault = |words: &[&str]| grid(words).unwrap_err().to_string();
         for (words, why) in [
             (&["current.sped_m_per_s=1,2"][..], "did you mean"),
             (&["current.speed_m_per_s"], "KEY=A..B/N"),
