@@ -370,7 +370,7 @@ fn what_cannot_be_swept_or_resumed_is_said() {
     refused(&["small.toml", "--resume", "s"], "cannot be used with");
     refused(
         &["small.toml", "--vary", "payload.dry_mas_kg=1,2"],
-        "did you mean `payload.dry_mass_kg`?",
+        "did you mean `dry_mass_kg`?",
     );
     refused(
         &["small.toml", "--vary", "solver.duration_s=1,2"],
