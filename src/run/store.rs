@@ -58,7 +58,7 @@ pub use lock::is_locked;
 pub(crate) use lock::{DirectoryLock, lock_directory};
 pub use notes::RunNotes;
 pub(crate) use read::sealed_checkpoint;
-pub use read::{case_text, read, read_info, read_results, resume};
+pub use read::{case_text, channel_extremes, read, read_info, read_results, resume};
 pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;

@@ -39,6 +39,14 @@ table! {
     }
 }
 
+impl StatisticsInputs {
+    /// The time from where the start is over to the end of a run of a duration \[s\]; nothing where no start is left out.
+    #[must_use]
+    pub fn settled_window(&self, duration_s: f64) -> Option<[f64; 2]> {
+        (self.from_s > 0.0 && self.from_s < duration_s).then_some([self.from_s, duration_s])
+    }
+}
+
 words! {
     /// What a check compares.
     #[derive(Hash)]

@@ -64,6 +64,27 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     Ok(run)
 }
 
+/// Reads the channels of a stored run with the extremes over all its steps and their times, without rows; extremes that are not known
+/// yet are NaN.
+///
+/// # Errors
+/// A table that cannot be understood.
+pub fn channel_extremes(dir: &Path) -> Result<Vec<Channel>, StoreError> {
+    let mut reader = RunReader {
+        dir,
+        whole: true,
+        warnings: Vec::new(),
+    };
+    let channels = reader.channels();
+    match reader.warnings.into_iter().next() {
+        None => Ok(channels),
+        Some(reason) => Err(StoreError::Damaged {
+            file: dir.join(CHANNELS),
+            reason,
+        }),
+    }
+}
+
 /// Reads the checkpoint of a run.
 ///
 /// # Errors

@@ -155,7 +155,8 @@ impl Marching {
         let method = Method::new(settings, &system, &state);
         Self {
             bodies: method.bodies().to_vec(),
-            recorder: Recorder::new(&system, settings.interval_s),
+            recorder: Recorder::new(&system, settings.interval_s)
+                .settled_from(settings.settled_from_s),
             march: March {
                 duration: settings.duration_s,
                 step: settings.time_step_s,
@@ -349,13 +350,15 @@ impl Marching {
     ) -> MotionRun {
         let recorder = self.recorder;
         let summaries = recorder.summaries();
-        let channels = recorder.channels().iter().zip(summaries);
-        let channel = |(id, summary): (&ChannelId, ChannelSummary)| ChannelResult {
-            id: id.clone(),
-            summary,
-            time_error: None,
-            mesh_error: None,
-        };
+        let channels = recorder.channels().iter().zip(summaries).enumerate();
+        let channel =
+            |(number, (id, summary)): (usize, (&ChannelId, ChannelSummary))| ChannelResult {
+                id: id.clone(),
+                summary,
+                settled: recorder.settled(number),
+                time_error: None,
+                mesh_error: None,
+            };
         let (state, failure) = match ended {
             None => (RunState::Done, None),
             Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),

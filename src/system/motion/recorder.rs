@@ -81,6 +81,9 @@ pub struct RecorderState {
     last_energy: Energy,
     balance: EnergyBalance,
     summaries: Vec<ChannelSummary>,
+    /// Least and greatest values after the start; empty where it is not left out.
+    #[serde(default)]
+    settled: Vec<[f64; 2]>,
     steps: Vec<Step>,
 }
 
@@ -96,7 +99,8 @@ impl RecorderState {
     pub fn fits(&self, channels: usize) -> bool {
         let steps = self.steps.iter().map(|step| step.values.len());
         let mut sizes = steps.chain([self.sums.len(), self.summaries.len()]);
-        !self.steps.is_empty() && sizes.all(|size| size == channels)
+        let settled = [0, channels].contains(&self.settled.len());
+        !self.steps.is_empty() && settled && sizes.all(|size| size == channels)
     }
 }
 
@@ -115,6 +119,9 @@ pub struct Recorder {
     steps: Vec<Step>,
     sums: Vec<f64>,
     summaries: Vec<ChannelSummary>,
+    /// From when on \[s\] the extremes are kept apart, and these; empty where they are not.
+    settled_from: f64,
+    settled: Vec<[f64; 2]>,
     last_energy: Energy,
     /// The energy balance so far.
     pub balance: EnergyBalance,
@@ -146,6 +153,8 @@ impl Recorder {
             steps: Vec::new(),
             sums: vec![0.0; n],
             summaries: vec![nothing; n],
+            settled_from: f64::INFINITY,
+            settled: Vec::new(),
             last_energy: Energy::default(),
             balance: EnergyBalance::default(),
             energy_at_start: 0.0,
@@ -153,6 +162,23 @@ impl Recorder {
             passed: 0.0,
             fault: None,
         }
+    }
+
+    /// The same, which keeps the extremes from a time on \[s\] apart where one is given.
+    #[must_use]
+    pub fn settled_from(mut self, from: Option<f64>) -> Self {
+        // Nothing is seen yet: not infinite numbers, since a checkpoint is finite.
+        let nothing = from.map(|_| vec![[f64::MAX, f64::MIN]; self.sums.len()]);
+        self.settled = nothing.unwrap_or_default();
+        self.settled_from = from.unwrap_or(f64::INFINITY);
+        self
+    }
+
+    /// Least and greatest value of a channel at the steps from that time on; nothing where there are none.
+    #[must_use]
+    pub fn settled(&self, channel: usize) -> Option<[f64; 2]> {
+        let found = self.settled.get(channel).copied();
+        found.filter(|[least, greatest]| least <= greatest)
     }
 
     /// Why the run cannot go on: the first value that is not finite, with its time.
@@ -173,6 +199,7 @@ impl Recorder {
             last_energy: self.last_energy,
             balance: self.balance,
             summaries: self.summaries.clone(),
+            settled: self.settled.clone(),
             steps: self.steps.clone(),
         }
     }
@@ -187,6 +214,7 @@ impl Recorder {
         self.last_energy = stored.last_energy;
         self.balance = stored.balance;
         self.summaries.clone_from(&stored.summaries);
+        self.settled.clone_from(&stored.settled);
         self.steps.clone_from(&stored.steps);
     }
 
@@ -307,6 +335,7 @@ impl Recorder {
     fn summarise(&mut self, step: &Step) {
         let before = self.steps.last();
         let before = before.filter(|before| step.time > before.time);
+        let is_settled = step.time >= self.settled_from * (1.0 - 1e-12);
         for (k, value) in step.values.iter().enumerate() {
             let summary = &mut self.summaries[k];
             if *value < summary.least.0 {
@@ -316,6 +345,9 @@ impl Recorder {
                 summary.greatest = (*value, step.time);
             }
             summary.last = *value;
+            if let Some([least, greatest]) = self.settled.get_mut(k).filter(|_| is_settled) {
+                (*least, *greatest) = (least.min(*value), greatest.max(*value));
+            }
             if let Some(before) = before {
                 self.sums[k] += 0.5 * (value + before.values[k]) * (step.time - before.time);
             }

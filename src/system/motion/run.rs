@@ -70,6 +70,8 @@ pub struct ChannelResult {
     pub id: ChannelId,
     /// Over the whole run.
     pub summary: ChannelSummary,
+    /// Least and greatest value at the steps after the start that checks leave out; nothing where none is.
+    pub settled: Option<[f64; 2]>,
     /// Errors of the least, greatest, mean and last value by the time steps; nothing where they are not estimated.
     pub time_error: Option<[f64; 4]>,
     /// The same by the mesh.
@@ -113,7 +115,11 @@ pub(super) fn run_stored(
 ) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
-    let settings = MotionSettings::new(given, interval, &begun.system);
+    let window = solved.file.statistics.settled_window(given.duration_s);
+    let settings = MotionSettings {
+        settled_from_s: window.map(|[from, _]| from),
+        ..MotionSettings::new(given, interval, &begun.system)
+    };
     let steps = settings.duration_s / settings.time_step_s;
     if STEPS.is_exceeded_by(steps) {
         return Err(UnsolvedSystem {
