@@ -85,6 +85,8 @@ impl SpotCounter {
         self.area += 0.5 * (time - self.until) * (last.value + value);
         self.until = time;
         if value == last.value {
+            // The neighbour of what follows is the last of equal values.
+            self.latest = Some(Reversal { time, value });
             self.is_level = true;
             return Ok(());
         }

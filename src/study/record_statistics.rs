@@ -328,7 +328,7 @@ pub fn fatigue(
 }
 
 /// The standard error of a mean by the scatter of three values or more.
-fn scatter(values: &[f64]) -> Option<f64> {
+pub(crate) fn scatter(values: &[f64]) -> Option<f64> {
     let n = values.len() as f64;
     let spread = (variance(values, mean(values)) / (n - 1.0)).sqrt();
     (values.len() > 2).then_some(spread)

@@ -476,3 +476,80 @@ fn the_greatest_value_of_a_run_is_that_of_all_its_steps() {
         }
     }
 }
+
+/// Damage along a line is that of its recorded end at that end, names where it governs, and goes on after a kill to the same bits.
+#[test]
+fn fatigue_is_counted_along_the_lines() {
+    let dir = tempfile::tempdir().unwrap();
+    let check = |name: &str, more: &str| {
+        format!(
+            "[[checks]]\nname = \"{name}\"\nkind = \"fatigue\"\ncurve = \"dnv-studless-chain\"\n{more}\n"
+        )
+    };
+    let text = CHAIN.replace("[output]", "[output]\ninterval_s = 0.02");
+    let along = check("along", "along = true");
+    let text = format!("{text}\n{}{along}", check("ends", ""));
+    fs::write(dir.path().join("chain.toml"), text).unwrap();
+    let words = ["chain.toml", "--vary", "waves.1.seed=1..3/3", "--out", "s"];
+    let (_, out, err) = sweep(dir.path(), &words);
+    let checks = fs::read_to_string(dir.path().join("s/checks.csv"));
+    let checks = checks.unwrap_or_else(|why| panic!("{why}: {out}{err}"));
+    let mut reader = csv::Reader::from_reader(checks.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let damage = |check: &str, place: &str| {
+        let mut found = rows.iter();
+        let row = found.find(|row| &row[0] == check && &row[column("place")] == place);
+        let row = row.unwrap_or_else(|| panic!("{check} {place}: {checks}"));
+        row[column("load")].parse::<f64>().unwrap()
+    };
+    for (end, place) in [("chain|a", "chain|0 m"), ("chain|b", "chain|110 m")] {
+        let (recorded, counted) = (damage("ends", end), damage("along", place));
+        assert!(
+            (counted / recorded - 1.0).abs() < 0.02,
+            "{end}: {recorded} {counted}"
+        );
+    }
+    let places = rows.iter().filter(|row| &row[0] == "along");
+    let places: Vec<&str> = places.map(|row| &row[column("place")]).collect();
+    assert_eq!(places.len(), 11, "{places:?}");
+    assert_eq!(places[..3], ["chain|0 m", "chain|11 m", "chain|22 m"]);
+    assert!(out.contains("along [2]"), "{out}");
+    // A run that was lost is computed again, to the same damage.
+    let spots = fs::read(dir.path().join("s-0002/fatigue.csv")).unwrap();
+    fs::remove_dir_all(dir.path().join("s-0002")).unwrap();
+    sweep(dir.path(), &["--resume", "s"]);
+    assert_eq!(
+        fs::read(dir.path().join("s-0002/fatigue.csv")).unwrap(),
+        spots
+    );
+    assert_eq!(
+        fs::read_to_string(dir.path().join("s/checks.csv")).unwrap(),
+        checks
+    );
+}
+
+#[test]
+fn what_fatigue_along_a_line_cannot_take_is_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let refused = |more: &str, why: &str| {
+        let check = "\n[[checks]]\nkind = \"fatigue\"\ncurve = \"dnv-studless-chain\"\n";
+        fs::write(
+            dir.path().join("chain.toml"),
+            format!("{CHAIN}{check}{more}"),
+        )
+        .unwrap();
+        let (status, _, err) = sweep(dir.path(), &["chain.toml", "--vary", "waves.1.seed=1,2"]);
+        assert!(status == Some(2) && err.contains(why), "{more}: {err}");
+    };
+    refused(
+        "units = [\"tube\"]\n",
+        "of the units of a cross-section, which is not given",
+    );
+    refused("section = \"none.toml\"\n", "none.toml");
+    refused("section = \"none\"\n", "is no file");
+    let again =
+        "along = true\n[[checks]]\nkind = \"fatigue\"\ncurve = \"dnv-stud-chain\"\nalong = true\n";
+    refused(again, "has the same name");
+}

@@ -73,6 +73,17 @@ words! {
 }
 
 words! {
+    /// How the units of a cross-section move against each other where it bends.
+    #[derive(Hash)]
+    pub enum UnitSlip {
+        /// Each bends about its own axis alone: the lower bound of the stress.
+        Full = "full-slip",
+        /// Plane sections stay plane: the upper bound.
+        None = "full-stick",
+    }
+}
+
+words! {
     /// Which load cases a check is for.
     #[derive(Default, Hash)]
     pub enum CheckCondition {
@@ -137,6 +148,14 @@ table! {
         limit_m: Option<f64>, "limit", range positive(1e6), absent "not used";
         /// Fatigue curve, by the name of a published one (`seacable statistics --curves` lists them) or a file NAME.toml.
         curve: Option<String>, "fatigue curve", absent "not used";
+        /// Whether fatigue is counted at every node along the lines, while they are computed, not at the recorded places alone.
+        along: bool = false, "along the line";
+        /// Cross-section in whose units fatigue is counted along the line, of tension and bending: a file NAME.toml.
+        section: Option<String>, "cross-section", absent "the tension of the line";
+        /// Which of its units, or layers, by name.
+        units: Option<Vec<String>>, "units", absent "all whose area is known";
+        /// How these units move against each other where it bends.
+        slip: Option<UnitSlip>, "slip of the units", absent "full-stick";
         /// Nominal diameter, for curves of stress.
         diameter_m: Option<f64>, "diameter", range positive(10.0), absent "that of the material";
     }

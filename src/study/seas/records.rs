@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
-use crate::run::store::{ChannelRows, StoreError, channel_extremes, channel_rows};
+use crate::run::along::FatigueSpot;
+use crate::run::store::{ChannelRows, StoreError, channel_extremes, channel_rows, fatigue_spots};
 use crate::run::{Channel, Quantity};
 use crate::study::record_statistics::ChannelRecord;
 
@@ -55,6 +56,8 @@ pub struct RunRecord {
     extremes: Vec<Channel>,
     /// From when on the record counts \[s\].
     from: f64,
+    /// The damage along the lines, where checks count it.
+    pub(super) along: Vec<FatigueSpot>,
     /// The horizontal places of points and bodies at time zero \[m\].
     start: Vec<(ChannelId, f64)>,
 }
@@ -90,6 +93,7 @@ impl RunRecord {
             rows,
             summary: summary.to_vec(),
             extremes: channel_extremes(dir)?,
+            along: fatigue_spots(dir)?,
             from,
             start,
         })

@@ -109,6 +109,7 @@ pub fn execute(
             shapes: Vec::new(),
             profile: Profile::default(),
             summary: Vec::new(),
+            fatigue: Vec::new(),
         },
     }
 }
@@ -142,6 +143,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
         shapes: Vec::new(),
         profile: Profile::default(),
         summary,
+        fatigue: computed.fatigue,
     }
 }
 

@@ -2,12 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::along::LinesAlong;
 use super::body_equation::MovingBody;
 use super::channels::Channels;
 use super::energy::{Energy, energy};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::case::ChannelId;
+use crate::fatigue::spot::SpotCounter;
 use crate::run::{DecimatedRecord, History};
 
 /// A channel over the whole run.
@@ -84,6 +86,9 @@ pub struct RecorderState {
     /// Least and greatest values after the start; empty where it is not left out.
     #[serde(default)]
     settled: Vec<[f64; 2]>,
+    /// Cycles counted along the lines.
+    #[serde(default)]
+    fatigue: Vec<SpotCounter>,
     steps: Vec<Step>,
 }
 
@@ -122,6 +127,8 @@ pub struct Recorder {
     /// From when on \[s\] the extremes are kept apart, and these; empty where they are not.
     settled_from: f64,
     settled: Vec<[f64; 2]>,
+    /// What is counted along the lines.
+    along: LinesAlong,
     last_energy: Energy,
     /// The energy balance so far.
     pub balance: EnergyBalance,
@@ -155,6 +162,7 @@ impl Recorder {
             summaries: vec![nothing; n],
             settled_from: f64::INFINITY,
             settled: Vec::new(),
+            along: LinesAlong::default(),
             last_energy: Energy::default(),
             balance: EnergyBalance::default(),
             energy_at_start: 0.0,
@@ -172,6 +180,29 @@ impl Recorder {
         self.settled = nothing.unwrap_or_default();
         self.settled_from = from.unwrap_or(f64::INFINITY);
         self
+    }
+
+    /// The same, which counts cycles along the lines.
+    #[must_use]
+    pub fn counting(mut self, along: LinesAlong) -> Self {
+        self.along = along;
+        self
+    }
+
+    /// What is counted along the lines, at the end of the run.
+    #[must_use]
+    pub fn take_along(&mut self) -> LinesAlong {
+        std::mem::take(&mut self.along)
+    }
+
+    /// Whether what was recorded so far is of this run.
+    #[must_use]
+    pub fn fits(&self, stored: &RecorderState) -> bool {
+        let sound = |counter: &SpotCounter| counter.is_sound();
+        stored.fits(self.channels.ids.len())
+            && stored.settled.len() == self.settled.len()
+            && stored.fatigue.len() == self.along.counters()
+            && stored.fatigue.iter().all(sound)
     }
 
     /// Least and greatest value of a channel at the steps from that time on; nothing where there are none.
@@ -200,6 +231,7 @@ impl Recorder {
             balance: self.balance,
             summaries: self.summaries.clone(),
             settled: self.settled.clone(),
+            fatigue: self.along.state(),
             steps: self.steps.clone(),
         }
     }
@@ -215,6 +247,7 @@ impl Recorder {
         self.balance = stored.balance;
         self.summaries.clone_from(&stored.summaries);
         self.settled.clone_from(&stored.settled);
+        self.along.restore(&stored.fatigue);
         self.steps.clone_from(&stored.steps);
     }
 
@@ -259,6 +292,7 @@ impl Recorder {
             return;
         }
         self.summarise(&step);
+        self.along.step(system, t, state);
         self.add_energy(&energy(system, bodies, t, state), t);
         self.steps.push(step);
         match self.steps.len() {
@@ -287,6 +321,7 @@ impl Recorder {
         self.channels
             .read((system, bodies), t, state, &mut step.values);
         self.summarise(&step);
+        self.along.step(system, t, state);
         let now = energy(system, bodies, t, state);
         self.balance.remeshed += now.stored - self.last_energy.stored;
         self.last_energy = now;

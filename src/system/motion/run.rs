@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::along::LinesAlong;
 use super::channels::Channels;
 use super::march::{Stored, compute};
 use super::recorder::{ChannelSummary, EnergyBalance};
@@ -11,6 +12,7 @@ use super::start::{Start, start};
 use crate::case::ChannelId;
 use crate::limits::STEPS;
 use crate::numerics::richardson::Refinement;
+use crate::run::along::FatigueSpot;
 use crate::run::event::JobEvent;
 use crate::run::{Cost, History, RunState};
 use crate::system::SolvedSystem;
@@ -32,6 +34,8 @@ pub struct MotionRun {
     pub work: MotionWork,
     /// The time that it took.
     pub cost: Cost,
+    /// The damage along the lines, where checks count it.
+    pub fatigue: Vec<FatigueSpot>,
     /// The energy balance.
     pub balance: EnergyBalance,
     /// What happened to the lines, in words.
@@ -135,12 +139,18 @@ pub(super) fn run_stored(
             part: None,
         });
     }
-    let again = given.error_estimate.then(|| begun.clone());
+    let again = given.error_estimate.then(|| Start {
+        along: LinesAlong::default(),
+        ..begun.clone()
+    });
+    let (along, missing) = LinesAlong::of(solved, &begun.system);
+    let begun = Start { along, ..begun };
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,
     });
     let mut notes = coarse_memory(&begun);
     notes.extend(turned_from_loads(&begun));
+    notes.extend(missing);
     let mut run = compute(begun, &settings, stored, cancel, events);
     run.warnings.extend(notes);
     if let Some(again) = again.filter(|_| run.state == RunState::Done) {
