@@ -84,13 +84,13 @@ impl AlongPlan {
                 None => plan.add_tensions(check, line),
             };
             if let Err(why) = counted {
-                plan.lacks(check, why);
+                plan.lacks(check, &why);
             }
         }
         plan
     }
 
-    fn lacks(&mut self, check: &Check, why: String) {
+    fn lacks(&mut self, check: &Check, why: &str) {
         let why = format!("{}: {why}", check.name);
         if !self.missing.contains(&why) {
             self.missing.push(why);

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::{Case, Method};
 use crate::checks::along::{AlongPlan, CountedLine};
-use crate::checks::resolved::resolved;
+use crate::checks::resolved::{Check, resolved};
 use crate::fatigue::spot::SpotCounter;
 use crate::scene::Scene;
 use crate::solve::State;
@@ -74,7 +74,7 @@ impl AlongCount {
         }
         // A set or a curve that cannot be read is refused where checks are resolved for a verdict.
         let checks = resolved(&case.checks, &case.files).ok()?;
-        if !checks.iter().any(|check| check.is_along()) {
+        if !checks.iter().any(Check::is_along) {
             return None;
         }
         let materials = case
@@ -200,7 +200,6 @@ mod tests {
         let scene = build(&case, 1).unwrap();
         let file = |text: &str| Attachment {
             text: text.to_owned(),
-            ..Attachment::default()
         };
         let files = BTreeMap::from([
             ("s.toml".to_owned(), file(SECTION)),
@@ -290,7 +289,6 @@ mod tests {
             };
             let text = Attachment {
                 text: SECTION.to_owned(),
-                ..Attachment::default()
             };
             let files = BTreeMap::from([("s.toml".to_owned(), text)]);
             let checks = resolved(&[inputs], &files).unwrap();
