@@ -115,6 +115,8 @@ impl ChannelQuantity {
     pub const PIN_FORCE: [Self; 3] = [Self::PinForceX, Self::PinForceY, Self::PinForceZ];
     /// Quantities of dynamic stiffness.
     pub const ROPE: [Self; 3] = [Self::MeanLoad, Self::LoadDeviation, Self::Stiffness];
+    /// Quantities whose extremes checks compare: tension, uplift, force on an end, height.
+    pub const CHECKED: [Self; 4] = [Self::Tension, Self::Uplift, Self::ForceZ, Self::Z];
 
     /// The quantity at a place.
     #[must_use]

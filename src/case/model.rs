@@ -23,7 +23,7 @@ mod validation_data;
 
 pub use checks::{
     CheckAnalysis, CheckCondition, CheckInputs, CheckKind, GreatestMethod, RuleSet, RuleSetInfo,
-    StatisticsInputs,
+    StatisticsInputs, UnitSlip,
 };
 pub(crate) use checks::{CheckKeys, RuleSetKeys};
 pub use ends::{

@@ -12,6 +12,7 @@ use super::kind;
 use super::model::{Attachment, CheckInputs, RuleSet, RuleSetKeys};
 use super::rows::{FieldLister, FieldRow};
 use super::schema::schema_of;
+use crate::section::CrossSection;
 
 /// Names of the sets that come with the program.
 pub const NAMES: [&str; 3] = ["api-rp-2sk", "dnv-os-e301", "dnv-st-0119"];
@@ -50,10 +51,10 @@ pub fn parse(text: &str, file: &str) -> Result<RuleSet, Vec<Diagnostic>> {
 }
 
 impl FileSource<'_> {
-    /// Takes in the files of rules and curves that checks name.
+    /// Takes in the files of rules, curves and cross-sections that checks name.
     ///
     /// # Errors
-    /// A file that cannot be read, or is no set of rules.
+    /// A file that cannot be read, or is no set of rules or no section.
     pub(crate) fn take_checks(
         &self,
         files: &mut BTreeMap<String, Attachment>,
@@ -72,6 +73,15 @@ impl FileSource<'_> {
             }
             if let Some(name) = check.curve.as_ref().filter(is_file) {
                 self.take(files, name, &["checks", &number, "curve"])?;
+            }
+            if let Some(name) = check.section.as_ref().filter(is_file) {
+                let shown = self.take(files, name, &["checks", &number, "section"])?;
+                let read = kind::parse_stored::<CrossSection>(&files[name].text, &shown);
+                if let Err(faults) = read
+                    && let Some(first) = faults.into_iter().next()
+                {
+                    return Err(first);
+                }
             }
         }
         Ok(())

@@ -75,6 +75,7 @@ pub const SHIPPED: &[Shipped] = &[
     shipped!("ropeway/crossing.toml"),
     shipped!("ship/anchor_line.toml"),
     shipped!("umbilical/catenary.toml"),
+    shipped!("umbilical/fatigue.toml"),
     shipped!("umbilical/power_cable_80m.toml"),
     shipped!("umbilical/steep_wave.toml"),
 ];
@@ -176,16 +177,17 @@ pub fn text(path: &str) -> Option<&'static str> {
     all.find(|(known, _)| *known == path).map(|(_, text)| *text)
 }
 
-/// A table that comes with the program beside one of its files: the file by its path, below `cases` or with it, the table as it
-/// names it.
+/// A file that comes with the program beside another, a table or a cross-section: the other by its path, below `cases` or with it, the
+/// file as that names it.
 #[must_use]
 pub fn beside(file: &str, name: &str) -> Option<&'static str> {
     let file = file.strip_prefix("cases/").unwrap_or(file);
-    let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
-    all.find(|(path, _)| *path == file)?;
+    let all = || BY_KIND.iter().flat_map(|(_, files)| *files);
+    all().find(|(path, _)| *path == file)?;
     let (folder, _) = file.rsplit_once('/')?;
     let wanted = format!("{folder}/{name}");
-    let (_, text) = BESIDE.iter().find(|(path, _)| *path == wanted)?;
+    let mut named = BESIDE.iter().chain(all());
+    let (_, text) = named.find(|(path, _)| *path == wanted)?;
     Some(text)
 }
 

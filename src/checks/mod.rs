@@ -4,5 +4,6 @@
 //! the rules of the sets in the place of their names. [`Utilisation`](utilisation::Utilisation) carries both errors of its load: the
 //! numerical one and that of the sample. What runs say of a check is [`study::seas`](crate::study::seas).
 
+pub mod along;
 pub mod resolved;
 pub mod utilisation;

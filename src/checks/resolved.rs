@@ -2,8 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::{Attachment, CheckInputs, CheckKind, Diagnostic, nearest, rule_sets};
+use crate::case::{Attachment, CheckInputs, CheckKind, Diagnostic, kind, nearest, rule_sets};
+use crate::fatigue::component::Component;
 use crate::fatigue::curve_file::read_curve;
+use crate::fatigue::curve_library::published;
+use crate::section::{CrossSection, Design};
 
 /// A check with its name, its clause and its kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +21,8 @@ pub struct Check {
     pub inputs: CheckInputs,
     /// The text of the curve that it names, where that is a file.
     pub curve: Option<String>,
+    /// The text of the cross-section that it names.
+    pub section: Option<String>,
 }
 
 /// Why checks cannot be used.
@@ -58,6 +63,54 @@ impl Check {
         };
         let stem = name.split('@').next().unwrap_or(name);
         of.iter().any(|known| known == name || known == stem)
+    }
+
+    /// The component of a check of fatigue: its curve with a diameter \[m\] and a breaking load \[N\], unless it states these itself.
+    ///
+    /// # Errors
+    /// A curve that there is not, or one that lacks a number, in words.
+    pub fn component(
+        &self,
+        diameter: Option<f64>,
+        strength: Option<f64>,
+    ) -> Result<Component, String> {
+        if let Some(text) = &self.curve {
+            return read_curve(text).map_err(|error| error.to_string());
+        }
+        let name = self.inputs.curve.as_deref().unwrap_or_default();
+        let curve = published(name);
+        let curve = curve.ok_or_else(|| format!("there is no published curve `{name}`"))?;
+        let diameter = self.inputs.diameter_m.or(diameter);
+        let strength = self.inputs.break_load_n.or(strength);
+        let found = curve.component(diameter, strength);
+        found.map_err(|error| error.to_string())
+    }
+
+    /// The same of a stress in Pa in the place of a tension, for the units of a cross-section.
+    ///
+    /// # Errors
+    /// A curve that there is not, or one that is not of a stress, in words.
+    pub fn component_of_stress(&self) -> Result<Component, String> {
+        // The diameter of a published curve only makes an area, which stress has no need of.
+        let component = self.component(Some(1.0), None)?;
+        component.of_stress().ok_or_else(|| {
+            "the curve is of a tension or of a mean load; stress in units needs one of stress alone"
+                .to_owned()
+        })
+    }
+
+    /// The cross-section that it names; nothing without one.
+    ///
+    /// # Errors
+    /// A file that is no section, in words.
+    pub fn design(&self) -> Result<Option<Design>, String> {
+        let name = self.inputs.section.as_deref().unwrap_or_default();
+        let read = |text: &String| kind::parse_stored::<CrossSection>(text, name);
+        let design = self.section.as_ref().map(read).transpose();
+        design.map_err(|faults| {
+            let faults = faults.iter().map(ToString::to_string);
+            faults.collect::<Vec<_>>().join("; ")
+        })
     }
 }
 
@@ -105,12 +158,17 @@ fn one(
         };
         read_curve(&text).map(|_| text).map_err(wrong)
     });
+    let section = inputs.section.as_ref().map(|file| {
+        let text = files.get(file).map(|found| found.text.clone());
+        text.ok_or_else(|| CheckError::NoFile(file.clone()))
+    });
     Ok(Check {
         name,
         clause: inputs.clause.clone().unwrap_or_default(),
         kind,
         inputs: inputs.clone(),
         curve: curve.transpose()?,
+        section: section.transpose()?,
     })
 }
 
@@ -151,6 +209,7 @@ fn of_set(
             of: given.of.clone().or_else(|| rule.of.clone()),
             break_load_n: given.break_load_n.or(rule.break_load_n),
             diameter_m: given.diameter_m.or(rule.diameter_m),
+            along: given.along || rule.along,
             ..rule.clone()
         };
         let set = set.strip_suffix(".toml").unwrap_or(set);

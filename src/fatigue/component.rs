@@ -143,6 +143,20 @@ impl Component {
         Ok(self)
     }
 
+    /// The same for stresses in Pa in the place of tensions in N: a curve of stress over an area of 1 m2. Nothing of a curve of tension
+    /// or of one whose constant depends on the mean load.
+    #[must_use]
+    pub fn of_stress(&self) -> Option<Self> {
+        let Measure::Stress { nominal_area } = self.measure else {
+            return None;
+        };
+        (self.law.mean_slope == 0.0).then(|| Self {
+            measure: Measure::Stress { nominal_area: 1.0 },
+            scale: self.scale * nominal_area,
+            ..self.clone()
+        })
+    }
+
     /// The same under another title.
     #[must_use]
     pub fn with_title(mut self, title: &str) -> Self {

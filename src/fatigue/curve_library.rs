@@ -13,7 +13,7 @@ pub enum CurveKind {
     Tension,
     /// Range of nominal stress in MPa (S-N), over the area of both bars of a link.
     ChainStress,
-    /// Range of nominal stress in MPa (S-N), over the area of the circle about a rope.
+    /// Range of nominal stress in MPa (S-N), over the area of the circle about a rope or of a bar.
     RopeStress,
 }
 
@@ -38,6 +38,7 @@ pub struct PublishedCurve {
 
 const API: &str = "API RP 2SK, 3rd edition (2005), table 3; check against your edition";
 const DNV: &str = "DNV-OS-E301, Ch.2 Sec.2, fatigue limit state, S-N curve parameters; check against your edition";
+const C203: &str = "DNV-RP-C203, S-N curves in seawater with cathodic protection, curve B1; check against your edition";
 const ORQ: &str =
     "breaking strength of ORQ common chain of the same diameter, for grade R3 and higher too";
 const ROPE: &str = "breaking strength of the rope";
@@ -56,7 +57,7 @@ const LOG_1_7E17: f64 = 17.230_448_921_378_272;
 const LOG_0_259: f64 = -0.586_700_235_918_748_2;
 
 /// The published curves.
-pub const PUBLISHED: [PublishedCurve; 10] = [
+pub const PUBLISHED: [PublishedCurve; 11] = [
     PublishedCurve {
         id: "api-studlink-chain",
         title: "Common studlink chain, API RP 2SK",
@@ -136,6 +137,15 @@ pub const PUBLISHED: [PublishedCurve; 10] = [
         law: Law::new(4.8, LOG_1_7E17),
         strength: NO_STRENGTH,
         source: DNV,
+        confirmed: NONE,
+    },
+    PublishedCurve {
+        id: "dnv-b1-seawater-cp",
+        title: "Base material without welds (class B1) in seawater, cathodic protection, DNV-RP-C203",
+        kind: CurveKind::RopeStress,
+        law: Law::new(4.0, 14.917).with_knee(1e6, 5.0),
+        strength: NO_STRENGTH,
+        source: C203,
         confirmed: NONE,
     },
     PublishedCurve {
@@ -244,7 +254,11 @@ mod tests {
             let both = curve.component(Some(0.1), Some(1e7)).unwrap();
             // A lower range lasts longer, by the exponent.
             let n = |range: f64| both.cycles_to_failure(range, 2e6).unwrap();
-            assert!((n(5e5) / n(1e6) / 2.0_f64.powf(curve.law.exponent) - 1.0).abs() < 1e-9);
+            let exponent = curve
+                .law
+                .knee
+                .map_or(curve.law.exponent, |knee| knee.exponent);
+            assert!((n(5e5) / n(1e6) / 2.0_f64.powf(exponent) - 1.0).abs() < 1e-9);
             assert!(curve.component(None, None).is_err());
         }
         assert!(published("unknown").is_none());

@@ -29,6 +29,7 @@ pub mod mean_stress;
 pub mod rainflow;
 pub mod scatter;
 pub mod spectral;
+pub mod spot;
 pub mod study;
 pub mod turning_points;
 

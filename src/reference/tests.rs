@@ -90,6 +90,7 @@ fn run(quantities: &[(&str, f64, f64)]) -> Run {
         shapes: Vec::new(),
         profile: Profile::default(),
         summary: quantities.iter().map(quantity).collect(),
+        fatigue: Vec::new(),
     }
 }
 

@@ -179,7 +179,7 @@ impl SeasView<'_> {
                 "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
             ),
             true => format!(
-                "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {} at the rows of the histories. All places stand in seas.csv.",
+                "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {}: Gumbel's law takes the extremes of the runs over all their steps, the others the peaks of the rows. All places stand in seas.csv.",
                 methods.into_iter().collect::<Vec<_>>().join(" and ")
             ),
             false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),

@@ -13,6 +13,7 @@ use super::touchdown_speed::TouchdownSpeed;
 use super::{Profile, step_envelope};
 use crate::case::{self, Case};
 use crate::dynamics::{MarchProgress, MethodState};
+use crate::fatigue::spot::SpotCounter;
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
 
@@ -56,6 +57,9 @@ pub struct Checkpoint {
     /// Sums over the displacements, where the case asks for them.
     #[serde(default)]
     pub response: Option<ResponseSums>,
+    /// Cycles counted along the line so far, where checks count them.
+    #[serde(default)]
+    pub fatigue: Vec<SpotCounter>,
     /// Energy balance so far, where one is stated.
     #[serde(default)]
     pub energy: Option<EnergyBalance>,

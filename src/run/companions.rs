@@ -60,7 +60,12 @@ fn companion(case: &Case, coarsening: usize, step_ratio: f64, cancel: &AtomicBoo
         coarsening,
         step_ratio,
     };
-    compute(case, resolution, None, cancel, &mut |_| {})
+    // Cycles along the line are counted by the run itself.
+    let case = Case {
+        checks: Vec::new(),
+        ..case.clone()
+    };
+    compute(&case, resolution, None, cancel, &mut |_| {})
 }
 
 fn is_done(run: &Computed) -> bool {

@@ -56,6 +56,7 @@ mod tests {
             shapes: Vec::new(),
             profile: Profile::default(),
             summary: vec![quantity("tension_n.max", 1.0)],
+            fatigue: Vec::new(),
         };
         run.info.state = RunState::Done;
         refuse_not_finite(&mut run);

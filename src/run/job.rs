@@ -211,6 +211,7 @@ pub(super) fn assemble(
         history,
         shapes,
         profile,
+        fatigue,
         ..
     } = computed.record;
     let mut run = Run {
@@ -229,6 +230,7 @@ pub(super) fn assemble(
         shapes,
         profile,
         summary,
+        fatigue,
     };
     refuse_not_finite(&mut run);
     run

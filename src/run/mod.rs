@@ -3,6 +3,7 @@
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
 mod accuracy;
+pub mod along;
 mod channel_reading;
 mod channel_statistics;
 mod checkpoint;

@@ -3,6 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::along::FatigueSpot;
 use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
 
@@ -24,6 +25,8 @@ pub struct Run {
     pub profile: Profile,
     /// Single numbers with their estimated numerical errors.
     pub summary: Vec<Quantity>,
+    /// The damage along the line, where checks count it.
+    pub fatigue: Vec<FatigueSpot>,
 }
 
 impl Run {

@@ -1,5 +1,6 @@
 //! What records something of a run: the trait that the time march drives, and what it is given.
 
+use super::along::FatigueSpot;
 use super::requested_statistics::RequestedStatistic;
 use super::step_interval::StepInterval;
 use super::{Checkpoint, History, LineShape, Profile, Quantity};
@@ -65,6 +66,8 @@ pub(super) struct RunRecord {
     pub(super) statistics: Vec<(RequestedStatistic, Option<f64>)>,
     /// The energy balance, without errors; empty where none is stated.
     pub(super) energy: Vec<Quantity>,
+    /// The damage along the line, where checks count it.
+    pub(super) fatigue: Vec<FatigueSpot>,
     /// What the user should know.
     pub(super) warnings: Vec<String>,
 }

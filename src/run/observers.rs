@@ -1,5 +1,6 @@
 //! The observers of a run, and at which moments each of them acts.
 
+use super::along::AlongCount;
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
 use super::energy_balance::EnergyBalance;
@@ -11,6 +12,7 @@ use super::step_interval::StepInterval;
 use super::touchdown_speed::TouchdownSpeed;
 use super::{Checkpoint, Profile, energy_balance, wave_decomposition};
 use crate::case::{Case, ChannelSpec};
+use crate::fatigue::spot::SpotCounter;
 use crate::scene::Scene;
 
 /// All observers, in the order in which they complete the record: statistics come last, of what the others recorded.
@@ -23,6 +25,7 @@ pub(super) fn observers(
     vec![
         Box::new(StepEnvelope),
         Box::new(TouchdownSpeed::of(scene)),
+        Box::new(AlongCount::of_case(case, scene)),
         Box::new(ResponseSums::of(case)),
         Box::new(WaveDecomposition),
         Box::new(energy_balance::is_stated(case).then(EnergyBalance::default)),
@@ -44,6 +47,38 @@ impl Observer for StepEnvelope {
         if let Some(state) = end.state {
             step_envelope::end(end.last, state, &mut record.profile);
         }
+    }
+}
+
+impl Observer for Option<AlongCount> {
+    fn accepted_step(&mut self, at: &Observation<'_>, _: &mut Profile) {
+        if let Some(count) = self {
+            count.step(at.scene, at.time, at.state);
+        }
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        let counters = self.as_ref().map(AlongCount::counters);
+        checkpoint.fatigue = counters.unwrap_or_default().to_vec();
+    }
+
+    fn fits(&self, checkpoint: &Checkpoint) -> bool {
+        let counters = self.as_ref().map_or(0, |count| count.counters().len());
+        let sound = |counter: &SpotCounter| counter.is_sound();
+        checkpoint.fatigue.len() == counters && checkpoint.fatigue.iter().all(sound)
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) {
+        if let Some(count) = self {
+            count.restore(&checkpoint.fatigue);
+        }
+    }
+
+    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
+        let Some(count) = *self else { return };
+        let (found, missing) = count.finish(&end.last.line.arc);
+        record.fatigue = found;
+        record.warnings.extend(missing);
     }
 }
 

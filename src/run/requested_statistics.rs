@@ -2,7 +2,7 @@
 
 use super::Subject;
 use super::line_statistics;
-use crate::case::{Case, ChannelSpec, LineQuantity, Statistic};
+use crate::case::{Case, ChannelQuantity, ChannelSpec, LineQuantity, Method, Statistic};
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,7 +27,8 @@ pub struct RequestedStatistic {
 }
 
 /// What a run of this case summarises: the greatest, smallest, mean and last value of every channel, the extremes of
-/// the whole line, and every statistic its published values and trends ask for.
+/// the whole line, those of what checks compare after the start that they leave out, and every statistic its published values and
+/// trends ask for.
 #[must_use]
 pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatistic> {
     use Statistic::{Final, Max, Mean, Min};
@@ -46,6 +47,7 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         line_statistics::ALWAYS
             .map(|(quantity, statistic)| whole(StatisticSource::Line(quantity), statistic)),
     );
+    list.extend(settled(case, channels));
     let published = case
         .published
         .iter()
@@ -82,4 +84,25 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         }
     }
     list
+}
+
+/// The extremes of what checks compare after `statistics.from_s`, where that leaves out the start of a record over time.
+fn settled<'a>(
+    case: &Case,
+    channels: &'a [ChannelSpec],
+) -> impl Iterator<Item = RequestedStatistic> + 'a {
+    let moves = case.solver.method != Method::Static;
+    let window = case.statistics.settled_window(case.solver.duration_s);
+    let window = window.filter(|_| moves);
+    let checked = channels.iter().enumerate().filter(move |(_, channel)| {
+        window.is_some() && ChannelQuantity::CHECKED.contains(&channel.id.quantity)
+    });
+    checked.flat_map(move |(channel, _)| {
+        [Statistic::Max, Statistic::Min].map(|statistic| RequestedStatistic {
+            of: StatisticSource::Channel(channel),
+            statistic,
+            window,
+            nth: None,
+        })
+    })
 }

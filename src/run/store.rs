@@ -28,6 +28,7 @@ mod channel_rows;
 mod columns;
 mod complete;
 mod create;
+mod fatigue_csv;
 mod growing_file;
 mod history_csv;
 mod list;
@@ -51,6 +52,7 @@ use crate::files::WriteError;
 pub use channel_rows::{ChannelRows, channel_rows};
 pub(crate) use create::stem;
 pub use create::{RunLocation, delete};
+pub use fatigue_csv::fatigue_spots;
 pub(in crate::run) use history_csv::HistoryReader;
 pub use history_csv::write_history;
 pub use list::{StoredRun, list};
@@ -58,7 +60,7 @@ pub use lock::is_locked;
 pub(crate) use lock::{DirectoryLock, lock_directory};
 pub use notes::RunNotes;
 pub(crate) use read::sealed_checkpoint;
-pub use read::{case_text, read, read_info, read_results, resume};
+pub use read::{case_text, channel_extremes, read, read_info, read_results, resume};
 pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
@@ -77,11 +79,13 @@ pub(crate) const PROFILE: &str = "profile.csv";
 pub(crate) const ROPES: &str = "ropes.csv";
 pub(crate) const SHAPES: &str = "shapes.csv";
 pub(crate) const CHECKPOINT: &str = "checkpoint.toml";
+pub(crate) const FATIGUE: &str = "fatigue.csv";
 pub(crate) const NOTES: &str = "notes.toml";
 
 /// All files of a run.
-pub(crate) const FILES: [&str; 11] = [
-    CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, CHECKPOINT, NOTES,
+pub(crate) const FILES: [&str; 12] = [
+    CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, FATIGUE, CHECKPOINT,
+    NOTES,
 ];
 
 /// Why a run cannot be written or read.

@@ -276,6 +276,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
             touchdown: None,
             profile: Profile::default(),
             response: None,
+            fatigue: Vec::new(),
             energy: None,
         });
     }

@@ -12,6 +12,7 @@ mod design;
 mod element;
 mod file;
 mod format;
+pub mod hot_spots;
 mod lay_out;
 pub mod layout;
 mod material_table;

@@ -28,6 +28,8 @@ pub struct ChannelRecord {
     pub step: f64,
     /// The values.
     pub values: Vec<f64>,
+    /// Least and greatest value of the run itself, between the values too; nothing where only these are known.
+    pub extremes: Option<[f64; 2]>,
 }
 
 impl ChannelRecord {
@@ -42,7 +44,15 @@ impl ChannelRecord {
         (step > 0.0 && count + 1 >= time.len()).then(|| Self {
             step,
             values: values[..count.min(values.len())].to_vec(),
+            extremes: None,
         })
+    }
+
+    /// The greatest value: of the run itself, where that is known and greater.
+    #[must_use]
+    pub fn greatest(&self) -> f64 {
+        let own = self.extremes.map_or(f64::MIN, |[_, greatest]| greatest);
+        self.values.iter().copied().fold(own, f64::max)
     }
 
     /// Its length \[s\].
@@ -257,9 +267,7 @@ fn by_gumbel(
     if found < least {
         return Err(ExtremesError::TooFew { found, least });
     }
-    let maxima = records
-        .iter()
-        .map(|record| record.values.iter().copied().fold(f64::MIN, f64::max));
+    let maxima = records.iter().map(ChannelRecord::greatest);
     let maxima: Vec<f64> = maxima.collect();
     let hours = records.iter().map(ChannelRecord::duration).sum::<f64>() / 3600.0 / found as f64;
     let by = |statistic| {
@@ -320,7 +328,7 @@ pub fn fatigue(
 }
 
 /// The standard error of a mean by the scatter of three values or more.
-fn scatter(values: &[f64]) -> Option<f64> {
+pub(crate) fn scatter(values: &[f64]) -> Option<f64> {
     let n = values.len() as f64;
     let spread = (variance(values, mean(values)) / (n - 1.0)).sqrt();
     (values.len() > 2).then_some(spread)
@@ -369,6 +377,7 @@ mod tests {
         ChannelRecord {
             step: 0.5,
             values: (0..7200).map(|row| at(0.5 * f64::from(row))).collect(),
+            extremes: None,
         }
     }
 

@@ -35,6 +35,7 @@ pub mod potential_flow;
 pub mod quantities;
 pub mod rest;
 pub mod rods;
+pub mod section_materials;
 pub mod solved;
 pub mod stability;
 pub mod start;

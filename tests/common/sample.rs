@@ -89,6 +89,7 @@ pub(crate) fn run() -> Run {
             z_max: vec![1e-17; 4],
             ..Profile::default()
         },
+        fatigue: Vec::new(),
         summary: vec![
             quantity(
                 "tension_n[wire|payload].mean(0..200)",

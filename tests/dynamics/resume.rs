@@ -22,6 +22,8 @@ fn request(method: &str, duration: f64) -> Request {
         ends.b = {{ name = "ship", kind = "moving", position_m = [80.0, 0.0, 0.0], amplitude_m = [3.0, 0.0, 1.0], period_s = 3.0 }}
         solver = {{ method = "{method}", duration_s = {duration:?}, error_estimate = false }}
         output = {{ interval_s = 0.5, shape_interval_s = 1.0, response_from_s = 2.0 }}
+        statistics.from_s = 1.0
+        checks = [{{ kind = "fatigue", curve = "dnv-studless-chain", along = true }}]
         "#
     );
     Request {
@@ -76,6 +78,8 @@ fn assert_same(whole: &Run, resumed: &Run) {
     assert_eq!(resumed.shapes, whole.shapes);
     assert_eq!(resumed.profile, whole.profile);
     assert_eq!(resumed.summary, whole.summary);
+    assert!(!whole.fatigue.is_empty());
+    assert_eq!(resumed.fatigue, whole.fatigue);
     assert_eq!(resumed.info.work, whole.info.work);
     assert_eq!(resumed.info.warnings, whole.info.warnings);
 }

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+use crate::small::SMALL;
+
 /// A chain from the bed to a fixed point at the surface, which the waves move.
 pub(crate) const CHAIN: &str = r#"
 [system]
@@ -396,4 +398,158 @@ fn checks_that_cannot_be_are_refused_before_anything_is_computed() {
         "[[checks]]\nrules = \"mine.toml\"\n",
         &["mine.toml:", "edition"],
     );
+}
+
+/// The greatest value of a run is that of all its steps, of which its rows are few; where the start is left out, of those after it.
+#[test]
+fn the_greatest_value_of_a_run_is_that_of_all_its_steps() {
+    let dir = tempfile::tempdir().unwrap();
+    let line = SMALL.replace(
+        "[output]",
+        "[waves]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 6.0\n[output]",
+    );
+    for (file, text, place, end) in [
+        ("chain.toml", CHAIN, "chain|b", 60),
+        ("small.toml", line.as_str(), "rope|payload", 5),
+    ] {
+        let text = text.replace("interval_s = 0.5\n", "interval_s = 0.9\n");
+        let text = match file {
+            "chain.toml" => text.replace("[output]", "[output]\ninterval_s = 2.5"),
+            _ => text,
+        };
+        let seed = match file {
+            "chain.toml" => "waves.1.seed=1,2",
+            _ => "payload.drag_area_m2=1,2",
+        };
+        for from in [0, end / 3] {
+            let statistics = format!(
+                "{text}\n[statistics]\nmethod = \"seen\"\nfrom_s = {from}\n[[checks]]\nname = \"strength\"\nkind = \"safety-factor\"\nfactor = 1.0\nbreak_load_n = 1e9\n"
+            );
+            fs::write(dir.path().join(file), statistics).unwrap();
+            let name = format!("{file}-{from}");
+            let (_, out, err) = sweep(dir.path(), &[file, "--vary", seed, "--out", &name]);
+            let checks = fs::read_to_string(dir.path().join(&name).join("checks.csv"));
+            let checks = checks.unwrap_or_else(|why| panic!("{why}: {out}{err}"));
+            let window = match from {
+                0 => String::new(),
+                from => format!("({from}..{end})"),
+            };
+            let of_run = |number: usize| {
+                let run = dir.path().join(format!("{name}-{number:04}"));
+                let summary = fs::read_to_string(run.join("summary.csv")).unwrap();
+                let quantity = format!("tension_n[{place}].max{window}");
+                let rows = fs::read_to_string(run.join("history.csv")).unwrap();
+                let heads = rows.lines().next().unwrap();
+                let column = format!("tension_n[{place}]");
+                let column = heads.split(',').position(|head| head == column).unwrap();
+                let read = |row: &str| -> Vec<f64> {
+                    row.split(',').map(|word| word.parse().unwrap()).collect()
+                };
+                let rows: Vec<Vec<f64>> = rows.lines().skip(1).map(read).collect();
+                let rows = rows.iter().filter(|row| row[0] >= f64::from(from));
+                let greatest = rows.map(|row| row[column]).fold(f64::MIN, f64::max);
+                (value(&summary, &quantity, "value"), greatest)
+            };
+            let found = [of_run(1), of_run(2)];
+            let [own, rows] = [|f: &(f64, f64)| f.0, |f: &(f64, f64)| f.1]
+                .map(|of| found.iter().map(of).fold(f64::MIN, f64::max));
+            let wanted = f64::max(own, rows);
+            let mut reader = csv::Reader::from_reader(checks.as_bytes());
+            let heads = reader.headers().unwrap().clone();
+            let column = |name: &str| {
+                heads
+                    .iter()
+                    .position(|head| head.starts_with(name))
+                    .unwrap()
+            };
+            let (at, load) = (column("place"), column("load"));
+            let loads = reader.records().map(Result::unwrap);
+            let loads = loads.filter(|row| &row[at] == place);
+            let load = loads.map(|row| row[load].parse::<f64>().unwrap());
+            let load = load.fold(f64::MIN, f64::max);
+            assert_eq!(
+                load.to_bits(),
+                wanted.to_bits(),
+                "{name}: {found:?} {checks}"
+            );
+            assert!(own >= rows || file == "chain.toml", "{name}: {found:?}");
+        }
+    }
+}
+
+/// Damage along a line is that of its recorded end at that end, names where it governs, and goes on after a kill to the same bits.
+#[test]
+fn fatigue_is_counted_along_the_lines() {
+    let dir = tempfile::tempdir().unwrap();
+    let check = |name: &str, more: &str| {
+        format!(
+            "[[checks]]\nname = \"{name}\"\nkind = \"fatigue\"\ncurve = \"dnv-studless-chain\"\n{more}\n"
+        )
+    };
+    let text = CHAIN.replace("[output]", "[output]\ninterval_s = 0.02");
+    let along = check("along", "along = true");
+    let text = format!("{text}\n{}{along}", check("ends", ""));
+    fs::write(dir.path().join("chain.toml"), text).unwrap();
+    let words = ["chain.toml", "--vary", "waves.1.seed=1..3/3", "--out", "s"];
+    let (_, out, err) = sweep(dir.path(), &words);
+    let checks = fs::read_to_string(dir.path().join("s/checks.csv"));
+    let checks = checks.unwrap_or_else(|why| panic!("{why}: {out}{err}"));
+    let mut reader = csv::Reader::from_reader(checks.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    let column = |name: &str| heads.iter().position(|head| head == name).unwrap();
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let damage = |check: &str, place: &str| {
+        let mut found = rows.iter();
+        let row = found.find(|row| &row[0] == check && &row[column("place")] == place);
+        let row = row.unwrap_or_else(|| panic!("{check} {place}: {checks}"));
+        row[column("load")].parse::<f64>().unwrap()
+    };
+    for (end, place) in [("chain|a", "chain|0 m"), ("chain|b", "chain|110 m")] {
+        let (recorded, counted) = (damage("ends", end), damage("along", place));
+        assert!(
+            (counted / recorded - 1.0).abs() < 0.02,
+            "{end}: {recorded} {counted}"
+        );
+    }
+    let places = rows.iter().filter(|row| &row[0] == "along");
+    let places: Vec<&str> = places.map(|row| &row[column("place")]).collect();
+    assert_eq!(places.len(), 11, "{places:?}");
+    assert_eq!(places[..3], ["chain|0 m", "chain|11 m", "chain|22 m"]);
+    assert!(out.contains("along [2]"), "{out}");
+    // A run that was lost is computed again, to the same damage.
+    let spots = fs::read(dir.path().join("s-0002/fatigue.csv")).unwrap();
+    fs::remove_dir_all(dir.path().join("s-0002")).unwrap();
+    sweep(dir.path(), &["--resume", "s"]);
+    assert_eq!(
+        fs::read(dir.path().join("s-0002/fatigue.csv")).unwrap(),
+        spots
+    );
+    assert_eq!(
+        fs::read_to_string(dir.path().join("s/checks.csv")).unwrap(),
+        checks
+    );
+}
+
+#[test]
+fn what_fatigue_along_a_line_cannot_take_is_said() {
+    let dir = tempfile::tempdir().unwrap();
+    let refused = |more: &str, why: &str| {
+        let check = "\n[[checks]]\nkind = \"fatigue\"\ncurve = \"dnv-studless-chain\"\n";
+        fs::write(
+            dir.path().join("chain.toml"),
+            format!("{CHAIN}{check}{more}"),
+        )
+        .unwrap();
+        let (status, _, err) = sweep(dir.path(), &["chain.toml", "--vary", "waves.1.seed=1,2"]);
+        assert!(status == Some(2) && err.contains(why), "{more}: {err}");
+    };
+    refused(
+        "units = [\"tube\"]\n",
+        "of the units of a cross-section, which is not given",
+    );
+    refused("section = \"none.toml\"\n", "none.toml");
+    refused("section = \"none\"\n", "is no file");
+    let again =
+        "along = true\n[[checks]]\nkind = \"fatigue\"\ncurve = \"dnv-stud-chain\"\nalong = true\n";
+    refused(again, "has the same name");
 }

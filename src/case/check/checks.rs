@@ -31,14 +31,23 @@ const fn takes(kind: CheckKind) -> &'static [&'static str] {
         }
         CheckKind::LeastTension => &["of", "break_load_n"],
         CheckKind::Uplift => &["of"],
-        CheckKind::Fatigue => &["of", "factor", "break_load_n", "diameter_m"],
+        CheckKind::Fatigue => &[
+            "of",
+            "factor",
+            "break_load_n",
+            "diameter_m",
+            "along",
+            "section",
+            "units",
+            "slip",
+        ],
         _ => &[],
     }
 }
 
 /// Checks the checks of a file.
 pub(crate) fn of_checks(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
-    let mut found = Vec::new();
+    let mut found = same_names(checks);
     for (_, check) in checks {
         match (check.rules.is_given(), check.kind.is_given()) {
             (true, false) => found.extend(of_set(check)),
@@ -59,6 +68,29 @@ pub(crate) fn of_checks(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
     found
 }
 
+/// Damage along a line is stored by the name of its check.
+fn same_names(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
+    let along = checks.iter().map(|(_, check)| check).filter(|check| {
+        let counts = check.along.get() == Some(&true) || check.section.is_given();
+        counts && check.kind.is_given()
+    });
+    let mut known: Vec<Option<&String>> = Vec::new();
+    let mut found = Vec::new();
+    for check in along {
+        let name = check.name.get();
+        if known.contains(&name) {
+            let problem = "another check along the lines has the same name";
+            found.push(
+                check
+                    .kind
+                    .finding(problem, "give each `name = \"...\"` of its own"),
+            );
+        }
+        known.push(name);
+    }
+    found
+}
+
 /// Rules of a standard: the set is shipped or a file.
 fn of_set(check: &CheckKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -70,7 +102,7 @@ fn of_set(check: &CheckKeys<'_>) -> Vec<Finding> {
         };
         found.push(check.rules.finding("there is no such set of rules", remedy));
     }
-    let allowed = ["only", "of", "break_load_n", "diameter_m"];
+    let allowed = ["only", "of", "break_load_n", "diameter_m", "along"];
     found.extend(unused(
         check,
         &|name| allowed.contains(&name),
@@ -114,6 +146,7 @@ fn of_kind(check: &CheckKeys<'_>) -> Vec<Finding> {
         &allowed,
         &format!("a check of {}", kind.name()),
     ));
+    found.extend(of_section(check));
     if kind == CheckKind::BedClearance
         || kind == CheckKind::Offset
         || kind == CheckKind::SurfaceClearance
@@ -124,8 +157,35 @@ fn of_kind(check: &CheckKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// What goes with a cross-section, or only without one.
+fn of_section(check: &CheckKeys<'_>) -> Vec<Finding> {
+    let Some(name) = check.section.get() else {
+        let alone = "is of the units of a cross-section, which is not given";
+        let remedy = "add `section = \"NAME.toml\"`, or leave it out";
+        let given = [
+            check.units.if_given(alone, remedy),
+            check.slip.if_given(alone, remedy),
+        ];
+        return given.into_iter().flatten().collect();
+    };
+    let is_file = name.ends_with(TOML);
+    let file = (!is_file).then(|| {
+        let remedy = "name a file of a section, as `seacable section` reads it, that ends in .toml";
+        check.section.finding("is no file", remedy)
+    });
+    let problem =
+        "is of the line as a whole, and the units of the cross-section have their own stress";
+    let whole = [
+        check.break_load_n.if_given(problem, "leave it out"),
+        check.diameter_m.if_given(problem, "leave it out"),
+    ];
+    file.into_iter()
+        .chain(whole.into_iter().flatten())
+        .collect()
+}
+
 /// The keys that only some kinds have, and whether each is given.
-fn given(check: &CheckKeys<'_>) -> [(&'static str, bool); 11] {
+fn given(check: &CheckKeys<'_>) -> [(&'static str, bool); 15] {
     [
         ("only", check.only.is_given()),
         ("of", check.of.is_given()),
@@ -138,6 +198,10 @@ fn given(check: &CheckKeys<'_>) -> [(&'static str, bool); 11] {
         ("limit_m", check.limit_m.is_given()),
         ("curve", check.curve.is_given()),
         ("diameter_m", check.diameter_m.is_given()),
+        ("along", check.along.get() == Some(&true)),
+        ("section", check.section.is_given()),
+        ("units", check.units.is_given()),
+        ("slip", check.slip.is_given()),
     ]
 }
 
@@ -161,6 +225,13 @@ fn unused(check: &CheckKeys<'_>, allowed: &dyn Fn(&str) -> bool, by: &str) -> Ve
         check.limit_m.if_given(problem("limit_m"), remedy),
         check.curve.if_given(problem("curve"), remedy),
         check.diameter_m.if_given(problem("diameter_m"), remedy),
+        check
+            .along
+            .if_given(problem("along"), remedy)
+            .filter(|_| check.along.get() == Some(&true)),
+        check.section.if_given(problem("section"), remedy),
+        check.units.if_given(problem("units"), remedy),
+        check.slip.if_given(problem("slip"), remedy),
     ];
     let names = given(check).map(|(name, _)| name);
     keys.into_iter()

@@ -41,6 +41,14 @@ table! {
     }
 }
 
+impl StatisticsInputs {
+    /// The time from where the start is over to the end of a run of a duration \[s\]; nothing where no start is left out.
+    #[must_use]
+    pub fn settled_window(&self, duration_s: f64) -> Option<[f64; 2]> {
+        (self.from_s > 0.0 && self.from_s < duration_s).then_some([self.from_s, duration_s])
+    }
+}
+
 words! {
     /// What a check compares.
     #[derive(Hash)]
@@ -63,6 +71,17 @@ words! {
         SurfaceClearance = "surface-clearance",
         /// The fatigue damage of the years of service, times a factor, with 1.
         Fatigue = "fatigue",
+    }
+}
+
+words! {
+    /// How the units of a cross-section move against each other where it bends.
+    #[derive(Hash)]
+    pub enum UnitSlip {
+        /// Each bends about its own axis alone: the lower bound of the stress.
+        Full = "full-slip",
+        /// Plane sections stay plane: the upper bound.
+        None = "full-stick",
     }
 }
 
@@ -131,6 +150,14 @@ table! {
         limit_m: Option<f64>, "limit", range positive(1e6), absent "not used";
         /// Fatigue curve, by the name of a published one (`seacable statistics --curves` lists them) or a file NAME.toml.
         curve: Option<String>, "fatigue curve", absent "not used";
+        /// Whether fatigue is counted at every node along the lines, while they are computed, not at the recorded places alone.
+        along: bool = false, "along the line";
+        /// Cross-section in whose units fatigue is counted along the line, of tension and bending: a file NAME.toml.
+        section: Option<String>, "cross-section", absent "the tension of the line";
+        /// Which of its units, or layers, by name.
+        units: Option<Vec<String>>, "units", absent "all whose area is known";
+        /// How these units move against each other where it bends.
+        slip: Option<UnitSlip>, "slip of the units", absent "full-stick";
         /// Nominal diameter, for curves of stress.
         diameter_m: Option<f64>, "diameter", range positive(10.0), absent "that of the material";
     }

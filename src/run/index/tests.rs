@@ -23,6 +23,7 @@ fn stored(root: &Path, name: &str, speed: f64, steps: u64) {
         shapes: Vec::new(),
         profile: Profile::default(),
         summary: Vec::new(),
+        fatigue: Vec::new(),
     };
     run.info.work.steps = steps;
     store::save(&RunLocation::Exactly(root.join(name)), &run).unwrap();

@@ -3,8 +3,10 @@
 use std::path::Path;
 
 use super::{
-    CASE, CHANNELS, ERRORS, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError, columns,
+    CASE, CHANNELS, ERRORS, FATIGUE, HISTORY, PROFILE, ROPES, RUN, SHAPES, SUMMARY, StoreError,
+    columns,
     create::{info_text, replace},
+    fatigue_csv::write_fatigue,
     history_csv::write_history,
     number::{text, text_or_empty},
     profile_csv::{PROFILE_COLUMNS, ROPE_COLUMNS},
@@ -53,6 +55,9 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
         let segments = profile.ropes.arc.len();
         let table = columns::write(&ROPE_COLUMNS, &profile.ropes, segments)?;
         replace(dir, ROPES, &table)?;
+    }
+    if !run.fatigue.is_empty() {
+        replace(dir, FATIGUE, &write_fatigue(&run.fatigue)?)?;
     }
 
     let mut info = RunInfo {

@@ -8,13 +8,14 @@ use super::{
     CASE, CHANNELS, CHECKPOINT, ERRORS, HISTORY, HistoryReader, PROFILE, ROPES, RUN, SHAPES,
     SUMMARY, ShapeReader, StoreError, columns,
     complete::{CHANNEL_COLUMNS, ERROR_COLUMNS, SUMMARY_COLUMNS},
-    is_locked,
+    fatigue_spots, is_locked,
     number::parse,
     profile_csv::{PROFILE_COLUMNS, ROPE_COLUMNS},
     table::{CsvReader, not_a_number},
 };
 use crate::case::ChannelId;
 use crate::files::read::{run_table, run_text};
+use crate::run::along::FatigueSpot;
 use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
     RunInfo, RunState, VERSION,
@@ -39,6 +40,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     let case_text = reader.case_text();
     let (history, shapes) = reader.record().into_parts();
     let (profile, summary) = (reader.profile(), reader.summary());
+    let fatigue = reader.fatigue();
     let mut warnings = reader.warnings;
     if !warnings.is_empty() && info.version != VERSION {
         let (theirs, ours) = (&info.version, VERSION);
@@ -54,6 +56,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
         shapes,
         profile,
         summary,
+        fatigue,
     };
     if !whole {
         run.info
@@ -62,6 +65,27 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
     }
     run.info.warnings.extend(warnings);
     Ok(run)
+}
+
+/// Reads the channels of a stored run with the extremes over all its steps and their times, without rows; extremes that are not known
+/// yet are NaN.
+///
+/// # Errors
+/// A table that cannot be understood.
+pub fn channel_extremes(dir: &Path) -> Result<Vec<Channel>, StoreError> {
+    let mut reader = RunReader {
+        dir,
+        whole: true,
+        warnings: Vec::new(),
+    };
+    let channels = reader.channels();
+    match reader.warnings.into_iter().next() {
+        None => Ok(channels),
+        Some(reason) => Err(StoreError::Damaged {
+            file: dir.join(CHANNELS),
+            reason,
+        }),
+    }
 }
 
 /// Reads the checkpoint of a run.
@@ -307,6 +331,17 @@ impl RunReader<'_> {
             self.report(problem);
         }
         profile
+    }
+
+    /// The damage along the line; only runs whose checks count it have the file.
+    fn fatigue(&mut self) -> Vec<FatigueSpot> {
+        match fatigue_spots(self.dir) {
+            Ok(found) => found,
+            Err(error) => {
+                self.warnings.push(error.to_string());
+                Vec::new()
+            }
+        }
     }
 
     /// Values from `summary.csv`, the two parts of their errors from `errors.csv`. Quantities that this version does not

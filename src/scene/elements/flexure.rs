@@ -201,6 +201,38 @@ impl Flexure {
         }
     }
 
+    /// Curvature \[1/m\] at every node in two planes of a frame that does not twist along the line; at rest the first is nearly vertical,
+    /// since the frame begins at end A with the horizontal across the line as the axis of bending. As it is carried along by the least
+    /// rotation from tangent to tangent, it turns with the line as a cable without torsion does. Hinges have no curvature. A line that
+    /// begins upright begins with the y axis.
+    pub fn curvatures(&self, line: &LumpedLine, state: &State, out: &mut [[f64; 2]]) {
+        let last = line.segments.len();
+        let mut before = line.chord(0, state).tangent;
+        let clamped = |end: usize| self.clamps[end].map(|(direction, _)| direction);
+        let mut axis = across(&clamped(0).unwrap_or(before));
+        for (i, out) in out.iter_mut().enumerate() {
+            let [first, second] = match i {
+                0 => [clamped(0).unwrap_or(before), before],
+                i if i >= last => [before, clamped(1).unwrap_or(before)],
+                i => [before, line.chord(i, state).tangent],
+            };
+            let middle = (first + second).try_normalize(1e-9).unwrap_or(second);
+            axis = carried(&axis, &first, &middle);
+            let bends = match i {
+                0 => self.clamps[0].map_or(0.0, |clamp| clamp.1),
+                i if i >= last => self.clamps[1].map_or(0.0, |clamp| clamp.1),
+                i => self.joints[i],
+            };
+            *out = [0.0; 2];
+            if bends > 0.0 {
+                let curvature = first.cross(&second) / self.spans[i];
+                *out = [curvature.dot(&axis), curvature.dot(&middle.cross(&axis))];
+            }
+            axis = carried(&axis, &middle, &second);
+            before = second;
+        }
+    }
+
     /// Bending moment \[N m\] at every node.
     #[must_use]
     pub fn moments(&self, line: &LumpedLine, state: &State) -> Vec<f64> {
@@ -362,4 +394,22 @@ pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment])
 /// Gradient of the energy of a clamp by the chord of its segment; the same at both ends, since the bend is symmetric.
 fn clamped(k: f64, direction: &V3, chord: &Chord) -> V3 {
     BendAngle::new((&chord.tangent, chord.inverse), (direction, 0.0)).forces(k)[0]
+}
+
+/// The horizontal direction across a tangent; the y axis across an upright one.
+fn across(tangent: &V3) -> V3 {
+    let horizontal = V3::new(-tangent.y, tangent.x, 0.0);
+    let y = V3::new(0.0, 1.0, 0.0);
+    horizontal
+        .try_normalize(1e-6)
+        .unwrap_or(y - tangent * tangent.y)
+}
+
+/// An axis across one tangent carried to the next by the least rotation between them.
+fn carried(axis: &V3, from: &V3, to: &V3) -> V3 {
+    let both = 1.0 + from.dot(to);
+    match both > 1e-9 {
+        true => axis - (from + to) * (axis.dot(to) / both),
+        false => *axis,
+    }
 }

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use super::records::{RunRecord, Series};
 use super::scene::CheckedScene;
-use crate::case::{CheckInputs, Statistic};
+use crate::case::Statistic;
 use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
-use crate::fatigue::component::Component;
-use crate::fatigue::curve_file::read_curve;
-use crate::fatigue::curve_library::published;
-use crate::study::record_statistics::{ChannelRecord, fatigue};
+use crate::fatigue::damage::YEAR;
+use crate::number::digits;
+use crate::run::along::FatigueSpot;
+use crate::study::record_statistics::{ChannelRecord, fatigue, scatter};
 
 /// Standard errors that count as the interval of a damage: 95 % of a normal law.
 const NORMAL_95: f64 = 1.96;
@@ -26,19 +26,148 @@ pub struct SeaDamage {
     pub sample: Option<f64>,
 }
 
-/// Damage at the places of a sea, or why there is none there.
-pub(super) type SeaFatigue = BTreeMap<String, Result<SeaDamage, String>>;
+/// A place at which damage is summed. Places along a line come in their order.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct FatiguePlace {
+    order: usize,
+    /// The place along the line, which all units of its cross-section share.
+    pub(super) along: String,
+    /// Its whole name.
+    pub(super) name: String,
+}
 
-/// The damage of a sea at every place with a tension that a check holds for.
+impl FatiguePlace {
+    /// A place whose tension is recorded.
+    pub(super) fn recorded(place: &str) -> Self {
+        Self {
+            order: 0,
+            along: place.to_owned(),
+            name: place.to_owned(),
+        }
+    }
+}
+
+/// Damage at the places of a sea, or why there is none there.
+pub(super) type SeaFatigue = BTreeMap<FatiguePlace, Result<SeaDamage, String>>;
+
+/// The damage of a sea at every place that a check holds for: those with a recorded tension, or all that the runs counted along the lines.
 #[must_use]
 pub(super) fn of_sea(runs: &[RunRecord], check: &Check, scene: &CheckedScene) -> SeaFatigue {
     let Some(first) = runs.first() else {
         return SeaFatigue::new();
     };
+    if check.is_along() {
+        return along(runs, check);
+    }
     let places = first.places(Series::Tension);
     let held = places.filter(|place| check.holds_for(super::subject(place)));
-    held.map(|place| (place.to_owned(), at(runs, place, check, scene)))
+    held.map(|place| (FatiguePlace::recorded(place), at(runs, place, check, scene)))
         .collect()
+}
+
+/// The damage that the runs of a sea counted along the lines.
+fn along(runs: &[RunRecord], check: &Check) -> SeaFatigue {
+    let of_check = |run: &RunRecord| -> Vec<FatigueSpot> {
+        let own = run.along.iter().filter(|spot| spot.check == check.name);
+        own.cloned().collect()
+    };
+    let each: Vec<Vec<FatigueSpot>> = runs.iter().map(of_check).collect();
+    let Some(first) = each.first() else {
+        return SeaFatigue::new();
+    };
+    let mut errors = BTreeMap::new();
+    let spots = first.iter().enumerate().map(|(order, spot)| {
+        let line = errors
+            .entry(spot.line.clone())
+            .or_insert_with(|| LineErrors::of(runs, &spot.line));
+        let same: Vec<&FatigueSpot> = each
+            .iter()
+            .filter_map(|own| own.get(order).filter(|other| is_same(spot, other)))
+            .collect();
+        let place = place_along(spot, order);
+        let damage = match same.len() == runs.len() {
+            true => Ok(pooled(&same, line)),
+            false => Err(format!("{} is not counted in all runs", place.name)),
+        };
+        (place, damage)
+    });
+    spots.collect()
+}
+
+fn is_same(one: &FatigueSpot, other: &FatigueSpot) -> bool {
+    let of = |spot: &FatigueSpot| (spot.arc_m.to_bits(), spot.angle_deg.to_bits());
+    of(one) == of(other) && (&one.line, &one.unit) == (&other.line, &other.unit)
+}
+
+fn place_along(spot: &FatigueSpot, order: usize) -> FatiguePlace {
+    let along = format!("{}|{} m", spot.line, digits(spot.arc_m, 6));
+    let name = match spot.unit.is_empty() {
+        true => along.clone(),
+        false => format!("{along}|{}|{} deg", spot.unit, spot.angle_deg),
+    };
+    FatiguePlace { order, along, name }
+}
+
+/// The damage of a place in all runs together.
+fn pooled(same: &[&FatigueSpot], errors: &LineErrors) -> SeaDamage {
+    let sum = |of: &dyn Fn(&FatigueSpot) -> f64| -> f64 { same.iter().map(|spot| of(spot)).sum() };
+    let years = sum(&|spot| spot.duration_s) / YEAR;
+    let yearly: Vec<f64> = same
+        .iter()
+        .map(|spot| spot.damage / spot.duration_s * YEAR)
+        .collect();
+    let range = same.first().and_then(|spot| errors.of_range(spot));
+    SeaDamage {
+        per_year: sum(&|spot| spot.damage) / years,
+        numerical: range.map(|range| sum(&|spot| spot.damage_by_range) * range / years),
+        sample: scatter(&yearly),
+    }
+}
+
+/// The greatest numerical errors of the runs of a sea on a line, which count for all its places: those between are not estimated.
+struct LineErrors {
+    /// Of a range of tension at the places where it is recorded \[N\].
+    range: Option<f64>,
+    /// Of the sharpest curvature \[1/m\].
+    curvature: Option<f64>,
+}
+
+impl LineErrors {
+    fn of(runs: &[RunRecord], line: &str) -> Self {
+        let greatest = |of: &dyn Fn(&RunRecord) -> Option<f64>| {
+            let all: Option<Vec<f64>> = runs.iter().map(of).collect();
+            all?.into_iter().reduce(f64::max)
+        };
+        let range = greatest(&|run| {
+            let all: Vec<&str> = run.places(Series::Tension).collect();
+            let own = all.iter().filter(|place| super::subject(place) == line);
+            let own: Vec<&str> = own.copied().collect();
+            let places = if own.is_empty() { all } else { own };
+            let of = |place: &str, of| run.numerical(Series::Tension, place, of);
+            let ranges = places.iter().map(|place| {
+                let [low, high] = [Statistic::Min, Statistic::Max].map(|end| of(place, end));
+                Some(low? + high?)
+            });
+            ranges
+                .collect::<Option<Vec<f64>>>()?
+                .into_iter()
+                .reduce(f64::max)
+        });
+        let curvature = greatest(&|run| {
+            let (radius, error) = run.least_bend_radius()?;
+            Some(error? / (radius * radius))
+        });
+        Self { range, curvature }
+    }
+
+    /// The error of a range of a place: of both its ends.
+    fn of_range(&self, spot: &FatigueSpot) -> Option<f64> {
+        let tension = spot.by_tension.abs() * self.range?;
+        match spot.by_curvature > 0.0 {
+            true => Some(tension + 2.0 * spot.by_curvature * self.curvature?),
+            false => Some(tension),
+        }
+    }
 }
 
 fn at(
@@ -47,7 +176,8 @@ fn at(
     check: &Check,
     scene: &CheckedScene,
 ) -> Result<SeaDamage, String> {
-    let component = component(check, place, scene)?;
+    let diameter = scene.diameters.get(place).copied();
+    let component = check.component(diameter, scene.strengths.get(place).copied())?;
     let records = runs
         .iter()
         .filter_map(|run| run.series(Series::Tension, place));
@@ -75,29 +205,6 @@ fn at(
         numerical,
         sample: found.sample_error,
     })
-}
-
-/// The component of a check at a place: its curve with the diameter and the strength there.
-pub(super) fn component(
-    check: &Check,
-    place: &str,
-    scene: &CheckedScene,
-) -> Result<Component, String> {
-    if let Some(text) = &check.curve {
-        return read_curve(text).map_err(|error| error.to_string());
-    }
-    let CheckInputs {
-        curve,
-        diameter_m,
-        break_load_n,
-        ..
-    } = &check.inputs;
-    let name = curve.as_deref().unwrap_or_default();
-    let curve = published(name).ok_or_else(|| format!("there is no published curve `{name}`"))?;
-    let diameter = diameter_m.or_else(|| scene.diameters.get(place).copied());
-    let strength = break_load_n.or_else(|| scene.strengths.get(place).copied());
-    let found = curve.component(diameter, strength);
-    found.map_err(|error| error.to_string())
 }
 
 /// The damage of the years of service with all seas by their shares \[-\]: value and both errors. The numerical errors are added

@@ -82,8 +82,11 @@ pub(super) fn loads_at(
         [moments.mean - error, moments.mean + error]
     });
     let extreme = |sign: f64, of: Statistic| {
-        let (seen, place) = most_extreme(&found, sign)?;
-        let (run, row) = place;
+        let Seen {
+            value: seen,
+            run,
+            time,
+        } = most_extreme(&found, (series, place), of)?;
         let (value, sample, method) = match is_random {
             true => most_probable(&records, sign, seen, question),
             false => (seen, None, GreatestMethod::Seen),
@@ -97,7 +100,7 @@ pub(super) fn loads_at(
             method,
             seen,
             load_case: run.load_case,
-            time: run.time(row),
+            time,
         })
     };
     Some(PlaceLoads {
@@ -115,16 +118,32 @@ pub(super) fn loads_at(
     })
 }
 
-/// The greatest value, or with sign -1 the least, with its run and row.
+/// The most extreme value of all runs.
+struct Seen<'a> {
+    value: f64,
+    run: &'a RunRecord,
+    time: Option<f64>,
+}
+
+/// The greatest or least value of all runs over every step, with its run and its time: where the run kept none for it, that of the row
+/// nearest to it.
 fn most_extreme<'a>(
     found: &[(&'a RunRecord, ChannelRecord)],
-    sign: f64,
-) -> Option<(f64, (&'a RunRecord, usize))> {
-    let rows = found.iter().flat_map(|(run, record)| {
-        let values = record.values.iter().enumerate();
-        values.map(move |(row, value)| (*value, (*run, row)))
+    (series, place): (Series, &str),
+    of: Statistic,
+) -> Option<Seen<'a>> {
+    let sign = if of == Statistic::Min { -1.0 } else { 1.0 };
+    let beyond = |a: f64, b: f64| (sign * a).total_cmp(&(sign * b));
+    let each = found.iter().filter_map(|(run, record)| {
+        let rows = record.values.iter().enumerate();
+        let (row, value) = rows.max_by(|a, b| beyond(*a.1, *b.1))?;
+        let (value, time) = (*value, run.time(row));
+        let own = run.extreme(series, place, of);
+        let own = own.filter(|(own, _)| beyond(*own, value).is_ge());
+        let (value, time) = own.map_or((value, time), |(own, at)| (own, at.or(time)));
+        Some(Seen { value, run, time })
     });
-    rows.max_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)))
+    each.max_by(|a, b| beyond(a.value, b.value))
 }
 
 /// The most probable greatest value, with sign -1 the least one, its interval, and how it was found. A greatest value that was merely
@@ -142,6 +161,7 @@ fn most_probable(
             let negated = records.iter().map(|record| ChannelRecord {
                 step: record.step,
                 values: record.values.iter().map(|value| -value).collect(),
+                extremes: record.extremes.map(|[least, greatest]| [-greatest, -least]),
             });
             turned = negated.collect();
             &turned

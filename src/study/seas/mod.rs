@@ -32,7 +32,7 @@ pub use scene::CheckedScene;
 
 use crate::case::{CheckKind, StatisticsInputs};
 use crate::checks::resolved::Check;
-use crate::checks::utilisation::Verdict;
+use crate::checks::utilisation::{Estimate, Verdict};
 use crate::run::Quantity;
 use crate::study::points::PointOutcome;
 use crate::study::vary::Variation;
@@ -230,7 +230,10 @@ impl SeaQuestion {
                 false => SeaFatigue::new(),
             };
             if is_for && check.kind == CheckKind::Fatigue && damages.is_empty() {
-                own.push(Err(nothing_recorded(check, Series::Tension)));
+                own.push(Err(match check.is_along() {
+                    true => NOTHING_COUNTED.to_owned(),
+                    false => nothing_recorded(check, Series::Tension),
+                }));
             }
             rows.push(own);
             fatigue.push(damages);
@@ -303,6 +306,9 @@ impl SeaQuestion {
     }
 }
 
+/// Why a check along the lines has no row in a sea.
+const NOTHING_COUNTED: &str = "no damage is counted along the lines; the warnings of the runs say why, and runs of an older version are to be computed anew";
+
 /// Why a check has no row in a sea.
 fn nothing_recorded(check: &Check, series: Series) -> String {
     let of = match &check.inputs.of {
@@ -335,11 +341,13 @@ fn add_fatigue(
         return;
     };
     let factor = result.check.inputs.factor.unwrap_or(1.0);
+    // Of the units of a cross-section the one that governs at each place along the line.
+    let mut before: Option<&str> = None;
     for place in first.keys() {
         let parts = counted.iter().map(|(share, damages)| {
             let damage = damages.get(place).cloned();
-            let damage =
-                damage.unwrap_or_else(|| Err(format!("{place} is not recorded in all seas")));
+            let damage = damage
+                .unwrap_or_else(|| Err(format!("{} is not recorded in all seas", place.name)));
             damage.map(|damage| (share / all, damage))
         });
         let parts: Result<Vec<_>, String> = parts.collect();
@@ -348,9 +356,14 @@ fn add_fatigue(
             Err(_) => {}
             Ok(parts) => {
                 let load = of_service(&parts, question.statistics.service_years);
-                result.rows.push(CheckRow {
+                // Motions that are not drawn at random have no sample.
+                let load = Estimate {
+                    sample: load.sample.filter(|_| question.scene.is_random),
+                    ..load
+                };
+                let row = CheckRow {
                     sea: None,
-                    place: place.clone(),
+                    place: place.name.clone(),
                     load,
                     limit: 1.0 / factor,
                     unit: "",
@@ -358,7 +371,14 @@ fn add_fatigue(
                     load_case: None,
                     time: None,
                     method: None,
-                });
+                };
+                let governing = result.rows.last_mut();
+                match governing.filter(|_| before == Some(place.along.as_str())) {
+                    Some(known) if row.used.value > known.used.value => *known = row,
+                    Some(_) => {}
+                    None => result.rows.push(row),
+                }
+                before = Some(&place.along);
             }
         }
     }

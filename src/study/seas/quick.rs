@@ -7,12 +7,12 @@ use std::f64::consts::TAU;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
-use super::fatigue::SeaFatigue;
+use super::fatigue::{FatiguePlace, SeaFatigue};
 use super::loads::{Extreme, PlaceLoads};
 use super::records::Series;
 use super::{
-    OneSea, Sea, SeaDamage, SeaQuestion, SeaResults, StoredRun, checked, fatigue, nothing_recorded,
-    seas, subject,
+    OneSea, Sea, SeaDamage, SeaQuestion, SeaResults, StoredRun, checked, nothing_recorded, seas,
+    subject,
 };
 use crate::case::{ChannelQuantity, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
@@ -302,32 +302,37 @@ impl SeaQuestion {
                 && check.holds_for(subject(&channel.id.place))
         });
         let damage = |channel: &QuickChannel| {
-            let place = channel.id.place.as_str();
             let fine = self.damage(check, channel)?;
             let coarse = look.coarse.as_ref();
             let coarse = coarse.and_then(|coarse| {
                 let same = coarse.channels.iter().find(|one| one.id == channel.id)?;
                 self.damage(check, same).ok()
             });
-            Ok((
-                place.to_owned(),
-                SeaDamage {
-                    per_year: fine,
-                    numerical: coarse.map(|coarse| (fine - coarse).abs()),
-                    sample: Some(0.0),
-                },
-            ))
+            Ok(SeaDamage {
+                per_year: fine,
+                numerical: coarse.map(|coarse| (fine - coarse).abs()),
+                sample: Some(0.0),
+            })
         };
-        let named = tensions.map(|channel| match damage(channel) {
-            Ok((place, damage)) => (place, Ok(damage)),
-            Err(why) => (channel.id.place.clone(), Err(why)),
+        let named = tensions.map(|channel| {
+            let place = FatiguePlace::recorded(&channel.id.place);
+            (place, damage(channel))
         });
         named.collect()
     }
 
     /// Damage of a year \[-\].
     fn damage(&self, check: &Check, channel: &QuickChannel) -> Result<f64, String> {
-        let component = fatigue::component(check, &channel.id.place, &self.scene)?;
+        if check.is_along() {
+            return Err("quick looks have fatigue where tensions are recorded, not along lines or by cross-sections".to_owned());
+        }
+        if !self.scene.is_random {
+            return Err("quick looks have fatigue in random seas alone".to_owned());
+        }
+        let place = channel.id.place.as_str();
+        let (diameters, strengths) = (&self.scene.diameters, &self.scene.strengths);
+        let diameter = diameters.get(place).copied();
+        let component = check.component(diameter, strengths.get(place).copied())?;
         let [m0, m1, m2, m4] = channel.moments;
         if m0 == 0.0 {
             return Ok(0.0);

@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity, QuantityId, Statistic, Subject};
-use crate::run::Quantity;
-use crate::run::store::{ChannelRows, StoreError, channel_rows};
+use crate::run::along::FatigueSpot;
+use crate::run::store::{ChannelRows, StoreError, channel_extremes, channel_rows, fatigue_spots};
+use crate::run::{Channel, Quantity};
 use crate::study::record_statistics::ChannelRecord;
 
 /// What is recorded of a place.
@@ -51,6 +52,12 @@ pub struct RunRecord {
     pub load_case: usize,
     rows: ChannelRows,
     summary: Vec<Quantity>,
+    /// The channels with the extremes of the whole run and their times.
+    extremes: Vec<Channel>,
+    /// From when on the record counts \[s\].
+    from: f64,
+    /// The damage along the lines, where checks count it.
+    pub(super) along: Vec<FatigueSpot>,
     /// The horizontal places of points and bodies at time zero \[m\].
     start: Vec<(ChannelId, f64)>,
 }
@@ -85,6 +92,9 @@ impl RunRecord {
             load_case,
             rows,
             summary: summary.to_vec(),
+            extremes: channel_extremes(dir)?,
+            along: fatigue_spots(dir)?,
+            from,
             start,
         })
     }
@@ -110,10 +120,61 @@ impl RunRecord {
                 quantities.find_map(|of| self.values(*of, place))?.to_vec()
             }
         };
-        if values.len() == 1 {
-            return Some(ChannelRecord { step: 1.0, values });
+        let least = self.extreme(series, place, Statistic::Min);
+        let greatest = self.extreme(series, place, Statistic::Max);
+        let extremes = least.zip(greatest).map(|(least, most)| [least.0, most.0]);
+        let found = match values.len() {
+            1 => Some(ChannelRecord {
+                step: 1.0,
+                values,
+                extremes,
+            }),
+            _ => ChannelRecord::of(&self.rows.time, &values),
+        };
+        found.map(|record| ChannelRecord { extremes, ..record })
+    }
+
+    /// The greatest or least value of a series over every step of the run itself after the start that is left out, and its time \[s\]
+    /// where that is known; nothing of what is derived from several channels.
+    #[must_use]
+    pub fn extreme(
+        &self,
+        series: Series,
+        place: &str,
+        of: Statistic,
+    ) -> Option<(f64, Option<f64>)> {
+        if series == Series::Offset {
+            return None;
         }
-        ChannelRecord::of(&self.rows.time, &values)
+        let id = |quantity: &ChannelQuantity| quantity.at(place);
+        let known = |quantity: &ChannelQuantity| {
+            let mut channels = self.extremes.iter();
+            channels.find(|channel| channel.id == id(quantity))
+        };
+        let channel = series.quantities().iter().find_map(known)?;
+        let (value, time) = match of {
+            Statistic::Min => channel.trough,
+            _ => channel.peak,
+        };
+        // Output times are products of roundings.
+        if time >= self.from * (1.0 - 1e-12) && value.is_finite() {
+            return Some((value, Some(time)));
+        }
+        self.settled(&channel.id, of).map(|value| (value.0, None))
+    }
+
+    /// A statistic of a channel after the start that is left out, as the run took it, and its numerical error.
+    fn settled(&self, channel: &ChannelId, of: Statistic) -> Option<(f64, Option<f64>)> {
+        let found = self.summary.iter().find(|quantity| match &quantity.id {
+            QuantityId::Statistic {
+                of: Subject::Channel(id),
+                statistic,
+                within: Some([from, _]),
+                ..
+            } => id == channel && *statistic == of && from.to_bits() == self.from.to_bits(),
+            _ => false,
+        });
+        found.map(|quantity| (quantity.value, quantity.error_estimate()))
     }
 
     /// How long its record is \[s\].
@@ -161,7 +222,9 @@ impl RunRecord {
     #[must_use]
     pub fn numerical(&self, series: Series, place: &str, of: Statistic) -> Option<f64> {
         let of_channel = |quantity: ChannelQuantity, of: Statistic| {
-            self.error(Subject::Channel(quantity.at(place)), of)
+            let id = quantity.at(place);
+            let settled = self.settled(&id, of).and_then(|(_, error)| error);
+            settled.or_else(|| self.error(Subject::Channel(id), of))
         };
         match series {
             // Of the extremes of both coordinates the least favourable, in both directions.

@@ -10,6 +10,7 @@ use crate::case::{
 use crate::checks::resolved::Check;
 use crate::system::model::NO_LINE;
 use crate::system::network::Held;
+use crate::system::section_materials::diameter;
 use crate::system::{SolvedSystem, SystemFile};
 
 /// What checks need to know of a scene.
@@ -163,16 +164,6 @@ fn places(sections: usize) -> Vec<(String, std::ops::Range<usize>)> {
     places.extend((1..sections).map(|meeting| (meeting.to_string(), meeting - 1..meeting + 1)));
     places.push(("b".to_owned(), last..sections));
     places
-}
-
-/// The diameter of a section of a line, by the name that its copies share.
-fn diameter(file: &SystemFile, line: &str, section: usize) -> Option<f64> {
-    let line = file.lines.iter().find(|known| known.name == line)?;
-    let section = line.sections.get(section).map(|section| &section.material);
-    let material = section.or(line.material.as_ref())?;
-    file.materials
-        .get(material)
-        .map(|material| material.diameter_m)
 }
 
 /// Names of the lines, points and bodies of a system.

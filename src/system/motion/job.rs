@@ -8,7 +8,7 @@ use super::march::Stored;
 use super::recorder::EnergyBalance;
 use super::run::{ChannelResult, MotionRun, run_stored};
 use crate::case::attachments::with_files;
-use crate::case::{EnergyQuantity, QuantityId, Statistic, Subject};
+use crate::case::{ChannelQuantity, EnergyQuantity, QuantityId, Statistic, Subject};
 use crate::run::event::JobEvent;
 use crate::run::store::{now, rfc3339};
 use crate::run::{
@@ -109,6 +109,7 @@ pub fn execute(
             shapes: Vec::new(),
             profile: Profile::default(),
             summary: Vec::new(),
+            fatigue: Vec::new(),
         },
     }
 }
@@ -116,6 +117,10 @@ pub fn execute(
 /// The result of a computation as a run.
 fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: MotionRun) -> Run {
     let mut summary: Vec<Quantity> = computed.channels.iter().flat_map(statistics).collect();
+    let used = &computed.settings;
+    let window = used.settled_from_s.map(|from| [from, used.duration_s]);
+    let settled = |channel| settled(channel, window);
+    summary.extend(computed.channels.iter().flat_map(settled));
     summary.extend(energies(&computed.balance));
     Run {
         info: RunInfo {
@@ -138,6 +143,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
         shapes: Vec::new(),
         profile: Profile::default(),
         summary,
+        fatigue: computed.fatigue,
     }
 }
 
@@ -188,6 +194,21 @@ fn statistics(channel: &ChannelResult) -> impl Iterator<Item = Quantity> {
                 ..Quantity::new(QuantityId::new(of, statistic, None), numbers[k])
             }
         })
+}
+
+/// The extremes of what checks compare after the start that they leave out. Their errors are those of the whole run.
+fn settled(
+    channel: &ChannelResult,
+    window: Option<[f64; 2]>,
+) -> impl Iterator<Item = Quantity> + use<> {
+    let checked = ChannelQuantity::CHECKED.contains(&channel.id.quantity);
+    let found = channel.settled.filter(|_| checked && window.is_some());
+    let id = channel.id.clone();
+    let statistics = found.map(|ends| [Statistic::Min, Statistic::Max].into_iter().zip(ends));
+    statistics.into_iter().flatten().map(move |(of, value)| {
+        let subject = Subject::Channel(id.clone());
+        Quantity::new(QuantityId::new(subject, of, window), value)
+    })
 }
 
 /// The energy balance, without errors.

@@ -151,11 +151,18 @@ pub(super) fn compute(
 
 impl Marching {
     fn new(begun: Start, settings: &MotionSettings) -> Self {
-        let Start { system, state, .. } = begun;
+        let Start {
+            system,
+            state,
+            along,
+            ..
+        } = begun;
         let method = Method::new(settings, &system, &state);
         Self {
             bodies: method.bodies().to_vec(),
-            recorder: Recorder::new(&system, settings.interval_s),
+            recorder: Recorder::new(&system, settings.interval_s)
+                .settled_from(settings.settled_from_s)
+                .counting(along),
             march: March {
                 duration: settings.duration_s,
                 step: settings.time_step_s,
@@ -217,6 +224,9 @@ impl Marching {
             self.state.size_as(&stored.state);
         }
         stored.check(&self.state, self.recorder.channels().len())?;
+        if !self.recorder.fits(&stored.recorder) {
+            return Err("its checkpoint.toml counts fatigue at other places".to_owned());
+        }
         if stored.interval_s.to_bits() != self.recorder.interval().to_bits() {
             return Err("the interval of its history is another one".to_owned());
         }
@@ -347,22 +357,27 @@ impl Marching {
         (work, cost): (MotionWork, Cost),
         ended: Option<EarlyEnd>,
     ) -> MotionRun {
-        let recorder = self.recorder;
+        let mut recorder = self.recorder;
+        let along = recorder.take_along();
         let summaries = recorder.summaries();
-        let channels = recorder.channels().iter().zip(summaries);
-        let channel = |(id, summary): (&ChannelId, ChannelSummary)| ChannelResult {
-            id: id.clone(),
-            summary,
-            time_error: None,
-            mesh_error: None,
-        };
+        let channels = recorder.channels().iter().zip(summaries).enumerate();
+        let channel =
+            |(number, (id, summary)): (usize, (&ChannelId, ChannelSummary))| ChannelResult {
+                id: id.clone(),
+                summary,
+                settled: recorder.settled(number),
+                time_error: None,
+                mesh_error: None,
+            };
         let (state, failure) = match ended {
             None => (RunState::Done, None),
             Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
             Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
         };
+        let (fatigue, warnings) = along.finish();
         MotionRun {
             settings: settings.clone(),
+            fatigue,
             channels: channels.map(channel).collect(),
             companions: Vec::new(),
             balance: recorder.balance,
@@ -372,7 +387,7 @@ impl Marching {
             happened: self.happened,
             state,
             failure,
-            warnings: Vec::new(),
+            warnings,
         }
     }
 }

@@ -9,6 +9,7 @@
 //! nodes ([`Condensation`](crate::numerics::Condensation)), the joints are solved for together ([`border`]), and the lines follow. A line
 //! between prescribed ends has no border and costs what it costs alone.
 
+pub mod along;
 pub mod alpha;
 mod body_damping;
 pub mod body_equation;

@@ -2,12 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::along::LinesAlong;
 use super::body_equation::MovingBody;
 use super::channels::Channels;
 use super::energy::{Energy, energy};
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::case::ChannelId;
+use crate::fatigue::spot::SpotCounter;
 use crate::run::{DecimatedRecord, History};
 
 /// A channel over the whole run.
@@ -81,6 +83,12 @@ pub struct RecorderState {
     last_energy: Energy,
     balance: EnergyBalance,
     summaries: Vec<ChannelSummary>,
+    /// Least and greatest values after the start; empty where it is not left out.
+    #[serde(default)]
+    settled: Vec<[f64; 2]>,
+    /// Cycles counted along the lines.
+    #[serde(default)]
+    fatigue: Vec<SpotCounter>,
     steps: Vec<Step>,
 }
 
@@ -96,7 +104,8 @@ impl RecorderState {
     pub fn fits(&self, channels: usize) -> bool {
         let steps = self.steps.iter().map(|step| step.values.len());
         let mut sizes = steps.chain([self.sums.len(), self.summaries.len()]);
-        !self.steps.is_empty() && sizes.all(|size| size == channels)
+        let settled = [0, channels].contains(&self.settled.len());
+        !self.steps.is_empty() && settled && sizes.all(|size| size == channels)
     }
 }
 
@@ -115,6 +124,11 @@ pub struct Recorder {
     steps: Vec<Step>,
     sums: Vec<f64>,
     summaries: Vec<ChannelSummary>,
+    /// From when on \[s\] the extremes are kept apart, and these; empty where they are not.
+    settled_from: f64,
+    settled: Vec<[f64; 2]>,
+    /// What is counted along the lines.
+    along: LinesAlong,
     last_energy: Energy,
     /// The energy balance so far.
     pub balance: EnergyBalance,
@@ -146,6 +160,9 @@ impl Recorder {
             steps: Vec::new(),
             sums: vec![0.0; n],
             summaries: vec![nothing; n],
+            settled_from: f64::INFINITY,
+            settled: Vec::new(),
+            along: LinesAlong::default(),
             last_energy: Energy::default(),
             balance: EnergyBalance::default(),
             energy_at_start: 0.0,
@@ -153,6 +170,46 @@ impl Recorder {
             passed: 0.0,
             fault: None,
         }
+    }
+
+    /// The same, which keeps the extremes from a time on \[s\] apart where one is given.
+    #[must_use]
+    pub fn settled_from(mut self, from: Option<f64>) -> Self {
+        // Nothing is seen yet: not infinite numbers, since a checkpoint is finite.
+        let nothing = from.map(|_| vec![[f64::MAX, f64::MIN]; self.sums.len()]);
+        self.settled = nothing.unwrap_or_default();
+        self.settled_from = from.unwrap_or(f64::INFINITY);
+        self
+    }
+
+    /// The same, which counts cycles along the lines.
+    #[must_use]
+    pub fn counting(mut self, along: LinesAlong) -> Self {
+        self.along = along;
+        self
+    }
+
+    /// What is counted along the lines, at the end of the run.
+    #[must_use]
+    pub fn take_along(&mut self) -> LinesAlong {
+        std::mem::take(&mut self.along)
+    }
+
+    /// Whether what was recorded so far is of this run.
+    #[must_use]
+    pub fn fits(&self, stored: &RecorderState) -> bool {
+        let sound = |counter: &SpotCounter| counter.is_sound();
+        stored.fits(self.channels.ids.len())
+            && stored.settled.len() == self.settled.len()
+            && stored.fatigue.len() == self.along.counters()
+            && stored.fatigue.iter().all(sound)
+    }
+
+    /// Least and greatest value of a channel at the steps from that time on; nothing where there are none.
+    #[must_use]
+    pub fn settled(&self, channel: usize) -> Option<[f64; 2]> {
+        let found = self.settled.get(channel).copied();
+        found.filter(|[least, greatest]| least <= greatest)
     }
 
     /// Why the run cannot go on: the first value that is not finite, with its time.
@@ -173,6 +230,8 @@ impl Recorder {
             last_energy: self.last_energy,
             balance: self.balance,
             summaries: self.summaries.clone(),
+            settled: self.settled.clone(),
+            fatigue: self.along.state(),
             steps: self.steps.clone(),
         }
     }
@@ -187,6 +246,8 @@ impl Recorder {
         self.last_energy = stored.last_energy;
         self.balance = stored.balance;
         self.summaries.clone_from(&stored.summaries);
+        self.settled.clone_from(&stored.settled);
+        self.along.restore(&stored.fatigue);
         self.steps.clone_from(&stored.steps);
     }
 
@@ -231,6 +292,7 @@ impl Recorder {
             return;
         }
         self.summarise(&step);
+        self.along.step(system, t, state);
         self.add_energy(&energy(system, bodies, t, state), t);
         self.steps.push(step);
         match self.steps.len() {
@@ -259,6 +321,7 @@ impl Recorder {
         self.channels
             .read((system, bodies), t, state, &mut step.values);
         self.summarise(&step);
+        self.along.step(system, t, state);
         let now = energy(system, bodies, t, state);
         self.balance.remeshed += now.stored - self.last_energy.stored;
         self.last_energy = now;
@@ -307,6 +370,7 @@ impl Recorder {
     fn summarise(&mut self, step: &Step) {
         let before = self.steps.last();
         let before = before.filter(|before| step.time > before.time);
+        let is_settled = step.time >= self.settled_from * (1.0 - 1e-12);
         for (k, value) in step.values.iter().enumerate() {
             let summary = &mut self.summaries[k];
             if *value < summary.least.0 {
@@ -316,6 +380,9 @@ impl Recorder {
                 summary.greatest = (*value, step.time);
             }
             summary.last = *value;
+            if let Some([least, greatest]) = self.settled.get_mut(k).filter(|_| is_settled) {
+                (*least, *greatest) = (least.min(*value), greatest.max(*value));
+            }
             if let Some(before) = before {
                 self.sums[k] += 0.5 * (value + before.values[k]) * (step.time - before.time);
             }

@@ -3,6 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::along::LinesAlong;
 use super::channels::Channels;
 use super::march::{Stored, compute};
 use super::recorder::{ChannelSummary, EnergyBalance};
@@ -11,6 +12,7 @@ use super::start::{Start, start};
 use crate::case::ChannelId;
 use crate::limits::STEPS;
 use crate::numerics::richardson::Refinement;
+use crate::run::along::FatigueSpot;
 use crate::run::event::JobEvent;
 use crate::run::{Cost, History, RunState};
 use crate::system::SolvedSystem;
@@ -32,6 +34,8 @@ pub struct MotionRun {
     pub work: MotionWork,
     /// The time that it took.
     pub cost: Cost,
+    /// The damage along the lines, where checks count it.
+    pub fatigue: Vec<FatigueSpot>,
     /// The energy balance.
     pub balance: EnergyBalance,
     /// What happened to the lines, in words.
@@ -70,6 +74,8 @@ pub struct ChannelResult {
     pub id: ChannelId,
     /// Over the whole run.
     pub summary: ChannelSummary,
+    /// Least and greatest value at the steps after the start that checks leave out; nothing where none is.
+    pub settled: Option<[f64; 2]>,
     /// Errors of the least, greatest, mean and last value by the time steps; nothing where they are not estimated.
     pub time_error: Option<[f64; 4]>,
     /// The same by the mesh.
@@ -113,7 +119,11 @@ pub(super) fn run_stored(
 ) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1)?;
     let interval = solved.file.output.interval_s;
-    let settings = MotionSettings::new(given, interval, &begun.system);
+    let window = solved.file.statistics.settled_window(given.duration_s);
+    let settings = MotionSettings {
+        settled_from_s: window.map(|[from, _]| from),
+        ..MotionSettings::new(given, interval, &begun.system)
+    };
     let steps = settings.duration_s / settings.time_step_s;
     if STEPS.is_exceeded_by(steps) {
         return Err(UnsolvedSystem {
@@ -129,12 +139,18 @@ pub(super) fn run_stored(
             part: None,
         });
     }
-    let again = given.error_estimate.then(|| begun.clone());
+    let again = given.error_estimate.then(|| Start {
+        along: LinesAlong::default(),
+        ..begun.clone()
+    });
+    let (along, missing) = LinesAlong::of(solved, &begun.system);
+    let begun = Start { along, ..begun };
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,
     });
     let mut notes = coarse_memory(&begun);
     notes.extend(turned_from_loads(&begun));
+    notes.extend(missing);
     let mut run = compute(begun, &settings, stored, cancel, events);
     run.warnings.extend(notes);
     if let Some(again) = again.filter(|_| run.state == RunState::Done) {

@@ -38,6 +38,8 @@ pub struct MotionSettings {
     pub max_iterations: usize,
     /// Interval of the history \[s\].
     pub interval_s: f64,
+    /// From when on extremes are kept apart from those of the start \[s\]; nothing where they are not.
+    pub settled_from_s: Option<f64>,
 }
 
 impl MotionSettings {
@@ -61,6 +63,7 @@ impl MotionSettings {
             position_tolerance_m: given.position_tolerance_m.min(finest),
             max_iterations: given.max_iterations,
             interval_s,
+            settled_from_s: None,
         }
     }
 

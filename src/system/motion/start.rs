@@ -1,5 +1,6 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
+use super::along::LinesAlong;
 use super::body_flow::{FlowLoad, VelocityHistory};
 use super::border::Border;
 use super::breaks;
@@ -49,6 +50,8 @@ pub struct Start {
     pub state: SystemState,
     /// Iterations of the search.
     pub iterations: u64,
+    /// What is counted along its lines; nothing of a companion.
+    pub along: LinesAlong,
 }
 
 /// The equilibrium of a system whose lines have `1 / coarsening` of their segments: 1 for the run itself.
@@ -84,6 +87,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
         system,
         state,
         iterations,
+        along: LinesAlong::default(),
     })
 }
 

@@ -383,6 +383,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         shapes: (0..=6).map(|i| shape(100.0 * f64::from(i))).collect(),
         profile,
         summary,
+        fatigue: Vec::new(),
     }
 }
 

@@ -12,6 +12,9 @@ use crate::system::motion::channels::Channels;
 use crate::system::motion::moving_system::MovingSystem;
 use crate::system::motion::system_state::SystemState;
 
+/// Harmonics at most that are no random sea.
+pub(super) const FEW: usize = 3;
+
 /// Greatest displacement of the states by which channels are differentiated \[m, rad\].
 const STEP: f64 = 1e-4;
 
@@ -75,9 +78,13 @@ impl QuickChannel {
     }
 
     /// The most probable greatest value of so many hours, or with sign -1 the least one: `mean + sigma sqrt(2 ln N)` with N crossings
-    /// (Longuet-Higgins 1952).
+    /// (Longuet-Higgins 1952). Of a few harmonics, which make no random sea, the greatest value that they ever reach together.
     #[must_use]
     pub fn most_probable(&self, hours: f64, sign: f64) -> f64 {
+        if self.amplitudes.len() <= FEW {
+            let reach = self.amplitudes.iter().map(|y| y.norm());
+            return self.mean + sign * reach.sum::<f64>();
+        }
         let crossings = (self.rate() * hours * 3600.0).max(1.0);
         self.mean + sign * self.deviation() * (2.0 * crossings.ln()).sqrt()
     }

@@ -4,6 +4,7 @@
 //! least in the mean square has the matrix `E[dF/dw]` (Price's theorem; Borgman 1969, doi 10.1061/TACEAT.0008647, for one direction). The
 //! mean is a quadrature over the sphere of directions of `S^1/2 xi`, xi of unit covariance, exact to the ninth degree (Albrecht and
 //! Collatz, ZAMM 38, 1958), and over its length by Gauss's rule, or where there is no current, and drag grows with the speed, by its mean.
+//! A few harmonics are no normal process: there velocities count by the share that gives one harmonic its own linear drag, `8/(3 pi)`.
 //! The tangent is that of the model itself, at states whose water moves so. Quadratic damping of bodies counts each velocity by itself:
 //! its mean magnitude, `sqrt(2/pi) sigma`.
 
@@ -12,6 +13,7 @@ use std::sync::LazyLock;
 
 use nalgebra::Vector6;
 
+use super::channel::FEW;
 use super::excitation::Excitation;
 use super::linear_system::{Amplitudes, Tangents};
 use super::{Amplitude, Complex};
@@ -31,6 +33,9 @@ const BY_VELOCITY: Factors = Factors {
     damping: 1.0,
     stiffness: 0.0,
 };
+
+/// Drag of a harmonic by that of normal velocities of the same deviation: `8/(3 pi)` by `sqrt(8/pi)/sqrt(2)`, for drag along one direction.
+const HARMONIC: f64 = 0.752_252_778;
 
 /// Step of differences, by the velocities of an excitation.
 const STEP: f64 = 1e-3;
@@ -90,6 +95,8 @@ pub(super) struct DragAverager<'a> {
     /// Damping without drag.
     still: Tangents,
     has_current: bool,
+    /// By what lengths of velocities are multiplied.
+    share: f64,
     state: SystemState,
 }
 
@@ -98,6 +105,7 @@ impl<'a> DragAverager<'a> {
         system: &'a MovingSystem,
         mean: &'a SystemState,
         border: &'a mut Border,
+        excitations: usize,
     ) -> Self {
         let mut still = system.clone();
         still.network.current = None;
@@ -125,6 +133,7 @@ impl<'a> DragAverager<'a> {
             mean,
             border,
             has_current,
+            share: if excitations <= FEW { HARMONIC } else { 1.0 },
             state,
         }
     }
@@ -137,7 +146,7 @@ impl<'a> DragAverager<'a> {
         let mut sum = zero_like(&self.still);
         for (length, share) in lengths {
             for (direction, weight) in DIRECTIONS.iter() {
-                self.set((&roots, spread), &(direction * *length));
+                self.set((&roots, spread), &(direction * *length * self.share));
                 let found = self
                     .border
                     .linearise(self.system, 0.0, &self.state, BY_VELOCITY);
@@ -177,7 +186,7 @@ impl<'a> DragAverager<'a> {
         let way = [xi.z, xi.y, xi.x].into_iter().find(|c| c.abs() > 1e-9);
         let way = way.unwrap_or(1.0).signum() * FRAC_2_PI.sqrt();
         for (number, sigma) in spread.bodies.iter().enumerate() {
-            self.move_body(number, &(sigma * way));
+            self.move_body(number, &(sigma * way * self.share));
         }
         for (number, range) in self.system.stations.iter().enumerate() {
             let motion = self.system.body(&self.state, number);
@@ -208,7 +217,7 @@ impl<'a> DragAverager<'a> {
         let corners = DIRECTIONS.iter().filter(|(_, w)| *w < 26.0 / 840.0);
         let corners: Vec<V3> = corners.map(|(direction, _)| *direction).collect();
         for direction in &corners {
-            self.set((&roots, spread), &(direction * MEAN_LENGTH));
+            self.set((&roots, spread), &(direction * MEAN_LENGTH * self.share));
             let flow = self.state.body_flow.clone();
             for (excitation, loads) in excitations.iter().zip(&mut loads) {
                 for body in 0..self.border.bodies().len() {

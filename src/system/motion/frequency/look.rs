@@ -132,7 +132,7 @@ fn respond(
     let radiation = excitations.iter();
     let radiation = radiation.map(|excitation| linear.radiation(excitation.omega));
     let mut turns = Turns {
-        averager: DragAverager::new(system, mean, border),
+        averager: DragAverager::new(system, mean, border, excitations.len()),
         radiation: radiation.collect(),
         spread: Spread::of(system, mean, excitations.iter().map(|one| (one, None)), 1.0),
         linear,

@@ -37,6 +37,7 @@ pub(super) fn of_case(case: &Case, coarsening: usize) -> Result<Start, UnsolvedS
         system,
         state,
         iterations: found.iterations,
+        along: Default::default(),
     })
 }
 
