@@ -39,6 +39,7 @@ mod study_speed;
 mod sweep;
 mod sweep_checks;
 mod sweep_scale;
+mod sweep_screen;
 mod sweep_slurm;
 mod system_runs;
 mod terminal;

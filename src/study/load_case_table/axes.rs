@@ -67,6 +67,11 @@ pub(super) fn axes(variation: &Variation) -> Vec<LoadCaseAxis> {
             None => groups.push(vec![own]),
         }
     }
+    let kept: Vec<bool> = (0..groups.len())
+        .map(|own| !is_of_seed(&groups, own))
+        .collect();
+    let mut kept = kept.iter();
+    groups.retain(|_| kept.next() == Some(&true));
     let all = groups.iter().flatten();
     let names: Vec<String> = all.map(|of| short(of.key)).collect();
     groups.iter().map(|group| axis(group, &names)).collect()
@@ -114,6 +119,18 @@ fn is_same(a: &[u32], b: &[u32]) -> bool {
     a.iter()
         .zip(b)
         .all(|(a, b)| *forth.entry(a).or_insert(b) == b && *back.entry(b).or_insert(a) == a)
+}
+
+/// Whether a group of keys tells no seas apart and follows from another one: which seed has its errors estimated.
+fn is_of_seed(groups: &[Vec<KeyPlaces<'_>>], own: usize) -> bool {
+    let of_samples = |group: &[KeyPlaces<'_>]| group.iter().all(|of| is_of_one_sea(&of.key.path));
+    let follows = |other: &[KeyPlaces<'_>]| {
+        let mut known = HashMap::new();
+        let mut both = other[0].places.iter().zip(&groups[own][0].places);
+        both.all(|(other, own)| *known.entry(other).or_insert(own) == own)
+    };
+    let mut others = groups.iter().enumerate().filter(|(place, _)| *place != own);
+    of_samples(&groups[own]) && others.any(|(_, other)| of_samples(other) && follows(other))
 }
 
 /// The last part of a key path, without its unit.
@@ -204,5 +221,28 @@ mod tests {
         assert_eq!(found[0].place(0), Some(1));
         assert!(!found[0].is_of_samples && found[1].is_of_samples);
         assert_eq!(found[1].words(1), "seed 2");
+    }
+
+    #[test]
+    fn which_seed_has_its_errors_estimated_is_no_axis() {
+        let key = |path: &str| LoadCaseKey {
+            path: path.to_owned(),
+            field: field_at(&path.split('.').collect::<Vec<_>>()).unwrap(),
+        };
+        let row = |seed: f64, estimated: &str| {
+            vec![
+                StudyValue::Number(seed),
+                StudyValue::Word(estimated.to_owned()),
+            ]
+        };
+        let load_cases = LoadCases {
+            keys: vec![key("waves.seed"), key("solver.error_estimate")],
+            rows: vec![row(1.0, "true"), row(2.0, "false"), row(3.0, "false")],
+            probability: None,
+        };
+        let variation = Variation::of_load_cases(BaseCase::new("", "c.toml"), load_cases);
+        let found = axes(&variation);
+        assert_eq!(found.len(), 1);
+        assert_eq!(found[0].label, "seed");
     }
 }

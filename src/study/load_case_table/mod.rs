@@ -10,9 +10,10 @@ use std::path::PathBuf;
 pub use axes::LoadCaseAxis;
 pub use heat_map::{HeatCell, HeatMap, HeatMapChoice, Reduction};
 
+use crate::case::QuantityId;
 use crate::run::RunState;
 use crate::study::points::PointOutcome;
-use crate::study::seas::SeaResults;
+use crate::study::seas::{CheckResult, SeaResults};
 use crate::study::sweep::{SnapshotOutcomes, SweepSnapshot};
 use crate::study::vary::system::SystemOutcome;
 use crate::system::quantities::unit;
@@ -119,9 +120,9 @@ impl LoadCaseTable {
                     .map(|run| run.map_or_else(LoadCaseState::default, LoadCaseState::of_run))
                     .collect();
                 table.dirs = found().map(|run| run?.as_ref().ok()?.dir.clone()).collect();
-                let column = |id| LoadCaseColumn {
-                    name: format!("{id}"),
-                    unit: crate::case::QuantityId::unit(id),
+                let column = |id: &QuantityId| LoadCaseColumn {
+                    name: id.to_string(),
+                    unit: id.unit(),
                     values: found()
                         .map(|run| {
                             let found = run?.as_ref().ok()?.result(id)?;
@@ -179,7 +180,7 @@ impl LoadCaseTable {
 /// together, such as fatigue, have none.
 #[must_use]
 pub fn used_columns(results: &SeaResults, load_cases: usize) -> Vec<LoadCaseColumn> {
-    let column = |check: &crate::study::seas::CheckResult| {
+    let column = |check: &CheckResult| {
         let mut of_seas: Vec<Option<ResultValue>> = vec![None; results.seas.len()];
         for row in &check.rows {
             let Some(slot) = row.sea.and_then(|sea| of_seas.get_mut(sea)) else {
