@@ -22,6 +22,7 @@ mod effective_inputs;
 pub mod fields;
 mod file;
 pub(crate) mod file_kind;
+pub mod judging_rows;
 pub mod kind;
 mod line_quantity;
 mod load_case_file;

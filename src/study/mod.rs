@@ -7,6 +7,7 @@ pub mod base_run;
 pub mod effects;
 pub mod hard_cases;
 pub mod lines;
+pub mod load_case_table;
 pub mod physics;
 pub mod points;
 pub mod random_motion;

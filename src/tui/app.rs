@@ -20,6 +20,7 @@ use super::effects::EffectRunner;
 use super::effects::outbox::Outbox;
 use super::key::KeyPress;
 use super::msg::{Effect, Msg};
+use super::state::sweep_request::SweepMsg;
 use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
 use super::terminal::decode::{Decoder, TerminalInput};
@@ -250,7 +251,9 @@ impl Due {
     /// When what a message says is to be seen.
     fn of(message: &Msg) -> Self {
         match message {
-            Msg::Recorded(..) | Msg::TrialProgress(..) => Self::Sometime,
+            Msg::Recorded(..) | Msg::TrialProgress(..) | Msg::Sweep(SweepMsg::Progress(..)) => {
+                Self::Sometime
+            }
             Msg::Job(_, event) if !matches!(**event, JobEvent::Finished(_)) => Self::Sometime,
             _ => Self::Now,
         }

@@ -103,6 +103,18 @@ pub enum CommandId {
     Suspend,
     Quit,
     AddLineType,
+    Sweep,
+    StartSweep,
+    NextResult,
+    PreviousResult,
+    AxisAcross,
+    AxisDown,
+    Rule,
+    HoldNext,
+    HoldPrevious,
+    OtherAxis,
+    NextSweep,
+    PreviousSweep,
 }
 
 /// A command with its keys. Keys, footer, `?` help and `:` palette come from these alone.
@@ -201,6 +213,14 @@ pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the ne
 #[rustfmt::skip]
 const ADD_LINE_TYPE: Command = command(CommandOrder::Rare, CommandId::AddLineType, &["A"], "", "Add a line type: chain, wire or fibre rope by nominal diameter, as a material at the end of the file");
 
+/// Computes the load cases of a file.
+#[rustfmt::skip]
+const START_SWEEP: Command = command(CommandOrder::Kind, CommandId::StartSweep, &["W"], "sweep", "Compute all load cases in the background; a sweep of them that was stopped goes on");
+
+/// Shows the load cases of a file.
+#[rustfmt::skip]
+const SWEEP: Command = command(CommandOrder::Kind, CommandId::Sweep, &["C"], "load cases", "Go to the load cases: heat map, table, checks");
+
 /// Of a line case.
 #[rustfmt::skip] // a table: one command a line
 pub const LINE: &[Command] = &[
@@ -210,6 +230,8 @@ pub const LINE: &[Command] = &[
     command(CommandOrder::Setup, CommandId::Study, &["S"], "study", "Run all variants of a study and overlay them"),
     command(CommandOrder::Setup, CommandId::Keep, &["K"], "keep", "Keep the live run on disk"),
     command(CommandOrder::Rare, CommandId::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
+    START_SWEEP,
+    SWEEP,
     ADD_LINE_TYPE,
 ];
 
@@ -226,6 +248,8 @@ pub const MODEL: &[Command] = &[
 pub const REPORTED: &[Command] = &[
     ADD_LINE_TYPE,
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
+    START_SWEEP,
+    SWEEP,
 ];
 
 /// Of a system of lines that is computed in time.
@@ -234,6 +258,8 @@ pub const MOVING: &[Command] = &[
     command(CommandOrder::Kind, CommandId::Run, &["R"], "run", "Compute the system in time and store the run"),
     REPORTED[0],
     REPORTED[1],
+    START_SWEEP,
+    SWEEP,
 ];
 
 /// Of every open file.
@@ -288,7 +314,7 @@ pub const EVERYWHERE: &[Command] = &[
 /// The key of a pane by its number, counted from 1.
 #[must_use]
 pub fn pane(number: usize, doc: &'static str) -> Option<Command> {
-    const KEYS: &[&str] = &["1", "2", "3", "4", "5", "6", "7", "8", "9"];
+    const KEYS: &[&str] = &["1", "2", "3", "4", "5", "6", "7", "8", "9", "0"];
     let keys = KEYS.get(number.checked_sub(1)?..number)?;
     let id = CommandId::Pane(u8::try_from(number).ok()?);
     Some(command(CommandOrder::Pane, id, keys, "", doc))

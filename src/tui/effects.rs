@@ -6,6 +6,7 @@ mod ordered_worker;
 pub mod outbox;
 mod pages;
 mod runs;
+mod sweep_worker;
 mod trial_worker;
 
 use std::collections::HashMap;
@@ -24,6 +25,7 @@ use self::open::read_case;
 use self::ordered_worker::OrderedWorker;
 use self::outbox::{Inbox, Outbox};
 use self::runs::{delete_runs, keep_run, read_run_case, write_notes};
+use self::sweep_worker::SweepWorker;
 use self::trial_worker::compute_trials;
 use super::case_library;
 use super::external_editor;
@@ -34,6 +36,7 @@ use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::parts::{Part, PartRequest, PartView};
 use super::state::report::ReportRequest;
+use super::state::sweep_request::SweepMsg;
 use super::state::trials::TrialsOf;
 use super::state::value_check::ValueCheck;
 use super::state::{JobNumber, JobRequest, RunCurves, Severity, VariantPlan, VariedRuns};
@@ -56,6 +59,7 @@ pub struct EffectRunner {
     drawings: OrderedWorker,
     tables: OrderedWorker,
     runs: IndexWorker,
+    sweeps: SweepWorker,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(JobNumber, Arc<AtomicBool>)>,
@@ -86,6 +90,7 @@ impl EffectRunner {
             drawings: OrderedWorker::start("drawings", out.clone()),
             tables: OrderedWorker::start("tables", out.clone()),
             runs: IndexWorker::default(),
+            sweeps: SweepWorker::new(out.clone()),
             out,
             inbox,
             jobs: HashMap::new(),
@@ -129,6 +134,10 @@ impl EffectRunner {
             let ended = match msg {
                 Msg::Job(ticket, event) if matches!(**event, JobEvent::Finished(_)) => Some(ticket),
                 Msg::JobFailed(ticket, _) => Some(ticket),
+                Msg::Sweep(SweepMsg::Ended(ticket, _)) => {
+                    self.sweeps.forget(*ticket);
+                    None
+                }
                 _ => None,
             };
             if let Some(ticket) = ended {
@@ -189,6 +198,7 @@ impl EffectRunner {
             Effect::Plan { case, text, file } => {
                 self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
             }
+            Effect::Sweep(effect) => self.sweeps.perform(effect),
             Effect::Vary(path, variation) => {
                 self.aside(move || Msg::Varied(Box::new(VariedRuns::new(path, &variation))))
             }
@@ -234,6 +244,7 @@ impl EffectRunner {
         if let Some((_, cancel)) = self.trials.as_ref().filter(|(t, _)| *t == ticket) {
             cancel.store(true, Ordering::Relaxed);
         }
+        self.sweeps.cancel(ticket);
         if let Some(running) = self.jobs.get(&ticket) {
             running.cancel.store(true, Ordering::Relaxed);
         }

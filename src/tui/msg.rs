@@ -10,6 +10,7 @@ use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::parts::{PartKey, PartRequest, PartView};
 use super::state::report::{ReportRequest, TextRequest};
 use super::state::ship::ShipAtSea;
+use super::state::sweep_request::{SweepEffect, SweepMsg};
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::value_check::{ValidationTable, ValueCheck};
 use super::state::{
@@ -85,6 +86,8 @@ pub enum Msg {
     Page(String, Result<String, String>, bool),
     /// How many variants of a study are computed, of how many.
     StudyProgress(usize, usize),
+    /// What is said of sweeps.
+    Sweep(SweepMsg),
     /// The runs of a case over ranges of its inputs.
     Varied(Box<VariedRuns>),
     /// What became of edits.
@@ -311,6 +314,8 @@ pub enum Effect {
     },
     /// Compute a study until the flag is set.
     Study(Box<StudyRequest>, Arc<AtomicBool>),
+    /// List, read, judge or compute sweeps.
+    Sweep(SweepEffect),
     /// Work out the runs of a variation of the case in this file.
     Vary(PathBuf, Box<Variation>),
     /// Keep what the user says of a stored run.

@@ -19,6 +19,8 @@ pub enum PaneId {
     Report,
     /// The jobs.
     Jobs,
+    /// The load cases of a file: heat map, table, checks.
+    Sweep,
     /// Trials of hard cases.
     Trials,
     /// The line node by node.

@@ -40,6 +40,7 @@ mod sweep;
 mod sweep_checks;
 mod sweep_quick;
 mod sweep_scale;
+mod sweep_screen;
 mod sweep_slurm;
 mod system_runs;
 mod terminal;

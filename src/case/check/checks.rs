@@ -45,6 +45,24 @@ const fn takes(kind: CheckKind) -> &'static [&'static str] {
     }
 }
 
+/// Whether a key matters in a check of a set of rules, or of this kind.
+pub(crate) fn is_of_check(key: &str, (by_rules, kind): (bool, Option<&str>)) -> bool {
+    if by_rules {
+        return key == "rules" || OF_RULES.contains(&key);
+    }
+    let own = ["name", "clause", "kind", "condition", "analysis"];
+    let all = CheckKind::ALL.iter().copied();
+    let kind = all.into_iter().find(|known| Some(known.name()) == kind);
+    let of_kind = kind.is_some_and(|kind| {
+        let mut needed = needs(kind).iter().copied().flatten();
+        takes(kind).contains(&key) || needed.any(|known| *known == key)
+    });
+    own.contains(&key) || of_kind
+}
+
+/// What rules of a set take besides.
+const OF_RULES: [&str; 5] = ["only", "of", "break_load_n", "diameter_m", "along"];
+
 /// Checks the checks of a file.
 pub(crate) fn of_checks(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
     let mut found = same_names(checks);
@@ -102,10 +120,9 @@ fn of_set(check: &CheckKeys<'_>) -> Vec<Finding> {
         };
         found.push(check.rules.finding("there is no such set of rules", remedy));
     }
-    let allowed = ["only", "of", "break_load_n", "diameter_m", "along"];
     found.extend(unused(
         check,
-        &|name| allowed.contains(&name),
+        &|name| OF_RULES.contains(&name),
         "rules of a set",
     ));
     found

@@ -32,7 +32,7 @@ use crate::visible;
 
 const CASE: &str = "case.toml";
 const LOAD_CASES: &str = "load_cases.csv";
-const SWEEP: &str = "sweep.toml";
+pub(super) const SWEEP: &str = "sweep.toml";
 const RESULTS: &str = "results.csv";
 const SEAS: &str = "seas.csv";
 const CHECKS: &str = "checks.csv";
@@ -61,6 +61,20 @@ pub struct SweepInfo {
     pub window: Option<String>,
     case: SealedPart,
     table: SealedPart,
+}
+
+impl SweepInfo {
+    /// Whether it is of exactly this case at these load cases, with these results.
+    #[must_use]
+    pub fn is_of(&self, variation: &Variation, results: &[String]) -> bool {
+        let base = &variation.base;
+        self.case.is(&base.text)
+            && self.table.is(&table(variation))
+            && self.case_file == base.file()
+            && self.overrides == base.overrides
+            && self.results == results
+            && self.window.is_none()
+    }
 }
 
 /// Why a sweep cannot be kept or resumed.
@@ -268,6 +282,12 @@ impl SweepFolder {
     #[must_use]
     pub fn dir(&self) -> &Path {
         &self.dir
+    }
+
+    /// Whether its table of results was written: the sweep has ended once.
+    #[must_use]
+    pub fn has_ended(&self) -> bool {
+        self.dir.join(RESULTS).is_file()
     }
 
     /// Writes the table of results.

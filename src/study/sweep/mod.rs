@@ -13,6 +13,7 @@ mod results;
 mod rounds;
 mod runs;
 pub mod slurm;
+mod snapshot;
 mod tasks;
 
 use std::collections::BTreeMap;
@@ -24,6 +25,7 @@ pub use load_cases::{SweepKind, load_cases, without_load_cases};
 pub use part::{Part, PartDone};
 pub use plan::{PlanChoices, PlanError, SweepPlan};
 pub use results::SweepResults;
+pub use snapshot::{SnapshotOutcomes, SweepEntry, SweepSnapshot, stored_sweeps};
 
 use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side};
 use super::vary::Variation;

@@ -4,6 +4,7 @@ use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
 use crate::report::number;
+use crate::run::Progress;
 use crate::tui::command::{self, Command, CommandId, LIST, main};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -67,6 +68,7 @@ fn job_words(line: &JobLine) -> String {
         JobState::Running if line.purpose == JobPurpose::Trials => {
             format!("{:.0} of {:.0} trials", p.time, p.duration)
         }
+        JobState::Running if line.purpose == JobPurpose::Sweep => load_cases(p),
         JobState::Running if p.estimating => "estimating errors".to_owned(),
         JobState::Running if p.steps == 0 => p
             .search
@@ -82,4 +84,16 @@ fn job_words(line: &JobLine) -> String {
         JobState::Failed(why) => format!("failed: {why}"),
         other => other.word().to_owned(),
     }
+}
+
+/// How many load cases are done, and how long the others take.
+pub(in crate::tui) fn load_cases(progress: Progress) -> String {
+    if progress.steps == 0 && progress.duration <= 0.0 {
+        return "reading the load cases".to_owned();
+    }
+    // Those that were stored before took no time.
+    let of = progress.steps as f64 - progress.time + progress.duration;
+    let left = progress.remaining_s();
+    let left = left.map_or_else(String::new, |s| format!(", {} left", number::duration(s)));
+    format!("{} of {of:.0} load cases{left}", progress.steps)
 }

@@ -13,6 +13,7 @@ pub mod results;
 mod ropeway;
 mod runs;
 mod ship;
+mod sweep;
 mod system;
 mod tables;
 mod trials;
@@ -26,6 +27,7 @@ use super::msg::Effect;
 use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
 use super::view::painter::Painter;
+pub(super) use jobs::load_cases;
 
 /// What a pane is called and which commands it has.
 #[derive(Debug, Clone, Copy)]
@@ -92,6 +94,7 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
         PaneId::Ropeway => &ropeway::RopewayPane,
         PaneId::Ship => &ship::ShipPane,
         PaneId::System => &system::SystemPane,
+        PaneId::Sweep => &sweep::SweepPane,
     }
 }
 

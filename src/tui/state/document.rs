@@ -13,6 +13,7 @@ use super::ropeway::RopewayView;
 use super::runs_view::{Charted, RunsView};
 use super::section::SectionView;
 use super::ship::ShipView;
+use super::sweeps::SweepsView;
 use super::system::SystemView;
 use crate::kinds::FileType;
 use crate::tui::pane::PaneId;
@@ -67,7 +68,26 @@ impl DocumentContent {
         }
     }
 
+    /// The sweeps of its load cases, where its kind has any.
+    #[must_use]
+    pub const fn sweeps(&self) -> Option<&SweepsView> {
+        match self {
+            Self::Line(line) => Some(&line.sweeps),
+            Self::System(system) => Some(&system.sweeps),
+            _ => None,
+        }
+    }
+
     /// The same, to be changed.
+    pub const fn sweeps_mut(&mut self) -> Option<&mut SweepsView> {
+        match self {
+            Self::Line(line) => Some(&mut line.sweeps),
+            Self::System(system) => Some(&mut system.sweeps),
+            _ => None,
+        }
+    }
+
+    /// What the screen needs of it, to be changed.
     pub fn kind_mut(&mut self) -> &mut dyn DocumentKind {
         match self {
             Self::Line(line) => line.as_mut(),
@@ -159,6 +179,17 @@ impl Document {
     /// Its runs, to be changed.
     pub fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
         self.content.runs_view_mut()
+    }
+
+    /// The sweeps of its load cases, where its kind has any.
+    #[must_use]
+    pub const fn sweeps(&self) -> Option<&SweepsView> {
+        self.content.sweeps()
+    }
+
+    /// The same, to be changed.
+    pub const fn sweeps_mut(&mut self) -> Option<&mut SweepsView> {
+        self.content.sweeps_mut()
     }
 
     /// Its runs, to be changed, and its text.

@@ -26,6 +26,8 @@ pub enum JobPurpose {
     Run,
     /// Trials of hard cases.
     Trials,
+    /// The load cases of a file, each of them stored.
+    Sweep,
 }
 
 /// State of a job.
@@ -223,12 +225,12 @@ impl Jobs {
             .count()
     }
 
-    /// How many stored runs wait or compute.
+    /// How many stored runs, and sweeps of them, wait or compute.
     #[must_use]
     pub fn open(&self) -> usize {
-        self.of(JobPurpose::Run)
-            .filter(|l| l.state.is_open())
-            .count()
+        let stored = [JobPurpose::Run, JobPurpose::Sweep];
+        let all = stored.into_iter().flat_map(|purpose| self.of(purpose));
+        all.filter(|l| l.state.is_open()).count()
     }
 
     fn of(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {

@@ -7,6 +7,7 @@ use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::modes::ModesView;
 use super::runs_view::RunsView;
+use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
@@ -61,6 +62,8 @@ pub struct LineView {
     pub case: Case,
     /// Its runs, and what the panes show of them.
     pub runs_view: RunsView,
+    /// The sweeps of its load cases.
+    pub sweeps: SweepsView,
     /// The results beside the inputs.
     pub results: Vec<QuantityId>,
     /// A study that computes.
@@ -92,6 +95,7 @@ impl LineView {
         let runs_view = RunsView::new(FigureId::of(&case), true);
         Self {
             runs_view,
+            sweeps: SweepsView::default(),
             case,
             results: Vec::new(),
             study: None,
@@ -120,6 +124,11 @@ impl LineView {
         found.collect()
     }
 
+    /// Whether it has load cases, or sweeps of others are stored.
+    fn has_sweeps(&self) -> bool {
+        !self.case.load_cases.is_empty() || !self.sweeps.stored.is_empty()
+    }
+
     /// The newest complete run of exactly this text.
     fn complete_run(&self, text: TextDigest) -> Option<Arc<Run>> {
         let live = self.runs_view.live.done.as_ref();
@@ -136,23 +145,31 @@ impl LineView {
     }
 }
 
+/// The panes of a line case; the first [`WITHOUT_SWEEPS`] are those of one without load cases.
+const PANES: [PaneId; 10] = [
+    PaneId::Inputs,
+    PaneId::Charts,
+    PaneId::Runs,
+    PaneId::Validation,
+    PaneId::Report,
+    PaneId::Jobs,
+    PaneId::Nodes,
+    PaneId::Modes,
+    PaneId::Results,
+    PaneId::Sweep,
+];
+const WITHOUT_SWEEPS: usize = 9;
+
 impl DocumentKind for LineView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
             name: "line case",
             title: &self.case.case.title,
             source: &self.case.case.source,
-            panes: &[
-                PaneId::Inputs,
-                PaneId::Charts,
-                PaneId::Runs,
-                PaneId::Validation,
-                PaneId::Report,
-                PaneId::Jobs,
-                PaneId::Nodes,
-                PaneId::Modes,
-                PaneId::Results,
-            ],
+            panes: match self.has_sweeps() {
+                true => &PANES,
+                false => &PANES[..WITHOUT_SWEEPS],
+            },
             first: PaneId::Inputs,
             tabs: &[],
         }
@@ -180,6 +197,8 @@ impl DocumentKind for LineView {
                     && case.published_curve.is_empty(),
                 "This case states no published values to compare with.",
             ),
+            CommandId::Sweep => when(!self.has_sweeps(), NO_LOAD_CASES),
+            CommandId::StartSweep => self.sweeps.why_not_started(!case.load_cases.is_empty()),
             CommandId::Keep => self.runs_view.live.why_not_kept(),
             CommandId::Trials => when(
                 case.trial.is_empty(),

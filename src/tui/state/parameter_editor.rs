@@ -9,6 +9,7 @@ use super::case_list::Filter;
 use super::pending::PendingEdits;
 use super::reading::{SavedRows, rows};
 use crate::case::edited::{self, EditedKey, Origin};
+use crate::case::judging_rows::is_judging;
 use crate::case::shipped;
 use crate::kinds::FileType;
 use crate::tui::facade::FieldRow;
@@ -48,7 +49,12 @@ impl InputsBefore {
             false if saved == self.text => Origin::File,
             false => Origin::Opened,
         };
-        edited::edited(rows, &self.rows, origin, self.sourced)
+        // What runs are held to is the user's anyway, and changes no run.
+        let inputs = |rows: &[FieldRow]| {
+            let inputs = rows.iter().filter(|row| !is_judging(&row.path));
+            inputs.cloned().collect::<Vec<_>>()
+        };
+        edited::edited(&inputs(rows), &inputs(&self.rows), origin, self.sourced)
     }
 }
 
@@ -205,7 +211,8 @@ impl ParameterEditor {
             saved.is_none_or(|saved| saved.value != row.value)
         };
         let words = |row: &FieldRow| format!("{}={}", row.path, row.value);
-        rows.iter().filter(differs).map(words).collect()
+        let inputs = rows.iter().filter(|row| !is_judging(&row.path));
+        inputs.filter(differs).map(words).collect()
     }
 
     /// True when the text differs from the file.

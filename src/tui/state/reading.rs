@@ -11,6 +11,8 @@ use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
 use crate::case::edited::{self, EditedKey};
+use crate::case::file_kind::FileKind;
+use crate::case::judging_rows::judging_rows;
 use crate::case::{self, Case, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::ropeway::Ropeway;
@@ -177,10 +179,17 @@ pub fn content(
 #[must_use]
 pub fn rows(kind: FileType, text: &str) -> Vec<FieldRow> {
     match kind {
-        FileType::Line => kind::rows::<Case>(text),
+        FileType::Line => with_judging::<Case>(text),
         FileType::Section => kind::rows::<CrossSection>(text),
         FileType::Ropeway => kind::rows::<Ropeway>(text),
         FileType::Ship => kind::rows::<Ship>(text),
-        FileType::System => kind::rows::<SystemFile>(text),
+        FileType::System => with_judging::<SystemFile>(text),
     }
+}
+
+/// The inputs of a text, then what is asked of its runs together.
+fn with_judging<K: FileKind>(text: &str) -> Vec<FieldRow> {
+    let mut rows = kind::rows::<K>(text);
+    rows.extend(judging_rows::<K>(text));
+    rows
 }

@@ -6,6 +6,7 @@ use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::runs_view::RunsView;
+use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::report::chart::Glyphs;
@@ -14,7 +15,7 @@ use crate::report::system as views;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
 use crate::system::{SolvedSystem, validation};
-use crate::tui::command::{Command, MOVING, REPORTED};
+use crate::tui::command::{Command, CommandId, MOVING, REPORTED};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 
@@ -31,6 +32,8 @@ pub struct SystemView {
     pub view: usize,
     /// Its runs in time, and what the panes show of them.
     pub runs_view: RunsView,
+    /// The sweeps of its load cases.
+    pub sweeps: SweepsView,
 }
 
 impl SystemView {
@@ -39,6 +42,7 @@ impl SystemView {
     pub fn new(solved: SolvedSystem) -> Self {
         Self {
             runs_view: RunsView::new(figures(&solved), false),
+            sweeps: SweepsView::default(),
             solved: Arc::new(solved),
             analyses: None,
             checks: ValidationTable::default(),
@@ -52,6 +56,11 @@ impl SystemView {
         self.solved.file.solver.is_some()
     }
 
+    /// Whether it has load cases, or sweeps of others are stored.
+    fn has_sweeps(&self) -> bool {
+        !self.solved.file.load_cases.is_empty() || !self.sweeps.stored.is_empty()
+    }
+
     /// How many views there are.
     pub const VIEWS: usize = 3;
 
@@ -61,8 +70,9 @@ impl SystemView {
     }
 }
 
-/// The panes of a system that is computed in time; the first [`AT_REST`] are those of one at rest.
-const IN_MOTION: [PaneId; 8] = [
+/// The panes of a system that is computed in time and has load cases; the first [`IN_MOTION`] are those of one without, the first
+/// [`AT_REST`] those of one at rest.
+const PANES: [PaneId; 9] = [
     PaneId::Inputs,
     PaneId::System,
     PaneId::Tables,
@@ -71,8 +81,20 @@ const IN_MOTION: [PaneId; 8] = [
     PaneId::Runs,
     PaneId::Report,
     PaneId::Jobs,
+    PaneId::Sweep,
 ];
+const IN_MOTION: usize = 8;
 const AT_REST: usize = 4;
+
+/// The panes of a system at rest with load cases.
+const SWEPT_AT_REST: [PaneId; 6] = [
+    PaneId::Inputs,
+    PaneId::System,
+    PaneId::Tables,
+    PaneId::Validation,
+    PaneId::Sweep,
+    PaneId::Jobs,
+];
 
 /// The charts of the runs of a system.
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
@@ -85,9 +107,11 @@ impl DocumentKind for SystemView {
             name: "system of lines",
             title: &self.solved.file.about.title,
             source: &self.solved.file.about.source,
-            panes: match self.is_in_motion() {
-                true => &IN_MOTION,
-                false => &IN_MOTION[..AT_REST],
+            panes: match (self.is_in_motion(), self.has_sweeps()) {
+                (true, true) => &PANES,
+                (true, false) => &PANES[..IN_MOTION],
+                (false, true) => &SWEPT_AT_REST,
+                (false, false) => &PANES[..AT_REST],
             },
             first: PaneId::System,
             tabs: &[
@@ -116,6 +140,17 @@ impl DocumentKind for SystemView {
         match self.is_in_motion() {
             true => MOVING,
             false => REPORTED,
+        }
+    }
+
+    fn reason(&self, id: CommandId) -> Option<&'static str> {
+        match id {
+            CommandId::Sweep => (!self.has_sweeps()).then_some(NO_LOAD_CASES),
+            CommandId::StartSweep => {
+                let has_load_cases = !self.solved.file.load_cases.is_empty();
+                self.sweeps.why_not_started(has_load_cases)
+            }
+            _ => None,
         }
     }
 

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::notice::info;
-use super::{jobs, results, runs, ship};
+use super::{jobs, results, runs, ship, sweeps};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
 use crate::tui::state::{AppState, CaseEntry, Document, Overlay, Question, Severity};
@@ -69,6 +69,7 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     let mut effects = jobs::resolve(state);
     effects.extend(ship::resolve(state));
     effects.extend(runs::list(state));
+    effects.extend(sweeps::list(state));
     if let Some(left) = read.recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { left }));
     }

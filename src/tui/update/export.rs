@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::notice::info;
+use crate::case::judging_rows::is_judging;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::AppState;
@@ -70,7 +71,8 @@ pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
     }
     let (name, _) = kind.report_name();
     let path = PathBuf::from(format!("{}-{name}.txt", document.editor.stem()));
-    let rows = document.editor.rows.clone();
+    let mut rows = document.editor.rows.clone();
+    rows.retain(|row| !is_judging(&row.path));
     let of = TextOf::Report(document.content.clone(), rows, glyphs);
     write_made(of, path)
 }

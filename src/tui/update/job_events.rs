@@ -189,7 +189,7 @@ fn said_done(state: &mut AppState, ticket: JobNumber) {
 }
 
 /// A quit that waits for jobs continues when they have ended.
-fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
+pub(super) fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
     let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
     if asked && state.jobs.open() == 0 {
         state.overlay = None;

@@ -258,9 +258,12 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         let mut lines = state.jobs.lines.iter();
         lines.rfind(|l| l.purpose == purpose && l.state == JobState::Running)
     };
+    let in_sweep = (state.focus() == PaneId::Sweep).then(|| newest(JobPurpose::Sweep));
     let found = in_jobs
         .or(in_runs)
+        .or(in_sweep.flatten())
         .or_else(|| newest(JobPurpose::Run))
+        .or_else(|| newest(JobPurpose::Sweep))
         .or_else(|| newest(JobPurpose::Trials))
         .or_else(|| newest(JobPurpose::Live));
     match found.map(|l| (l.ticket, l.name.clone())) {

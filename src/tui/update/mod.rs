@@ -24,6 +24,8 @@ pub mod runs;
 pub mod ship;
 pub mod step_value;
 mod studies;
+pub mod sweep_view;
+pub mod sweeps;
 mod text_input;
 pub mod trials;
 pub mod vary;
@@ -48,6 +50,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     effects.extend(runs::plan(state));
     effects.extend(parts::follow_checks(state));
     effects.extend(parts::follow(state));
+    effects.extend(sweeps::follow(state));
     effects.extend(export::follow_report(state));
     effects
 }
@@ -88,6 +91,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::Planned(plan) => runs::planned(state, *plan),
         Msg::Page(title, text, of_study) => pages::opened(state, title, text, of_study),
         Msg::StudyProgress(done, of) => pages::progress(state, done, of),
+        Msg::Sweep(msg) => sweeps::told(state, msg),
         Msg::Varied(runs) => vary::begun(state, *runs),
         Msg::RunCase(dir, wanted, text) => run_table::exact_case(state, &dir, wanted, text),
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),

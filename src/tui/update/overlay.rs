@@ -7,7 +7,7 @@ use super::notice::info;
 use super::text_input::type_key;
 use super::{
     column_plot, curves, edit, export, jobs, keys, line_types, pages, quit, resume, run_table,
-    runs, studies, trials, vary,
+    runs, studies, sweeps, trials, vary,
 };
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
@@ -237,6 +237,11 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::Save => quit::save(state),
         CommandId::Back => quit::back(state),
         CommandId::Run => jobs::run(state),
+        CommandId::StartSweep => sweeps::start(state),
+        CommandId::Sweep => {
+            sweeps::go(state);
+            Vec::new()
+        }
         CommandId::Study => studies::ask(state),
         CommandId::Validate => studies::validate(state),
         CommandId::Keep => runs::keep(state),

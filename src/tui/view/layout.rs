@@ -96,8 +96,8 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     .areas(left);
     let mut panes = with_band(inputs, state);
     panes.extend([(PaneId::Runs, runs), (PaneId::Jobs, jobs)]);
-    if focus == PaneId::Report {
-        panes.push((PaneId::Report, right));
+    if matches!(focus, PaneId::Report | PaneId::Sweep) {
+        panes.push((focus, right));
     } else if modes {
         panes.push((PaneId::Modes, right));
     } else {
@@ -209,7 +209,7 @@ fn file_panes(
     };
     if matches!(
         focus,
-        PaneId::Charts | PaneId::Runs | PaneId::Report | PaneId::Jobs
+        PaneId::Charts | PaneId::Runs | PaneId::Report | PaneId::Jobs | PaneId::Sweep
     ) {
         return run_panes(left, right, focus);
     }
@@ -225,7 +225,7 @@ fn file_panes(
 
 /// The panes of the runs of a system, beside its inputs.
 fn run_panes(left: Rect, right: Rect, focus: PaneId) -> Vec<(PaneId, Rect)> {
-    if focus == PaneId::Report {
+    if matches!(focus, PaneId::Report | PaneId::Sweep) {
         return vec![(PaneId::Inputs, left), (focus, right)];
     }
     let [charts, list] = Layout::vertical([Constraint::Fill(2), Constraint::Fill(1)]).areas(right);
@@ -323,6 +323,56 @@ pub fn pane_area(state: &AppState, id: PaneId) -> Option<Rect> {
     let mut seen = panes(screen, state).into_iter();
     let (_, area) = seen.find(|(place, _)| *place == id)?;
     Some(inside(screen, area))
+}
+
+/// The parts of the pane of load cases.
+#[derive(Debug, Clone, Copy)]
+pub struct SweepAreas {
+    /// Names of its views, and how far the sweep is.
+    pub head: Rect,
+    /// The view.
+    pub view: Rect,
+    /// The load cases under the cursor, where there is room for them.
+    pub cell: Option<Rect>,
+    /// The verdict, where there is room for it.
+    pub verdict: Option<Rect>,
+}
+
+/// Cuts the inside of the pane of load cases.
+#[must_use]
+pub fn sweep(inside: Rect) -> SweepAreas {
+    let [head, below] = Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(inside);
+    if inside.height < ROOM_FOR_ALL.1 || inside.width < ROOM_FOR_ALL.0 {
+        return SweepAreas {
+            head,
+            view: below,
+            cell: None,
+            verdict: None,
+        };
+    }
+    let [view, cell, verdict] = Layout::vertical([
+        Constraint::Fill(5),
+        Constraint::Fill(3),
+        Constraint::Fill(3),
+    ])
+    .spacing(1)
+    .areas(below);
+    SweepAreas {
+        head,
+        view,
+        cell: Some(cell),
+        verdict: Some(verdict),
+    }
+}
+
+/// The least room for map, load cases and verdict at once.
+const ROOM_FOR_ALL: (u16, u16) = (100, 40);
+
+/// Whether the verdict of the checks is seen beside the map.
+#[must_use]
+pub fn shows_verdict(state: &AppState) -> bool {
+    let area = pane_area(state, PaneId::Sweep);
+    area.is_some_and(|area| sweep(area).verdict.is_some())
 }
 
 /// Where the chosen chart is drawn.

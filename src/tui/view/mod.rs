@@ -131,7 +131,13 @@ impl Painter<'_> {
     fn progress(&self, room: usize) -> String {
         let jobs = &self.state.jobs;
         let running = jobs.lines.iter().filter(|l| l.state == JobState::Running);
-        let Some(line) = running.max_by_key(|l| (l.purpose == JobPurpose::Run, l.ticket)) else {
+        let Some(line) = running.max_by_key(|l| {
+            (
+                l.purpose == JobPurpose::Run,
+                l.purpose == JobPurpose::Sweep,
+                l.ticket,
+            )
+        }) else {
             return String::new();
         };
         let p = line.progress;
@@ -142,6 +148,7 @@ impl Painter<'_> {
                 let words = format!("{:.0} of {:.0} trials", p.time, p.duration);
                 return fitting(room, &[words]);
             }
+            JobPurpose::Sweep => return fitting(room, &[panes::load_cases(p)]),
         };
         if p.estimating {
             return fitting(room, &[format!("{what}: estimating errors"), what]);

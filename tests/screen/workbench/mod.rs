@@ -20,6 +20,7 @@ mod resume;
 mod ropeway;
 mod section;
 mod ship;
+mod sweeps;
 mod system;
 mod system_runs;
 mod umbilical;

@@ -1,10 +1,15 @@
 //! What threads and files may answer to the workbench, in hostile words. A new effect needs its answer here.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use seacable::run::{Settings, Work};
+use seacable::study::sweep::{SweepOutcomes, SweepResults, SweepSnapshot};
 use seacable::study::{TrialOutcome, TrialVerdict};
 use seacable::tui::state::Severity;
+use seacable::tui::state::sweep_request::{SweepEffect, SweepMsg};
+use seacable::tui::state::sweep_verdict::SweepVerdict;
+use seacable::tui::state::sweeps::SweepRead;
 use seacable::tui::state::trials::TrialProgress;
 use seacable::tui::{Effect, Msg};
 use seacable::visible::is_invisible;
@@ -64,6 +69,7 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
             assert!(raw.is_empty(), "{raw:?} for the clipboard:\n{text}");
             vec![say(Severity::Info)]
         }
+        Effect::Sweep(effect) => sweeps(effect),
         // The desk answers these, or they change nothing that is seen.
         Effect::MakePart(_)
         | Effect::CheckValues(_)
@@ -80,6 +86,43 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
         | Effect::Suspend
         | Effect::Quit => Vec::new(),
     }
+}
+
+/// Sweeps that are listed, read, refused and begun.
+fn sweeps(effect: SweepEffect) -> Vec<Msg> {
+    let long = || format!("{HOSTILE}\n\n{HOSTILE}\t{HOSTILE}\n").repeat(30);
+    let told = match effect {
+        SweepEffect::List(file) => vec![SweepMsg::Listed(file, Vec::new())],
+        SweepEffect::Read { dir, .. } => vec![SweepMsg::Read(dir, Err(long()))],
+        SweepEffect::Check(snapshot) => {
+            let verdict = SweepVerdict::of(&snapshot);
+            vec![SweepMsg::Checked(snapshot.dir.clone(), Arc::new(verdict))]
+        }
+        SweepEffect::Compare(snapshot, request) => {
+            vec![SweepMsg::Compared(
+                snapshot.dir.clone(),
+                request.text,
+                false,
+            )]
+        }
+        SweepEffect::Start(ticket, request) => {
+            let dir = PathBuf::from(HOSTILE);
+            let mut told = vec![SweepMsg::Begun(ticket, dir.clone())];
+            if let Ok(plan) = request.plan() {
+                let SweepResults::InTime(ids) = plan.sweep.results.clone() else {
+                    return Vec::new();
+                };
+                let refused = plan.sweep.variation.points.iter();
+                let refused = refused.map(|_| Some(Err(HOSTILE.to_owned()))).collect();
+                let outcomes = SweepOutcomes::Runs(refused, ids);
+                let found = SweepSnapshot::computed(&dir, Arc::new(plan), outcomes);
+                told.push(SweepMsg::Read(dir, Ok(SweepRead::new(found))));
+            }
+            told.push(SweepMsg::Ended(ticket, Err(long())));
+            told
+        }
+    };
+    told.into_iter().map(Msg::Sweep).collect()
 }
 
 /// Trials of a case with hostile names, computed, refused and wrong.

@@ -52,6 +52,13 @@ position_m = [1.0, 2.0, -3.0]
 kind = \"held\"
 ";
 
+/// Load cases, whose results and reasons are hostile.
+const LOAD_CASES: &str = "
+[[load_cases]]
+key = \"points.clump.mass_kg\"
+values = [400.0, 500.0]
+";
+
 /// One more study, so that one is to be chosen.
 const SECOND_STUDY: &str = "
 [[study]]
@@ -119,7 +126,7 @@ fn file(kind: &str) -> File {
             let mut file = of(
                 FileType::System,
                 &format!(
-                    "{}{UNUSED}",
+                    "{}{UNUSED}{LOAD_CASES}",
                     include_str!("../../../../cases/systems/bridle_in_heave.toml")
                 ),
                 &["unused"],

@@ -47,6 +47,7 @@ every!(PANES, pane_name, PaneId {
     PaneId::Ropeway => "ropeway",
     PaneId::Ship => "ship",
     PaneId::System => "system",
+    PaneId::Sweep => "load cases",
 });
 
 every!(OVERLAYS, overlay_name, Overlay {
