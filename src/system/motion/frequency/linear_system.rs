@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
-use super::drag::damped_axes;
+use super::spread::damped_axes;
 use super::{Amplitude, Complex};
 use crate::numerics::{
     Banded, BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, SingularBlock,

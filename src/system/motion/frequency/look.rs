@@ -4,11 +4,12 @@ use nalgebra::Matrix6;
 
 use super::Complex;
 use super::channel::{ChannelReader, QuickChannel};
-use super::drag::{DragAverager, Spread};
+use super::drag::DragAverager;
 use super::excitation::{Excitation, Reader};
 use super::linear_system::{Amplitudes, LinearSystem};
 use super::mean::mean_position;
 use super::single_line;
+use super::spread::Spread;
 use crate::case::{Case, ChannelQuantity};
 use crate::numerics::SingularBlock;
 use crate::physics::motion::MotionPath;

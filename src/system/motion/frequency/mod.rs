@@ -19,7 +19,7 @@
 //! * Results are moments of spectra, and extremes of normal processes ([`channel`]).
 //!
 //! What it cannot have: slack lines and snaps, lines that lift off the bed and lie down on it, tensions that grow faster than the offset,
-//! extremes of slow drift beyond those of a normal process. How far that matters is measured beside runs in time.
+//! the mean load of drag in waves, extremes of slow drift beyond those of a normal process. How far that matters is measured beside runs in time.
 
 mod channel;
 mod drag;
@@ -28,7 +28,9 @@ mod linear_system;
 mod look;
 mod mean;
 mod perturbed;
+mod prescribed;
 mod single_line;
+mod spread;
 
 pub use channel::QuickChannel;
 pub use look::{QuickLook, quick_look, quick_look_at_line};
