@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 use tempfile::TempDir;
 
 /// Files beside every input, as shipped cases name them.
-const BESIDE: [(&str, &[u8]); 4] = [
+const BESIDE: [(&str, &[u8]); 5] = [
     (
         "volturnus_data/semi.1",
         include_bytes!("../../../cases/systems/volturnus_data/semi.1"),
@@ -24,6 +24,10 @@ const BESIDE: [(&str, &[u8]); 4] = [
     (
         "landing_craft.csv",
         include_bytes!("../../../cases/ship/landing_craft.csv"),
+    ),
+    (
+        "section.toml",
+        include_bytes!("../../../cases/umbilical/section.toml"),
     ),
 ];
 
