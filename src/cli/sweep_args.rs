@@ -28,7 +28,7 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "KEY=VALUES", conflicts_with = "resume")]
     pub(super) window: Option<String>,
 
-    /// Look at each sea in the frequency domain instead, linear about the mean position: some hundred times cheaper, of what moves.
+    /// Look at each sea in the frequency domain instead, linear about the mean position: some 200 times cheaper.
     #[arg(long, conflicts_with_all = ["resume", "until_settled", "window", "slurm", "part"])]
     pub(super) quick: bool,
 
