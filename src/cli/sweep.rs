@@ -35,6 +35,9 @@ use crate::visible;
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
 
+/// What writes Parquet files.
+const NO_PARQUET: &str = "This program is built without Parquet; build it with `cargo install --path . --features parquet`.";
+
 /// Why a sweep with checks stores its runs.
 const READ_FROM_RUNS: &str = "The checks of the file, and `statistics.until_settled`, are read from stored runs; leave out --no-store, or them.";
 
@@ -62,6 +65,9 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
     let inputs: Vec<_> = args.case.iter().chain(&args.load_cases).cloned().collect();
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
+    if args.parquet && !cfg!(feature = "parquet") {
+        return Err(CommandError::Usage(NO_PARQUET.to_owned()));
+    }
     if args.quick {
         return sweep_quick::quick(args, &planned(args)?, file.as_ref(), &stop);
     }
@@ -133,6 +139,10 @@ fn told(
     if let Some(folder) = folder.filter(|_| has_ended) {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
         report.store(folder).map_err(failed)?;
+        #[cfg(feature = "parquet")]
+        if args.parquet {
+            report.store_parquet(folder).map_err(failed)?;
+        }
     }
     show((args, page), file, &report)?;
     if let Some(status) = stop.status() {

@@ -36,6 +36,10 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "N", requires = "quick")]
     pub(super) sampled: Option<u8>,
 
+    /// Write the tables in the folder as Apache Parquet files as well; of programs built with the feature `parquet`.
+    #[arg(long, conflicts_with_all = ["quick", "no_store", "window", "part"])]
+    pub(super) parquet: bool,
+
     #[command(flatten)]
     pub(super) import: ImportArgs,
 

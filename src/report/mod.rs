@@ -10,6 +10,8 @@ pub mod limits;
 pub mod line_types;
 pub mod modes;
 pub mod nodes;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 pub mod physics;
 pub mod plain;
 pub mod quick_look;

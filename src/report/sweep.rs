@@ -126,21 +126,49 @@ impl<'a> SweepReport<'a> {
     /// # Errors
     /// The system refuses.
     pub fn store(&self, folder: &SweepFolder) -> Result<(), SweepError> {
+        let [results, seas, checks] = self.csv(folder)?;
+        folder.write_results(&results)?;
+        match self.seas {
+            Some(_) => folder.write_verdict(&seas, &checks, &self.text()),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes the same tables as Parquet files beside their CSV.
+    ///
+    /// # Errors
+    /// The system refuses.
+    #[cfg(feature = "parquet")]
+    pub fn store_parquet(&self, folder: &SweepFolder) -> Result<(), SweepError> {
+        let names = ["results", "seas", "checks"];
+        for (name, csv) in names.into_iter().zip(self.csv(folder)?) {
+            if !csv.is_empty() {
+                let file = super::parquet::of_csv(&csv);
+                let file = file.map_err(|error| failed(folder, error))?;
+                folder.write_parquet(name, &file)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The tables of results, seas and checks as CSV; the last two empty where runs are not read together.
+    fn csv(&self, folder: &SweepFolder) -> Result<[Vec<u8>; 3], SweepError> {
         let csv = |table: &Table| {
             let mut text = Vec::new();
             let written = table.write_csv(&mut text);
-            let failed = |error| SweepError::Io {
-                file: folder.dir().to_owned(),
-                source: std::io::Error::other(error),
-            };
-            written.map(|()| text).map_err(failed)
+            written
+                .map(|()| text)
+                .map_err(|error| failed(folder, error))
         };
-        folder.write_results(&csv(&self.view.results_table())?)?;
-        let Some(seas) = &self.seas else {
-            return Ok(());
-        };
-        let (of_seas, of_checks) = (csv(&seas.seas_table())?, csv(&seas.checks_table())?);
-        folder.write_verdict(&of_seas, &of_checks, &self.text())
+        let results = csv(&self.view.results_table())?;
+        Ok(match &self.seas {
+            Some(seas) => [
+                results,
+                csv(&seas.seas_table())?,
+                csv(&seas.checks_table())?,
+            ],
+            None => [results, Vec::new(), Vec::new()],
+        })
     }
 
     /// The page in ASCII, without the cost, which is another at every time.
@@ -155,6 +183,17 @@ impl<'a> SweepReport<'a> {
             .iter()
             .map(|table| plain::ascii_table(table).to_text(REPORT_WIDTH));
         texts.collect::<Vec<_>>().join("\n")
+    }
+}
+
+/// Why a table of a folder cannot be written.
+fn failed(
+    folder: &SweepFolder,
+    error: impl Into<Box<dyn std::error::Error + Send + Sync>>,
+) -> SweepError {
+    SweepError::Io {
+        file: folder.dir().to_owned(),
+        source: std::io::Error::other(error),
     }
 }
 

@@ -59,6 +59,41 @@ fn a_quick_look_says_what_runs_in_time_say_and_how_far_it_is_from_them() {
     assert!(value(&csv, "2", "greatest") > value(&csv, "1", "greatest"));
 }
 
+/// The feature adds files, and leaves the others as they are.
+#[test]
+fn tables_are_written_as_parquet_where_the_program_can() {
+    let dir = tempfile::tempdir().unwrap();
+    write(dir.path(), CHAIN);
+    let args = [
+        "chain.toml",
+        "--parquet",
+        "--out",
+        "all",
+        "--set",
+        "solver.duration_s=5",
+    ];
+    let words: Vec<&str> = args
+        .into_iter()
+        .chain(["--vary", "waves.1.seed=1..2/2"])
+        .collect();
+    let (status, out, err) = sweep(dir.path(), &words);
+    if cfg!(feature = "parquet") {
+        assert_eq!(status, Some(0), "{out}{err}");
+        for table in ["results", "seas", "checks"] {
+            let file = fs::read(dir.path().join(format!("all/{table}.parquet"))).unwrap();
+            assert!(
+                file.starts_with(b"PAR1") && file.ends_with(b"PAR1"),
+                "{table}"
+            );
+            assert!(dir.path().join(format!("all/{table}.csv")).is_file());
+        }
+    } else {
+        assert_eq!(status, Some(2), "{out}{err}");
+        assert!(err.contains("--features parquet"), "{err}");
+        assert!(!dir.path().join("all").exists());
+    }
+}
+
 #[test]
 fn what_has_no_quick_look_says_why() {
     let dir = tempfile::tempdir().unwrap();

@@ -298,6 +298,15 @@ impl SweepFolder {
         self.write(RESULTS, csv)
     }
 
+    /// Writes one of the tables as a Parquet file: `results`, `seas` or `checks`.
+    ///
+    /// # Errors
+    /// The system refuses.
+    #[cfg(feature = "parquet")]
+    pub fn write_parquet(&self, table: &str, content: &[u8]) -> Result<(), SweepError> {
+        self.write(&format!("{table}.parquet"), content)
+    }
+
     /// Writes what the runs say together: the table of the seas, that of the checks, and the report as text.
     ///
     /// # Errors
