@@ -102,10 +102,17 @@ impl QuickView<'_> {
             let all = self.differences.iter().map(|row| of(row).abs());
             percent(all.filter(|by| by.is_finite()).fold(0.0, f64::max))
         };
+        let within = self.differences.iter().filter(|row| {
+            let sample = row.in_time.greatest.estimate.sample;
+            let value = row.quick.greatest.estimate.value;
+            sample.is_some_and(|[low, high]| (low..=high).contains(&value))
+        });
         format!(
-            "Quick is by how much the look is above the runs; at most {} of a deviation and {} of a greatest value. The runs have an interval of the sample themselves, which stands in seas.csv.",
+            "Quick is by how much the look is above the runs; at most {} of a deviation and {} of a greatest value. Of {} greatest values of the looks {} lie within the interval of the sample of the runs.",
             worst(&of_deviation).trim_start_matches('+'),
-            worst(&of_greatest).trim_start_matches('+')
+            worst(&of_greatest).trim_start_matches('+'),
+            self.differences.len(),
+            within.count()
         )
     }
 

@@ -120,6 +120,9 @@ impl SeasView<'_> {
             .noted([format!(
                 "Used is the share of the limit, 1 at the limit. A check passes or fails where that holds with both errors, the numerical one and the interval of the sample at {percent} %; else it is not settled."
             )])
+            .noted(self.is_by_spectrum().then_some(
+                "Of quick looks the numerical error is that of the mesh; how far a linear look is from runs in time is in no verdict.",
+            ))
             .noted(clauses)
             .noted(missing)
             .noted((!idle.is_empty()).then(|| format!("No load case is for: {}.", idle.join(", "))))
@@ -460,6 +463,7 @@ fn numerical(used: &Utilisation) -> String {
 
 fn sample(used: &Utilisation) -> String {
     match used.sample {
+        Some([low, high]) if low == high => "none".to_owned(),
         Some([low, high]) if high.is_finite() => format!("{} to {}", share(low), share(high)),
         Some([low, _]) => format!("above {}", share(low)),
         None => "none".to_owned(),
