@@ -73,5 +73,6 @@ pub mod statics;
 mod strays;
 pub mod study;
 pub mod system;
+pub mod templates;
 pub mod tui;
 pub mod visible;

@@ -11,7 +11,8 @@ use super::fields::{
 };
 use super::file_kind::errors;
 use super::model::{CASE, Case, field_at};
-use super::read::tree_of;
+use super::parameters::{self, ANY_KEY};
+use super::read::{evaluated_tree, tree_of};
 use super::tree::{TableForm, TomlData, TomlEntry, TomlNode};
 
 /// The text of the case with one key set to a value, given as a user types it: a TOML value, or a
@@ -141,6 +142,19 @@ pub fn unset(text: &str, key_path: &str) -> Result<String, Diagnostic> {
     fresh.into_iter().next().map_or(Ok(edited), Err)
 }
 
+/// The text with one key taken out, without a check of any kind; nothing where the file does not have it.
+pub(crate) fn cut(text: &str, key_path: &str) -> Option<String> {
+    let root = TomlNode::parse(text).ok()?;
+    let parts = split(key_path)?;
+    let (key, table) = parts.split_last()?;
+    let table = root.find(table)?;
+    let entry = table.entry(key)?;
+    Some(match table.data {
+        TomlData::Table(TableForm::Inline, _) => out_of_braces(text, entry),
+        _ => out_of_lines(text, entry),
+    })
+}
+
 /// Takes a key with its comma out of a table in braces.
 fn out_of_braces(text: &str, entry: &TomlEntry) -> String {
     let (mut from, mut to) = (entry.key_span.start, entry.node.span.end);
@@ -199,12 +213,77 @@ pub(super) fn field_by(
         let field = field_of(schema, &root, &parts)?;
         let (_, table) = parts.split_last()?;
         let by_name = table.len() > 1 || field.table().contains('*');
-        (!by_name || root.find(table).is_some()).then_some(field)
+        let is_there = match field.key() {
+            ANY_KEY => root.find(&parts).is_some(),
+            _ => !by_name || root.find(table).is_some(),
+        };
+        is_there.then_some(field)
     });
     found.ok_or_else(|| {
         let (problem, remedy) = unknown_path(schema, &root, key_path);
         refusal(key_path, "", problem, remedy)
     })
+}
+
+/// The text with one key more in a table that is there, whose keys the user names.
+pub(crate) fn with_key(
+    schema: &'static Schema,
+    text: &str,
+    table: &str,
+    key: &str,
+    value: &str,
+) -> Result<String, String> {
+    let root = TomlNode::parse(text).map_err(|error| error.to_string())?;
+    let fields = schema.fields_of(table).next();
+    let (Some(node), Some(field)) = (root.get(table), fields) else {
+        return Err(format!("There is no [{table}] in this file."));
+    };
+    let key = join(&[key]);
+    into_table(text, node, &key, &written(field, value)).map_err(|(problem, _)| problem)
+}
+
+/// A value typed for a field as it stands in a file. Lists need no brackets.
+pub(crate) fn written(field: &Field, value: &str) -> String {
+    typed(field, &bracketed(field, value)).0
+}
+
+/// Sets one key of a file to a value as typed into a form, checking both but not the file as a whole.
+pub(crate) fn put_value(
+    schema: &'static Schema,
+    text: &str,
+    key_path: &str,
+    value: &str,
+) -> Result<String, Diagnostic> {
+    let field = split(key_path).and_then(|parts| {
+        let root = TomlNode::parse(text).ok()?;
+        field_of(schema, &root, &parts)
+    });
+    let value = field.map_or_else(|| value.to_owned(), |field| bracketed(field, value));
+    put(schema, text, key_path, &value)
+}
+
+/// A list typed as `0 0 -200` or `0, 0, -200`, in its brackets.
+fn bracketed(field: &Field, value: &str) -> String {
+    let value = value.trim();
+    let numbers = matches!(
+        field.kind,
+        ValueType::List | ValueType::Pair | ValueType::Triple
+    );
+    let words = field.kind == ValueType::Words;
+    if value.starts_with('[') || !(numbers || words) {
+        return value.to_owned();
+    }
+    let parts = value
+        .split(|letter: char| letter == ',' || (letter.is_whitespace() && !value.contains(',')));
+    let parts = parts.map(str::trim).filter(|part| !part.is_empty());
+    let written = parts.map(|part| {
+        let is_plain = part.parse::<f64>().is_ok() || part.starts_with(['"', '\'']);
+        match is_plain && !words || part.starts_with(['"', '\'']) {
+            true => part.to_owned(),
+            false => toml_edit::Value::from(part).to_string(),
+        }
+    });
+    format!("[{}]", written.collect::<Vec<_>>().join(", "))
 }
 
 /// Sets one key of a file, checking key and value but not the file as a whole.
@@ -228,9 +307,20 @@ fn put(
         return Err(refuse(problem, remedy));
     };
     let (written, node) = typed(field, value);
-    check_value(field, &node).map_err(|fault| refuse(fault.problem, fault.remedy))?;
+    let number = parameters::typed(&root, field, &node)
+        .map_err(|fault| refuse(fault.problem, fault.remedy.to_string()))?;
+    let is_parameter = field.key() == ANY_KEY;
+    // An expression of parameters is checked with all of them, in the file.
+    if !(is_parameter && node.text().is_some()) {
+        check_value(field, number.as_ref().unwrap_or(&node))
+            .map_err(|fault| refuse(fault.problem, fault.remedy))?;
+    }
     if let Some(node) = root.find(&parts) {
         return Ok(spliced(text, &node.span, &written));
+    }
+    if is_parameter {
+        let (problem, remedy) = parameters::absent(&root, parts.last().map_or("", String::as_str));
+        return Err(refuse(problem, remedy));
     }
     inserted(schema, text, &root, &parts, &written)
         .map_err(|(problem, remedy)| refuse(problem, remedy))
@@ -278,7 +368,9 @@ fn refusal(key_path: &str, value: &str, problem: String, remedy: String) -> Diag
 
 /// Faults of the edited case that the case did not have before.
 fn new_faults(before: &str, after: &str, edit: &str) -> Vec<Diagnostic> {
-    let of = |text: &str| tree_of(text).map_or_else(|found| found, |tree| errors::<Case>(&tree));
+    let of = |text: &str| {
+        evaluated_tree(&CASE, text).map_or_else(|found| found, |tree| errors::<Case>(&tree))
+    };
     let (old, new) = (of(before), of(after));
     let known = |fault: &Finding| {
         old.iter()

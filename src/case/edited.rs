@@ -221,7 +221,8 @@ pub(super) fn void(mark: &Mark, value: &str, unit: &str) -> Option<ReplacedValue
 }
 
 fn same(old: &FieldRow, new: &FieldRow) -> bool {
-    same_value(&old.value, &new.value)
+    // What follows from an edited parameter is the user's as well.
+    same_value(&old.value, &new.value) && old.computed == new.computed
 }
 
 /// Whether two values, as a file gives them, are the same: `0.3` and `0.30` are.
@@ -246,7 +247,16 @@ impl FieldRow {
     /// The value with its unit; empty where there is none.
     #[must_use]
     pub fn value_with_unit(&self) -> String {
-        with_unit(&self.value, self.unit)
+        match &self.computed {
+            Some(number) => format!("{} = {}", with_unit(number, self.unit), self.value),
+            None => with_unit(&self.value, self.unit),
+        }
+    }
+
+    /// The value as a number where it is an expression of parameters, else as the file gives it.
+    #[must_use]
+    pub fn shown_value(&self) -> &str {
+        self.computed.as_deref().unwrap_or(&self.value)
     }
 
     /// Whether it is a setting of the computation and not an input of the scene.

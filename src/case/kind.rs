@@ -14,6 +14,7 @@ use super::edited::{self, EditedKey, Origin};
 use super::fields::Field;
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
+use super::parameters;
 use super::read::{checked, diagnose, text_of};
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
@@ -204,10 +205,15 @@ pub(crate) fn varied_field<K: FileKind>(
 /// Every key the file can have, given or not, with its value. A text that is not TOML gives no rows.
 #[must_use]
 pub fn rows<K: FileKind>(text: &str) -> Vec<FieldRow> {
-    TomlNode::parse(text).map_or_else(
-        |_| Vec::new(),
-        |root| K::list(&FieldLister::new(K::schema(), text, &root)),
-    )
+    let Ok(mut root) = TomlNode::parse(text) else {
+        return Vec::new();
+    };
+    // What cannot be evaluated is listed as it is written.
+    let _faults = parameters::evaluate(K::schema(), &mut root);
+    let lister = FieldLister::new(K::schema(), text, &root);
+    let mut rows = lister.parameters();
+    rows.extend(K::list(&lister));
+    rows
 }
 
 /// The rows of a text that was edited, its own inputs marked as the user's, and their keys. `before` is the text that the file has; an

@@ -59,6 +59,7 @@ pub use validation_data::{
 pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]";
     schema_of::<Case>("case", least)
+        .with_parameters()
         .with_coordinates("ends.*.position_m", POSITION.0, POSITION.1)
         .with_coordinates(
             "ends.*.amplitude_m",

@@ -12,6 +12,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
 use super::file_kind::{FileKind, errors};
 use super::model::{CASE, Case};
+use super::parameters;
 use super::schema::{TableNode, TableType};
 use super::size;
 use super::tree::TomlNode;
@@ -113,14 +114,29 @@ pub(crate) fn checked<K: FileKind>(
 }
 
 /// The tree of a text that says something, in TOML.
-fn said(text: &str, file: &str, schema: &Schema) -> Result<TomlNode, Vec<Diagnostic>> {
+fn said(text: &str, file: &str, schema: &'static Schema) -> Result<TomlNode, Vec<Diagnostic>> {
     if let Some(diagnostic) = nothing_said(text, file, schema) {
         return Err(vec![diagnostic]);
     }
-    let tree = tree_of(text).map_err(|found| diagnose(found, text, file))?;
-    match size::check(&tree).or_else(|| other_kind(&tree, schema)) {
-        Some(found) => Err(diagnose(vec![found], text, file)),
-        None => Ok(tree),
+    let mut tree = tree_of(text).map_err(|found| diagnose(found, text, file))?;
+    if let Some(found) = size::check(&tree).or_else(|| other_kind(&tree, schema)) {
+        return Err(diagnose(vec![found], text, file));
+    }
+    match parameters::evaluate(schema, &mut tree) {
+        found if found.is_empty() => Ok(tree),
+        found => Err(diagnose(found, text, file)),
+    }
+}
+
+/// The tree of a text with the numbers of its expressions, or what is wrong with its syntax and with them.
+pub(crate) fn evaluated_tree(
+    schema: &'static Schema,
+    text: &str,
+) -> Result<TomlNode, Vec<Finding>> {
+    let mut tree = tree_of(text)?;
+    match parameters::evaluate(schema, &mut tree) {
+        found if found.is_empty() => Ok(tree),
+        found => Err(found),
     }
 }
 

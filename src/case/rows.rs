@@ -1,13 +1,15 @@
 //! The fields of a file, as a parameter editor lists them.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::check::fields_here;
 use super::edited::{ReplacedValue, void};
-use super::fields::{AbsentValue, Field, Schema, join, value_text};
+use super::fields::{AbsentValue, Field, Schema, in_words, join, number, value_text};
 use super::model::Mark;
+use super::parameters::PARAMETERS;
 use super::schema::{SubTable, TableNode};
-use super::tree::TomlNode;
+use super::tree::{TomlData, TomlNode};
 
 /// A field of a file with its value.
 #[derive(Debug, Clone, PartialEq)]
@@ -17,11 +19,13 @@ pub struct FieldRow {
     /// The heading it stands under: `environment`, `material chain`, `end A (vessel)`.
     pub group: String,
     /// What it is, in a few words.
-    pub label: &'static str,
+    pub label: Cow<'static, str>,
     /// Unit as shown; empty for words, "-" for pure numbers.
     pub unit: &'static str,
     /// The value as in the file, or its default; empty when it is absent and has none.
     pub value: String,
+    /// The number that an expression of parameters comes to, as text; absent where the value is none.
+    pub computed: Option<String>,
     /// What holds when the key is absent and has no default: "chosen by the solver".
     pub absent: Option<&'static str>,
     /// What may be written, with range and unit.
@@ -103,6 +107,26 @@ impl<'a> FieldLister<'a> {
         each.collect()
     }
 
+    /// The rows of the named parameters, each under its own name.
+    pub(crate) fn parameters(&self) -> Vec<FieldRow> {
+        let Some(node) = self.root.get(PARAMETERS) else {
+            return Vec::new();
+        };
+        let Some(field) = self.schema.fields_of(PARAMETERS).next() else {
+            return Vec::new();
+        };
+        let rows = node.entries().iter().map(|entry| {
+            let (label, unit) = in_words(&entry.key);
+            FieldRow {
+                path: join(&[PARAMETERS, &entry.key]),
+                label: Cow::Owned(label),
+                unit: unit.unwrap_or("-"),
+                ..self.row(field, Some(&entry.node), &[PARAMETERS], PARAMETERS)
+            }
+        });
+        rows.collect()
+    }
+
     /// The rows of one table, whether the file has it or not.
     pub(crate) fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
         let node = self.root.find(path);
@@ -129,7 +153,7 @@ impl<'a> FieldLister<'a> {
     ) -> FieldRow {
         let path = join(&[path, &[field.key()]].concat());
         let (value, absent) = match (given, field.absent) {
-            (Some(node), _) => (value_text(self.text, node), None),
+            (Some(node), _) => (expression_or_value(self.text, node), None),
             (None, AbsentValue::Default(value)) => (value.trim_matches('"').to_owned(), None),
             (None, AbsentValue::Means(meaning)) => (String::new(), Some(meaning)),
             (None, AbsentValue::Required | AbsentValue::RequiredWithout(_)) => {
@@ -143,7 +167,8 @@ impl<'a> FieldLister<'a> {
             replaced,
             path,
             group: group.to_owned(),
-            label: field.label,
+            label: Cow::Borrowed(field.label),
+            computed: given.and_then(|node| computed(self.text, node)),
             unit: field.unit,
             value,
             absent,
@@ -154,6 +179,34 @@ impl<'a> FieldLister<'a> {
             field,
         }
     }
+}
+
+/// The text of an expression without its quotes, or the value as the file gives it.
+fn expression_or_value(text: &str, node: &TomlNode) -> String {
+    let written = value_text(text, node);
+    let read = TomlNode::parse_value(&written).filter(|_| is_number(node));
+    match read.as_ref().and_then(TomlNode::text) {
+        Some(expression) => expression.to_owned(),
+        None => written,
+    }
+}
+
+/// The number that an expression comes to.
+fn computed(text: &str, node: &TomlNode) -> Option<String> {
+    let is_text = |node: &TomlNode| value_text(text, node).starts_with(['"', '\'']);
+    let value = |node: &TomlNode| node.number().map(number);
+    match &node.data {
+        TomlData::List(items) => {
+            let any = items.iter().any(|item| is_number(item) && is_text(item));
+            let values: Option<Vec<String>> = items.iter().map(value).collect();
+            Some(format!("[{}]", values?.join(", "))).filter(|_| any)
+        }
+        _ => value(node).filter(|_| is_text(node)),
+    }
+}
+
+fn is_number(node: &TomlNode) -> bool {
+    matches!(node.data, TomlData::Float(_) | TomlData::Integer(_))
 }
 
 /// Whether the field matters in this table of a file, which may leave the table out.

@@ -73,12 +73,16 @@ fn list(schema: &'static Schema, prefix: &str, width: usize) -> String {
 }
 
 fn table_text(table: &TableSchema, fields: &[&Field], width: usize) -> String {
-    let names = fields.iter().map(|field| field.key().len());
+    let name_of = |field: &&Field| match field.key() {
+        "*" => "<name>".to_owned(),
+        key => key.to_owned(),
+    };
+    let names = fields.iter().map(|field| name_of(field).len());
     let column = names.max().unwrap_or(0).min(width / 2) + 4;
     let title = format!("{}  {}", table.header(), table.help);
     let mut text = wrap(&title, width).join("\n    ") + "\n";
     for field in fields {
-        let name = format!("  {}", field.key());
+        let name = format!("  {}", name_of(field));
         let facts = format!("{}; {}", field.range_text(), field.absent_text());
         let condition = field.condition();
         let meaning = format!("{}: {}", field.label, field.help);

@@ -15,7 +15,7 @@ use crate::reference::published_number;
 /// The ropeway file.
 pub static ROPEWAY: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a ropeway has at least [ropeway] with a title and a span, [[rope]], [platform], [ship], [cargo] and [setting]";
-    schema_of::<Ropeway>("ropeway", least)
+    schema_of::<Ropeway>("ropeway", least).with_parameters()
 });
 
 impl FileContent for Ropeway {

@@ -13,7 +13,7 @@ use crate::case::{FieldLister, FieldRow, Finding, Mark, Provenance, split};
 /// The section file.
 pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a section has at least [section] with a name and a title, [units.<name>], and a [centre] or a [[layer]]";
-    schema_of::<CrossSection>("section", least)
+    schema_of::<CrossSection>("section", least).with_parameters()
 });
 
 impl FileContent for CrossSection {

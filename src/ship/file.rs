@@ -13,7 +13,7 @@ use crate::case::{FieldLister, FieldRow, Finding};
 /// The ship file.
 pub static SHIP: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a ship has at least [ship] with a title, length_m and draft_m, and one of [wind], [current], [drift]";
-    schema_of::<Ship>("ship", least)
+    schema_of::<Ship>("ship", least).with_parameters()
 });
 
 impl FileContent for Ship {

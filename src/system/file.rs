@@ -21,11 +21,9 @@ use crate::case::{Attachment, Diagnostic, FieldLister, FieldRow, Finding};
 /// The system file.
 pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a system has at least [system] with a title, and [materials.<name>], [points.<name>] and [[lines]], or a body or rod";
-    schema_of::<SystemFile>("system", least).with_coordinates(
-        "points.*.position_m",
-        POSITION.0,
-        POSITION.1,
-    )
+    schema_of::<SystemFile>("system", least)
+        .with_parameters()
+        .with_coordinates("points.*.position_m", POSITION.0, POSITION.1)
 });
 
 impl FileContent for SystemFile {

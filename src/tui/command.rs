@@ -115,6 +115,15 @@ pub enum CommandId {
     OtherAxis,
     NextSweep,
     PreviousSweep,
+    Model,
+    NewFile,
+    Add,
+    Remove,
+    CopyTable,
+    Rename,
+    Divide,
+    MoveUp,
+    MoveDown,
 }
 
 /// A command with its keys. Keys, footer, `?` help and `:` palette come from these alone.
@@ -268,6 +277,7 @@ pub const DOCUMENT: &[Command] = &[
     command(CommandOrder::Next, CommandId::NextPane, &["tab"], "pane", "Go to the next pane"),
     command(CommandOrder::Document, CommandId::Save, &["s"], "save", "Save the case to its file, with your comments kept"),
     command(CommandOrder::Document, CommandId::Undo, &["u"], "undo", "Undo the last edit"),
+    command(CommandOrder::Setup, CommandId::Model, &["B"], "build", "Go to the model: add, remove, divide, rename and order what the file is made of"),
     command(CommandOrder::Document, CommandId::Back, &["esc", "b"], "cases", "Back to the list of cases"),
     command(CommandOrder::Rare, CommandId::Redo, &["U", "ctrl+r"], "", "Redo the edit undone last"),
     command(CommandOrder::Motion, CommandId::PreviousPane, &["shift+tab"], "", "Go to the previous pane"),

@@ -370,6 +370,10 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             expected,
             new,
         } => save_case(path, text, expected.as_deref(), new),
+        Effect::NewFile { path, text } => match super::files::write_new(&path, &text) {
+            Ok(()) => read_case(&path),
+            Err(why) => Msg::NotMade(why),
+        },
         Effect::KeepRecovery { path, text, kept } => {
             let edits = text.map(|text| RecoveredEdits { text, kept });
             let kept = recovery::store(&path, edits.as_ref());

@@ -3,18 +3,40 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::case::fields::Schema;
+use crate::case::structure::{self, StructureEdit};
 use crate::case::{self, Case, EditedKey, StudyPoint, kind};
 use crate::kinds::FileType;
 use crate::reference;
 use crate::report::chart::Glyphs;
-use crate::ropeway::Ropeway;
+use crate::ropeway::{ROPEWAY, Ropeway};
 use crate::run::Run;
-use crate::section::CrossSection;
-use crate::ship::Ship;
-use crate::system::SystemFile;
+use crate::section::{CrossSection, SECTION};
+use crate::ship::{SHIP, Ship};
+use crate::system::{SYSTEM, SystemFile};
 
 pub use crate::case::FieldRow;
 pub use crate::reference::ValidationRow;
+
+/// The tables and keys of a kind of file.
+#[must_use]
+pub fn schema(kind: FileType) -> &'static Schema {
+    match kind {
+        FileType::Line => &case::CASE,
+        FileType::Section => &SECTION,
+        FileType::Ropeway => &ROPEWAY,
+        FileType::Ship => &SHIP,
+        FileType::System => &SYSTEM,
+    }
+}
+
+/// The text of a file with an edit of its structure; the file with it is not checked.
+///
+/// # Errors
+/// Why the edit cannot be made.
+pub fn restructure(kind: FileType, text: &str, edit: &StructureEdit) -> Result<String, String> {
+    structure::apply(schema(kind), text, edit)
+}
 
 /// Reads a text as a case.
 ///

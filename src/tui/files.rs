@@ -26,6 +26,12 @@ pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new
     }
 }
 
+/// Writes a new file.
+pub(super) fn write_new(path: &Path, text: &str) -> Result<(), String> {
+    let written = Target::new(path).write(visible::toml(text).as_bytes());
+    written.map_err(|error| format!("The file is not made: {error}."))
+}
+
 /// Writes to the name asked for, or the first free one of `name-2`, `name-3` and so on.
 pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
     let stem = path.file_stem().unwrap_or_default().to_string_lossy();

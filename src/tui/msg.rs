@@ -72,6 +72,8 @@ pub enum Msg {
     CaseRejected(PathBuf, String),
     /// A case was saved here.
     Saved(PathBuf, String),
+    /// A new file is not made, for this reason.
+    NotMade(String),
     /// A case cannot be saved, for this reason.
     NotSaved(String),
     /// The file of a case is not what it was when it was read.
@@ -227,6 +229,13 @@ pub enum Effect {
         expected: Option<String>,
         /// Do not overwrite a file that is there.
         new: bool,
+    },
+    /// Write a new file, and open it.
+    NewFile {
+        /// Where to.
+        path: PathBuf,
+        /// What.
+        text: String,
     },
     /// Keep unsaved text in case the program ends badly.
     KeepRecovery {

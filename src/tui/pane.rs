@@ -37,4 +37,6 @@ pub enum PaneId {
     Ship,
     /// A system of lines drawn.
     System,
+    /// What the file is made of, to be built.
+    Model,
 }

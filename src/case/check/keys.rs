@@ -6,6 +6,7 @@ use std::ops::Range;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{AbsentValue, Field, Schema, TableSchema, TableShape};
 use crate::case::fields::{check_value, join, unknown_key};
+use crate::case::parameters::ANY_KEY;
 use crate::case::tree::{TomlEntry, TomlNode, element_names};
 
 /// Checks the whole document.
@@ -41,7 +42,9 @@ impl KeyChecker {
         let mut meant = Vec::new();
         for entry in node.entries() {
             path.push(entry.key.clone());
-            if let Some(field) = known.iter().find(|field| field.key() == entry.key) {
+            let same =
+                |field: &&&'static Field| [entry.key.as_str(), ANY_KEY].contains(&field.key());
+            if let Some(field) = known.iter().find(same) {
                 self.value(field, entry, path);
             } else if let Some(table) = subtable(self.schema, pattern, &entry.key) {
                 self.subtables(table, entry, path);
@@ -205,6 +208,11 @@ fn exists(schema: &'static Schema, field: &Field, node: &TomlNode) -> Option<boo
     }
 }
 
-fn subtable(schema: &'static Schema, pattern: &str, key: &str) -> Option<&'static TableSchema> {
+/// The table of this key in a table of this pattern.
+pub(crate) fn subtable(
+    schema: &'static Schema,
+    pattern: &str,
+    key: &str,
+) -> Option<&'static TableSchema> {
     schema.tables_in(pattern).find(|table| table.key() == key)
 }

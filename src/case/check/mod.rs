@@ -24,7 +24,7 @@ use super::diagnostic::Finding;
 use super::model::CaseKeys;
 
 pub(crate) use checks::{is_of_check, of_checks};
-pub(crate) use keys::{check as check_keys, fields_here};
+pub(crate) use keys::{check as check_keys, fields_here, subtable};
 pub(crate) use load_cases::{of_load_cases, takes_values, variable, varied};
 pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
 pub(crate) use names::{unknown, unknown_name, used_twice};

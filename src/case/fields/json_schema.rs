@@ -3,6 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::{AbsentValue, Field, Schema, TableSchema, TableShape, ValueType};
+use crate::case::parameters::ANY_KEY;
 use crate::case::tree::{TomlData, TomlNode};
 
 /// The schema as a JSON Schema, draft 2020-12, of files converted from TOML to JSON.
@@ -26,7 +27,11 @@ fn table_schema(schema: &'static Schema, pattern: &str) -> Map<String, Value> {
     let mut properties = Map::new();
     let mut required = Vec::new();
     let mut rules = Vec::new();
-    for field in fields.iter().filter(|field| field.only_if.is_none()) {
+    let (named, any): (Vec<&Field>, Vec<&Field>) = fields
+        .iter()
+        .filter(|field| field.only_if.is_none())
+        .partition(|field| field.key() != ANY_KEY);
+    for field in named {
         properties.insert(field.key().to_owned(), value_schema(field));
         match field.absent {
             AbsentValue::Required => required.push(field.key()),
@@ -62,7 +67,10 @@ fn table_schema(schema: &'static Schema, pattern: &str) -> Map<String, Value> {
     object.insert("type".to_owned(), json!("object"));
     object.insert("properties".to_owned(), Value::Object(properties));
     object.insert("required".to_owned(), json!(required));
-    object.insert("additionalProperties".to_owned(), json!(false));
+    let others = any
+        .first()
+        .map_or(json!(false), |field| value_schema(field));
+    object.insert("additionalProperties".to_owned(), others);
     if !rules.is_empty() {
         object.insert("allOf".to_owned(), Value::Array(rules));
     }
@@ -178,7 +186,8 @@ fn value_schema(field: &Field) -> Value {
 
 fn number_schema(field: &Field, name: &str) -> Value {
     let range = field.range;
-    let mut number = json!({ "type": name });
+    // Numbers may be written as expressions of parameters.
+    let mut number = json!({ "type": [name, "string"] });
     if range.min.is_finite() {
         let least = if range.min_excluded {
             "exclusiveMinimum"

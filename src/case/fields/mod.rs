@@ -13,6 +13,8 @@ mod typed_number;
 mod value;
 mod words;
 
+use super::parameters;
+
 pub(crate) use field::either;
 pub use field::{AbsentValue, Conditions, Field, ValueType, in_words, unit_suffix};
 pub use json_schema::json_schema;
@@ -64,6 +66,15 @@ impl Schema {
             let parts: Vec<Field> = ["x", "y", "z"].into_iter().zip(labels).map(part).collect();
             self.parts.extend(parts);
         }
+        self
+    }
+
+    /// The same, of files that may have named parameters.
+    pub(crate) fn with_parameters(mut self) -> Self {
+        // Behind the table that says what the file is.
+        self.tables
+            .insert(1.min(self.tables.len()), parameters::table());
+        self.fields.push(parameters::field());
         self
     }
 

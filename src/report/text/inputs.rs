@@ -63,7 +63,7 @@ fn lines(rows: &[&FieldRow], sourced: bool) -> Table {
     Table::of("", &lines)
         .text("input", |(row, heads_group)| match heads_group {
             true => format!("{}:", row.group),
-            false => row.label.to_owned(),
+            false => row.label.clone().into_owned(),
         })
         .cell("value", Align::Left, |(row, heads_group)| {
             unless(*heads_group, value(row))
@@ -75,8 +75,7 @@ fn lines(rows: &[&FieldRow], sourced: bool) -> Table {
 }
 
 fn value(row: &FieldRow) -> Cell {
-    let unit = if row.unit == "-" { "" } else { row.unit };
-    Cell::plain(format!("{} {unit}", row.value).trim_end())
+    Cell::plain(row.value_with_unit())
 }
 
 /// Inputs of a sourced case that carry no mark are printed in the source; what the file leaves out has

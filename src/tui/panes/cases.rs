@@ -7,6 +7,7 @@ use crate::report::chart::Glyphs;
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, CaseEntry};
+use crate::tui::update::build::new_file;
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::trials;
 use crate::tui::view::paint::{span, wrap};
@@ -16,6 +17,7 @@ use crate::tui::view::painter::Painter;
 const COMMANDS: &[Command] = &[
     main(CommandId::Open, &["enter", "l", "right"], "open", "Open the case under the cursor"),
     FILTER,
+    main(CommandId::NewFile, &["n"], "new", "Make a new file of a template: mooring line, spread mooring, lowering, umbilical, ropeway and others"),
     other(CommandId::Trials, &["T"], "trials", "Compute the trials of all hard cases listed, and compare them with the results required"),
     other(CommandId::ExternalEditor, &["E"], "editor", "Open the file under the cursor in $VISUAL or $EDITOR, also one that cannot be read, at its first fault"),
     other(CommandId::Reload, &["ctrl+r"], "", "Read the list of cases again"),
@@ -45,6 +47,7 @@ impl Pane for CasesPane {
                 let entry = state.cases.current()?;
                 Some(vec![Effect::EditFile(entry.path.clone())])
             }
+            CommandId::NewFile => Some(new_file::choose(state)),
             CommandId::Reload => Some(vec![Effect::ReadCases]),
             CommandId::Trials => Some(trials::show(state)),
             CommandId::Filter => {

@@ -214,7 +214,7 @@ fn compact_line(painter: &mut Painter, line: Rect, shown: ShownField, selected: 
             .trim_end()
             .to_owned(),
         (None, Some(words)) if field.value.is_empty() => words.to_owned(),
-        _ => format!("{} {}", field.value, field.unit)
+        _ => format!("{} {}", field.shown_value(), field.unit)
             .trim_end()
             .to_owned(),
     };
@@ -223,7 +223,7 @@ fn compact_line(painter: &mut Painter, line: Rect, shown: ShownField, selected: 
     let label_width = room.saturating_sub(value_width + 1).max(room / 2);
     painter.text(
         span(line, 1, label_width.saturating_sub(1)),
-        field.label,
+        &field.label,
         base,
     );
     let at = span(line, label_width, room - label_width);
@@ -245,6 +245,7 @@ fn note((field, instead): ShownField) -> &'static str {
         _ if field.replaced.is_some() => YOURS,
         Some(mark) => mark.status.name(),
         None if !field.applies => "no effect",
+        None if field.computed.is_some() => "computed",
         None if !field.given => "default",
         None => "",
     }
@@ -315,14 +316,14 @@ fn field_line(
     let (value, style) = match (instead, field.absent) {
         (Some(instead), _) => (instead.words(), base.patch(theme.strong())),
         (None, Some(words)) if field.value.is_empty() => (words, base.patch(theme.faint())),
-        _ if !field.applies => (field.value.as_str(), base.patch(theme.faint())),
-        _ if field.given => (field.value.as_str(), base.patch(theme.strong())),
-        _ => (field.value.as_str(), base),
+        _ if !field.applies => (field.shown_value(), base.patch(theme.faint())),
+        _ if field.given => (field.shown_value(), base.patch(theme.strong())),
+        _ => (field.shown_value(), base),
     };
     let note_style = note_style(painter, field, base);
     let unit_x = 3 + label_width + value_width;
     let cells: [(u16, u16, &str, Style); 4] = [
-        (2, label_width.saturating_sub(1), field.label, base),
+        (2, label_width.saturating_sub(1), &field.label, base),
         (2 + label_width, value_width, value, style),
         (unit_x, unit_width, field.unit, base),
         (unit_x + unit_width + 1, line.width, note, note_style),
@@ -344,7 +345,9 @@ fn help_lines(painter: &mut Painter, area: Rect, editor: &ParameterEditor) {
     let replaced = field.replaced.as_ref().map(ReplacedValue::words);
     let standing = field.standing.as_ref();
     let standing = standing.map(|mark| format!("{}: {}", mark.status.name(), mark.reason));
-    words.extend(replaced.into_iter().chain(standing));
+    let computed = field.computed.as_ref();
+    let computed = computed.map(|_| format!("computed by the file: {}", field.value));
+    words.extend(computed.into_iter().chain(replaced).chain(standing));
     if area.width < COMPACT {
         // In little room first what is not in the documentation.
         words.rotate_left(2);

@@ -6,6 +6,7 @@ mod charts;
 mod drawing;
 mod inputs;
 mod jobs;
+mod model;
 mod modes;
 mod nodes;
 mod report;
@@ -95,6 +96,7 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
         PaneId::Ship => &ship::ShipPane,
         PaneId::System => &system::SystemPane,
         PaneId::Sweep => &sweep::SweepPane,
+        PaneId::Model => &model::ModelPane,
     }
 }
 

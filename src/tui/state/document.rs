@@ -126,6 +126,7 @@ impl Document {
     pub fn new(path: PathBuf, read: Reading) -> Self {
         let mut editor = ParameterEditor::new(path, read.text);
         editor.rows = read.rows;
+        editor.model.renew(read.outline);
         editor.saved_rows = Some(read.saved_rows);
         editor.before = Some(read.before);
         editor.edited = read.edited;
@@ -285,12 +286,13 @@ impl Document {
     pub fn take(&mut self, read: Reading) {
         self.content.kind_mut().renew(read.content);
         let info = self.kind().info();
-        if !info.panes.contains(&self.pane) {
+        if !info.panes.contains(&self.pane) && self.pane != PaneId::Model {
             self.pane = info.first;
         }
         self.parts.outdate();
         self.editor.text = read.text;
         self.editor.rows = read.rows;
+        self.editor.model.renew(read.outline);
         self.editor.saved_rows = Some(read.saved_rows);
         self.editor.before = Some(read.before);
         self.editor.edited = read.edited;

@@ -86,6 +86,7 @@ impl EditCheck {
         match change {
             Change::Set(key, value) => facade::put(self.file.kind, text, key, value),
             Change::Unset(key) => facade::unset(text, key),
+            Change::Structure(edit) => facade::restructure(self.file.kind, text, edit),
             Change::Text(text) => Ok(text.clone()),
             Change::Reread => Ok(text.to_owned()),
         }
@@ -103,6 +104,7 @@ impl EditCheck {
                 facade::set(before, key, value).map(|_| Err(first))
             }
             (Change::Set(key, _), _) => Err(facade::refusal(key, &all)),
+            (Change::Structure(_), _) => Err(facade::refusal("", &all)),
             _ if edit.source == EditSource::Recovered => Err(format!(
                 "The kept edits are no longer valid and stay where they are: {first}"
             )),

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use super::form::Form;
+use super::picker::Picker;
 use crate::tui::column_plot::ColumnPair;
 use crate::tui::recovery::RecoveredEdits;
 
@@ -63,6 +65,10 @@ pub enum Overlay {
     },
     /// The library of line types, to add one as a material.
     LineTypes(LineTypePicker),
+    /// A list to choose one thing from.
+    Picker(Picker),
+    /// A form to fill in.
+    Form(Box<Form>),
     /// A column of the table of runs against another.
     Columns(ColumnPair),
     /// A line to type.

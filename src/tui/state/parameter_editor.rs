@@ -6,6 +6,7 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use super::case_list::Filter;
+use super::model_list::ModelList;
 use super::pending::PendingEdits;
 use super::reading::{SavedRows, rows};
 use crate::case::edited::{self, EditedKey, Origin};
@@ -147,6 +148,8 @@ pub struct ParameterEditor {
     pub kept: Vec<KeptRange>,
     /// Edits that are not checked yet.
     pub pending: PendingEdits,
+    /// What the file is made of.
+    pub model: ModelList,
 }
 
 impl ParameterEditor {
@@ -181,6 +184,7 @@ impl ParameterEditor {
             editing: None,
             kept: Vec::new(),
             pending: PendingEdits::default(),
+            model: ModelList::default(),
         }
     }
 

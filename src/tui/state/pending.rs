@@ -1,6 +1,8 @@
 //! Edits that are asked for and not yet checked. One check is under way at a time; edits asked for meanwhile are checked
 //! together after it, so that the newest value is there soon however long a check takes.
 
+use crate::case::structure::StructureEdit;
+
 /// A change of a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Change {
@@ -8,6 +10,8 @@ pub enum Change {
     Set(String, String),
     /// An optional key left out.
     Unset(String),
+    /// Tables added, removed, renamed, put in order.
+    Structure(Box<StructureEdit>),
     /// A whole text in its place.
     Text(String),
     /// No change: the text is read again.
@@ -19,6 +23,8 @@ pub enum Change {
 pub enum EditSource {
     /// Typed into its field, which stays open until the value is accepted.
     Typed,
+    /// Filled into a form, which stays open until it is accepted.
+    Form,
     /// A command: a step, a solver, a reset, another text.
     Command,
     /// The last edit undone.

@@ -13,6 +13,7 @@ use super::system::SystemView;
 use crate::case::edited::{self, EditedKey};
 use crate::case::file_kind::FileKind;
 use crate::case::judging_rows::judging_rows;
+use crate::case::structure::{self, OutlineRow};
 use crate::case::{self, Case, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::ropeway::Ropeway;
@@ -56,6 +57,8 @@ pub struct Reading {
     pub content: DocumentContent,
     /// Its fields.
     pub rows: Vec<FieldRow>,
+    /// What it is made of.
+    pub outline: Vec<OutlineRow>,
     /// The fields of the file.
     pub saved_rows: Arc<SavedRows>,
     /// What its inputs were before the user's edits.
@@ -95,6 +98,7 @@ impl Reading {
         edited::mark(&mut rows, &edited);
         content.kind_mut().validate(&text, &edited);
         Self {
+            outline: structure::outline(facade::schema(file.kind), &text),
             text,
             content,
             rows,

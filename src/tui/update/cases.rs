@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::build::new_file;
 use super::notice::info;
 use super::{jobs, results, runs, ship, sweeps};
 use crate::tui::case_library::FIRST;
@@ -55,6 +56,7 @@ pub(super) fn rejected(
 
 pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     state.close();
+    let made = new_file::is_asked(state);
     state.document = Some(Document::new(read.path, read.read));
     runs::check(state);
     if let Some(editor) = state
@@ -67,6 +69,11 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     }
     results::main_ones(state);
     let mut effects = jobs::resolve(state);
+    if made {
+        // The list has it too, once it is seen again.
+        state.overlay = None;
+        effects.push(Effect::ReadCases);
+    }
     effects.extend(ship::resolve(state));
     effects.extend(runs::list(state));
     effects.extend(sweeps::list(state));

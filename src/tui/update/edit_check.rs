@@ -1,7 +1,7 @@
 //! Edits are applied and checked behind the screen: asking for them, taking their answer, and the keys that wait for it.
 
 use super::notice::{info, warn};
-use super::{edit, parts};
+use super::{build, edit, parts};
 use crate::tui::command::CommandId;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::{Effect, Msg};
@@ -145,6 +145,9 @@ fn accepted(state: &mut AppState, edit: &PendingEdit) -> Vec<Effect> {
         editor.kept.retain(|kept| kept.path != editing.path);
         dropped = editor.kept.len() < before;
     }
+    if edit.source == EditSource::Form {
+        build::accepted(state);
+    }
     if let Some(words) = &edit.said {
         info(state, words.clone());
     }
@@ -159,6 +162,9 @@ fn accepted(state: &mut AppState, edit: &PendingEdit) -> Vec<Effect> {
 
 /// A refusal stays with the value where that is typed.
 fn refused(state: &mut AppState, edit: &PendingEdit, why: String) -> Vec<Effect> {
+    if edit.source == EditSource::Form {
+        return build::refused(state, why);
+    }
     let typed = edit.source == EditSource::Typed;
     let editing = state
         .editor_mut()

@@ -88,6 +88,18 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
             type_text(input, text);
             return Vec::new();
         }
+        Some(Overlay::Picker(picker)) => {
+            type_text(&mut picker.input, text);
+            picker.cursor = 0;
+            return Vec::new();
+        }
+        Some(Overlay::Form(form)) => {
+            if let Some(line) = form.current_mut() {
+                type_text(&mut line.input, text);
+            }
+            form.problem.clear();
+            return Vec::new();
+        }
         Some(_) => return Vec::new(),
         None => {}
     }

@@ -1,5 +1,6 @@
 //! What each message does to the state. Pure: the world is asked for by [`Effect`]s.
 
+pub mod build;
 mod cases;
 pub mod column_plot;
 pub mod curves;
@@ -84,6 +85,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::ValuesChecked(token, table) => parts::compared(state, &token, *table),
         Msg::CaseRejected(file, text) => cases::rejected(state, visible::path(&file), file, text),
         Msg::Saved(path, text) => quit::saved(state, path, text),
+        Msg::NotMade(why) => build::new_file::failed(state, why),
         Msg::NotSaved(why) => quit::not_saved(state, &why),
         Msg::ChangedOnDisk => quit::changed_on_disk(state),
         Msg::RunsListed(found) => runs::listed(state, *found),

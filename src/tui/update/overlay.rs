@@ -6,8 +6,8 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
 use super::{
-    column_plot, curves, edit, export, jobs, keys, line_types, pages, quit, resume, run_table,
-    runs, studies, sweeps, trials, vary,
+    build, column_plot, curves, edit, export, jobs, keys, line_types, pages, quit, resume,
+    run_table, runs, studies, sweeps, trials, vary,
 };
 use crate::report::chart::Glyphs;
 use crate::tui::command::{Command, CommandId};
@@ -58,6 +58,8 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         }
         Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
         Overlay::Columns(pair) => column_plot::key(state, pair, key),
+        Overlay::Picker(picker) => build::picker::key(state, picker, key),
+        Overlay::Form(form) => build::form::key(state, form, key),
         Overlay::LineTypes(picker) => line_types::key(state, picker, key),
         Overlay::Curves { cursor } => curves::key(state, cursor, key),
         Overlay::Studies { items, cursor } => choose_study(state, items, cursor, key),
@@ -234,6 +236,10 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::Redo => edit::redo(state),
         CommandId::Method => edit::next_method(state),
         CommandId::AddLineType => line_types::open(state),
+        CommandId::Model => {
+            state.document.as_mut()?.pane = PaneId::Model;
+            Vec::new()
+        }
         CommandId::Save => quit::save(state),
         CommandId::Back => quit::back(state),
         CommandId::Run => jobs::run(state),
@@ -287,12 +293,15 @@ fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
 fn go(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
     let document = state.document.as_mut()?;
     let panes = document.kind().info().panes;
-    let now = panes.iter().position(|pane| *pane == document.pane)?;
+    // From the model, which has no number, to the first and the last.
+    let now = panes.iter().position(|pane| *pane == document.pane);
     let next = match id {
-        CommandId::NextPane => now + 1,
-        CommandId::PreviousPane => now + panes.len() - 1,
+        CommandId::NextPane if now.is_none() => 0,
+        CommandId::PreviousPane if now.is_none() => panes.len() - 1,
+        CommandId::NextPane => now? + 1,
+        CommandId::PreviousPane => now? + panes.len() - 1,
         CommandId::Pane(number) => usize::from(number.saturating_sub(1)).min(panes.len() - 1),
-        _ => now,
+        _ => now?,
     };
     document.pane = panes[next % panes.len()];
     // Runs that other programs computed may have ended.

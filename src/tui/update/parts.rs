@@ -13,7 +13,10 @@ use crate::tui::view::layout;
 #[must_use]
 pub fn of_pane(document: &Document, pane: PaneId) -> Option<Part> {
     match pane {
-        PaneId::Drawing | PaneId::Ropeway | PaneId::Ship | PaneId::System => Some(Part::Drawing),
+        PaneId::Model if document.line().is_some() => None,
+        PaneId::Drawing | PaneId::Ropeway | PaneId::Ship | PaneId::System | PaneId::Model => {
+            Some(Part::Drawing)
+        }
         PaneId::Tables => Some(Part::Tab(document.tab)),
         PaneId::Nodes => {
             let line = document.line()?;

@@ -23,8 +23,13 @@ pub fn step_value(state: &mut AppState, steps: f64) -> Vec<Effect> {
     };
     // From the step before this one, which may not be checked yet.
     let (path, value) = (row.path.clone(), stepped(row, editor.value(row), steps));
+    let is_computed = row.computed.is_some();
     match value {
         Some(value) => set(state, &path, &value),
+        None if is_computed => info(
+            state,
+            "This value is computed from parameters: step those, or Enter edits its expression.",
+        ),
         None => info(state, "This value cannot be stepped; Enter edits it."),
     }
 }

@@ -194,7 +194,7 @@ pub fn drop_kept(state: &mut AppState) -> Vec<Effect> {
 pub fn kept_words(editor: &ParameterEditor) -> Option<String> {
     let label = |path: &str| {
         let row = editor.rows.iter().find(|row| row.path == path);
-        row.map_or_else(|| path.to_owned(), |row| row.label.to_owned())
+        row.map_or_else(|| path.to_owned(), |row| row.label.clone().into_owned())
     };
     let kept = editor.kept.iter();
     let ranges = kept.map(|kept| format!("{} {}", label(&kept.path), kept.values));

@@ -65,6 +65,9 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
         state.focus(),
         state.line().is_some_and(|line| line.modes.beside),
     );
+    if focus == PaneId::Model {
+        return vec![(focus, body)];
+    }
     if state.line().is_none() {
         return file_panes(screen, body, focus, state.panes());
     }

@@ -1,5 +1,6 @@
 //! What the state looks like. Nothing here changes anything.
 
+mod build;
 pub mod layout;
 mod line_types;
 mod overlay;
@@ -86,7 +87,10 @@ impl Painter<'_> {
             };
             let mut panes = self.state.panes().iter();
             let number = panes.position(|other| *other == id).map_or(0, |i| i + 1);
-            let title = format!("{number} {}{mark}", pane.about().title);
+            let title = match number {
+                0 => format!("{}{mark}", pane.about().title),
+                _ => format!("{number} {}{mark}", pane.about().title),
+            };
             let glyphs = self.glyphs();
             paint::framed(self.buf, area, &title, glyphs, style)
         } else {

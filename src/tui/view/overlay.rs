@@ -105,6 +105,8 @@ impl Painter<'_> {
             }
             Overlay::Ask(question) => self.ask(screen, question),
             Overlay::Columns(pair) => self.columns(screen, pair),
+            Overlay::Picker(picker) => self.picker(screen, picker),
+            Overlay::Form(form) => self.form(screen, form),
             Overlay::LineTypes(picker) => self.line_types(screen, picker),
             Overlay::Curves { cursor } => self.curves(screen, *cursor),
             Overlay::Studies { items, cursor } => self.choose(screen, items, *cursor),

@@ -1,0 +1,385 @@
+//! `[parameters]`: named numbers of a file, and values of other keys that are computed from them.
+//!
+//! ```toml
+//! [parameters]
+//! depth_m = 200
+//! radius_m = "4 * depth_m"
+//!
+//! [[lines]]
+//! length_m = "1.02 * sqrt(radius_m^2 + depth_m^2)"
+//! ```
+//!
+//! Expressions are evaluated where a file is read: what checks and solvers see are numbers.
+
+mod expression;
+
+use std::collections::BTreeMap;
+
+use super::check::fields_here;
+use super::diagnostic::Finding;
+use super::fields::{
+    AbsentValue, Field, Range, Schema, TableSchema, TableShape, TypedNumber, ValueType, join,
+    nearest, number,
+};
+use super::tree::{TomlData, TomlNode, element_names};
+use expression::Expression;
+
+/// The table of the parameters.
+pub(crate) const PARAMETERS: &str = "parameters";
+
+/// The key of a field of a table whose keys the user names.
+pub(crate) const ANY_KEY: &str = "*";
+
+/// The table of the parameters, as it is declared for every kind of file.
+pub(crate) fn table() -> TableSchema {
+    let help = "Named numbers, for values written as expressions: length_m = \"1.05 * depth_m\".";
+    TableSchema::new(PARAMETERS.to_owned(), TableShape::One, false, help)
+}
+
+/// A parameter, as it is declared for every kind of file.
+pub(crate) fn field() -> Field {
+    let help = "Number, or an expression of other parameters in quotes. Its unit is for people: the name should end in it.";
+    Field {
+        absent: AbsentValue::Means("there is no such parameter"),
+        range: Range::ANY,
+        ..Field::new(ANY_KEY, ValueType::Number, "parameter", help).below(PARAMETERS)
+    }
+}
+
+/// The parameters of a file with their values.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Parameters {
+    values: BTreeMap<String, f64>,
+}
+
+/// Replaces the expressions of a file by their values; what cannot be evaluated stays and is reported. A file without parameters is left as
+/// it is.
+pub(crate) fn evaluate(schema: &'static Schema, root: &mut TomlNode) -> Vec<Finding> {
+    let Some(node) = root.get(PARAMETERS).filter(|node| node.is_table()) else {
+        return Vec::new();
+    };
+    let (parameters, mut found) = Parameters::of_table(node);
+    if found.is_empty() {
+        let mut walk = Evaluation {
+            schema,
+            parameters: &parameters,
+            found: Vec::new(),
+        };
+        walk.table(root, "", &mut Vec::new());
+        found = walk.found;
+    }
+    found.sort_by_key(|finding| finding.span.start);
+    found
+}
+
+/// The number of a text typed for a field of a file, where it is an expression of the file's parameters; nothing where it is none.
+///
+/// # Errors
+/// What is wrong with the expression, and what would be right.
+pub(crate) fn typed(
+    root: &TomlNode,
+    field: &Field,
+    node: &TomlNode,
+) -> Result<Option<TomlNode>, Finding> {
+    let Some(table) = root.get(PARAMETERS).filter(|node| node.is_table()) else {
+        return Ok(None);
+    };
+    let (parameters, _) = Parameters::of_table(table);
+    let mut evaluated = node.clone();
+    parameters.replace(field, &mut evaluated, &field.path)?;
+    Ok((evaluated != *node).then_some(evaluated))
+}
+
+/// What is said of a parameter that a file does not have.
+pub(crate) fn absent(root: &TomlNode, name: &str) -> (String, String) {
+    let known = root.get(PARAMETERS).map_or(Vec::new(), TomlNode::names);
+    let problem = format!("there is no parameter `{name}` in this file");
+    let remedy = match nearest(name, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if known.is_empty() => format!("add [{PARAMETERS}] with it to the file"),
+        None => format!("[{PARAMETERS}] has {}", known.join(", ")),
+    };
+    (problem, remedy)
+}
+
+impl Parameters {
+    /// The values of a table of parameters, and what is wrong with it.
+    fn of_table(node: &TomlNode) -> (Self, Vec<Finding>) {
+        let mut resolution = Resolution {
+            table: node,
+            known: Self::default(),
+            begun: Vec::new(),
+            found: Vec::new(),
+        };
+        for entry in node.entries() {
+            resolution.resolve(&entry.key);
+        }
+        (resolution.known, resolution.found)
+    }
+
+    /// Replaces a value of a field, or those of its list, where it is an expression.
+    fn replace(&self, field: &Field, node: &mut TomlNode, path: &str) -> Result<(), Finding> {
+        if !holds_numbers(field.kind) {
+            return Ok(());
+        }
+        let node_span = node.span.clone();
+        match &mut node.data {
+            TomlData::List(items) => items
+                .iter_mut()
+                .try_for_each(|item| self.replace(field, item, path)),
+            TomlData::Text(text) => {
+                let fault = |(problem, remedy)| Finding::new(&node_span, path, problem, remedy);
+                let value = self.number(field, text).map_err(fault)?;
+                if let Some(value) = value {
+                    node.data = value;
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The number of an expression that names parameters; nothing where the text is something else.
+    fn number(&self, field: &Field, text: &str) -> Result<Option<TomlData>, (String, String)> {
+        let is_word =
+            matches!(field.kind, ValueType::NumberOrChoice(words) if words.contains(&text));
+        let names_one = words_of(text).any(|word| self.values.contains_key(word));
+        let is_number = TypedNumber::read(text, field.unit).is_some();
+        if is_word || (is_number && !names_one) {
+            return Ok(None);
+        }
+        let read = match Expression::read(text) {
+            Ok(read) if read.names().is_empty() => return Ok(None),
+            Ok(read) => read,
+            Err(fault) if names_one => return Err(unreadable(text, &fault)),
+            Err(_) => return Ok(None),
+        };
+        let of_names = read.names().iter().map(|name| {
+            let value = self.values.get(name).copied();
+            value.ok_or_else(|| self.unknown(name))
+        });
+        let of_names: Vec<f64> = of_names.collect::<Result<_, _>>()?;
+        as_data(field, read.value(&of_names)).map(Some)
+    }
+
+    /// A name that is no parameter.
+    fn unknown(&self, name: &str) -> (String, String) {
+        let problem = format!("names `{name}`, which is no parameter of this file");
+        let known: Vec<&str> = self.values.keys().map(String::as_str).collect();
+        let remedy = match nearest(name, known.iter().copied()) {
+            Some(near) => format!("did you mean `{near}`?"),
+            None if known.is_empty() => format!("add `{name} = ...` to [{PARAMETERS}]"),
+            None => format!(
+                "add `{name} = ...` to [{PARAMETERS}], which has {}",
+                known.join(", ")
+            ),
+        };
+        (problem, remedy)
+    }
+}
+
+/// A number as the value of a field.
+fn as_data(field: &Field, value: f64) -> Result<TomlData, (String, String)> {
+    if !value.is_finite() {
+        let problem = format!("is {value} by its expression");
+        let remedy = "look for a division by zero or a root of a negative number";
+        return Err((problem, remedy.to_owned()));
+    }
+    if field.kind != ValueType::Integer {
+        return Ok(TomlData::Float(value));
+    }
+    let whole = value.round();
+    if (value - whole).abs() > 1e-9 * whole.abs().max(1.0) || whole.abs() > 1e15 {
+        let problem = format!("is {} by its expression, and must be whole", number(value));
+        let remedy = "write round(...), floor(...) or ceil(...) around it";
+        return Err((problem, remedy.to_owned()));
+    }
+    Ok(TomlData::Integer(whole as i64))
+}
+
+fn unreadable(text: &str, fault: &str) -> (String, String) {
+    let problem = format!("is no expression that can be read: \"{text}\": {fault}");
+    let remedy = format!("known are {}", expression::vocabulary());
+    (problem, remedy)
+}
+
+/// The words of a text that may be names.
+fn words_of(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'))
+}
+
+/// Whether a value of this type is made of numbers.
+fn holds_numbers(kind: ValueType) -> bool {
+    matches!(
+        kind,
+        ValueType::Number
+            | ValueType::Integer
+            | ValueType::NumberOrChoice(_)
+            | ValueType::NumberOrList
+            | ValueType::NumberOrTriple
+            | ValueType::List
+            | ValueType::Pair
+            | ValueType::Triple
+    )
+}
+
+/// The parameters worked out one after the other, each after those that it names.
+struct Resolution<'a> {
+    table: &'a TomlNode,
+    known: Parameters,
+    /// Those begun and not known yet: one that comes up again depends on itself.
+    begun: Vec<String>,
+    found: Vec<Finding>,
+}
+
+impl Resolution<'_> {
+    /// The value of a parameter; nothing where it has none, which is reported once.
+    fn resolve(&mut self, name: &str) -> Option<f64> {
+        if let Some(value) = self.known.values.get(name) {
+            return Some(*value);
+        }
+        let node = self.table.get(name)?;
+        let already = self.found.iter().any(|finding| finding.span == node.span);
+        if already {
+            return None;
+        }
+        let value = self.value(name, node);
+        match value {
+            Ok(Some(value)) => {
+                self.known.values.insert(name.to_owned(), value);
+                Some(value)
+            }
+            // What it depends on is reported.
+            Ok(None) => None,
+            Err((problem, remedy)) => {
+                let path = join(&[PARAMETERS, name]);
+                self.found
+                    .push(Finding::new(&node.span, path, problem, remedy));
+                None
+            }
+        }
+    }
+
+    fn value(&mut self, name: &str, node: &TomlNode) -> Result<Option<f64>, (String, String)> {
+        if !expression::is_name(name) {
+            let problem = match expression::is_taken(name) {
+                true => "is the name of a function or constant",
+                false => "cannot be named in an expression",
+            };
+            let remedy = "give it a name of letters, digits and _, which begins with a letter";
+            return Err((problem.to_owned(), remedy.to_owned()));
+        }
+        let Some(text) = node.text() else {
+            let value = node.number();
+            return value.map(Some).ok_or_else(|| {
+                let problem = format!("must be a number, and is {}", node.describe());
+                (
+                    problem,
+                    "give a number, or an expression in quotes".to_owned(),
+                )
+            });
+        };
+        if self.begun.iter().any(|begun| begun == name) {
+            let round = self.begun.join(", ");
+            let problem = format!("depends on itself ({round})");
+            return Err((problem, "give one of them a number".to_owned()));
+        }
+        let read = Expression::read(text).map_err(|fault| unreadable(text, &fault))?;
+        self.begun.push(name.to_owned());
+        let of_names = self.of_names(&read);
+        self.begun.pop();
+        let Some(of_names) = of_names? else {
+            return Ok(None);
+        };
+        let data = as_data(&field(), read.value(&of_names))?;
+        Ok(match data {
+            TomlData::Float(value) => Some(value),
+            _ => None,
+        })
+    }
+
+    /// The values of the names of an expression; nothing where one of them has none for a reason that is reported.
+    fn of_names(&mut self, read: &Expression) -> Result<Option<Vec<f64>>, (String, String)> {
+        let mut values = Vec::new();
+        for name in read.names() {
+            if self.table.get(name).is_none() {
+                let all = self.table.names();
+                let known = Parameters {
+                    values: all.into_iter().map(|name| (name, 0.0)).collect(),
+                };
+                return Err(known.unknown(name));
+            }
+            match self.resolve(name) {
+                Some(value) => values.push(value),
+                None => return Ok(None),
+            }
+        }
+        Ok(Some(values))
+    }
+}
+
+/// The way through a file that replaces expressions, along its schema as the check of its keys goes.
+struct Evaluation<'a> {
+    schema: &'static Schema,
+    parameters: &'a Parameters,
+    found: Vec<Finding>,
+}
+
+impl Evaluation<'_> {
+    fn table(&mut self, node: &mut TomlNode, pattern: &str, path: &mut Vec<String>) {
+        let known = fields_here(self.schema, node, pattern);
+        let TomlData::Table(_, entries) = &mut node.data else {
+            return;
+        };
+        for entry in entries {
+            path.push(entry.key.clone());
+            let same =
+                |field: &&&'static Field| [entry.key.as_str(), ANY_KEY].contains(&field.key());
+            if let Some(field) = known.iter().find(same) {
+                self.value(field, &mut entry.node, path);
+            } else if let Some(table) = super::check::subtable(self.schema, pattern, &entry.key) {
+                self.subtables(table, &mut entry.node, path);
+            }
+            path.pop();
+        }
+    }
+
+    fn value(&mut self, field: &Field, node: &mut TomlNode, path: &[String]) {
+        let [.., key] = path else { return };
+        if field.table() == PARAMETERS {
+            if let Some(value) = self.parameters.values.get(key) {
+                node.data = TomlData::Float(*value);
+            }
+            return;
+        }
+        if let Err(fault) = self.parameters.replace(field, node, &join(path)) {
+            self.found.push(fault);
+        }
+    }
+
+    fn subtables(&mut self, table: &TableSchema, node: &mut TomlNode, path: &mut Vec<String>) {
+        let inner = table.pattern();
+        match (table.shape, &mut node.data) {
+            (TableShape::One, TomlData::Table(..)) => self.table(node, &inner, path),
+            (TableShape::ByName, TomlData::Table(_, entries)) => {
+                for entry in entries {
+                    path.push(entry.key.clone());
+                    self.table(&mut entry.node, &inner, path);
+                    path.pop();
+                }
+            }
+            (TableShape::List, TomlData::List(items)) => {
+                let names = element_names(items);
+                for (item, name) in items.iter_mut().zip(names) {
+                    path.push(name);
+                    self.table(item, &inner, path);
+                    path.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;
