@@ -247,6 +247,27 @@ pub(crate) fn written(field: &Field, value: &str) -> String {
     typed(field, &bracketed(field, value)).0
 }
 
+/// A value typed for a field of a table that is new in a file, as it stands in the file.
+///
+/// # Errors
+/// What is wrong with it, and what would be right.
+pub(crate) fn checked_value(
+    root: &TomlNode,
+    field: &Field,
+    value: &str,
+) -> Result<String, EditError> {
+    let (written, node) = typed(field, &bracketed(field, value));
+    let number = parameters::typed(root, field, &node)
+        .map_err(|fault| (fault.problem, fault.remedy.to_string()))?;
+    let node = number.as_ref().unwrap_or(&node);
+    // An expression of parameters is checked with all of them, in the file.
+    if field.key() == ANY_KEY && node.text().is_some() {
+        return Ok(written);
+    }
+    check_value(field, node).map_err(|fault| (fault.problem, fault.remedy))?;
+    Ok(written)
+}
+
 /// Sets one key of a file to a value as typed into a form, checking both but not the file as a whole.
 pub(crate) fn put_value(
     schema: &'static Schema,
@@ -270,6 +291,17 @@ fn bracketed(field: &Field, value: &str) -> String {
         ValueType::List | ValueType::Pair | ValueType::Triple
     );
     let words = field.kind == ValueType::Words;
+    let may_be_one = matches!(
+        field.kind,
+        ValueType::NumberOrList | ValueType::NumberOrTriple
+    );
+    // One number, which may have a decimal comma, is left as it is.
+    let several = value.split_whitespace().count() > 1
+        && value
+            .split([',', ' '])
+            .filter(|part| !part.is_empty())
+            .all(|part| part.parse::<f64>().is_ok());
+    let numbers = numbers || (may_be_one && several);
     if value.starts_with('[') || !(numbers || words) {
         return value.to_owned();
     }
@@ -385,7 +417,7 @@ fn spliced(text: &str, span: &Range<usize>, new: &str) -> String {
 }
 
 /// Problem and remedy.
-type EditError = (String, String);
+pub(crate) type EditError = (String, String);
 
 fn no_key() -> EditError {
     (

@@ -65,10 +65,24 @@ speed_m_per_s = {wind}
 towards_deg = 0.0
 frontal_area_m2 = {frontal}
 lateral_area_m2 = {lateral}
+surge_cosines = [0.0, 0.6]
+sway_sines = [0.8]
+yaw_sines = [0.0, -0.06]
 
 [current]
 speed_m_per_s = {current}
 towards_deg = 0.0
+surge_cosines = [0.0, 0.05]
+sway_sines = [0.65]
+yaw_sines = [0.0, -0.06]
+
+[marks.\"wind.surge_cosines\"]
+status = \"assumed\"
+reason = \"Usual size for a ship of cargo; give the coefficients of yours, as those below.\"
+
+[marks.\"current.surge_cosines\"]
+status = \"assumed\"
+reason = \"Usual size for a ship of cargo; give the coefficients of yours, as those below.\"
 "
     ))
 }

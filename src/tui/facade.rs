@@ -100,6 +100,15 @@ pub fn first(all: &[case::Diagnostic], file: &str) -> String {
     )
 }
 
+/// What is wrong with a file at a key, and what would be right.
+#[must_use]
+pub fn missing(fault: &case::Diagnostic) -> String {
+    match fault.key.is_empty() {
+        true => sentences(fault),
+        false => format!("{}: {}", fault.key, sentences(fault)),
+    }
+}
+
 /// All that is wrong with a value, each at the key that says so.
 #[must_use]
 pub fn refusal(key: &str, all: &[case::Diagnostic]) -> String {

@@ -23,7 +23,8 @@ pub(crate) use range::{number, of, positive, quantity};
 pub use tables::{TableSchema, TableShape};
 pub(crate) use typed_number::TypedNumber;
 pub(crate) use value::{check as check_value, text as value_text};
-pub(crate) use words::{is_name, join, nearest, split, unknown_key};
+pub use words::split;
+pub(crate) use words::{is_name, join, nearest, unknown_key};
 
 /// A kind of file: what it is called, and every table and field it can have.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,7 +5,7 @@ use strsim::osa_distance;
 use super::{Field, Schema, either, unit_suffix};
 
 /// A key path as its parts; parts with dots stand in quotes. Nothing when it is malformed.
-pub(crate) fn split(path: &str) -> Option<Vec<String>> {
+pub fn split(path: &str) -> Option<Vec<String>> {
     let mut parts = vec![String::new()];
     let mut quote: Option<char> = None;
     for letter in path.trim().chars() {

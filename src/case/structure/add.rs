@@ -55,7 +55,8 @@ pub(super) fn add(
             .iter()
             .find(|field| field.key() == key || field.key() == ANY_KEY)
             .ok_or_else(|| format!("{} has no key {key}.", shown(table)))?;
-        let written = edit::written(field, value);
+        let written = edit::checked_value(&tree, field, value)
+            .map_err(|(problem, remedy)| format!("{key} {problem}. {}.", capital(&remedy)))?;
         block.push_str(&format!("{} = {written}{end}", join(&[key])));
     }
     let text = match text.is_empty() || text.ends_with('\n') {

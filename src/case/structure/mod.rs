@@ -104,6 +104,26 @@ pub fn apply(schema: &'static Schema, text: &str, edit: &StructureEdit) -> Resul
     }
 }
 
+/// The declaration of the table of a path.
+#[must_use]
+pub fn declaration(schema: &'static Schema, path: &[String]) -> Option<&'static TableSchema> {
+    table_of(schema, path).map(|(table, _)| table)
+}
+
+/// Whether a path is that of one of several tables of a kind: `materials.chain`, `lines.a.sections.2`.
+#[must_use]
+pub fn is_one_of_several(schema: &'static Schema, path: &str) -> bool {
+    let found = split(path).and_then(|parts| table_of(schema, &parts));
+    found.is_some_and(|(table, named)| named && table.shape != TableShape::One)
+}
+
+/// The path without its last part; empty for that of a table of the file.
+#[must_use]
+pub fn parent(path: &str) -> String {
+    let parts = split(path).unwrap_or_default();
+    join(&parts[..parts.len().saturating_sub(1)])
+}
+
 /// A path for people.
 fn shown(path: &[String]) -> String {
     join(path)

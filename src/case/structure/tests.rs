@@ -4,7 +4,7 @@ use super::*;
 use crate::case::fields::value_text;
 use crate::case::file_kind::FileKind;
 use crate::case::kind;
-use crate::case::shipped::SHIPPED;
+use crate::case::shipped::BY_KIND;
 use crate::case::tree::TomlData;
 use crate::case::{CASE, Case};
 use crate::kinds::FileType;
@@ -25,10 +25,8 @@ fn schema(kind: FileType) -> &'static Schema {
 
 /// The shipped files with their schemas and names.
 fn files() -> impl Iterator<Item = (&'static str, &'static Schema, &'static str)> {
-    SHIPPED
-        .iter()
-        .filter(|(path, _)| path.ends_with(".toml"))
-        .map(|(path, text)| (*path, schema(FileType::of_text(text)), *text))
+    let all = BY_KIND.iter().flat_map(|(_, files)| *files);
+    all.map(|(path, text)| (*path, schema(FileType::of_text(text)), *text))
         .filter(|(_, _, text)| TomlNode::parse(text).is_ok())
 }
 

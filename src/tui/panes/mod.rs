@@ -153,6 +153,18 @@ pub fn enabled(state: &AppState, id: CommandId) -> Result<(), String> {
 fn in_editor(editor: &ParameterEditor, id: CommandId) -> Option<&'static str> {
     let when = |condition: bool, reason: &'static str| condition.then_some(reason);
     match id {
+        CommandId::Run
+        | CommandId::Study
+        | CommandId::Validate
+        | CommandId::StartSweep
+        | CommandId::Trials
+        | CommandId::InputEffects
+        | CommandId::Physics
+        | CommandId::LineInput
+            if editor.draft.is_some() =>
+        {
+            Some("The file is not complete yet: `!` shows what it lacks, `u` takes edits back.")
+        }
         CommandId::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
         CommandId::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
         CommandId::ExternalEditor => when(

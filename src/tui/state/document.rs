@@ -8,7 +8,7 @@ use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
 use super::parts::{Part, PartKey, PartOf, PartRequest, Parts};
-use super::reading::{FileOfText, Reading};
+use super::reading::{Draft, FileOfText, Reading};
 use super::ropeway::RopewayView;
 use super::runs_view::{Charted, RunsView};
 use super::section::SectionView;
@@ -290,6 +290,7 @@ impl Document {
             self.pane = info.first;
         }
         self.parts.outdate();
+        self.editor.draft = None;
         self.editor.text = read.text;
         self.editor.rows = read.rows;
         self.editor.model.renew(read.outline);
@@ -297,6 +298,13 @@ impl Document {
         self.editor.before = Some(read.before);
         self.editor.edited = read.edited;
         self.outdate_checks();
+    }
+
+    /// Takes what can be read of a text that is not complete; all that is computed of it stays as it was.
+    pub fn take_draft(&mut self, draft: Draft) {
+        self.editor.rows = draft.rows;
+        self.editor.model.renew(draft.outline);
+        self.editor.draft = Some(draft.fault);
     }
 
     /// The validation table of a line case is older than its runs or its text.

@@ -1,7 +1,7 @@
 //! Edits applied to a text, and the text read with them: away from the drawing thread.
 
-use super::pending::{Change, EditSource, PendingEdit};
-use super::reading::{FileOfText, Reading};
+use super::pending::{Change, PendingEdit};
+use super::reading::{Draft, FileOfText, Reading};
 use crate::kinds::FileType;
 use crate::tui::facade;
 
@@ -18,8 +18,8 @@ pub struct EditCheck {
     pub edits: Vec<PendingEdit>,
 }
 
-/// The text with the edits, as read, or the first thing wrong where the text is to be kept all the same.
-pub type EditedReading = Result<Box<Reading>, String>;
+/// The text with the edits, as read, or as a draft where it is to be kept although it is not complete.
+pub type EditedReading = Result<Box<Reading>, Box<Draft>>;
 
 /// What became of edits.
 #[derive(Debug, Clone)]
@@ -98,18 +98,20 @@ impl EditCheck {
             Ok(read) => return Ok(Ok(Box::new(read))),
             Err(all) => all,
         };
-        let first = facade::first(&all, &self.file.name);
+        let draft = || Box::new(Draft::new(self.file.kind, text, &all));
         match (&edit.change, self.file.kind) {
             (Change::Set(key, value), FileType::Line) => {
-                facade::set(before, key, value).map(|_| Err(first))
+                facade::set(before, key, value).map(|_| Err(draft()))
             }
+            (Change::Set(..), _) if self.was_draft(before) => Ok(Err(draft())),
             (Change::Set(key, _), _) => Err(facade::refusal(key, &all)),
-            (Change::Structure(_), _) => Err(facade::refusal("", &all)),
-            _ if edit.source == EditSource::Recovered => Err(format!(
-                "The kept edits are no longer valid and stay where they are: {first}"
-            )),
-            _ => Ok(Err(first)),
+            _ => Ok(Err(draft())),
         }
+    }
+
+    /// Whether a text was not complete before an edit.
+    fn was_draft(&self, before: &str) -> bool {
+        Reading::new(&self.file, before.to_owned()).is_err()
     }
 }
 

@@ -150,6 +150,8 @@ pub struct ParameterEditor {
     pub pending: PendingEdits,
     /// What the file is made of.
     pub model: ModelList,
+    /// What the text still lacks, as full sentences, where it is not complete: what is shown of it is older then.
+    pub draft: Option<String>,
 }
 
 impl ParameterEditor {
@@ -185,6 +187,7 @@ impl ParameterEditor {
             kept: Vec::new(),
             pending: PendingEdits::default(),
             model: ModelList::default(),
+            draft: None,
         }
     }
 

@@ -109,6 +109,35 @@ impl Reading {
     }
 }
 
+/// A text that is kept although it is not complete: tables are still missing, or name what is not there.
+#[derive(Debug, Clone)]
+pub struct Draft {
+    /// What is wrong with it, the first fault and how many more there are, as full sentences.
+    pub fault: String,
+    /// Its fields.
+    pub rows: Vec<FieldRow>,
+    /// What it is made of.
+    pub outline: Vec<OutlineRow>,
+}
+
+impl Draft {
+    /// The draft of a text with these faults.
+    #[must_use]
+    pub fn new(kind: FileType, text: &str, faults: &[Diagnostic]) -> Self {
+        let first = faults.first().map_or_else(String::new, facade::missing);
+        let more = match faults.len() {
+            0 | 1 => String::new(),
+            2 => " One more fault is in the file.".to_owned(),
+            all => format!(" {} more faults are in the file.", all - 1),
+        };
+        Self {
+            fault: format!("{first}{more}"),
+            rows: rows(kind, text),
+            outline: structure::outline(facade::schema(kind), text),
+        }
+    }
+}
+
 /// The text of a file and its content, by the kind of the file.
 ///
 /// # Errors

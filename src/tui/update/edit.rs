@@ -15,7 +15,7 @@ use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::recovery::RecoveredEdits;
 use crate::tui::state::pending::{Change, EditSource, PendingEdit};
-use crate::tui::state::{AppState, Editing, KeptRange, Severity};
+use crate::tui::state::{AppState, Editing, KeptRange};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 
@@ -149,14 +149,11 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
 }
 
 /// What follows when edits are accepted: what hangs on the text is updated, the text kept for recovery, the case solved again.
-/// A text that is taken although it is faulty leaves the fields as they were.
-pub(super) fn taken(state: &mut AppState, fault: Option<String>, changed: bool) -> Vec<Effect> {
+/// A text that is not complete is kept and not solved.
+pub(super) fn taken(state: &mut AppState, changed: bool) -> Vec<Effect> {
     if let Some(editor) = state.editor_mut() {
         let last = editor.fields().count().saturating_sub(1);
         editor.field = editor.field.min(last);
-    }
-    if let Some(problem) = fault {
-        state.say(Severity::Error, problem);
     }
     vary::recheck(state);
     runs::check(state);
@@ -164,8 +161,10 @@ pub(super) fn taken(state: &mut AppState, fault: Option<String>, changed: bool) 
         return Vec::new();
     }
     let mut effects = keep_recovery(state);
-    effects.extend(jobs::resolve(state));
-    effects.extend(super::ship::resolve(state));
+    if state.editor().is_some_and(|editor| editor.draft.is_none()) {
+        effects.extend(jobs::resolve(state));
+        effects.extend(super::ship::resolve(state));
+    }
     effects
 }
 

@@ -7,9 +7,9 @@ use crate::tui::key::KeyPress;
 use crate::tui::msg::{Effect, Msg};
 use crate::tui::pane::PaneId;
 use crate::tui::panes;
-use crate::tui::state::AppState;
 use crate::tui::state::edit_check::{EditAnswer, EditCheck};
 use crate::tui::state::pending::{EditSource, PendingEdit};
+use crate::tui::state::{AppState, Severity};
 
 /// More steps back than anyone takes, and still a small file each.
 const UNDO_DEPTH: usize = 200;
@@ -77,19 +77,20 @@ pub(super) fn checked(state: &mut AppState, answer: EditAnswer) -> Vec<Effect> {
     let mut effects = Vec::new();
     if let Some(read) = answer.read {
         let changed = enter(state, &edits, &answer.accepted);
-        let fault = match (&mut state.document, read) {
-            (Some(document), Ok(read)) => {
-                document.take(*read);
-                None
-            }
-            (_, read) => read.err(),
-        };
-        effects.extend(edit::taken(state, fault, changed));
+        match (&mut state.document, read) {
+            (Some(document), Ok(read)) => document.take(*read),
+            (Some(document), Err(draft)) => document.take_draft(*draft),
+            (None, _) => {}
+        }
+        effects.extend(edit::taken(state, changed));
     }
     for (i, _) in &answer.accepted {
         if let Some(edit) = edits.get(*i) {
             effects.extend(accepted(state, edit));
         }
+    }
+    if let Some(fault) = state.editor().and_then(|editor| editor.draft.clone()) {
+        state.say(Severity::Warning, format!("Not complete yet: {fault}"));
     }
     if let Some((i, why)) = answer.refused
         && let Some(edit) = edits.get(i)

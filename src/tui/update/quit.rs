@@ -160,7 +160,13 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
         }));
     }
     let after = std::mem::take(&mut editor.after_save);
-    let said = format!("Saved to {}.", visible::path(&editor.path));
+    let draft = match editor.draft {
+        Some(_) => {
+            " It is a draft: until it is complete, the list opens it in the editor alone (`E`)."
+        }
+        None => "",
+    };
+    let said = format!("Saved to {}.{draft}", visible::path(&editor.path));
     let moved = (old != editor.path).then_some(old);
     // Edits made since, and ranges that wait, are not in the file: they are kept anew before anything is dropped.
     let mut effects = edit::keep_recovery(state);

@@ -57,8 +57,7 @@ impl Painter<'_> {
         });
         self.folded(rule, form, shown.len());
         self.form_help(foot, form);
-        let words =
-            "arrows: field, choice   tab: all keys   Enter: take all   Esc: close";
+        let words = "arrows: field, choice   tab: all keys   Enter: take all   Esc: close";
         self.text(keys, words, self.theme.faint());
     }
 

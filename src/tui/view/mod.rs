@@ -107,7 +107,12 @@ impl Painter<'_> {
             Some(document) => {
                 let editor = &document.editor;
                 let unsaved = if editor.unsaved() { " *unsaved" } else { "" };
-                let words = format!("  {}{unsaved}  {}", editor.file, document.kind().headline());
+                let draft = if editor.draft.is_some() { " draft" } else { "" };
+                let words = format!(
+                    "  {}{unsaved}{draft}  {}",
+                    editor.file,
+                    document.kind().headline()
+                );
                 self.text(rest, &words, self.theme.strong())
             }
             None => {

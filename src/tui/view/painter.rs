@@ -137,7 +137,10 @@ impl Painter<'_> {
             return self.paragraph(area, "Computing.");
         };
         draw(self, view);
-        if !document.is_shown(part) || document.kind().is_behind(part) {
+        if document.editor.draft.is_some() {
+            let words = " before the file was a draft";
+            right(self.buf, row(area, 0), words, self.theme.warning());
+        } else if !document.is_shown(part) || document.kind().is_behind(part) {
             self.older(area);
         }
     }

@@ -9,6 +9,7 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 use seacable::case;
+use seacable::kinds::FileType;
 use seacable::report::chart::Glyphs;
 use seacable::run::job::{JobEvent, Request};
 use seacable::run::{
@@ -17,6 +18,7 @@ use seacable::run::{
 };
 use seacable::tui::key::KeyPress;
 use seacable::tui::msg::FileRead;
+use seacable::tui::state::reading::content;
 use seacable::tui::state::{
     CaseEntry, DocumentContent, JobNumber, JobRequest, LineView, VariantPlan, VariedRuns,
 };
@@ -32,6 +34,8 @@ pub(crate) struct Desk {
     pub(crate) asked: Vec<Effect>,
     /// Whether edits are checked as they are asked for.
     pub(crate) checks_at_once: bool,
+    /// Whether files of templates are opened as they are asked for.
+    pub(crate) opens_new_files: bool,
     /// Whether parts and validation tables are worked out as they are asked for.
     pub(crate) parts_at_once: bool,
 }
@@ -56,6 +60,7 @@ impl Desk {
             state: AppState::new(size, looks(Glyphs::Braille, true)),
             asked: Vec::new(),
             checks_at_once: true,
+            opens_new_files: true,
             parts_at_once: true,
         };
         let entry = |name: &str, about| CaseEntry {
@@ -141,6 +146,11 @@ impl Desk {
                 Effect::CheckValues(check) if self.parts_at_once => {
                     let table = Box::new(check.table());
                     self.tell(Msg::ValuesChecked(check.token, table));
+                }
+                Effect::NewFile { path, text } if self.opens_new_files => {
+                    let content = content(FileType::of_text(&text), &text, &path, "new.toml");
+                    let read = FileRead::new(path, text, content.unwrap(), None);
+                    self.tell(Msg::FileRead(Box::new(read)));
                 }
                 effect => self.asked.push(effect),
             }

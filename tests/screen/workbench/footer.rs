@@ -15,6 +15,7 @@ fn press_all(name: &str, desk: &Desk, idle: &mut Vec<String>) {
             state: desk.state.clone(),
             asked: Vec::new(),
             checks_at_once: true,
+            opens_new_files: false,
             parts_at_once: true,
         };
         let key = command.keys[0].parse().unwrap();

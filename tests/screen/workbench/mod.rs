@@ -3,6 +3,7 @@
 #![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 mod beside;
+mod build;
 mod coarse;
 mod column_plot;
 mod curves;

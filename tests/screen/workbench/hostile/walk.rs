@@ -48,6 +48,7 @@ every!(PANES, pane_name, PaneId {
     PaneId::Ship => "ship",
     PaneId::System => "system",
     PaneId::Sweep => "load cases",
+    PaneId::Model => "model",
 });
 
 every!(OVERLAYS, overlay_name, Overlay {
@@ -65,6 +66,8 @@ every!(OVERLAYS, overlay_name, Overlay {
     Overlay::Studies { .. } => "studies",
     Overlay::Curves { .. } => "curves",
     Overlay::LineTypes(_) => "line types",
+    Overlay::Picker(_) => "picker",
+    Overlay::Form(_) => "form",
     Overlay::Columns(_) => "columns",
     Overlay::Prompt { purpose: PromptPurpose::Resume(_), .. } => "resume",
     Overlay::Prompt { purpose: PromptPurpose::SaveAs, .. } => "save as",
@@ -99,9 +102,10 @@ impl Walk {
         for size in [SMALL, LARGE] {
             desk.tell(Msg::Resize(size.0, size.1));
             let numbers = 1..=desk.state.panes().len().max(1);
-            for number in numbers {
+            let keys = numbers.map(|number| number.to_string());
+            for number in keys.chain(["B".to_owned()]) {
                 if desk.state.document.is_some() {
-                    desk.keys(&number.to_string());
+                    desk.keys(&number);
                 }
                 let what = || format!("{kind}, pane {number} at {size:?}");
                 self.look(desk, &what);
@@ -163,7 +167,7 @@ fn places(pane: PaneId) -> &'static [&'static str] {
         PaneId::Runs => &["g", "j", "j", "j", "j", "j", "j m k m"],
         // With a cursor on the chart.
         PaneId::Charts | PaneId::Results => &["g", "l l"],
-        PaneId::Inputs => &["g", "j", "G"],
+        PaneId::Inputs | PaneId::Model => &["g", "j", "G"],
         _ => &["g"],
     }
 }
@@ -178,6 +182,7 @@ fn copy(desk: &Desk) -> Desk {
     Desk {
         state: desk.state.clone(),
         asked: Vec::new(),
+        opens_new_files: false,
         // Elsewhere edits are answered as here, and some take long.
         checks_at_once: desk.state.focus() == PaneId::Inputs,
         // The walk has seen those of the file; those of edited ones take long.
