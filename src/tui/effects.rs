@@ -1,5 +1,6 @@
 //! Files and threads: does what the effects ask for, and answers with messages.
 
+mod file_watch;
 mod index_worker;
 mod open;
 mod ordered_worker;
@@ -20,6 +21,7 @@ use std::time::{Duration, Instant};
 
 use crossbeam_channel::{Receiver, bounded};
 
+use self::file_watch::FileWatch;
 use self::index_worker::{IndexWorker, Question};
 use self::open::read_case;
 use self::ordered_worker::OrderedWorker;
@@ -60,6 +62,7 @@ pub struct EffectRunner {
     tables: OrderedWorker,
     runs: IndexWorker,
     sweeps: SweepWorker,
+    watch: FileWatch,
     jobs: HashMap<JobNumber, RunningJob>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(JobNumber, Arc<AtomicBool>)>,
@@ -91,6 +94,7 @@ impl EffectRunner {
             tables: OrderedWorker::start("tables", out.clone()),
             runs: IndexWorker::default(),
             sweeps: SweepWorker::new(out.clone()),
+            watch: FileWatch::start(out.clone()),
             out,
             inbox,
             jobs: HashMap::new(),
@@ -197,6 +201,10 @@ impl EffectRunner {
             }),
             Effect::Plan { case, text, file } => {
                 self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
+            }
+            Effect::Watch(path) => {
+                self.watch.watch(path);
+                Vec::new()
             }
             Effect::Sweep(effect) => self.sweeps.perform(effect),
             Effect::Vary(path, variation) => {

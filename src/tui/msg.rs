@@ -72,6 +72,10 @@ pub enum Msg {
     CaseRejected(PathBuf, String),
     /// A case was saved here.
     Saved(PathBuf, String),
+    /// Another program changed this file, which has this text now.
+    ChangedOutside(PathBuf, String),
+    /// Other files are in this directory now.
+    ListChanged(PathBuf),
     /// A new file is not made, for this reason.
     NotMade(String),
     /// A case cannot be saved, for this reason.
@@ -230,6 +234,8 @@ pub enum Effect {
         /// Do not overwrite a file that is there.
         new: bool,
     },
+    /// Watch this file or directory for changes by other programs, in place of another.
+    Watch(PathBuf),
     /// Write a new file, and open it.
     NewFile {
         /// Where to.

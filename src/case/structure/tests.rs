@@ -58,6 +58,11 @@ fn said(text: &str) -> String {
     out
 }
 
+/// Of very many tables some, spread evenly.
+fn sample(rows: &[OutlineRow]) -> impl Iterator<Item = &OutlineRow> {
+    rows.iter().step_by(1 + rows.len() / 16)
+}
+
 fn several(schema: &'static Schema, text: &str) -> Vec<OutlineRow> {
     let rows = outline(schema, text);
     rows.into_iter()
@@ -70,7 +75,8 @@ fn several(schema: &'static Schema, text: &str) -> Vec<OutlineRow> {
 fn every_table_can_be_removed_and_what_is_left_is_as_it_was() {
     let mut removed = 0;
     for (name, schema, text) in files() {
-        for row in outline(schema, text).iter().filter(|row| !row.is_heading) {
+        let rows = outline(schema, text);
+        for row in sample(&rows).filter(|row| !row.is_heading) {
             let edit = StructureEdit::Remove {
                 path: row.path.clone(),
             };
@@ -101,14 +107,14 @@ fn every_table_can_be_removed_and_what_is_left_is_as_it_was() {
             );
         }
     }
-    assert!(removed > 500, "{removed}");
+    assert!(removed > 300, "{removed}");
 }
 
 #[test]
 fn moved_down_and_up_again_is_the_same_text() {
     let mut moved = 0;
     for (name, schema, text) in files() {
-        for row in several(schema, text) {
+        for row in sample(&several(schema, text)) {
             let shift = |text: &str, path: &str, down| {
                 let edit = StructureEdit::Move {
                     path: path.to_owned(),
@@ -131,14 +137,14 @@ fn moved_down_and_up_again_is_the_same_text() {
             assert_eq!(up, text, "{name}: {}", row.path);
         }
     }
-    assert!(moved > 200, "{moved}");
+    assert!(moved > 100, "{moved}");
 }
 
 #[test]
 fn copies_are_removed_without_a_trace_and_names_change_back() {
     let (mut copied, mut renamed) = (0, 0);
     for (name, schema, text) in files() {
-        for row in several(schema, text) {
+        for row in sample(&several(schema, text)) {
             let path = split(&row.path).unwrap();
             let (last, parent) = path.split_last().unwrap();
             let has_name = TomlNode::parse(text)
@@ -180,7 +186,7 @@ fn copies_are_removed_without_a_trace_and_names_change_back() {
             }
         }
     }
-    assert!(copied > 200 && renamed > 200, "{copied} {renamed}");
+    assert!(copied > 100 && renamed > 100, "{copied} {renamed}");
 }
 
 /// Every table of a file added to an empty text, one after the other, with its keys: what comes out says the same.

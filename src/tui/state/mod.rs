@@ -48,6 +48,7 @@ pub use system::SystemView;
 pub use variants::{Variant, VariantPlan, VariedRuns};
 
 use std::collections::VecDeque;
+use std::path::PathBuf;
 
 use super::msg::Msg;
 use super::pane::PaneId;
@@ -80,6 +81,8 @@ pub struct AppState {
     pub held: VecDeque<Msg>,
     /// How many checks of edits were asked for.
     pub checks: u64,
+    /// The file or directory that is watched for changes by other programs.
+    pub watched: Option<PathBuf>,
 }
 
 /// A message to the user.
@@ -119,6 +122,7 @@ impl AppState {
             interrupted: false,
             held: VecDeque::new(),
             checks: 0,
+            watched: None,
         }
     }
 

@@ -30,6 +30,7 @@ pub mod sweeps;
 mod text_input;
 pub mod trials;
 pub mod vary;
+mod watch;
 
 pub use jobs::joined_label;
 pub use overlay::{palette_matches, run_command};
@@ -53,6 +54,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     effects.extend(parts::follow(state));
     effects.extend(sweeps::follow(state));
     effects.extend(export::follow_report(state));
+    effects.extend(watch::follow(state));
     effects
 }
 
@@ -85,6 +87,8 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::ValuesChecked(token, table) => parts::compared(state, &token, *table),
         Msg::CaseRejected(file, text) => cases::rejected(state, visible::path(&file), file, text),
         Msg::Saved(path, text) => quit::saved(state, path, text),
+        Msg::ChangedOutside(path, text) => watch::changed(state, &path, text),
+        Msg::ListChanged(dir) => watch::listed(state, &dir),
         Msg::NotMade(why) => build::new_file::failed(state, why),
         Msg::NotSaved(why) => quit::not_saved(state, &why),
         Msg::ChangedOnDisk => quit::changed_on_disk(state),

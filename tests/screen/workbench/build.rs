@@ -556,3 +556,43 @@ fn a_draft_is_kept_and_comes_back() {
     assert_eq!(desk.state.editor().unwrap().text, text);
     assert!(desk.state.editor().unwrap().draft.is_some());
 }
+
+/// A file that another program changed is read again; the user's edits are never lost by it.
+#[test]
+fn changes_by_other_programs_are_taken_over() {
+    let mut desk = Desk::with_system(SMALL);
+    let path = desk.state.editor().unwrap().path.clone();
+    assert!(has(
+        &desk,
+        |effect| matches!(effect, Effect::Watch(watched) if *watched == path)
+    ));
+    let before = desk.state.editor().unwrap().text.clone();
+    let change = |desk: &mut Desk, text: &str| {
+        desk.tell(Msg::ChangedOutside(path.clone(), text.to_owned()));
+    };
+    // The file as it is: nothing happens.
+    change(&mut desk, &before);
+    assert!(desk.state.editor().unwrap().undo.is_empty());
+    let outside = before.replacen("title = \"", "title = \"Changed: ", 1);
+    change(&mut desk, &outside);
+    assert_eq!(desk.state.editor().unwrap().text, outside);
+    assert!(!desk.state.editor().unwrap().unsaved());
+    assert!(said(&desk).contains("read again"));
+    desk.keys("u");
+    assert_eq!(desk.state.editor().unwrap().text, before);
+    // With edits that are not saved it is said, and they stay.
+    change(&mut desk, &outside.replacen("Changed", "Again", 1));
+    assert_eq!(desk.state.editor().unwrap().text, before);
+    assert!(
+        said(&desk).contains("your edits are kept"),
+        "{}",
+        said(&desk)
+    );
+    // A file that lacks something is a draft.
+    desk.keys("U");
+    change(
+        &mut desk,
+        &outside.replacen("[points.", "[points.other_", 1),
+    );
+    assert!(desk.state.editor().unwrap().draft.is_some());
+}

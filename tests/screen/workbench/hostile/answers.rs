@@ -30,6 +30,7 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
             Msg::ChangedOnDisk,
             Msg::Saved(path(), text),
         ],
+        Effect::Watch(file) => vec![Msg::ChangedOutside(file, said())],
         Effect::NewFile { .. } => vec![Msg::NotMade(long())],
         Effect::KeepRecovery { .. }
         | Effect::TakeOverRecovery { .. }
