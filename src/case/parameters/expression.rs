@@ -13,8 +13,11 @@ literal_matcher_from_pattern!(
 /// Longest expression \[bytes\].
 const LONGEST: usize = 200;
 
+/// A function of one number.
+type OfOne = fn(f64) -> f64;
+
 /// Functions of one number, as they are written.
-const FUNCTIONS: [(&str, fn(f64) -> f64); 18] = [
+const FUNCTIONS: [(&str, OfOne); 18] = [
     ("sqrt", f64::sqrt),
     ("abs", f64::abs),
     ("sin", f64::sin),

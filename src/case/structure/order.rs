@@ -37,7 +37,7 @@ pub(super) fn shift(
     };
     let all = blocks(text);
     let own = extent(text, &all, path)?;
-    let other = extent(text, &all, &[parent, &[other.clone()]].concat())?;
+    let other = extent(text, &all, &[parent, std::slice::from_ref(other)].concat())?;
     let (first, second) = match own.start < other.start {
         true => (own, other),
         false => (other, own),

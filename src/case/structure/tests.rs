@@ -158,7 +158,7 @@ fn copies_are_removed_without_a_trace_and_names_change_back() {
                 continue;
             }
             let to = free_name(text, parent, &format!("{last}-x"));
-            let other = join(&[parent, &[to.clone()]].concat());
+            let other = join(&[parent, std::slice::from_ref(&to)].concat());
             let edit = StructureEdit::Copy {
                 path: row.path.clone(),
                 name: Some(to.clone()),
@@ -208,7 +208,7 @@ fn every_shipped_file_is_built_from_nothing() {
             let by_name = declared.shape == TableShape::ByName;
             let own = node.entries().iter().filter(|entry| {
                 !entry.node.is_table()
-                    && !(entry.node.is_list_of_tables() && !entry.node.items().is_empty())
+                    && (entry.node.items().is_empty() || !entry.node.is_list_of_tables())
             });
             let quoted = |node: &TomlNode| match node.text() {
                 Some(text) => toml_edit::Value::from(text).to_string(),

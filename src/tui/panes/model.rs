@@ -129,11 +129,10 @@ impl Pane for ModelPane {
 /// Whether a table is a line or a section of one.
 fn can_be_divided(row: &OutlineRow) -> bool {
     let parts: Vec<&str> = row.path.split('.').collect();
-    match parts.as_slice() {
-        ["line" | "lines", _] => true,
-        ["lines", .., "sections", _] => true,
-        _ => false,
-    }
+    matches!(
+        parts.as_slice(),
+        ["line" | "lines", _] | ["lines", .., "sections", _]
+    )
 }
 
 fn row_line(painter: &mut Painter, line: Rect, row: &OutlineRow, selected: bool) {

@@ -431,7 +431,7 @@ fn a_lowering_built_from_nothing() {
 fn forms_and_lists_as_they_are_seen() {
     let mut desk = Desk::with_system(SMALL);
     desk.keys("B a");
-    desk.type_text("line");
+    desk.type_text("lines");
     snapshot("tui_add_80x24", &desk);
     desk.keys("enter");
     snapshot("tui_form_80x24", &desk);

@@ -96,11 +96,7 @@ fn file_name(form: &Form) -> Result<PathBuf, String> {
 /// Whether the form of a new file is open.
 #[must_use]
 pub fn is_asked(state: &AppState) -> bool {
-    let form = match &state.overlay {
-        Some(Overlay::Form(form)) => form,
-        _ => return false,
-    };
-    matches!(form.purpose, FormPurpose::NewFile(_))
+    matches!(&state.overlay, Some(Overlay::Form(form)) if matches!(form.purpose, FormPurpose::NewFile(_)))
 }
 
 /// The file is not made.
