@@ -12,7 +12,13 @@ use crate::{
     comparison::Comparison,
     kinds::FileType,
     reference,
-    report::{chart::Glyphs, comparison, system::motion, text},
+    report::{
+        chart::Glyphs,
+        comparison,
+        document::Report,
+        system::motion,
+        text::{self, WIDTH},
+    },
     run::{Run, store},
 };
 
@@ -28,14 +34,13 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         (Some(_), false) => Glyphs::Braille,
         (_, ascii) => output::glyphs(ascii),
     };
-    let mut text = of_run(&run, glyphs)?;
+    let mut report = of_run(&run)?;
     if let Some(dir) = &args.against {
         let other = store::read(dir)?;
-        let compared = Comparison::of(&[&other, &run]);
-        text.push_str(&format!("\n{}", comparison::report_section(&compared)));
-        let curves = comparison::charts(&[&other, &run], text::WIDTH, glyphs);
-        text.push_str(&curves);
+        let runs = [&other, &run];
+        comparison::add(&mut report, &Comparison::of(&runs), &runs, WIDTH);
     }
+    let text = report.to_text(WIDTH, glyphs);
     match file {
         None => output::results(&text, args.ascii)?,
         Some(file) => {
@@ -47,12 +52,12 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// The report of a run of a line case or of a system of lines.
-fn of_run(run: &Run, glyphs: Glyphs) -> Result<String, CommandError> {
+fn of_run(run: &Run) -> Result<Report, CommandError> {
     let (text, file) = (&run.case_text, &run.info.case_file);
     if FileType::of_text(text) == FileType::System {
-        return motion::stored_report(run, glyphs).map_err(CommandError::Invalid);
+        return motion::stored_report(run).map_err(CommandError::Invalid);
     }
     let case = case::parse_stored(text, file).map_err(CommandError::Invalid)?;
     let rows = reference::rows_of_run(run, &case);
-    Ok(text::report(run, &case, &rows, glyphs))
+    Ok(text::of_run(run, &case, &rows))
 }

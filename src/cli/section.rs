@@ -32,7 +32,7 @@ pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
         };
         file.write(text.as_bytes(), FileFormat::Toml)?;
     }
-    let text = report::section::report(&design, &fields, WIDTH, glyphs, args.tension_n);
+    let text = report::section::report(&design, &fields, args.tension_n).to_text(WIDTH, glyphs);
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

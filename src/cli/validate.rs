@@ -21,7 +21,8 @@ use crate::{
         papers::{self, FileRows, Paper},
     },
     report::{
-        document::{self, Block},
+        chart::Glyphs,
+        document::{Block, Report},
         run_json, text,
         validation::{self, Extent, JudgedPaper},
     },
@@ -102,20 +103,20 @@ fn show(args: &ValidateArgs, tables: &[Validated], lists: &[Paper]) -> Result<()
         (_, true) => Some(Extent::Details),
         _ => whole.then_some(Extent::Page),
     };
-    let mut blocks =
-        extent.map_or_else(Vec::new, |extent| validation::page(&rows, &judged, extent));
+    let of_papers = |extent| validation::page(&rows, &judged, extent);
+    let mut report = extent.map_or_else(Report::default, of_papers);
     let with_tables = extent.is_none() || args.details;
     if args.markdown || args.html {
         if with_tables {
-            blocks.extend(tables.iter().flat_map(Validated::blocks));
+            report.extend(tables.iter().flat_map(Validated::blocks).collect());
         }
         let page = match args.html {
-            true => document::html(&blocks),
-            false => document::markdown(&blocks),
+            true => report.to_html(),
+            false => report.to_markdown(),
         };
         return output::results(&page, args.ascii);
     }
-    let mut page = document::text(&blocks, text::WIDTH);
+    let mut page = report.to_text(text::WIDTH, Glyphs::Braille);
     if extent != Some(Extent::Summary) {
         if with_tables {
             page.push_str(&full_tables(tables));

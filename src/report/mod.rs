@@ -8,6 +8,7 @@ pub mod effects;
 pub mod figures;
 pub mod limits;
 pub mod line_types;
+mod markup;
 pub mod modes;
 pub mod nodes;
 #[cfg(feature = "parquet")]

@@ -1,8 +1,9 @@
-//! A document as one HTML page: no script, nothing loaded, readable without colour, fit to be printed on A4.
+//! A report as one HTML page: no script, nothing loaded, readable without colour, fit to be printed on A4.
 
 use super::Block;
+use crate::report::chart::{Glyphs, draw};
+use crate::report::markup::escaped;
 use crate::report::table::{Align, CellStyle, Table};
-use crate::visible;
 
 const STYLE: &str = "\
 @page { size: A4; margin: 15mm }
@@ -22,20 +23,38 @@ h2 { break-after: avoid }
 .note { margin: 0.2em 0 }
 ";
 
-/// The document as an HTML page.
-#[must_use]
-pub fn html(blocks: &[Block]) -> String {
+/// Columns of a chart in characters.
+const CHART_WIDTH: usize = 80;
+
+/// The blocks as an HTML page.
+pub(super) fn html(blocks: &[Block]) -> String {
     let title = blocks.iter().find_map(|block| match block {
         Block::Title(words) => Some(words.as_str()),
         _ => None,
     });
-    let parts: String = blocks.iter().map(part).collect();
+    let parts: String = blocks.chunk_by(are_items).map(parts).collect();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\
          <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{parts}</body>\n</html>\n",
         escaped(title.unwrap_or("seacable"))
     )
+}
+
+/// Whether two blocks are items of one list.
+const fn are_items(one: &Block, next: &Block) -> bool {
+    matches!((one, next), (Block::Item(..), Block::Item(..)))
+}
+
+/// A block, or the items of a list.
+fn parts(blocks: &[Block]) -> String {
+    match blocks {
+        [Block::Item(..), ..] => {
+            let items: String = blocks.iter().map(part).collect();
+            format!("<ul>\n{items}</ul>\n")
+        }
+        blocks => blocks.iter().map(part).collect(),
+    }
 }
 
 fn part(block: &Block) -> String {
@@ -48,8 +67,29 @@ fn part(block: &Block) -> String {
                 .map(|words| format!("<p>{}</p>\n", escaped(words)))
                 .collect()
         }
+        Block::Item(mark, words) => match mark.trim() {
+            "*" => format!("<li>{}</li>\n", escaped(words)),
+            mark => format!("<li><b>{}</b> {}</li>\n", escaped(mark), escaped(words)),
+        },
+        Block::Pairs(of) => pairs(of),
         Block::Table(of) => table(of),
+        Block::Chart(chart, lines) => {
+            let picture = draw(chart, CHART_WIDTH, *lines, Glyphs::Braille).to_text();
+            let lines: Vec<String> = picture.lines().map(escaped).collect();
+            format!("<pre>{}</pre>\n", lines.join("\n"))
+        }
+        Block::Gap => String::new(),
     }
+}
+
+/// Labels and what belongs to them.
+fn pairs(pairs: &[(String, String)]) -> String {
+    let row = |(label, words): &(String, String)| {
+        let (label, words) = (escaped(label), escaped(words));
+        format!("<tr><th scope=\"row\">{label}</th><td>{words}</td></tr>\n")
+    };
+    let rows: String = pairs.iter().map(row).collect();
+    format!("<table>\n<tbody>\n{rows}</tbody>\n</table>\n")
 }
 
 fn table(table: &Table) -> String {
@@ -101,22 +141,6 @@ const fn style(ink: CellStyle) -> Option<&'static str> {
         CellStyle::Warn => Some("warn"),
         CellStyle::Dim => Some("dim"),
     }
-}
-
-/// Words in which nothing is markup, nor invisible.
-fn escaped(words: &str) -> String {
-    let mut out = String::new();
-    for letter in visible::line(&words.replace('\n', " ")).chars() {
-        match letter {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            letter => out.push(letter),
-        }
-    }
-    out
 }
 
 #[cfg(test)]

@@ -1,14 +1,23 @@
-//! A document as Markdown with tables (GitHub's dialect).
+//! A report as Markdown with tables (GitHub's dialect).
 
 use super::Block;
+use crate::report::chart::{Glyphs, draw};
 use crate::report::table::{Align, Table};
 use crate::visible;
 
-/// The document as Markdown.
-#[must_use]
-pub fn markdown(blocks: &[Block]) -> String {
-    let parts: Vec<String> = blocks.iter().map(part).collect();
-    parts.join("\n")
+/// Columns of a chart.
+const CHART_WIDTH: usize = 80;
+
+/// The blocks as Markdown.
+pub(super) fn markdown(blocks: &[Block]) -> String {
+    let seen: Vec<&Block> = blocks
+        .iter()
+        .filter(|block| **block != Block::Gap)
+        .collect();
+    let lists =
+        seen.chunk_by(|one, next| matches!((one, next), (Block::Item(..), Block::Item(..))));
+    let parts = lists.map(|list| list.iter().map(|block| part(block)).collect::<String>());
+    parts.collect::<Vec<_>>().join("\n")
 }
 
 fn part(block: &Block) -> String {
@@ -22,8 +31,29 @@ fn part(block: &Block) -> String {
                 .collect::<Vec<_>>()
                 .join("\n")
         }
+        Block::Item(mark, words) => match mark.trim() {
+            "*" => format!("- {}\n", inline(words)),
+            mark => format!("- **{}** {}\n", inline(mark), inline(words)),
+        },
+        Block::Pairs(of) => {
+            let item = |(label, words): &(String, String)| {
+                format!("- **{}**: {}\n", inline(label), inline(words))
+            };
+            of.iter().map(item).collect()
+        }
         Block::Table(of) => table(of),
+        Block::Chart(chart, lines) => {
+            fenced(&draw(chart, CHART_WIDTH, *lines, Glyphs::Braille).to_text())
+        }
+        Block::Gap => String::new(),
     }
+}
+
+/// Lines as they are, between fences longer than any run of backticks in them.
+fn fenced(text: &str) -> String {
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(longest.max(2) + 1);
+    format!("{fence}text\n{text}{fence}\n")
 }
 
 fn table(table: &Table) -> String {

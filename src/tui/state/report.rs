@@ -9,6 +9,7 @@ use crate::kinds::FileType;
 use crate::reference::{self, ValidationRow};
 use crate::report::chart::Glyphs;
 use crate::report::system::motion;
+use crate::report::text::WIDTH;
 use crate::run::Run;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::line_tables::LineTable;
@@ -38,8 +39,9 @@ impl ReportRequest {
     #[must_use]
     pub fn text(&self) -> String {
         if FileType::of_text(&self.run.case_text) == FileType::System {
-            let report = motion::stored_report(&self.run, Glyphs::Braille);
-            return report.unwrap_or_else(|all| facade::first(&all, &self.file));
+            let report = motion::stored_report(&self.run);
+            let text = report.map(|report| report.to_text(WIDTH, Glyphs::Braille));
+            return text.unwrap_or_else(|all| facade::first(&all, &self.file));
         }
         match facade::parse(&self.run.case_text, &self.file) {
             Ok(case) => {

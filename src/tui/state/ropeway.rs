@@ -10,6 +10,7 @@ use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::report::chart::Glyphs;
 use crate::report::ropeway as views;
+use crate::report::text::WIDTH;
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
 use crate::tui::facade::FieldRow;
@@ -105,7 +106,7 @@ impl DocumentKind for RopewayView {
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         let results = self.results().ok()?;
-        Some(views::report(&self.worked, &results, rows, glyphs))
+        Some(views::report(&self.worked, &results, rows).to_text(WIDTH, glyphs))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -86,7 +86,7 @@ impl DocumentKind for SectionView {
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        Some(views::report(&self.design, rows, PAPER_WIDTH, glyphs, None))
+        Some(views::report(&self.design, rows, None).to_text(PAPER_WIDTH, glyphs))
     }
 
     fn copy(&self) -> Option<&str> {

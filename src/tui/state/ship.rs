@@ -13,7 +13,8 @@ use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::numerics::V3;
 use crate::report::chart::Glyphs;
-use crate::report::ship::text;
+use crate::report::ship as views;
+use crate::report::text::WIDTH;
 use crate::ship::{DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
@@ -79,7 +80,7 @@ impl ShipView {
     #[must_use]
     pub fn new(statics: StaticAnalysis) -> Self {
         Self {
-            equilibrium: text::governing(&statics),
+            equilibrium: views::governing(&statics),
             statics: Arc::new(statics),
             dynamic: None,
             running: None,
@@ -175,12 +176,8 @@ impl DocumentKind for ShipView {
     }
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        Some(text::text(
-            &self.statics,
-            self.dynamic.as_deref(),
-            rows,
-            glyphs,
-        ))
+        let report = views::report(&self.statics, self.dynamic.as_deref(), rows);
+        Some(report.to_text(WIDTH, glyphs))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

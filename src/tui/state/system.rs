@@ -12,6 +12,7 @@ use crate::case::EditedKey;
 use crate::report::chart::Glyphs;
 use crate::report::figures::FigureId;
 use crate::report::system as views;
+use crate::report::text::WIDTH;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
 use crate::system::{SolvedSystem, validation};
@@ -176,7 +177,7 @@ impl DocumentKind for SystemView {
 
     fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
         let analyses = self.analyses.as_ref()?;
-        let report = views::report(&self.solved, analyses, &self.checks.rows, rows, glyphs);
-        Some(report)
+        let report = views::report(&self.solved, analyses, &self.checks.rows, rows);
+        Some(report.to_text(WIDTH, glyphs))
     }
 }
