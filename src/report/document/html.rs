@@ -1,21 +1,31 @@
 //! A report as one HTML page: no script, nothing loaded, readable without colour, fit to be printed on A4.
 
 use super::Block;
-use crate::report::chart::{Glyphs, draw};
+use crate::report::chart::svg::svg;
 use crate::report::markup::escaped;
 use crate::report::table::{Align, CellStyle, Table};
 
 const STYLE: &str = "\
 @page { size: A4; margin: 15mm }
-body { font: 10pt/1.4 sans-serif; max-width: 60em; margin: 1em auto; padding: 0 1em }
+body { font: 10pt/1.4 sans-serif; max-width: 60em; margin: 1em auto; padding: 0 1em; color: #1a1a1a; background: #fff }
+@media print { body { max-width: none; margin: 0; padding: 0 } }
+h1, h2, p, li, td, caption { overflow-wrap: anywhere }
+th, .right { overflow-wrap: normal }
+thead { break-after: avoid }
 table { border-collapse: collapse; margin: 0.6em 0 }
 caption { text-align: left; font-weight: bold }
 th, td { padding: 0.15em 0.7em 0.15em 0; text-align: left; vertical-align: top; border-bottom: 1px solid #ccc }
 th { border-bottom: 1px solid #000 }
 thead { display: table-header-group }
-tr { break-inside: avoid }
-h2 { break-after: avoid }
+tr, figure { break-inside: avoid }
+h1, h2, caption { break-after: avoid }
+figure { margin: 0.8em 0 }
+svg { display: block; width: 100%; max-width: 180mm; height: auto }
 .right { text-align: right; white-space: nowrap }
+.wide { font-size: 8pt }
+.dense { font-size: 7pt }
+.dense .right { white-space: normal }
+.pairs th { border-bottom: 1px solid #ccc; white-space: nowrap }
 .good { color: #060 }
 .bad { color: #a00; font-weight: bold }
 .warn { color: #850 }
@@ -23,8 +33,9 @@ h2 { break-after: avoid }
 .note { margin: 0.2em 0 }
 ";
 
-/// Columns of a chart in characters.
-const CHART_WIDTH: usize = 80;
+/// Columns of a table in words of the usual size, and of one whose numbers need not be broken.
+const FEW: usize = 6;
+const MANY: usize = 9;
 
 /// The blocks as an HTML page.
 pub(super) fn html(blocks: &[Block]) -> String {
@@ -36,6 +47,7 @@ pub(super) fn html(blocks: &[Block]) -> String {
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'\">\n\
          <title>{}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{parts}</body>\n</html>\n",
         escaped(title.unwrap_or("seacable"))
     )
@@ -73,11 +85,7 @@ fn part(block: &Block) -> String {
         },
         Block::Pairs(of) => pairs(of),
         Block::Table(of) => table(of),
-        Block::Chart(chart, lines) => {
-            let picture = draw(chart, CHART_WIDTH, *lines, Glyphs::Braille).to_text();
-            let lines: Vec<String> = picture.lines().map(escaped).collect();
-            format!("<pre>{}</pre>\n", lines.join("\n"))
-        }
+        Block::Chart(chart, lines) => format!("<figure>\n{}</figure>\n", svg(chart, *lines)),
         Block::Gap => String::new(),
     }
 }
@@ -89,7 +97,7 @@ fn pairs(pairs: &[(String, String)]) -> String {
         format!("<tr><th scope=\"row\">{label}</th><td>{words}</td></tr>\n")
     };
     let rows: String = pairs.iter().map(row).collect();
-    format!("<table>\n<tbody>\n{rows}</tbody>\n</table>\n")
+    format!("<table class=\"pairs\">\n<tbody>\n{rows}</tbody>\n</table>\n")
 }
 
 fn table(table: &Table) -> String {
@@ -110,14 +118,23 @@ fn table(table: &Table) -> String {
                 true => String::new(),
                 false => format!(" class=\"{}\"", classes.join(" ")),
             };
-            format!("<{tag}{class}>{}</{tag}>", escaped(text))
+            let text = match tag {
+                "th" => breakable(&escaped(text)),
+                _ => escaped(text),
+            };
+            format!("<{tag}{class}>{text}</{tag}>")
         };
         let heads = table
             .columns
             .iter()
             .map(|column| cell("th", column.align, None, &column.head));
         let heads: String = heads.collect();
-        out += &format!("<table>\n{caption}<thead><tr>{heads}</tr></thead>\n<tbody>\n");
+        let wide = match table.columns.len() {
+            0..=FEW => "",
+            ..=MANY => " class=\"wide\"",
+            _ => " class=\"dense\"",
+        };
+        out += &format!("<table{wide}>\n{caption}<thead><tr>{heads}</tr></thead>\n<tbody>\n");
         for row in 0..table.rows.len() {
             let cells = table.columns.iter().enumerate().map(|(number, column)| {
                 let found = table.cell(row, number);
@@ -131,6 +148,11 @@ fn table(table: &Table) -> String {
         out += &format!("<p class=\"note\">{}</p>\n", escaped(note));
     }
     out
+}
+
+/// Words in which paths of keys may be broken.
+fn breakable(words: &str) -> String {
+    words.replace('_', "_<wbr>").replace('.', ".<wbr>")
 }
 
 const fn style(ink: CellStyle) -> Option<&'static str> {
@@ -147,6 +169,38 @@ const fn style(ink: CellStyle) -> Option<&'static str> {
 mod tests {
     use super::*;
     use crate::report::table::{Cell, Column};
+
+    /// The luminance of a colour such as `#a00` (WCAG 2.1).
+    fn luminance(colour: &str) -> f64 {
+        let digits = |at: usize| u8::from_str_radix(&colour[at..=at], 16).unwrap();
+        let part = |at: usize| match colour.len() {
+            3 => 17 * digits(at),
+            _ => 16 * digits(2 * at) + digits(2 * at + 1),
+        };
+        let linear = |at: usize| {
+            let value = f64::from(part(at)) / 255.0;
+            match value <= 0.04045 {
+                true => value / 12.92,
+                false => ((value + 0.055) / 1.055).powf(2.4),
+            }
+        };
+        0.2126 * linear(0) + 0.7152 * linear(1) + 0.0722 * linear(2)
+    }
+
+    #[test]
+    fn words_are_dark_enough_on_white() {
+        let colours = STYLE
+            .split([' ', '{', ';'])
+            .zip(STYLE.split([' ', '{', ';']).skip(1));
+        let words = colours.filter(|(key, _)| *key == "color:");
+        let mut count = 0;
+        for (_, colour) in words {
+            let contrast = 1.05 / (luminance(colour.trim_start_matches('#')) + 0.05);
+            assert!(contrast >= 4.5, "{colour}: {contrast}");
+            count += 1;
+        }
+        assert_eq!(count, 5);
+    }
 
     #[test]
     fn words_are_no_markup() {
