@@ -10,12 +10,9 @@ use super::{
 };
 use crate::{
     import::ImportOptions,
-    report::{self, plain},
+    report::{self, plain, text::WIDTH},
     section::{self, CrossSection},
 };
-
-/// Columns of the page.
-const WIDTH: usize = 100;
 
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];

@@ -24,6 +24,7 @@ pub mod sea;
 pub mod seas;
 pub mod section;
 pub mod ship;
+pub mod subject;
 pub mod sweep;
 pub mod system;
 pub mod table;

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::case::{self, Case, EditedKey, StudyPoint, kind};
 use crate::kinds::FileType;
 use crate::reference;
-use crate::report::chart::Glyphs;
 use crate::ropeway::Ropeway;
 use crate::run::Run;
 use crate::section::CrossSection;
@@ -161,10 +160,4 @@ pub fn checks(
             .find(|(have, _)| have.as_ref() == at)
             .map(|(_, run)| run.as_ref())
     })
-}
-
-/// The text report of a run.
-#[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[ValidationRow]) -> String {
-    crate::report::text::report(run, case, rows, Glyphs::Braille)
 }

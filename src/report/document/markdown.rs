@@ -9,18 +9,22 @@ use crate::visible;
 const CHART_WIDTH: usize = 80;
 
 /// The blocks as Markdown.
-pub(super) fn markdown(blocks: &[Block]) -> String {
+pub(super) fn markdown(blocks: &[Block], glyphs: Glyphs) -> String {
     let seen: Vec<&Block> = blocks
         .iter()
         .filter(|block| **block != Block::Gap)
         .collect();
     let lists =
         seen.chunk_by(|one, next| matches!((one, next), (Block::Item(..), Block::Item(..))));
-    let parts = lists.map(|list| list.iter().map(|block| part(block)).collect::<String>());
+    let parts = lists.map(|list| {
+        list.iter()
+            .map(|block| part(block, glyphs))
+            .collect::<String>()
+    });
     parts.collect::<Vec<_>>().join("\n")
 }
 
-fn part(block: &Block) -> String {
+fn part(block: &Block, glyphs: Glyphs) -> String {
     match block {
         Block::Title(words) => format!("# {}\n", inline(words)),
         Block::Heading(words) => format!("## {}\n", inline(words)),
@@ -42,9 +46,7 @@ fn part(block: &Block) -> String {
             of.iter().map(item).collect()
         }
         Block::Table(of) => table(of),
-        Block::Chart(chart, lines) => {
-            fenced(&draw(chart, CHART_WIDTH, *lines, Glyphs::Braille).to_text())
-        }
+        Block::Chart(chart, lines) => fenced(&draw(chart, CHART_WIDTH, *lines, glyphs).to_text()),
         Block::Gap => String::new(),
     }
 }
@@ -124,6 +126,6 @@ mod tests {
         };
         let blocks = [Block::Title("A *title*".to_owned()), Block::Table(table)];
         let wanted = "# A \\*title\\*\n\n**T**\n\n| a\\|b | n |\n| --- | ---: |\n| x\\_y &lt;b> | 1 2 |\n\n\\[1\\] A note.\n";
-        assert_eq!(markdown(&blocks), wanted);
+        assert_eq!(markdown(&blocks, Glyphs::Ascii), wanted);
     }
 }

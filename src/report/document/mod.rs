@@ -3,10 +3,12 @@
 //! Every report is built as a [`Report`] once; what it looks like is the matter of its writers. Plain text keeps blank lines
 //! where they are asked for ([`Block::Gap`]); the other formats have their own spacing.
 
+mod format;
 mod html;
 mod markdown;
 mod text;
 
+pub use format::ReportFormat;
 pub(crate) use text::wrap;
 
 use super::chart::{Chart, Glyphs};
@@ -60,10 +62,10 @@ impl Report {
         text::text(&self.blocks, width, glyphs)
     }
 
-    /// The report as Markdown.
+    /// The report as Markdown, its charts drawn with these characters.
     #[must_use]
-    pub fn to_markdown(&self) -> String {
-        markdown::markdown(&self.blocks)
+    pub fn to_markdown(&self, glyphs: Glyphs) -> String {
+        markdown::markdown(&self.blocks, glyphs)
     }
 
     /// The report as one HTML page.

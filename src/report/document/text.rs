@@ -1,9 +1,13 @@
 //! A report as plain text of a fixed width.
 
+use std::borrow::Cow;
+
 use unicode_width::UnicodeWidthStr;
 
 use super::Block;
 use crate::report::chart::{Glyphs, draw};
+use crate::report::plain;
+use crate::report::table::Table;
 use crate::report::wrap::WideWords;
 use crate::visible;
 
@@ -39,17 +43,35 @@ impl Page {
                 self.line(&"=".repeat(self.width));
             }
             Block::Heading(words) => {
-                self.line(words);
+                let words = self.words(words);
+                self.line(&words);
                 self.line(&"-".repeat(words.width()));
             }
             Block::Paragraph(words) => self.paragraph(words),
             Block::Item(mark, words) => self.hanging(mark, words),
             Block::Pairs(pairs) => self.pairs(pairs),
-            Block::Table(table) => self.lines(&table.to_text(self.width)),
+            Block::Table(table) => self.table(table),
             Block::Chart(chart, lines) => {
                 let width = self.width.min(CHART_WIDTH);
                 self.lines(&draw(chart, width, *lines, self.glyphs).to_text());
             }
+        }
+    }
+
+    fn table(&mut self, table: &Table) {
+        // Words grow when they are put into ASCII, which the columns have to know.
+        let text = match self.glyphs {
+            Glyphs::Ascii => plain::ascii_table(table).to_text(self.width),
+            Glyphs::Braille => table.to_text(self.width),
+        };
+        self.lines(&text);
+    }
+
+    /// Words in the characters of the page.
+    fn words<'w>(&self, words: &'w str) -> Cow<'w, str> {
+        match self.glyphs {
+            Glyphs::Ascii => plain::ascii(words),
+            Glyphs::Braille => Cow::Borrowed(words),
         }
     }
 
@@ -76,7 +98,7 @@ impl Page {
     /// A first word, and words broken into lines that all begin behind it.
     fn hanging(&mut self, head: &str, words: &str) {
         let indent = head.width();
-        let lines = wrap(words, self.width.saturating_sub(indent));
+        let lines = wrap(&self.words(words), self.width.saturating_sub(indent));
         for (i, line) in lines.iter().enumerate() {
             let head = if i == 0 {
                 head.to_owned()

@@ -15,7 +15,7 @@ use crate::section::{Design, validation};
 const SAMPLE: f64 = 1e5;
 
 /// Lines of the drawing.
-const LINES: usize = 50;
+const LINES: usize = 40;
 
 /// Default tension of the load sharing \[N\]: the allowable tension, or 100 kN where that is unknown.
 #[must_use]
@@ -31,8 +31,9 @@ pub fn report(design: &Design, fields: &[FieldRow], tension: Option<f64>) -> Rep
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
     let mut page = Report::default();
-    page.chart(drawing::chart(design), LINES);
+    page.title(&about.title);
     page.prose([&about.source, &about.notes]);
+    page.chart(drawing::chart(design), LINES);
     if !design.layout.warnings.is_empty() {
         let warnings = design.layout.warnings.iter();
         page.table(Table::titled("Warnings").noted(warnings.map(ToString::to_string)));
@@ -53,5 +54,6 @@ pub fn report(design: &Design, fields: &[FieldRow], tension: Option<f64>) -> Rep
         reference::set_edited_aside(&mut rows, &edited::of_rows(fields));
         text::add_validation(&mut page, &rows);
     }
+    text::inputs(&mut page, fields, !about.source.trim().is_empty());
     page
 }

@@ -15,6 +15,7 @@ mod modes;
 mod parts;
 mod pending;
 mod random;
+mod reports;
 mod response;
 mod resume;
 mod ropeway;
