@@ -17,6 +17,10 @@ const QUIET: [&str; 10] = [
     "--no-pdf-header-footer",
 ];
 
+/// The setting of a profile in which no page may run scripts. With `--blink-settings=scriptEnabled=false` the browser cannot print or dump
+/// a page either, which it does by scripts of its own.
+const NO_SCRIPTS: &str = r#"{"profile":{"default_content_setting_values":{"javascript":2}}}"#;
+
 /// Width of a printed page between its margins [px].
 const PRINTED: f64 = 180.0 / 25.4 * 96.0;
 
@@ -59,9 +63,13 @@ impl Browser {
         }
     }
 
-    /// Opens a page; what is printed on standard output.
-    fn open(&self, html: &str, options: &[&str]) -> Vec<u8> {
+    /// Opens a page, with scripts on or off; what is printed on standard output.
+    fn open(&self, html: &str, scripts: bool, options: &[&str]) -> Vec<u8> {
         let profile = tempfile::tempdir().unwrap();
+        if !scripts {
+            fs::create_dir(profile.path().join("Default")).unwrap();
+            fs::write(profile.path().join("Default/Preferences"), NO_SCRIPTS).unwrap();
+        }
         let file = self.dir.path().join("page.html");
         fs::write(&file, html).unwrap();
         let output = Command::new(&self.program)
@@ -83,15 +91,14 @@ impl Browser {
 
     /// The page as the browser has it, with scripts off.
     pub(crate) fn dom(&self, html: &str) -> String {
-        let off = "--blink-settings=scriptEnabled=false";
-        String::from_utf8(self.open(html, &[off, "--dump-dom"])).unwrap()
+        String::from_utf8(self.open(html, false, &["--dump-dom"])).unwrap()
     }
 
-    /// The page printed as PDF.
+    /// The page printed as PDF, with scripts off.
     pub(crate) fn pdf(&self, html: &str) -> Vec<u8> {
         let file = self.dir.path().join("page.pdf");
         let print = format!("--print-to-pdf={}", file.display());
-        self.open(html, &["--blink-settings=scriptEnabled=false", &print]);
+        self.open(html, false, &[&print]);
         fs::read(file).unwrap()
     }
 
@@ -102,7 +109,7 @@ impl Browser {
             .find(|line| line.contains("Content-Security-Policy"));
         let open = html.replace(policy.unwrap(), "");
         let page = open.replace("</body>", &format!("{SCRIPT}</body>"));
-        let dom = String::from_utf8(self.open(&page, &["--dump-dom"])).unwrap();
+        let dom = String::from_utf8(self.open(&page, true, &["--dump-dom"])).unwrap();
         let said = dom.split("id=\"measured\">").nth(1).unwrap();
         let mut parts = said.split("</p>").next().unwrap().split('|');
         Measured {

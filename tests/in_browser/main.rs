@@ -34,6 +34,14 @@ const ACTIVE: [&str; 12] = [
     "@import",
 ];
 
+/// Scripts are off where the tests say so.
+#[test]
+#[ignore = "needs Chromium"]
+fn a_browser_without_scripts_runs_none() {
+    let script = "<body><p id=\"a\">before</p><script>document.getElementById('a').textContent = 'after'</script></body>";
+    assert!(Browser::new().dom(script).contains(">before<"));
+}
+
 #[test]
 #[ignore = "needs Chromium"]
 fn pages_need_no_script_and_load_nothing() {

@@ -14,6 +14,7 @@ use crate::small::SMALL;
 const SECTION: &str = include_str!("../../cases/umbilical/section.toml");
 const CROSSING: &str = include_str!("../../cases/ropeway/span_60.toml");
 const SHIP: &str = include_str!("../../cases/ship/coupled.toml");
+const RESPONSES: &str = include_str!("../../cases/ship/landing_craft.csv");
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");
 const CHAINS: &str = include_str!("../../cases/systems/three_chains.toml");
 
@@ -170,6 +171,7 @@ fn a_sweep_is_reported_from_its_folder() {
 #[test]
 fn files_that_need_no_run_are_reported_as_they_are() {
     let dir = tempfile::tempdir().unwrap();
+    fs::write(dir.path().join("landing_craft.csv"), RESPONSES).unwrap();
     let files = [
         ("section.toml", SECTION, "report"),
         ("ropeway.toml", CROSSING, "report"),

@@ -1,9 +1,11 @@
 //! A report as one HTML page: no script, nothing loaded, readable without colour, fit to be printed on A4.
 
+use unicode_width::UnicodeWidthStr;
+
 use super::Block;
 use crate::report::chart::svg::svg;
 use crate::report::markup::escaped;
-use crate::report::table::{Align, CellStyle, Table};
+use crate::report::table::{Align, CellStyle, Column, Table};
 
 const STYLE: &str = "\
 @page { size: A4; margin: 15mm }
@@ -33,9 +35,13 @@ svg { display: block; width: 100%; max-width: 180mm; height: auto }
 .note { margin: 0.2em 0 }
 ";
 
-/// Columns of a table in words of the usual size, and of one whose numbers need not be broken.
-const FEW: usize = 6;
-const MANY: usize = 9;
+/// Characters that fit across a printed page in words of the usual size, and of the small size of wide tables.
+const USUAL: usize = 80;
+const SMALL: usize = 100;
+
+/// Characters of a column of words, which may be broken, and those between columns.
+const BROKEN: usize = 24;
+const BETWEEN: usize = 2;
 
 /// The blocks as an HTML page.
 pub(super) fn html(blocks: &[Block]) -> String {
@@ -129,9 +135,9 @@ fn table(table: &Table) -> String {
             .iter()
             .map(|column| cell("th", column.align, None, &column.head));
         let heads: String = heads.collect();
-        let wide = match table.columns.len() {
-            0..=FEW => "",
-            ..=MANY => " class=\"wide\"",
+        let wide = match needed(table) {
+            0..=USUAL => "",
+            ..=SMALL => " class=\"wide\"",
             _ => " class=\"dense\"",
         };
         out += &format!("<table{wide}>\n{caption}<thead><tr>{heads}</tr></thead>\n<tbody>\n");
@@ -148,6 +154,25 @@ fn table(table: &Table) -> String {
         out += &format!("<p class=\"note\">{}</p>\n", escaped(note));
     }
     out
+}
+
+/// Characters that a table needs across: its numbers whole, its words broken where they are long.
+fn needed(table: &Table) -> usize {
+    let column = |(number, column): (usize, &Column)| {
+        let cells = (0..table.rows.len()).map(|row| table.cell(row, number).text.width());
+        let widest = cells.max().unwrap_or(0);
+        let head = column
+            .head
+            .split([' ', '_', '.'])
+            .map(UnicodeWidthStr::width);
+        let head = head.max().unwrap_or(0);
+        let body = match column.align {
+            Align::Left => widest.min(BROKEN),
+            Align::Right | Align::Decimal => widest,
+        };
+        head.max(body) + BETWEEN
+    };
+    table.columns.iter().enumerate().map(column).sum()
 }
 
 /// Words in which paths of keys may be broken.
@@ -168,7 +193,7 @@ const fn style(ink: CellStyle) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::table::{Cell, Column};
+    use crate::report::table::Cell;
 
     /// The luminance of a colour such as `#a00` (WCAG 2.1).
     fn luminance(colour: &str) -> f64 {

@@ -29,7 +29,7 @@ fn part(block: &Block, glyphs: Glyphs) -> String {
         Block::Title(words) => format!("# {}\n", inline(words)),
         Block::Heading(words) => format!("## {}\n", inline(words)),
         Block::Paragraph(words) => {
-            let parts = words.trim().split("\n\n").map(inline);
+            let parts = words.trim().split("\n\n").map(sentence);
             parts
                 .map(|words| format!("{words}\n"))
                 .collect::<Vec<_>>()
@@ -97,6 +97,19 @@ const fn rule(align: Align) -> &'static str {
     }
 }
 
+/// Words that begin a line, and neither a list, a quotation, a rule nor a fence.
+fn sentence(words: &str) -> String {
+    let line = inline(words.trim_start());
+    let digits = line.len() - line.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let (number, rest) = line.split_at(digits);
+    let begins_list = digits > 0 && rest.starts_with(['.', ')']);
+    let begins_block = digits == 0 && rest.starts_with(['-', '+', '>', '~', '=']);
+    match begins_list || begins_block {
+        true => format!("{number}\\{rest}"),
+        false => line,
+    }
+}
+
 /// Words on one line, in which nothing is markup.
 fn inline(words: &str) -> String {
     let mut out = String::new();
@@ -115,6 +128,26 @@ fn inline(words: &str) -> String {
 mod tests {
     use super::*;
     use crate::report::table::{Cell, Column};
+
+    #[test]
+    fn a_paragraph_begins_no_list_and_no_fence() {
+        for (words, wanted) in [
+            ("- a", "\\- a"),
+            ("~~~", "\\~~~"),
+            ("> a", "\\> a"),
+            ("12. a", "12\\. a"),
+            ("12 statements", "12 statements"),
+            ("# a", "\\# a"),
+        ] {
+            assert_eq!(sentence(words), wanted);
+        }
+    }
+
+    #[test]
+    fn a_fence_is_longer_than_what_is_in_it() {
+        assert!(fenced("a ```` b\n").starts_with("`````text\n"));
+        assert!(fenced("a\n").starts_with("```text\n"));
+    }
 
     #[test]
     fn tables_keep_their_columns_whatever_is_in_them() {

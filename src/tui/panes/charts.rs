@@ -38,7 +38,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant"),
     main(CommandId::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
     command::write("Write the chart to a text file, a map also as CSV"),
-    other(CommandId::WritePicture, &["P"], "picture", "Write the chart to a file as a picture of lines and words (SVG)"),
+    other(CommandId::WritePicture, &["P"], "", "Write the chart to a file as a picture of lines and words (SVG)"),
     other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
     other(CommandId::Limits, &["t"], "limits", "Show limits and published values, or leave them out"),
     other(CommandId::Curves, &["c"], "curves", "Show or hide each curve of the chart"),

@@ -74,13 +74,6 @@ fn a_file_without_runs_has_its_report_in_every_format() {
 }
 
 #[test]
-fn without_a_run_there_is_nothing_to_write() {
-    let mut desk = Desk::with_case(SMALL);
-    desk.keys("5 F");
-    assert!(desk.state.overlay.is_none() && written(&desk).is_empty());
-}
-
-#[test]
 fn a_chart_is_written_as_a_picture() {
     let mut desk = reported();
     desk.keys("2 P");
