@@ -16,6 +16,7 @@ use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 use crate::case::Method;
 use crate::kinds::FileType;
 use crate::report::chart::Glyphs;
+use crate::report::document::ReportFormat;
 
 /// A terminal workbench for marine cables.
 ///
@@ -556,13 +557,21 @@ pub(super) struct ValidateArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ReportArgs {
-    /// The run directory.
-    #[arg(value_name = "RUN_DIR")]
+    /// The directory of a run, the folder of a sweep, or a file that is computed at once: section, ropeway, ship, system at rest.
+    #[arg(value_name = "DIR")]
     pub(super) dir: PathBuf,
 
     /// Another run, from which the differences of this one follow the report.
     #[arg(long, value_name = "RUN_DIR")]
     pub(super) against: Option<PathBuf>,
+
+    /// The format; without it that of the ending of --output (.txt, .md, .html, .csv, .json), else text.
+    #[arg(long, value_enum, value_name = "FORMAT")]
+    pub(super) format: Option<ReportFormat>,
+
+    /// Include a table that a study wrote, such as `seacable study hard-cases -o FILE.csv`; may be repeated.
+    #[arg(long, value_name = "FILE.csv")]
+    pub(super) study: Vec<PathBuf>,
 
     /// Write the report to this file instead of standard output.
     #[arg(short, long = "output", value_name = "FILE")]

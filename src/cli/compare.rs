@@ -35,10 +35,9 @@ pub(super) fn compare(args: &CompareArgs) -> Result<ExitCode, CommandError> {
         output::document(&csv, FileFormat::Text)?;
     } else {
         let width = output::page_width(args.page.width);
-        let mut text = comparison::text(&compared, width);
         let runs: Vec<&Run> = runs.iter().collect();
         let glyphs = output::glyphs(args.page.table.ascii);
-        text.push_str(&comparison::charts(&runs, width, glyphs));
+        let text = comparison::report(&compared, &runs, width).to_text(width, glyphs);
         output::results(&text, args.page.table.ascii)?;
     }
     Ok(ExitCode::SUCCESS)

@@ -13,7 +13,7 @@ use super::{
 };
 use crate::{
     case::fields::{Field, Schema, TableSchema, json_schema},
-    report::text::{WIDTH, wrap},
+    report::{document::wrap, text::WIDTH},
 };
 
 pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {

@@ -1,58 +1,202 @@
-//! `seacable report`: the text report of a stored run.
+//! `seacable report`: the report of a run, a sweep or a file that is computed at once, in every format.
 
-use std::process::ExitCode;
+use std::{
+    path::{Path, PathBuf},
+    process::ExitCode,
+    sync::atomic::AtomicBool,
+};
 
 use super::{
     CommandError,
     args::ReportArgs,
+    cases,
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
-    case,
-    comparison::Comparison,
+    case::{Diagnostic, FieldRow, file_kind::FileKind},
+    files::read,
+    import::ImportOptions,
     kinds::FileType,
-    reference,
-    report::{chart::Glyphs, comparison, system::motion, text},
-    run::{Run, store},
+    report::{
+        chart::Glyphs,
+        document::ReportFormat,
+        subject::{ReportSubject, RunSubject, StudyTable},
+        sweep::SweepReport,
+    },
+    ropeway::Ropeway,
+    run::store,
+    section::CrossSection,
+    ship::{DynamicAnalysis, MotionError, Ship},
+    study::sweep::{SweepFolder, SweepPlan, SweepResults},
+    system::{SystemFile, analysis::analyses::Analyses, validation},
+    visible,
 };
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
-    let inputs: Vec<_> = [Some(args.dir.clone()), args.against.clone()]
-        .into_iter()
-        .flatten()
-        .collect();
+    let mut inputs: Vec<PathBuf> = vec![args.dir.clone()];
+    inputs.extend(args.against.iter().chain(&args.study).cloned());
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let run = store::read(&args.dir)?;
-    // A file is the same whatever the terminal shows.
-    let glyphs = match (&file, args.ascii) {
-        (Some(_), false) => Glyphs::Braille,
-        (_, ascii) => output::glyphs(ascii),
+    let of_file = args.output.as_deref().and_then(ReportFormat::of_file);
+    let order = Order {
+        format: args.format.or(of_file).unwrap_or_default(),
+        // A file is the same whatever the terminal shows.
+        glyphs: match (&file, args.ascii) {
+            (Some(_), false) => Glyphs::Braille,
+            (_, ascii) => output::glyphs(ascii),
+        },
+        studies: studies(&args.study)?,
     };
-    let mut text = of_run(&run, glyphs)?;
-    if let Some(dir) = &args.against {
-        let other = store::read(dir)?;
-        let compared = Comparison::of(&[&other, &run]);
-        text.push_str(&format!("\n{}", comparison::report_section(&compared)));
-        let curves = comparison::charts(&[&other, &run], text::WIDTH, glyphs);
-        text.push_str(&curves);
-    }
+    let text = if SweepFolder::is_one(&args.dir) {
+        no_other_run(args)?;
+        of_sweep(&args.dir, &order)?
+    } else if args.dir.is_file() {
+        no_other_run(args)?;
+        of_file_at_rest(&args.dir, &order)?
+    } else {
+        of_run(args, &order)?
+    };
     match file {
-        None => output::results(&text, args.ascii)?,
+        None => print(&text, order.format, args.ascii)?,
         Some(file) => {
-            let page = output::page(&text, args.ascii);
-            file.write(page.as_bytes(), FileFormat::Text)?;
+            let (text, format) = ready(&text, order.format, args.ascii);
+            file.write(text.as_bytes(), format)?;
         }
     }
     Ok(ExitCode::SUCCESS)
 }
 
-/// The report of a run of a line case or of a system of lines.
-fn of_run(run: &Run, glyphs: Glyphs) -> Result<String, CommandError> {
-    let (text, file) = (&run.case_text, &run.info.case_file);
-    if FileType::of_text(text) == FileType::System {
-        return motion::stored_report(run, glyphs).map_err(CommandError::Invalid);
+/// How a report is written.
+struct Order {
+    format: ReportFormat,
+    glyphs: Glyphs,
+    studies: Vec<StudyTable>,
+}
+
+impl Order {
+    fn written(&self, subject: &ReportSubject<'_>) -> Result<String, CommandError> {
+        let written = subject.write(self.format, self.glyphs, &self.studies);
+        written.map_err(CommandError::Invalid)
     }
-    let case = case::parse_stored(text, file).map_err(CommandError::Invalid)?;
-    let rows = reference::rows_of_run(run, &case);
-    Ok(text::report(run, &case, &rows, glyphs))
+}
+
+/// The text as it is written, and how invisible characters are escaped in it.
+fn ready(text: &str, format: ReportFormat, ascii: bool) -> (String, FileFormat) {
+    match format {
+        ReportFormat::Json => (text.to_owned(), FileFormat::Json),
+        _ => (output::page(text, ascii), FileFormat::Text),
+    }
+}
+
+fn print(text: &str, format: ReportFormat, ascii: bool) -> Result<(), CommandError> {
+    match format {
+        ReportFormat::Json => output::document(text.as_bytes(), FileFormat::Json),
+        ReportFormat::Csv => output::document(text.as_bytes(), FileFormat::Text),
+        _ => output::results(text, ascii),
+    }
+}
+
+/// The tables of studies.
+fn studies(files: &[PathBuf]) -> Result<Vec<StudyTable>, CommandError> {
+    let table = |file: &PathBuf| {
+        let name = visible::path(file);
+        let text = read::text(file)
+            .map_err(|error| CommandError::Usage(format!("--study {name}: {error}.")))?;
+        StudyTable::of_csv(&name, &text).map_err(|why| {
+            CommandError::Usage(format!("--study {name}: no table of a study: {why}."))
+        })
+    };
+    files.iter().map(table).collect()
+}
+
+fn no_other_run(args: &ReportArgs) -> Result<(), CommandError> {
+    match &args.against {
+        None => Ok(()),
+        Some(_) => Err(CommandError::Usage(format!(
+            "--against compares runs; {} is no directory of a run.",
+            visible::path(&args.dir)
+        ))),
+    }
+}
+
+/// The report of a stored run.
+fn of_run(args: &ReportArgs, order: &Order) -> Result<String, CommandError> {
+    let run = store::read(&args.dir)?;
+    let other = args.against.as_deref().map(store::read).transpose()?;
+    order.written(&ReportSubject::Run(RunSubject {
+        run: &run,
+        dir: &args.dir,
+        rows: None,
+        against: other.as_ref(),
+    }))
+}
+
+/// The report of a sweep from its stored runs.
+fn of_sweep(dir: &Path, order: &Order) -> Result<String, CommandError> {
+    let failed = |error: &dyn std::fmt::Display| CommandError::Usage(error.to_string());
+    let (folder, stored) = SweepFolder::open_part(dir).map_err(|error| failed(&error))?;
+    if stored.info.window.is_some() {
+        let dir = visible::path(dir);
+        return Err(CommandError::Usage(format!(
+            "{dir} is a search for a limiting value, which has no runs of its own; its report is {dir}/report.txt."
+        )));
+    }
+    let SweepPlan { sweep, question } =
+        SweepPlan::of_stored(stored).map_err(|error| failed(&error))?;
+    let outcomes = match &sweep.results {
+        SweepResults::AtRest(_) => sweep.compute(Some(&folder), &AtomicBool::new(false), &|_| {}),
+        _ => sweep.gather(&folder).map_err(|error| failed(&error))?,
+    };
+    let answers = sweep.answers(&outcomes, &question);
+    let found = (&outcomes, answers.as_ref());
+    let report = SweepReport::new((&sweep, &question), found, folder.has_ended(), Some(dir));
+    order.written(&ReportSubject::Sweep(Box::new(report)))
+}
+
+/// The report of a file that is computed without a run.
+fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
+    match FileType::of(path) {
+        FileType::Line => Err(runs_first(path)),
+        FileType::Section => {
+            let (fields, design) = loaded::<CrossSection>(path)?;
+            order.written(&ReportSubject::Section(&design, &fields, None))
+        }
+        FileType::Ropeway => {
+            let (fields, solved) = loaded::<Ropeway>(path)?;
+            let results = solved.results(solved.ropeway.cargo.position);
+            let results = results.map_err(|error| {
+                CommandError::Usage(format!("The ropeway has no solution: {error}."))
+            })?;
+            order.written(&ReportSubject::Ropeway(&solved, Box::new(results), &fields))
+        }
+        FileType::Ship => {
+            let (fields, statics) = loaded::<Ship>(path)?;
+            let folder = path.parent().unwrap_or(Path::new(""));
+            let dynamic = DynamicAnalysis::new(&statics, folder, &AtomicBool::new(false));
+            if let Some(Some(Err(MotionError::File(fault)))) = dynamic.as_ref().map(|d| &d.motion) {
+                return Err(CommandError::Invalid(vec![Diagnostic::clone(fault)]));
+            }
+            order.written(&ReportSubject::Ship(&statics, dynamic.as_ref(), &fields))
+        }
+        FileType::System => {
+            let (fields, solved) = loaded::<SystemFile>(path)?;
+            if solved.file.solver.is_some() {
+                return Err(runs_first(path));
+            }
+            let analyses = Analyses::of(&solved);
+            let rows = validation::rows(&solved, None);
+            order.written(&ReportSubject::System(&solved, &analyses, &rows, &fields))
+        }
+    }
+}
+
+fn loaded<K: FileKind>(path: &Path) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
+    cases::load_with::<K>(path, &[], &ImportOptions::default())
+}
+
+/// What a file that is computed in time needs.
+fn runs_first(path: &Path) -> CommandError {
+    let path = visible::path(path);
+    CommandError::Usage(format!(
+        "{path} is computed in a run of its own; `seacable run {path}` stores one, and `seacable report` takes its directory."
+    ))
 }

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     import::ImportOptions,
-    report,
+    report::{self, text::WIDTH},
     ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line},
 };
 
@@ -26,7 +26,8 @@ pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
         write(&file, &worked, &results)?;
     }
     let glyphs = output::glyphs(args.ascii);
-    let text = report::ropeway::report(&worked, &results, &fields, glyphs);
+    let report = report::ropeway::report(&worked, &results, &fields);
+    let text = report.to_text(WIDTH, glyphs);
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

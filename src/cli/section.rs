@@ -10,12 +10,9 @@ use super::{
 };
 use crate::{
     import::ImportOptions,
-    report::{self, plain},
+    report::{self, plain, text::WIDTH},
     section::{self, CrossSection},
 };
-
-/// Columns of the page.
-const WIDTH: usize = 100;
 
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
@@ -32,7 +29,7 @@ pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
         };
         file.write(text.as_bytes(), FileFormat::Toml)?;
     }
-    let text = report::section::report(&design, &fields, WIDTH, glyphs, args.tension_n);
+    let text = report::section::report(&design, &fields, args.tension_n).to_text(WIDTH, glyphs);
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -5,7 +5,7 @@ use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool};
 use super::{CommandError, args::ShipArgs, cases, output};
 use crate::{
     import::ImportOptions,
-    report::ship::text as page,
+    report::{ship, text::WIDTH},
     ship::{DynamicAnalysis, MotionError, Ship},
 };
 
@@ -18,7 +18,7 @@ pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
         return Err(CommandError::Invalid(vec![diagnostic.clone()]));
     }
     let glyphs = output::glyphs(args.ascii);
-    let page = page::text(&rest, sea.as_ref(), &fields, glyphs);
-    output::results(&page, args.ascii)?;
+    let report = ship::report(&rest, sea.as_ref(), &fields);
+    output::results(&report.to_text(WIDTH, glyphs), args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -11,7 +11,10 @@ use super::{
     signals::StopFlag,
 };
 use crate::{
-    report::system::{self as views, json, motion},
+    report::{
+        system::{self as views, json, motion},
+        text::WIDTH,
+    },
     system::{
         SolvedSystem, SystemFile,
         analysis::analyses::Analyses,
@@ -61,13 +64,8 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
         return Ok(ExitCode::SUCCESS);
     }
     let rows = validation::rows(&solved, None);
-    let text = views::report(
-        &solved,
-        &analyses,
-        &rows,
-        &fields,
-        output::glyphs(args.ascii),
-    );
+    let report = views::report(&solved, &analyses, &rows, &fields);
+    let text = report.to_text(WIDTH, output::glyphs(args.ascii));
     output::results(&text, args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -21,7 +21,8 @@ use crate::{
         papers::{self, FileRows, Paper},
     },
     report::{
-        document::{self, Block},
+        chart::Glyphs,
+        document::{Block, Report},
         run_json, text,
         validation::{self, Extent, JudgedPaper},
     },
@@ -102,23 +103,24 @@ fn show(args: &ValidateArgs, tables: &[Validated], lists: &[Paper]) -> Result<()
         (_, true) => Some(Extent::Details),
         _ => whole.then_some(Extent::Page),
     };
-    let mut blocks =
-        extent.map_or_else(Vec::new, |extent| validation::page(&rows, &judged, extent));
+    let of_papers = |extent| validation::page(&rows, &judged, extent);
+    let mut report = extent.map_or_else(Report::default, of_papers);
     let with_tables = extent.is_none() || args.details;
+    let glyphs = output::glyphs(args.ascii);
     if args.markdown || args.html {
         if with_tables {
-            blocks.extend(tables.iter().flat_map(Validated::blocks));
+            report.extend(tables.iter().flat_map(Validated::blocks).collect());
         }
         let page = match args.html {
-            true => document::html(&blocks),
-            false => document::markdown(&blocks),
+            true => report.to_html(),
+            false => report.to_markdown(glyphs),
         };
         return output::results(&page, args.ascii);
     }
-    let mut page = document::text(&blocks, text::WIDTH);
+    let mut page = report.to_text(text::WIDTH, glyphs);
     if extent != Some(Extent::Summary) {
         if with_tables {
-            page.push_str(&full_tables(tables));
+            page.push_str(&full_tables(tables, glyphs));
         }
         page.push_str(&format!("\nAll cases: {}\n", total(tables)));
         if extent == Some(Extent::Page) {
@@ -294,14 +296,18 @@ fn object(tables: &[Validated], papers: &[JudgedPaper<'_>]) -> serde_json::Value
 }
 
 /// The validation table of every file, each row with its note.
-fn full_tables(tables: &[Validated]) -> String {
+fn full_tables(tables: &[Validated], glyphs: Glyphs) -> String {
     let mut out = String::new();
     for file in tables {
         let head = file.head();
         out.push_str(&format!("\n{head}\n{}\n", "=".repeat(head.chars().count())));
         match file.rows.is_empty() {
             true => out.push_str("The case states no published values.\n"),
-            false => out.push_str(&text::validation(&file.rows)),
+            false => {
+                let mut report = Report::default();
+                text::add_validation(&mut report, &file.rows);
+                out.push_str(&report.to_text(text::WIDTH, glyphs));
+            }
         }
     }
     out

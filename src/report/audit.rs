@@ -1,7 +1,9 @@
 //! The page of an audit, and its findings as a table.
 
+use super::chart::Glyphs;
+use super::document::Report;
 use super::table::{NumberFormat, Table};
-use super::text::{Page, WIDTH};
+use super::text::WIDTH;
 use crate::audit::finding::Finding;
 use crate::audit::lumped::relaxation::Ended;
 use crate::audit::mesh::LineAudit;
@@ -17,7 +19,7 @@ const LINES: usize = 12;
 /// The audit as one page of text.
 #[must_use]
 pub fn page(audit: &Audit) -> String {
-    let mut page = Page::new(WIDTH);
+    let mut page = Report::default();
     let name = std::path::Path::new(&audit.file).file_name();
     let name = name.map_or_else(|| audit.file.clone(), |name| name.to_string_lossy().into());
     page.title(&format!(
@@ -39,10 +41,10 @@ pub fn page(audit: &Audit) -> String {
     }
     page.heading("Computed");
     if !audit.lines.is_empty() {
-        page.block(&lines(audit).to_text(WIDTH));
+        page.close_table(lines(audit));
     }
     if !audit.starts.is_empty() {
-        page.block(&starts(&audit.starts).to_text(WIDTH));
+        page.close_table(starts(&audit.starts));
     }
     if let Some(step) = &audit.step {
         page.paragraph(&step_words(step));
@@ -50,7 +52,7 @@ pub fn page(audit: &Audit) -> String {
     for what in &audit.not_judged {
         page.paragraph(&format!("Not judged: {what}"));
     }
-    page.finish()
+    page.to_text(WIDTH, Glyphs::Braille)
 }
 
 fn summary(audit: &Audit) -> String {

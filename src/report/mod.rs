@@ -8,6 +8,7 @@ pub mod effects;
 pub mod figures;
 pub mod limits;
 pub mod line_types;
+mod markup;
 pub mod modes;
 pub mod nodes;
 #[cfg(feature = "parquet")]
@@ -23,6 +24,7 @@ pub mod sea;
 pub mod seas;
 pub mod section;
 pub mod ship;
+pub mod subject;
 pub mod sweep;
 pub mod system;
 pub mod table;

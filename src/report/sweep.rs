@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use super::chart::Chart;
+use super::document::Report;
 use super::number::duration;
 use super::plain;
 use super::seas::SeasView;
@@ -13,6 +15,9 @@ use crate::visible;
 
 /// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
 const MOST_ROWS: usize = 100;
+
+/// Lines of a chart.
+const CHART_LINES: usize = 18;
 
 /// Columns of the report in the folder.
 const REPORT_WIDTH: usize = 80;
@@ -102,6 +107,30 @@ impl<'a> SweepReport<'a> {
             last.notes.extend(self.dir.map(|dir| self.stored_in(dir)));
         }
         tables
+    }
+
+    /// The page as a report for pages of so many columns: its tables, and the charts of its results.
+    #[must_use]
+    pub fn report(&self, width: usize) -> Report {
+        let mut report = Report::default();
+        self.view.add_head(&mut report);
+        for table in self.tables(width) {
+            report.table(table);
+        }
+        for chart in self.charts() {
+            report.chart(chart, CHART_LINES);
+        }
+        self.view.add_inputs(&mut report);
+        report
+    }
+
+    /// The charts of its results; against seeds, which are no curve, there are none.
+    #[must_use]
+    pub fn charts(&self) -> Vec<Chart> {
+        match self.has_seeds() {
+            true => Vec::new(),
+            false => self.view.charts(),
+        }
     }
 
     /// Where the sweep is stored, in words.

@@ -3,30 +3,38 @@
 mod about;
 mod charts;
 mod inputs;
-mod layout;
 mod results;
 mod validation;
 
 pub use about::numerical_damping;
 pub(crate) use about::{head, settings, warnings, work};
 pub(crate) use inputs::list as inputs;
-pub(crate) use layout::{Page, WIDTH, wrap};
 pub use results::summary;
+pub(crate) use validation::add_validation;
 pub use validation::validation;
 
 use super::chart::Glyphs;
+use super::document::Report;
 use super::{limits, sea};
 use crate::{case::Case, reference::ValidationRow, run::Run};
+
+/// Columns of a report.
+pub const WIDTH: usize = 80;
+
+/// The report of a run as plain text, its charts drawn with `glyphs`; for a report that is ASCII throughout, pass the result through
+/// [`plain::ascii`](super::plain::ascii).
+#[must_use]
+pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) -> String {
+    of_run(run, case, rows).to_text(WIDTH, glyphs)
+}
 
 /// The report of a run: what was computed and with which settings, inputs with their standing,
 /// results with their errors, charts, comparison with published values, work and cost.
 ///
 /// `rows` are the published rows of the case ([`reference::rows`](crate::reference::rows)).
-/// Charts are drawn with `glyphs`; for a report that is ASCII throughout, pass the result through
-/// [`plain::ascii`](super::plain::ascii).
 #[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) -> String {
-    let mut page = Page::default();
+pub fn of_run(run: &Run, case: &Case, rows: &[ValidationRow]) -> Report {
+    let mut page = Report::default();
     let about = &case.case;
     head(
         &mut page,
@@ -38,21 +46,21 @@ pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) ->
     inputs::table(&mut page, run, case);
     let sea = sea::table(case);
     if !sea.rows.is_empty() {
-        page.section("Irregular records", &sea);
+        page.section("Irregular records", sea);
     }
     page.heading("Results");
-    page.block(&summary(run));
+    results::add_summary(&mut page, run);
     if let Some(limits) = limits::of_run(case, &run.profile) {
-        page.section("What the sections bear", &limits);
+        page.section("What the sections bear", limits);
     }
-    charts::all(&mut page, run, case, rows, glyphs);
+    charts::all(&mut page, run, case, rows);
     results::answer(&mut page, run, case);
     results::nodes(&mut page, run);
     if !rows.is_empty() {
         page.heading("Published values");
-        page.block(&validation(rows));
+        add_validation(&mut page, rows);
         validation::not_judged(&mut page, rows);
     }
     work(&mut page, &run.info);
-    page.finish()
+    page
 }

@@ -1,6 +1,7 @@
 //! The points of a variation as a table, as CSV and as charts.
 
 mod extremes;
+mod head;
 mod outcome;
 mod system;
 

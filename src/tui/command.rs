@@ -83,6 +83,8 @@ pub enum CommandId {
     ScrollRight,
     Sort,
     Write,
+    WriteAs,
+    WritePicture,
     Down,
     Up,
     PageDown,
@@ -214,6 +216,15 @@ pub const fn write(doc: &'static str) -> Command {
     command(CommandOrder::Write, CommandId::Write, &["w"], "write", doc)
 }
 
+/// The command that writes a report in another format, of the report pane and of files that have a report and no such pane.
+#[rustfmt::skip]
+pub const WRITE_AS: Command = command(CommandOrder::Write, CommandId::WriteAs, &["F"], "format", "Write the report as HTML, Markdown, text, CSV or JSON");
+const WRITE_MODEL_AS: Command = Command {
+    label: "",
+    order: CommandOrder::Rare,
+    ..WRITE_AS
+};
+
 /// Sorts the table of a pane.
 #[rustfmt::skip]
 pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order");
@@ -249,6 +260,7 @@ pub const LINE: &[Command] = &[
 pub const MODEL: &[Command] = &[
     command(CommandOrder::Kind, CommandId::LineInput, &["M"], "for line", "Write the input for a line case to a file: a section's material, a ropeway's rope, the motion of a ship's hang point"),
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table; from a section's drawing: the drawing"),
+    WRITE_MODEL_AS,
     command(CommandOrder::Rare, CommandId::Copy, &["y"], "copy", "Copy the table [materials.<name>] to the clipboard of your terminal, and write it to a file"),
 ];
 
@@ -257,6 +269,7 @@ pub const MODEL: &[Command] = &[
 pub const REPORTED: &[Command] = &[
     ADD_LINE_TYPE,
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
+    WRITE_MODEL_AS,
     START_SWEEP,
     SWEEP,
 ];
@@ -267,6 +280,7 @@ pub const MOVING: &[Command] = &[
     command(CommandOrder::Kind, CommandId::Run, &["R"], "run", "Compute the system in time and store the run"),
     REPORTED[0],
     REPORTED[1],
+    WRITE_MODEL_AS,
     START_SWEEP,
     SWEEP,
 ];

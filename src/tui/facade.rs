@@ -8,7 +8,6 @@ use crate::case::structure::{self, StructureEdit};
 use crate::case::{self, Case, EditedKey, StudyPoint, kind};
 use crate::kinds::FileType;
 use crate::reference;
-use crate::report::chart::Glyphs;
 use crate::ropeway::{ROPEWAY, Ropeway};
 use crate::run::Run;
 use crate::section::{CrossSection, SECTION};
@@ -192,10 +191,4 @@ pub fn checks(
             .find(|(have, _)| have.as_ref() == at)
             .map(|(_, run)| run.as_ref())
     })
-}
-
-/// The text report of a run.
-#[must_use]
-pub fn report(run: &Run, case: &Case, rows: &[ValidationRow]) -> String {
-    crate::report::text::report(run, case, rows, Glyphs::Braille)
 }

@@ -15,6 +15,7 @@ mod json_schema;
 mod line_tables;
 mod papers;
 mod random_text;
+mod reports;
 mod ropeway;
 mod ropeway_motion;
 mod section;

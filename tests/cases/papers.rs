@@ -11,7 +11,7 @@ use seacable::case::{Case, FieldRow};
 use seacable::kinds::FileType;
 use seacable::reference::papers::{self, Answer, FileRows, JudgedStatement, Paper};
 use seacable::reference::{RowKind, ValidationRow};
-use seacable::report::document;
+use seacable::report::chart::Glyphs;
 use seacable::report::validation::{Extent, JudgedPaper, page};
 use seacable::ropeway::{self, Ropeway};
 use seacable::section::{self, CrossSection};
@@ -173,7 +173,7 @@ fn the_readme_shows_the_summary() {
     let papers: Vec<JudgedPaper<'_>> = judged()
         .map(|(paper, statements)| JudgedPaper { paper, statements })
         .collect();
-    let text = document::text(&page(&[], &papers, Extent::Summary), 80);
+    let text = page(&[], &papers, Extent::Summary).to_text(80, Glyphs::Braille);
     let table = text.lines().skip(3).take(2 + papers.len());
     let table: Vec<String> = table.map(|line| format!("    {line}")).collect();
     let readme = include_str!("../../README.md");

@@ -370,7 +370,7 @@ proptest! {
                 let on_rope = if exact.carrier == Carrier::Rope { worked.rope.cargo_n } else { 0.0 };
                 let weight = worked.rope.weight_n_per_m * exact.length_m + on_rope;
                 prop_assert!((held - weight).abs() < 1e-6 * weight.max(exact.ship_n()));
-                let report = report(&worked, &results, &kind::rows::<Ropeway>(&edited), Glyphs::Ascii);
+                let report = report(&worked, &results, &kind::rows::<Ropeway>(&edited)).to_text(80, Glyphs::Ascii);
                 prop_assert!(!report.contains("NaN"));
             }
         }

@@ -716,7 +716,11 @@ fn published_values_of_a_section_are_held_against_its_design() {
         assert_eq!(row.error, Some(0.0));
     }
     assert_eq!(found[0].unit, "m");
-    assert!(report(&design, &[], 100, Glyphs::Ascii, None).contains("Validation"));
+    assert!(
+        report(&design, &[], None)
+            .to_text(100, Glyphs::Ascii)
+            .contains("Validation")
+    );
     let wrong = format!("{text}{}", published("ea_rigd_n", 1.0));
     let faults = kind::parse::<CrossSection>(&wrong, "section.toml").unwrap_err();
     assert!(
@@ -750,14 +754,14 @@ fn the_command_line_validates_a_section() {
 
 #[test]
 fn the_page_of_the_umbilical() {
-    let text = report(&umbilical(), &[], 100, Glyphs::Ascii, None);
+    let text = report(&umbilical(), &[], None).to_text(100, Glyphs::Ascii);
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_umbilical_tables_100",
         &format!("Layers, from{tables}"),
     );
     let cable = load("section_power_cable.toml");
-    let text = report(&cable, &[], 80, Glyphs::Ascii, Some(1e6));
+    let text = report(&cable, &[], Some(1e6)).to_text(80, Glyphs::Ascii);
     let tables = text.split_once("Layers, from").unwrap().1;
     accept(
         "section_power_cable_tables_80",
@@ -966,7 +970,7 @@ proptest! {
             let glyphs = if cut { Glyphs::Ascii } else { Glyphs::Braille };
             let picture = draw(&drawing::chart(&design), size.0, size.1, glyphs).to_text();
             prop_assert!(picture.lines().all(|line| line.chars().count() <= size.0));
-            prop_assert!(!report(&design, &[], size.0, glyphs, None).is_empty());
+            prop_assert!(!report(&design, &[], None).to_text(size.0, glyphs).is_empty());
         }
     }
 }

@@ -10,7 +10,7 @@ use seacable::case::{FieldRow, kind};
 use seacable::physics::sea::DEGREES;
 use seacable::reference::Outcome;
 use seacable::report::chart::Glyphs;
-use seacable::report::ship::text;
+use seacable::report::ship::report;
 use seacable::ropeway::winch::{WinchState, statistics};
 use seacable::ship::quantities::quantity;
 use seacable::ship::yaw_equilibria::YawStability;
@@ -194,7 +194,7 @@ fn no_heading_in_balance_is_said() {
     let text = "[ship]\ntitle = \"wheel\"\nlength_m = 50.0\ndraft_m = 2.0\n[current]\nspeed_m_per_s = 1.0\ntowards_deg = 0.0\nangle_deg = [0.0, 120.0, 240.0]\nsurge = [0.1, 0.1, 0.1]\nsway = [0.0, 0.0, 0.0]\nyaw = [0.2, 0.1, 0.3]\n";
     let rest = rest(text);
     assert!(rest.equilibria.is_err());
-    let page = text::text(&rest, None, &fields(text), Glyphs::Ascii);
+    let page = report(&rest, None, &fields(text)).to_text(80, Glyphs::Ascii);
     assert!(page.contains("never vanishes"), "{page}");
 }
 
@@ -390,7 +390,7 @@ fn a_winch_out_of_its_depth_is_said() {
         .as_ref()
         .unwrap();
     assert!(kept.iter().any(|s| s.state == WinchState::SpeedLimit));
-    let page = text::text(&rest(&text), Some(&sea), &fields(&text), Glyphs::Ascii);
+    let page = report(&rest(&text), Some(&sea), &fields(&text)).to_text(80, Glyphs::Ascii);
     let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(
         page.contains("WARNING: the winch is at its maximum speed"),
@@ -438,7 +438,7 @@ proptest! {
             }
             prop_assert_eq!(turns, 0, "{:?}", equilibria);
         }
-        let page = text::text(&rest, None, &fields(&text), Glyphs::Braille);
+        let page = report(&rest, None, &fields(&text)).to_text(80, Glyphs::Braille);
         prop_assert!(!page.contains("NaN"));
     }
 }

@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use assert_cmd::Command;
 use predicates::{prelude::*, str::contains};
 use seacable::case::kind;
-use seacable::report::ship::text;
+use seacable::report::ship::report;
 use seacable::ship::coupled::{CHANNELS, CoupledAnalysis};
 use seacable::ship::stability::DynamicStability;
 use seacable::ship::{DynamicAnalysis, MotionAnalysis, MotionError, Ship, StaticAnalysis};
@@ -189,12 +189,8 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     assert!(made.statistics[3].rms < 1e-3);
     let rope = sea.rope.unwrap().unwrap();
     assert!(rope.gumbel.is_none() && rope.winch.made_fast.is_ok());
-    let page = text::text(
-        &rest(&text),
-        None,
-        &kind::rows::<Ship>(&text),
-        seacable::report::chart::Glyphs::Ascii,
-    );
+    let page = report(&rest(&text), None, &kind::rows::<Ship>(&text));
+    let page = page.to_text(80, seacable::report::chart::Glyphs::Ascii);
     assert!(page.contains("dynamic analysis is still running"));
 }
 

@@ -6,26 +6,41 @@ use rayon::prelude::*;
 use seacable::{
     case::{self, Case, StudyPoint, shipped::SHIPPED},
     reference::{self, Outcome, RowKind, ValidationRow},
+    report::{chart::Glyphs, text},
     run::{
         Run, RunState,
         job::{self, Request},
     },
 };
 
-/// Rows of every shipped case, by its path.
-pub(crate) static ROWS: LazyLock<Vec<(&str, Vec<ValidationRow>)>> = LazyLock::new(|| {
+/// What a shipped line case gives.
+pub(crate) struct Computed {
+    pub(crate) path: &'static str,
+    rows: Vec<ValidationRow>,
+    /// The report of the case itself in ASCII; absent where only its variants state published values.
+    pub(crate) report: Option<String>,
+}
+
+/// Every shipped line case, computed once.
+pub(crate) static COMPUTED: LazyLock<Vec<Computed>> = LazyLock::new(|| {
     SHIPPED
         .par_iter()
-        .map(|(path, text)| (*path, rows(path, text)))
+        .map(|(path, text)| computed(path, text))
         .collect()
 });
 
-fn rows(path: &str, text: &str) -> Vec<ValidationRow> {
-    let case = case::parse(text, path).unwrap();
+/// Rows of every shipped case, by its path.
+pub(crate) static ROWS: LazyLock<Vec<(&str, Vec<ValidationRow>)>> = LazyLock::new(|| {
+    let all = COMPUTED.iter();
+    all.map(|one| (one.path, one.rows.clone())).collect()
+});
+
+fn computed(path: &'static str, content: &str) -> Computed {
+    let case = case::parse(content, path).unwrap();
     let runs: Vec<(Option<StudyPoint>, Run)> = reference::plan(&case)
         .into_par_iter()
         .map(|at| {
-            let run = compute(path, text, &case, at.as_ref());
+            let run = compute(path, content, &case, at.as_ref());
             (at, run)
         })
         .collect();
@@ -34,7 +49,9 @@ fn rows(path: &str, text: &str) -> Vec<ValidationRow> {
             .find(|(a, _)| a.as_ref() == at)
             .map(|(_, run)| run)
     };
-    reference::rows(&case, &lookup)
+    let rows = reference::rows(&case, &lookup);
+    let report = lookup(None).map(|run| text::report(run, &case, &rows, Glyphs::Ascii));
+    Computed { path, rows, report }
 }
 
 fn compute(path: &str, text: &str, case: &Case, at: Option<&StudyPoint>) -> Run {

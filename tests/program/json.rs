@@ -33,7 +33,7 @@ fn printed(dir: &Path, words: &[&str]) -> Value {
 }
 
 /// Every key that the schema requires of this kind of object is there, and no other.
-fn fits(object: &Value, kind: &str) {
+pub(crate) fn fits(object: &Value, kind: &str) {
     let schema: Value = serde_json::from_str(SCHEMA).unwrap();
     let required = schema["$defs"][kind]["required"].as_array().unwrap();
     let mut required: Vec<&str> = required.iter().filter_map(Value::as_str).collect();

@@ -28,6 +28,7 @@ mod kills;
 mod kills_editor;
 mod limits;
 mod output_files;
+mod reports;
 mod signals;
 mod standard_output;
 mod start_from_run;

@@ -3,6 +3,7 @@
 use seacable::comparison::Comparison;
 use seacable::report::chart::Glyphs;
 use seacable::report::comparison;
+use seacable::report::document::Report;
 use seacable::run::{LineShape, Quantity, Run};
 
 use crate::sample;
@@ -48,14 +49,20 @@ fn runs() -> [Run; 2] {
 fn two_runs() {
     let [first, second] = runs();
     let compared = Comparison::of(&[&first, &second]);
-    accept("comparison_80", &comparison::text(&compared, 80));
+    accept(
+        "comparison_80",
+        &comparison::tables(&compared, 80).to_text(80, Glyphs::Braille),
+    );
 }
 
 #[test]
 fn three_runs() {
     let [first, second] = runs();
     let compared = Comparison::of(&[&first, &second, &first]);
-    accept("comparison_of_three_120", &comparison::text(&compared, 120));
+    accept(
+        "comparison_of_three_120",
+        &comparison::tables(&compared, 120).to_text(120, Glyphs::Braille),
+    );
     let csv = String::from_utf8(comparison::csv(&compared).unwrap()).unwrap();
     assert!(csv.lines().all(|line| line.contains(',')));
 }
@@ -74,6 +81,13 @@ fn swinging(by: f64, nodes: u32) -> Run {
     run
 }
 
+/// The shapes of runs as a report of their own.
+fn shapes(runs: &[&Run]) -> Report {
+    let mut page = Report::default();
+    comparison::add_shapes(&mut page, runs);
+    page
+}
+
 #[test]
 fn lines_are_drawn_where_they_are_furthest_apart() {
     let (mut first, mut second) = (swinging(0.0, 5), swinging(5.0, 9));
@@ -85,14 +99,14 @@ fn lines_are_drawn_where_they_are_furthest_apart() {
     }
     accept(
         "comparison_shapes_80",
-        &comparison::shapes(&[&first, &second], 80, Glyphs::Braille),
+        &shapes(&[&first, &second]).to_text(80, Glyphs::Braille),
     );
-    assert_eq!(comparison::shapes(&[&first, &first], 80, Glyphs::Ascii), "");
+    assert!(shapes(&[&first, &first]).blocks().is_empty());
     let rest = Run {
         shapes: Vec::new(),
         ..second.clone()
     };
-    assert_eq!(comparison::shapes(&[&first, &rest], 80, Glyphs::Ascii), "");
+    assert!(shapes(&[&first, &rest]).blocks().is_empty());
 }
 
 /// A case that this version cannot read leaves the rest of the comparison as it is.

@@ -153,10 +153,10 @@ fn paper(frame: &PlotFrame) -> (f64, f64) {
 }
 
 /// What an axis shows, and how.
-type Shown = (AxisRange, AxisScale);
+pub(super) type Shown = (AxisRange, AxisScale);
 
 /// What both axes show: as asked for, or all visible data.
-fn ranges(chart: &Chart) -> (Shown, Shown) {
+pub(super) fn ranges(chart: &Chart) -> (Shown, Shown) {
     let shown = || chart.series.iter().filter(|series| series.visible);
     let grid = |of: fn(&GridMap) -> &[f64]| chart.map.iter().flat_map(of).copied();
     let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
@@ -189,7 +189,7 @@ fn log(chart: &Chart, axis: &Axis, values: impl Iterator<Item = f64>) -> Option<
 }
 
 /// Name and unit of an axis if there is room, else the unit alone, else nothing.
-fn axis_name(label: &str, unit: &str, scale: AxisScale, room: usize) -> String {
+pub(super) fn axis_name(label: &str, unit: &str, scale: AxisScale, room: usize) -> String {
     let unit = if unit.is_empty() {
         String::new()
     } else {

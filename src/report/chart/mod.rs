@@ -5,6 +5,8 @@
 //! turns inks into colours, and nothing is shown by colour alone: every series has a marker of its
 //! own, shown in the legend and along its line.
 //!
+//! [`svg::svg`] draws the same chart as a picture of lines and words, for pages that are printed.
+//!
 //! ```
 //! use seacable::report::chart::{Axis, Chart, Glyphs, Series, draw};
 //!
@@ -33,6 +35,7 @@ mod range;
 mod readout;
 mod scale;
 pub mod statistics;
+pub mod svg;
 mod ticks;
 
 pub use draw::{draw, frame};

@@ -2,7 +2,8 @@
 
 use crate::case::ChannelQuantity;
 use crate::comparison::{CurveDifference, differences, letter};
-use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::report::document::Report;
 use crate::run::Run;
 
 /// The difference curves of one quantity, a curve a place, about a line at zero. `words` say which run less which.
@@ -27,26 +28,21 @@ pub fn difference_chart(
     chart
 }
 
-/// Rows of a chart, and its columns at most.
-const CHART: (usize, usize) = (16, 100);
+/// Rows of a chart.
+const LINES: usize = 16;
 
-/// The difference curves of each run less the first as text, a chart a quantity; quantities without a difference are left out.
-#[must_use]
-pub fn difference_curves(runs: &[&Run], width: usize, glyphs: Glyphs) -> String {
+/// Adds the difference curves of each run less the first, a chart a quantity; quantities without a difference are left out.
+pub fn add_difference_curves(page: &mut Report, runs: &[&Run]) {
     let Some((first, others)) = runs.split_first() else {
-        return String::new();
+        return;
     };
-    let mut text = String::new();
     for (other, index) in others.iter().zip(1..) {
         let words = format!("{} - {}", letter(index), letter(0));
         let curves = differences(&first.history, &other.history);
         for quantity in quantities(&curves) {
-            let chart = difference_chart(&curves, quantity, &words);
-            let picture = draw(&chart, width.min(CHART.1), CHART.0, glyphs);
-            text.push_str(&format!("\n{}", picture.to_text()));
+            page.chart(difference_chart(&curves, quantity, &words), LINES);
         }
     }
-    text
 }
 
 /// The quantities of curves that differ, in their order.

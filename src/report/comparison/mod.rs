@@ -1,4 +1,4 @@
-//! Stored runs compared, as tables, charts and CSV.
+//! Stored runs compared, as a report of tables and charts, and as CSV.
 
 mod charts;
 mod csv;
@@ -6,39 +6,46 @@ mod results;
 mod shapes;
 mod tables;
 
-pub use charts::{difference_chart, difference_curves};
+pub use charts::{add_difference_curves, difference_chart};
 pub use csv::csv;
 pub(crate) use results::result_text;
 pub use results::results_table;
-pub use shapes::shapes;
+pub use shapes::add_shapes;
 pub use tables::{channels_table, cost_table, inputs_table, settings_table, validation_table};
 
-use super::chart::Glyphs;
+use super::document::Report;
 use super::table::Table;
-use super::text::Page;
 use crate::comparison::{Comparison, letter};
 use crate::run::Run;
 
 /// Columns from which the table of results has a column for the verdict.
 const WIDE: usize = 110;
 
-/// The comparison as text of so many columns.
+/// Runs compared: what they are, the tables for pages of so many columns, then shapes at a common time and difference curves.
 #[must_use]
-pub fn text(comparison: &Comparison, width: usize) -> String {
-    let mut page = Page::new(width);
-    let runs = comparison.runs.iter().enumerate();
-    for (index, run) in runs {
-        page.hanging(&format!("{}  ", letter(index)), &about(run));
-    }
-    body(&mut page, comparison);
-    page.finish()
+pub fn report(comparison: &Comparison, runs: &[&Run], width: usize) -> Report {
+    let mut page = tables(comparison, width);
+    add_shapes(&mut page, runs);
+    add_difference_curves(&mut page, runs);
+    page
 }
 
-/// The charts of compared runs as text: shapes at a common time, then difference curves.
+/// Adds a comparison to the report of its last run.
+pub fn add(page: &mut Report, comparison: &Comparison, runs: &[&Run], width: usize) {
+    page.gap();
+    page.title("Comparison");
+    page.append(report(comparison, runs, width));
+}
+
+/// What the runs are, and the tables of their comparison for pages of so many columns.
 #[must_use]
-pub fn charts(runs: &[&Run], width: usize, glyphs: Glyphs) -> String {
-    let shapes = shapes(runs, width, glyphs);
-    shapes + &difference_curves(runs, width, glyphs)
+pub fn tables(comparison: &Comparison, width: usize) -> Report {
+    let mut page = Report::default();
+    for (index, run) in comparison.runs.iter().enumerate() {
+        page.item(&format!("{}  ", letter(index)), &about(run));
+    }
+    body(&mut page, comparison, width);
+    page
 }
 
 /// What a run is: its name, case, overrides.
@@ -51,12 +58,12 @@ fn about(run: &crate::run::RunInfo) -> String {
 }
 
 /// All tables of a comparison, each under its heading.
-pub(super) fn body(page: &mut Page, comparison: &Comparison) {
+fn body(page: &mut Report, comparison: &Comparison, width: usize) {
     for note in &comparison.notes {
-        page.line("");
-        page.hanging("* ", note);
+        page.gap();
+        page.item("* ", note);
     }
-    let section = |page: &mut Page, heading: &str, table: &Table, without: &str| {
+    let section = |page: &mut Report, heading: &str, table: Table, without: &str| {
         if !table.rows.is_empty() {
             page.section(heading, table);
         } else if !without.is_empty() {
@@ -65,18 +72,18 @@ pub(super) fn body(page: &mut Page, comparison: &Comparison) {
         }
     };
     let inputs = inputs_table(comparison);
-    section(page, "Inputs that differ", &inputs, "None.");
+    section(page, "Inputs that differ", inputs, "None.");
     let settings = settings_table(comparison);
-    section(page, "Settings that differ", &settings, "None.");
-    let results = results_table(comparison, page.width() < WIDE);
-    section(page, "Results", &results, "No run has results.");
-    page.line("");
+    section(page, "Settings that differ", settings, "None.");
+    let results = results_table(comparison, width < WIDE);
+    section(page, "Results", results, "No run has results.");
+    page.gap();
     page.paragraph(&tally(comparison));
     let channels = channels_table(comparison);
-    section(page, "Channels", &channels, "");
+    section(page, "Channels", channels, "");
     let rows = validation_table(comparison);
-    section(page, "Published values", &rows, "");
-    page.section("Work and cost", &cost_table(comparison));
+    section(page, "Published values", rows, "");
+    page.section("Work and cost", cost_table(comparison));
 }
 
 /// How many results differ.
@@ -95,16 +102,4 @@ fn tally(comparison: &Comparison) -> String {
          of both results together.",
         each.join(", ")
     )
-}
-
-/// The report of a comparison under a heading of its own, to follow the report of its second run.
-#[must_use]
-pub fn report_section(comparison: &Comparison) -> String {
-    let mut page = Page::default();
-    page.title("Comparison");
-    for (index, run) in comparison.runs.iter().enumerate() {
-        page.hanging(&format!("{}  ", letter(index)), &about(run));
-    }
-    body(&mut page, comparison);
-    page.finish()
 }

@@ -1,35 +1,29 @@
 //! The lines of compared runs at a common time: where they are furthest apart, and at the end.
 
 use crate::comparison::{common_times, distances, letter, shapes_at};
-use crate::report::chart::{Axis, Chart, Glyphs, Limit, LimitLine, Series, draw};
+use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::report::document::Report;
 use crate::report::number::si;
-use crate::report::wrap::{WideWords, wrap};
 use crate::run::{LineShape, Run};
 
-/// Rows of a chart, and its columns at most.
-const CHART: (usize, usize) = (18, 100);
+/// Rows of a chart.
+const LINES: usize = 18;
 
 /// What is closer than this is the same place \[m\].
 const CLOSE: f64 = 1e-6;
 
-/// The line of each run and that of the first as text, a chart a time; lines that never part are left out.
-#[must_use]
-pub fn shapes(runs: &[&Run], width: usize, glyphs: Glyphs) -> String {
+/// Adds the line of each run and that of the first, a chart a time; lines that never part are left out.
+pub fn add_shapes(page: &mut Report, runs: &[&Run]) {
     let Some((first, others)) = runs.split_first() else {
-        return String::new();
+        return;
     };
-    let mut text = String::new();
     for (other, index) in others.iter().zip(1..) {
         for moment in moments(first, other) {
             let names = [letter(0), letter(index)];
-            let picture = draw(&moment.chart(&names), width.min(CHART.1), CHART.0, glyphs);
-            text.push_str(&format!("\n{}", picture.to_text()));
-            for line in wrap(&moment.words(&names), width, WideWords::Whole) {
-                text.push_str(&format!("{line}\n"));
-            }
+            page.chart(moment.chart(&names), LINES);
+            page.paragraph(&moment.words(&names));
         }
     }
-    text
 }
 
 /// Two lines at a time.

@@ -1,29 +1,61 @@
-//! A document as Markdown with tables (GitHub's dialect).
+//! A report as Markdown with tables (GitHub's dialect).
 
 use super::Block;
+use crate::report::chart::{Glyphs, draw};
 use crate::report::table::{Align, Table};
 use crate::visible;
 
-/// The document as Markdown.
-#[must_use]
-pub fn markdown(blocks: &[Block]) -> String {
-    let parts: Vec<String> = blocks.iter().map(part).collect();
-    parts.join("\n")
+/// Columns of a chart.
+const CHART_WIDTH: usize = 80;
+
+/// The blocks as Markdown.
+pub(super) fn markdown(blocks: &[Block], glyphs: Glyphs) -> String {
+    let seen: Vec<&Block> = blocks
+        .iter()
+        .filter(|block| **block != Block::Gap)
+        .collect();
+    let lists =
+        seen.chunk_by(|one, next| matches!((one, next), (Block::Item(..), Block::Item(..))));
+    let parts = lists.map(|list| {
+        list.iter()
+            .map(|block| part(block, glyphs))
+            .collect::<String>()
+    });
+    parts.collect::<Vec<_>>().join("\n")
 }
 
-fn part(block: &Block) -> String {
+fn part(block: &Block, glyphs: Glyphs) -> String {
     match block {
         Block::Title(words) => format!("# {}\n", inline(words)),
         Block::Heading(words) => format!("## {}\n", inline(words)),
         Block::Paragraph(words) => {
-            let parts = words.trim().split("\n\n").map(inline);
+            let parts = words.trim().split("\n\n").map(sentence);
             parts
                 .map(|words| format!("{words}\n"))
                 .collect::<Vec<_>>()
                 .join("\n")
         }
+        Block::Item(mark, words) => match mark.trim() {
+            "*" => format!("- {}\n", inline(words)),
+            mark => format!("- **{}** {}\n", inline(mark), inline(words)),
+        },
+        Block::Pairs(of) => {
+            let item = |(label, words): &(String, String)| {
+                format!("- **{}**: {}\n", inline(label), inline(words))
+            };
+            of.iter().map(item).collect()
+        }
         Block::Table(of) => table(of),
+        Block::Chart(chart, lines) => fenced(&draw(chart, CHART_WIDTH, *lines, glyphs).to_text()),
+        Block::Gap => String::new(),
     }
+}
+
+/// Lines as they are, between fences longer than any run of backticks in them.
+fn fenced(text: &str) -> String {
+    let longest = text.split(|c| c != '`').map(str::len).max().unwrap_or(0);
+    let fence = "`".repeat(longest.max(2) + 1);
+    format!("{fence}text\n{text}{fence}\n")
 }
 
 fn table(table: &Table) -> String {
@@ -65,6 +97,19 @@ const fn rule(align: Align) -> &'static str {
     }
 }
 
+/// Words that begin a line, and neither a list, a quotation, a rule nor a fence.
+fn sentence(words: &str) -> String {
+    let line = inline(words.trim_start());
+    let digits = line.len() - line.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let (number, rest) = line.split_at(digits);
+    let begins_list = digits > 0 && rest.starts_with(['.', ')']);
+    let begins_block = digits == 0 && rest.starts_with(['-', '+', '>', '~', '=']);
+    match begins_list || begins_block {
+        true => format!("{number}\\{rest}"),
+        false => line,
+    }
+}
+
 /// Words on one line, in which nothing is markup.
 fn inline(words: &str) -> String {
     let mut out = String::new();
@@ -85,6 +130,26 @@ mod tests {
     use crate::report::table::{Cell, Column};
 
     #[test]
+    fn a_paragraph_begins_no_list_and_no_fence() {
+        for (words, wanted) in [
+            ("- a", "\\- a"),
+            ("~~~", "\\~~~"),
+            ("> a", "\\> a"),
+            ("12. a", "12\\. a"),
+            ("12 statements", "12 statements"),
+            ("# a", "\\# a"),
+        ] {
+            assert_eq!(sentence(words), wanted);
+        }
+    }
+
+    #[test]
+    fn a_fence_is_longer_than_what_is_in_it() {
+        assert!(fenced("a ```` b\n").starts_with("`````text\n"));
+        assert!(fenced("a\n").starts_with("```text\n"));
+    }
+
+    #[test]
     fn tables_keep_their_columns_whatever_is_in_them() {
         let table = Table {
             title: "T".to_owned(),
@@ -94,6 +159,6 @@ mod tests {
         };
         let blocks = [Block::Title("A *title*".to_owned()), Block::Table(table)];
         let wanted = "# A \\*title\\*\n\n**T**\n\n| a\\|b | n |\n| --- | ---: |\n| x\\_y &lt;b> | 1 2 |\n\n\\[1\\] A note.\n";
-        assert_eq!(markdown(&blocks), wanted);
+        assert_eq!(markdown(&blocks, Glyphs::Ascii), wanted);
     }
 }

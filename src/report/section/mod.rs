@@ -5,14 +5,17 @@ pub mod tables;
 
 use crate::case::{FieldRow, edited};
 use crate::reference;
-use crate::report::chart::Glyphs;
+use crate::report::document::Report;
 use crate::report::table::Table;
-use crate::report::text::{self, Page};
+use crate::report::text;
 use crate::section::stiffness::EndRotation;
 use crate::section::{Design, validation};
 
 /// Tension of the load sharing where no strength is known \[N\].
 const SAMPLE: f64 = 1e5;
+
+/// Lines of the drawing.
+const LINES: usize = 40;
 
 /// Default tension of the load sharing \[N\]: the allowable tension, or 100 kN where that is unknown.
 #[must_use]
@@ -21,29 +24,24 @@ pub fn tension(design: &Design) -> f64 {
     allowable.unwrap_or(SAMPLE)
 }
 
-/// The design as text of this width, with its validation table where published values are stated; `fields` are those of its file.
+/// The design as a report, with its validation table where published values are stated; `fields` are those of its file.
 /// `tension` is that of the load sharing \[N\], [`tension`](tension()) by default.
 #[must_use]
-pub fn report(
-    design: &Design,
-    fields: &[FieldRow],
-    width: usize,
-    glyphs: Glyphs,
-    tension: Option<f64>,
-) -> String {
+pub fn report(design: &Design, fields: &[FieldRow], tension: Option<f64>) -> Report {
     let about = &design.section.about;
     let tension = tension.unwrap_or_else(|| self::tension(design));
-    let mut page = Page::new(width);
-    page.chart(&drawing::chart(design), width / 2, glyphs);
+    let mut page = Report::default();
+    page.title(&about.title);
     page.prose([&about.source, &about.notes]);
+    page.chart(drawing::chart(design), LINES);
     if !design.layout.warnings.is_empty() {
         let warnings = design.layout.warnings.iter();
-        page.table(&Table::titled("Warnings").noted(warnings.map(ToString::to_string)));
+        page.table(Table::titled("Warnings").noted(warnings.map(ToString::to_string)));
     }
-    page.table(&tables::layers(design));
-    page.table(&tables::summary(design));
-    page.table(&tables::stiffness(design));
-    page.table(&tables::load_sharing(
+    page.table(tables::layers(design));
+    page.table(tables::summary(design));
+    page.table(tables::stiffness(design));
+    page.table(tables::load_sharing(
         design,
         about.core,
         EndRotation::Fixed,
@@ -52,9 +50,10 @@ pub fn report(
     let mut rows = validation::rows(design);
     if !rows.is_empty() {
         page.heading("Validation");
-        page.line("");
+        page.gap();
         reference::set_edited_aside(&mut rows, &edited::of_rows(fields));
-        page.block(&text::validation(&rows));
+        text::add_validation(&mut page, &rows);
     }
-    page.finish()
+    text::inputs(&mut page, fields, !about.source.trim().is_empty());
+    page
 }

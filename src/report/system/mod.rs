@@ -8,8 +8,8 @@ pub mod views;
 
 use crate::case::FieldRow;
 use crate::reference::ValidationRow;
-use crate::report::chart::Glyphs;
-use crate::report::text::{self, Page, inputs};
+use crate::report::document::Report;
+use crate::report::text::{self, inputs};
 use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::Analyses;
 
@@ -23,10 +23,9 @@ pub fn report(
     analyses: &Analyses,
     rows: &[ValidationRow],
     fields: &[FieldRow],
-    glyphs: Glyphs,
-) -> String {
+) -> Report {
     let about = &solved.file.about;
-    let mut page = Page::default();
+    let mut page = Report::default();
     page.title(&about.title);
     page.prose([&about.source, &about.notes]);
     page.paragraph(&tables::summary(solved));
@@ -34,65 +33,64 @@ pub fn report(
         page.paragraph(&ageing);
     }
     for warning in tables::warnings(solved) {
-        page.hanging("! ", &warning);
+        page.item("! ", &warning);
     }
     let network = &solved.network;
     let has_lines = !network.lines.is_empty();
     if has_lines {
         page.heading("Lines");
-        page.chart(&views::plan(solved), LINES, glyphs);
-        page.chart(&views::side(solved), LINES, glyphs);
-        page.table(&tables::lines(solved));
+        page.chart(views::plan(solved), LINES);
+        page.chart(views::side(solved), LINES);
+        page.table(tables::lines(solved));
     }
     page.heading("Points and bodies");
     if has_lines || !network.points.is_empty() {
-        page.table(&tables::points(solved));
+        page.table(tables::points(solved));
     }
     if !network.bodies.is_empty() {
-        page.table(&tables::bodies(solved));
+        page.table(tables::bodies(solved));
         for body in (0..network.bodies.len()).filter(|_| has_lines) {
-            page.table(&tables::stiffness(solved, body));
+            page.table(tables::stiffness(solved, body));
         }
     }
     if !analyses.others.is_empty() {
-        page.table(&analysis::equilibria(solved, &analyses.others));
+        page.table(analysis::equilibria(solved, &analyses.others));
     }
     if has_lines {
-        page.table(&analysis::clearances(solved, &analyses.clearances));
+        page.table(analysis::clearances(solved, &analyses.clearances));
     }
     match &analyses.periods {
         Ok(modes) if modes.is_empty() => {}
-        Ok(modes) => page.table(&analysis::periods(solved, modes)),
+        Ok(modes) => page.table(analysis::periods(solved, modes)),
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
-    asked(&mut page, solved, analyses, glyphs);
+    asked(&mut page, solved, analyses);
     if !rows.is_empty() {
         page.heading("Published values");
-        page.block(&text::validation(rows));
+        text::add_validation(&mut page, rows);
     }
     inputs(&mut page, fields, !about.source.trim().is_empty());
-    page.finish()
+    page
 }
 
 /// The analyses that the file asks for.
-fn asked(page: &mut Page, solved: &SolvedSystem, asked: &Analyses, glyphs: Glyphs) {
+fn asked(page: &mut Report, solved: &SolvedSystem, asked: &Analyses) {
     if !asked.offsets.is_empty() || !asked.circles.is_empty() {
         page.heading("Offsets");
     }
     for curve in &asked.offsets {
         page.chart(
-            &analysis::offset_chart(curve.heading_deg, &curve.points),
+            analysis::offset_chart(curve.heading_deg, &curve.points),
             LINES,
-            glyphs,
         );
-        page.table(&analysis::offset_curve(solved, curve));
+        page.table(analysis::offset_curve(solved, curve));
     }
     for (_, circle) in &asked.circles {
-        page.chart(&analysis::watch_chart(solved, circle), LINES, glyphs);
-        page.table(&analysis::watch_circle(solved, circle));
+        page.chart(analysis::watch_chart(solved, circle), LINES);
+        page.table(analysis::watch_circle(solved, circle));
     }
     if !asked.goals.is_empty() {
         page.heading("Goals");
-        page.table(&analysis::goals(&asked.goals));
+        page.table(analysis::goals(&asked.goals));
     }
 }

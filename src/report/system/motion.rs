@@ -5,15 +5,15 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::Glyphs;
 use crate::case::{
     ChannelQuantity, Diagnostic, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
 };
 use crate::number::{si, with_error};
-use crate::report::chart::Chart;
+use crate::report::chart::{Chart, Glyphs};
+use crate::report::document::Report;
 use crate::report::figures::{FigureData, FigureId, PlottedRun, against_time_at};
 use crate::report::table::{Align, Cell, NumberFormat, Table};
-use crate::report::text::{self, Page, inputs};
+use crate::report::text::{self, WIDTH, inputs};
 use crate::run::{Channel, Quantity, Run, edited_inputs};
 use crate::system::motion::job::STATISTICS;
 use crate::system::{SolvedSystem, SystemFile, validation};
@@ -102,14 +102,14 @@ pub fn energy(run: &Run) -> Option<String> {
 }
 
 /// Events, channels and energy balance.
-fn results(page: &mut Page, run: &Run) {
+fn results(page: &mut Report, run: &Run) {
     for event in &run.info.happened {
-        page.hanging("* ", event);
+        page.item("* ", event);
     }
     if run.history.channels.is_empty() {
-        return page.line("The run holds no results.");
+        return page.paragraph("The run holds no results.");
     }
-    page.table(&channels(run));
+    page.table(channels(run));
     if let Some(energy) = energy(run) {
         page.paragraph(&energy);
     }
@@ -118,9 +118,9 @@ fn results(page: &mut Page, run: &Run) {
 /// The results on 80 columns.
 #[must_use]
 pub fn summary(run: &Run) -> String {
-    let mut page = Page::default();
+    let mut page = Report::default();
     results(&mut page, run);
-    page.finish()
+    page.to_text(WIDTH, Glyphs::Braille)
 }
 
 /// The charts that have something to show: tensions by ends, then positions and angles.
@@ -148,23 +148,23 @@ fn charts(run: &Run) -> Vec<Chart> {
 ///
 /// # Errors
 /// Everything that is wrong with the text for this version.
-pub fn stored_report(run: &Run, glyphs: Glyphs) -> Result<String, Vec<Diagnostic>> {
+pub fn stored_report(run: &Run) -> Result<Report, Vec<Diagnostic>> {
     let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
     let mut fields = kind::rows::<SystemFile>(&run.case_text);
     edited::mark(&mut fields, &edited_inputs::<SystemFile>(run));
-    Ok(report(&solved, run, &fields, glyphs))
+    Ok(report(&solved, run, &fields))
 }
 
 /// The report of a run: what was computed and how, inputs, results with their errors, charts, work and cost.
-fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow], glyphs: Glyphs) -> String {
+fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     let about = &solved.file.about;
-    let mut page = Page::default();
+    let mut page = Report::default();
     text::head(
         &mut page,
         &run.info,
         [&about.title, &about.source, &about.notes],
     );
-    page.line("");
+    page.gap();
     page.paragraph(&super::tables::summary(solved));
     let at_rest = super::tables::warnings(solved);
     let warnings: Vec<String> = at_rest.iter().chain(&run.info.warnings).cloned().collect();
@@ -180,17 +180,17 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow], glyphs: Glyphs)
     let rows = validation::rows_of(solved, &history, &[]);
     if !rows.is_empty() {
         page.heading("Published values");
-        page.block(&text::validation(&rows));
+        text::add_validation(&mut page, &rows);
     }
     let charts = charts(run);
     if !charts.is_empty() {
         page.heading("Charts");
     }
-    for chart in &charts {
-        page.chart(chart, LINES, glyphs);
+    for chart in charts {
+        page.chart(chart, LINES);
     }
     text::work(&mut page, &run.info);
-    page.finish()
+    page
 }
 
 /// The run as a JSON object, with the directory that holds it.

@@ -1,13 +1,15 @@
 //! What was computed, how, and at what cost.
 
-use super::layout::Page;
 use crate::{
-    report::number::{duration, si},
+    report::{
+        document::Report,
+        number::{duration, si},
+    },
     run::{RunInfo, RunState, Settings},
 };
 
 /// Title, source and state of a run of a file with this title, source and notes.
-pub(crate) fn head(page: &mut Page, info: &RunInfo, [title, source, notes]: [&str; 3]) {
+pub(crate) fn head(page: &mut Report, info: &RunInfo, [title, source, notes]: [&str; 3]) {
     page.title(title);
     page.pairs(&[
         ("Run", info.id.clone()),
@@ -19,7 +21,7 @@ pub(crate) fn head(page: &mut Page, info: &RunInfo, [title, source, notes]: [&st
         ("Version", format!("seacable {}", info.version)),
     ]);
     if !notes.trim().is_empty() {
-        page.line("");
+        page.gap();
         page.paragraph(notes);
     }
 }
@@ -37,17 +39,17 @@ fn state(info: &RunInfo) -> String {
 }
 
 /// What the reader must know before trusting the numbers.
-pub(crate) fn warnings(page: &mut Page, warnings: &[String]) {
+pub(crate) fn warnings(page: &mut Report, warnings: &[String]) {
     if !warnings.is_empty() {
         page.heading("Warnings");
         for warning in warnings {
-            page.hanging("* ", warning);
+            page.item("* ", warning);
         }
     }
 }
 
 /// The solver's settings, those it chose itself marked so.
-pub(crate) fn settings(page: &mut Page, info: &RunInfo) {
+pub(crate) fn settings(page: &mut Report, info: &RunInfo) {
     let s = &info.settings;
     let limit = s.stability_limit_s.map(|limit| {
         let at = s
@@ -121,7 +123,7 @@ fn method(word: &str) -> String {
 }
 
 /// Work counts and cost.
-pub(crate) fn work(page: &mut Page, info: &RunInfo) {
+pub(crate) fn work(page: &mut Report, info: &RunInfo) {
     let (work, cost) = (info.work, info.cost);
     page.heading("Work and cost");
     page.pairs(&[

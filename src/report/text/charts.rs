@@ -1,13 +1,9 @@
-//! The charts of a run in characters.
+//! The charts of a run.
 
-use super::layout::{Page, WIDTH};
 use crate::{
     case::Case,
     reference::ValidationRow,
-    report::{
-        chart::{Glyphs, draw},
-        figures::report_figures,
-    },
+    report::{document::Report, figures::report_figures},
     run::Run,
 };
 
@@ -17,17 +13,17 @@ const HEIGHT: usize = 20;
 const MAP_HEIGHT: usize = 30;
 
 /// Every chart that has something to show; of the rows of its case, the published curves.
-pub(super) fn all(page: &mut Page, run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) {
+pub(super) fn all(page: &mut Report, run: &Run, case: &Case, rows: &[ValidationRow]) {
     let charts = report_figures(run, case, rows);
     if charts.is_empty() {
         return;
     }
     page.heading("Charts");
-    for (i, chart) in charts.iter().enumerate() {
+    for (i, chart) in charts.into_iter().enumerate() {
         if i > 0 {
-            page.line("");
+            page.gap();
         }
         let height = chart.map.as_ref().map_or(HEIGHT, |_| MAP_HEIGHT);
-        page.block(&draw(chart, WIDTH, height, glyphs).to_text());
+        page.close_chart(chart, height);
     }
 }

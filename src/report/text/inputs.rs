@@ -1,36 +1,38 @@
 //! Every input with its value and where it comes from.
 
-use super::layout::Page;
 use crate::{
     case::{Case, FieldRow, Provenance, YOURS, edited, fields::ValueType, kind},
-    report::table::{Align, Cell, CellStyle, Table},
+    report::{
+        document::Report,
+        table::{Align, Cell, CellStyle, Table},
+    },
     run::{Run, edited_inputs},
 };
 
 /// The inputs table, and below it the reason of every input that its source does not print.
-pub(super) fn table(page: &mut Page, run: &Run, case: &Case) {
+pub(super) fn table(page: &mut Report, run: &Run, case: &Case) {
     let mut all = kind::rows::<Case>(&run.case_text);
     edited::mark(&mut all, &edited_inputs::<Case>(run));
     list(page, &all, !case.case.source.trim().is_empty());
 }
 
 /// The same for the fields of any kind of file; `sourced` when what carries no mark is printed in its source.
-pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
+pub(crate) fn list(page: &mut Report, all: &[FieldRow], sourced: bool) {
     let rows: Vec<&FieldRow> = all.iter().filter(|row| shown(row)).collect();
     if rows.is_empty() {
         return;
     }
-    page.section("Inputs", &lines(&rows, sourced));
+    page.section("Inputs", lines(&rows, sourced));
 
     let yours = || {
         rows.iter()
             .filter_map(|row| Some((row, row.replaced.as_ref()?)))
     };
     if yours().next().is_some() {
-        page.line("");
+        page.gap();
         page.paragraph("Inputs that are yours, not those of the file:");
         for (row, replaced) in yours() {
-            page.hanging("* ", &format!("{}: {}", row.path, replaced.words()));
+            page.item("* ", &format!("{}: {}", row.path, replaced.words()));
         }
     }
     let marked = || {
@@ -38,11 +40,11 @@ pub(crate) fn list(page: &mut Page, all: &[FieldRow], sourced: bool) {
             .filter_map(|row| Some((row, row.standing.as_ref()?)))
     };
     if marked().next().is_some() {
-        page.line("");
+        page.gap();
         page.paragraph("Inputs that the source does not print, and why they have their value:");
         for (row, mark) in marked() {
             let head = format!("{} ({}):", row.path, mark.status.name());
-            page.hanging("* ", &format!("{head} {}", mark.reason.trim()));
+            page.item("* ", &format!("{head} {}", mark.reason.trim()));
         }
     }
 }

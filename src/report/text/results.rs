@@ -1,9 +1,11 @@
 //! The summary of a run: value beside value with the two parts of its error.
 
-use super::layout::{Page, WIDTH};
+use super::WIDTH;
 use crate::{
     case::Case,
     report::{
+        chart::Glyphs,
+        document::Report,
         nodes,
         number::{order, range, si, with_error},
         response,
@@ -18,8 +20,15 @@ const NODES: usize = 40;
 /// The summary table on 80 columns: value with its error, time error and mesh error.
 #[must_use]
 pub fn summary(run: &Run) -> String {
+    let mut page = Report::default();
+    add_summary(&mut page, run);
+    page.to_text(WIDTH, Glyphs::Braille)
+}
+
+/// Adds the summary table.
+pub(super) fn add_summary(page: &mut Report, run: &Run) {
     if run.summary.is_empty() {
-        return "The run holds no results.\n".to_owned();
+        return page.paragraph("The run holds no results.");
     }
     let rows = grouped(&run.summary, run.history.time.len() <= 1);
     let estimated = run.summary.iter().any(|q| q.error_estimate().is_some());
@@ -43,27 +52,27 @@ pub fn summary(run: &Run) -> String {
         })
         .build();
     let note = (!estimated).then_some("Numerical errors were not estimated.");
-    table.noted(note).to_text(WIDTH)
+    page.close_table(table.noted(note));
 }
 
 /// Peaks and valleys of the response, and the waves on the sections.
-pub(super) fn answer(page: &mut Page, run: &Run, case: &Case) {
+pub(super) fn answer(page: &mut Report, run: &Run, case: &Case) {
     if run.profile.rms.is_empty() {
         return;
     }
     let peaks = response::peaks(&run.profile);
-    page.section("Peaks and valleys of the response", &peaks);
+    page.section("Peaks and valleys of the response", peaks);
     let waves = response::waves(case, &run.profile);
     if !waves.rows.is_empty() {
-        page.section("Waves on the line", &waves);
+        page.section("Waves on the line", waves);
     }
 }
 
 /// The line node by node at the end of the run.
-pub(super) fn nodes(page: &mut Page, run: &Run) {
+pub(super) fn nodes(page: &mut Report, run: &Run) {
     if !run.profile.nodes.is_empty() {
         let nodes = nodes::sampled(&run.profile, NODES);
-        page.section("The line node by node", &nodes);
+        page.section("The line node by node", nodes);
     }
 }
 

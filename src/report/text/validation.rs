@@ -1,29 +1,36 @@
 //! Published values against a run: the table with its notes, and the tally.
 
-use super::layout::{Page, WIDTH};
+use super::WIDTH;
 use crate::reference::{self, ValidationRow};
+use crate::report::chart::Glyphs;
+use crate::report::document::Report;
 
 /// The validation table on 80 columns, a note to every row, and the tally.
 #[must_use]
 pub fn validation(rows: &[ValidationRow]) -> String {
-    let mut page = Page::default();
-    page.block(&reference::table(rows).to_text(WIDTH));
-    page.line("");
-    page.line(&reference::count_outcomes(rows).to_string());
-    page.finish()
+    let mut page = Report::default();
+    add_validation(&mut page, rows);
+    page.to_text(WIDTH, Glyphs::Braille)
+}
+
+/// Adds the validation table, a note to every row, and the tally.
+pub(crate) fn add_validation(page: &mut Report, rows: &[ValidationRow]) {
+    page.close_table(reference::table(rows));
+    page.gap();
+    page.paragraph(&reference::count_outcomes(rows).to_string());
 }
 
 /// Says of a single run that its case has rows for other variants, and why edited inputs are not judged.
-pub(super) fn not_judged(page: &mut Page, rows: &[ValidationRow]) {
+pub(super) fn not_judged(page: &mut Report, rows: &[ValidationRow]) {
     let counts = reference::count_outcomes(rows);
     if counts.edited > 0 {
-        page.line("");
+        page.gap();
         page.paragraph(
             "Rows that read EDITED are not judged: their published values are for other inputs than this run has.",
         );
     }
     if counts.not_run > 0 {
-        page.line("");
+        page.gap();
         page.paragraph(
             "Rows that read NOT RUN belong to other variants of the case, or to numbers this run does \
              not hold; `seacable validate` computes them all.",

@@ -5,7 +5,7 @@ mod paper;
 mod summary;
 
 use crate::reference::papers::{FileRows, JudgedStatement, Paper};
-use crate::report::document::Block;
+use crate::report::document::Report;
 
 /// A paper with its statements answered.
 #[derive(Debug, Clone)]
@@ -29,16 +29,16 @@ pub enum Extent {
 
 /// The page.
 #[must_use]
-pub fn page(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Vec<Block> {
-    let mut blocks = summary::blocks(files, papers);
+pub fn page(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Report {
+    let mut page = Report::of(summary::blocks(files, papers));
     if extent == Extent::Summary {
-        return blocks;
+        return page;
     }
     for paper in papers {
-        blocks.extend(paper::blocks(paper, files, extent == Extent::Details));
+        page.extend(paper::blocks(paper, files, extent == Extent::Details));
     }
-    blocks.extend(beside::blocks(files, papers));
-    blocks
+    page.extend(beside::blocks(files, papers));
+    page
 }
 
 /// Whether a file is one of those that reproduce a paper.

@@ -186,6 +186,12 @@ impl SweepFolder {
         }
     }
 
+    /// Whether a directory is the folder of a sweep.
+    #[must_use]
+    pub fn is_one(dir: &Path) -> bool {
+        dir.join(SWEEP).is_file()
+    }
+
     /// Opens the folder of a sweep that was stopped, and reads what it is.
     ///
     /// # Errors
@@ -214,7 +220,7 @@ impl SweepFolder {
             let file = dir.join(name);
             read::run_text(&file).map_err(|source| SweepError::Io { file, source })
         };
-        if !dir.join(SWEEP).is_file() {
+        if !Self::is_one(dir) {
             return Err(SweepError::NotASweep(dir.to_owned()));
         }
         if alone && store::is_locked(dir) {

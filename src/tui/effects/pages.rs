@@ -27,9 +27,8 @@ pub(super) fn compare(
     };
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
-    let tables = comparison::text(&Comparison::of(&all), width);
-    let curves = comparison::charts(&all, width, glyphs);
-    Ok(format!("{tables}{curves}"))
+    let page = comparison::report(&Comparison::of(&all), &all, width);
+    Ok(page.to_text(width, glyphs))
 }
 
 /// Computes a study of the case, telling how far it is; nothing where it was stopped.

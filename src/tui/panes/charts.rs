@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart::{self, GridMap};
+use crate::report::chart::{self, GridMap, svg::svg};
 use crate::report::figures::{FIGURES, FigureAxis, FigureId};
 use crate::report::number;
 use crate::tui::command::{self, Command, CommandId, main, other};
@@ -25,6 +25,9 @@ use crate::tui::view::paint::right;
 use crate::tui::view::painter::Painter;
 use crate::visible;
 
+/// Lines of characters in place of which a picture stands.
+const PICTURE_LINES: usize = 24;
+
 /// Small and large steps of the instant across the run, on charts without a time axis.
 const INSTANTS: (f64, f64) = (60.0, 10.0);
 
@@ -35,6 +38,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::CursorRight, &["l", "right"], "cursor", "Move the cursor right; on the line's shape: a later instant"),
     main(CommandId::ZoomIn, &["+", "="], "zoom", "Zoom in about the cursor"),
     command::write("Write the chart to a text file, a map also as CSV"),
+    other(CommandId::WritePicture, &["P"], "", "Write the chart to a file as a picture of lines and words (SVG)"),
     other(CommandId::Fit, &["0"], "fit", "Show everything again, at the newest instant"),
     other(CommandId::Limits, &["t"], "limits", "Show limits and published values, or leave them out"),
     other(CommandId::Curves, &["c"], "curves", "Show or hide each curve of the chart"),
@@ -80,6 +84,7 @@ impl Pane for ChartsPane {
                 | CommandId::LogUp
                 | CommandId::LogAlong
                 | CommandId::Write
+                | CommandId::WritePicture
         );
         if of_curves && !plots::has_curves(on) {
             return Some("There are no curves yet. `R` runs the case.");
@@ -119,6 +124,7 @@ impl Pane for ChartsPane {
                 return Some(pages::open_table(state, "statistics", &table));
             }
             CommandId::Write => return Some(write(state.charted()?, &stem, glyphs)),
+            CommandId::WritePicture => return Some(write_picture(state.charted()?, &stem)),
             _ => match (instant_step(id), plot_verb(id)) {
                 (Some((way, parts)), _) if view.chart.figure().axis == FigureAxis::Space => {
                     move_instant(state, way, parts);
@@ -305,6 +311,14 @@ fn write(on: Charted<'_>, stem: &str, glyphs: chart::Glyphs) -> Vec<Effect> {
     let csv = shown.map.as_ref().map(GridMap::csv);
     effects.extend(export::write(path("csv"), csv, "The map"));
     effects
+}
+
+/// The chart as a picture.
+fn write_picture(on: Charted<'_>, stem: &str) -> Vec<Effect> {
+    let shown = plots::viewed(on, on.view.chart);
+    let name = on.view.chart.figure().title.to_lowercase();
+    let path = PathBuf::from(format!("{stem}-{name}.svg"));
+    export::write(path, Some(svg(&shown, PICTURE_LINES)), "The picture")
 }
 
 /// Shows limits and published values, or leaves them out.

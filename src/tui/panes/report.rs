@@ -21,6 +21,7 @@ const LAST_COLUMN: usize = 400;
 
 const COMMANDS: &[Command] = &[
     command::write("Write the report to a text file, of a stored run into its directory"),
+    command::WRITE_AS,
     DOWN,
 ];
 
@@ -39,7 +40,7 @@ impl Pane for ReportPane {
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let view = state.runs_view()?;
         let none = view.report.is_none() && view.report_asked.is_none();
-        (id == CommandId::Write && none)
+        (matches!(id, CommandId::Write | CommandId::WriteAs) && none)
             .then_some("There is no finished run to report on. `R` runs the case.")
     }
 
@@ -83,7 +84,7 @@ impl Pane for ReportPane {
         let [head, below] = below_head(area);
         let words = match view.report_asked {
             Some(_) => format!("Report on {name}, older than the run: a newer one is being made."),
-            None => format!("Report on {name}; `w` saves it."),
+            None => format!("Report on {name}; `w` saves it as text, `F` in another format."),
         };
         painter.text(head, &words, painter.theme.strong());
         let (down, across) = view.report_scroll;

@@ -6,7 +6,7 @@ use super::document::DocumentContent;
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::report::chart::Glyphs;
+use crate::report::subject::ReportSubject;
 use crate::tui::command::{Command, CommandId, MODEL};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
@@ -73,8 +73,8 @@ pub trait DocumentKind {
         ("report", "The report")
     }
 
-    /// The text report, with the fields of its text; absent where there is no result. For the threads behind the screen.
-    fn report(&self, _rows: &[FieldRow], _glyphs: Glyphs) -> Option<String> {
+    /// What its report is of, with the fields of its text; absent where there is no result. For the threads behind the screen.
+    fn report<'a>(&'a self, _rows: &'a [FieldRow]) -> Option<ReportSubject<'a>> {
         None
     }
 

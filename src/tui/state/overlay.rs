@@ -6,6 +6,7 @@ use tui_input::Input;
 
 use super::form::Form;
 use super::picker::Picker;
+use crate::report::document::ReportFormat;
 use crate::tui::column_plot::ColumnPair;
 use crate::tui::recovery::RecoveredEdits;
 
@@ -144,6 +145,8 @@ pub enum Question {
     },
     /// The file changed on disk since it was read.
     Overwrite,
+    /// The format in which a report is written.
+    ReportFormat,
     /// A range that is typed into a field makes many runs.
     ManyRuns {
         /// How many.
@@ -152,6 +155,19 @@ pub enum Question {
 }
 
 impl Question {
+    /// The format that a key chooses where the format of a report is asked for.
+    #[must_use]
+    pub const fn format_of(key: char) -> Option<ReportFormat> {
+        Some(match key {
+            'h' => ReportFormat::Html,
+            'm' => ReportFormat::Markdown,
+            't' => ReportFormat::Text,
+            'v' => ReportFormat::Csv,
+            'j' => ReportFormat::Json,
+            _ => return None,
+        })
+    }
+
     /// The question, and its answers as key and meaning. Esc always means the last one.
     #[must_use]
     pub fn wording(&self) -> (String, &'static [(char, &'static str)]) {
@@ -185,6 +201,17 @@ impl Question {
             Self::ManyRuns { count } => (
                 format!("This makes {count} runs; each is computed and stored."),
                 &[('r', "run them"), ('c', "edit the range")],
+            ),
+            Self::ReportFormat => (
+                "Write the report as:".to_owned(),
+                &[
+                    ('h', "HTML with its charts, for browser and printer"),
+                    ('m', "Markdown"),
+                    ('t', "text"),
+                    ('v', "CSV of the results"),
+                    ('j', "JSON of the results"),
+                    ('c', "do not write it"),
+                ],
             ),
             Self::Overwrite => (
                 "The file has changed on disk since it was opened.".to_owned(),

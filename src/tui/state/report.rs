@@ -1,14 +1,14 @@
-//! Text reports, of runs and of files of other kinds, made away from the drawing thread.
+//! Reports of runs and of files of other kinds, made away from the drawing thread.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::document::DocumentContent;
 
-use crate::kinds::FileType;
-use crate::reference::{self, ValidationRow};
+use crate::reference::ValidationRow;
 use crate::report::chart::Glyphs;
-use crate::report::system::motion;
+use crate::report::document::ReportFormat;
+use crate::report::subject::{ReportSubject, RunSubject, StudyTable};
 use crate::run::Run;
 use crate::tui::facade::{self, FieldRow};
 use crate::tui::line_tables::LineTable;
@@ -20,35 +20,45 @@ pub struct ReportRequest {
     pub name: String,
     /// The run.
     pub run: Arc<Run>,
+    /// Its directory, where it is stored.
+    pub dir: Option<PathBuf>,
     /// Name of the file of its case.
     pub file: String,
     /// The validation table, where the run is of the edited case; else that of the run alone.
     pub checks: Option<Vec<ValidationRow>>,
+    /// Tables of studies that were run on the screen.
+    pub studies: Vec<StudyTable>,
 }
 
 impl PartialEq for ReportRequest {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.run, &other.run)
-            && (&self.name, &self.file, &self.checks) == (&other.name, &other.file, &other.checks)
+            && (&self.name, &self.file, &self.dir) == (&other.name, &other.file, &other.dir)
+            && (&self.checks, &self.studies) == (&other.checks, &other.studies)
     }
 }
 
 impl ReportRequest {
-    /// The report.
+    /// The text report, or why there is none.
     #[must_use]
     pub fn text(&self) -> String {
-        if FileType::of_text(&self.run.case_text) == FileType::System {
-            let report = motion::stored_report(&self.run, Glyphs::Braille);
-            return report.unwrap_or_else(|all| facade::first(&all, &self.file));
-        }
-        match facade::parse(&self.run.case_text, &self.file) {
-            Ok(case) => {
-                let own = || reference::rows_of_run(&self.run, &case);
-                let rows = self.checks.clone().unwrap_or_else(own);
-                facade::report(&self.run, &case, &rows)
-            }
-            Err(problem) => problem,
-        }
+        self.written(ReportFormat::Text).unwrap_or_else(|why| why)
+    }
+
+    /// The report in a format.
+    ///
+    /// # Errors
+    /// What is wrong with the text of its case, in words.
+    pub fn written(&self, format: ReportFormat) -> Result<String, String> {
+        let subject = ReportSubject::Run(RunSubject {
+            run: &self.run,
+            dir: self.dir.as_deref().unwrap_or(Path::new("")),
+            rows: self.checks.as_deref(),
+            against: None,
+        });
+        // A file is the same whatever the terminal shows.
+        let written = subject.write(format, Glyphs::Braille, &self.studies);
+        written.map_err(|all| facade::first(&all, &self.file))
     }
 }
 
@@ -64,8 +74,10 @@ pub struct TextRequest {
 /// What a text is of.
 #[derive(Debug, Clone)]
 pub enum TextOf {
-    /// The report of a file other than a line case, with the fields of the file and the characters of its charts.
-    Report(DocumentContent, Vec<FieldRow>, Glyphs),
+    /// The report of a file other than a line case in a format, with the fields of the file and the characters of its charts.
+    Report(DocumentContent, Vec<FieldRow>, ReportFormat, Glyphs),
+    /// The report of a run in a format.
+    Run(Box<ReportRequest>, ReportFormat),
     /// The input for a line case that a file of another kind gives.
     LineInput(DocumentContent),
     /// A table of a run's line, as CSV.
@@ -77,10 +89,13 @@ impl TextRequest {
     #[must_use]
     pub fn text(self) -> (PathBuf, Option<String>, &'static str) {
         match self.of {
-            TextOf::Report(content, rows, glyphs) => {
+            TextOf::Report(content, rows, format, glyphs) => {
                 let kind = content.kind();
-                (self.path, kind.report(&rows, glyphs), kind.report_name().1)
+                let subject = kind.report(&rows);
+                let text = subject.and_then(|subject| subject.write(format, glyphs, &[]).ok());
+                (self.path, text, kind.report_name().1)
             }
+            TextOf::Run(request, format) => (self.path, request.written(format).ok(), "The report"),
             TextOf::LineInput(content) => {
                 let stem = self.path.to_string_lossy();
                 content.kind().line_input(&stem)

@@ -8,8 +8,7 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::report::chart::Glyphs;
-use crate::report::ropeway as views;
+use crate::report::subject::ReportSubject;
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
 use crate::tui::facade::FieldRow;
@@ -103,9 +102,9 @@ impl DocumentKind for RopewayView {
         Some(&self.checks)
     }
 
-    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        let results = self.results().ok()?;
-        Some(views::report(&self.worked, &results, rows, glyphs))
+    fn report<'a>(&'a self, rows: &'a [FieldRow]) -> Option<ReportSubject<'a>> {
+        let results = Box::new(self.results().ok()?);
+        Some(ReportSubject::Ropeway(&self.worked, results, rows))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -7,15 +7,11 @@ use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::report::chart::Glyphs;
-use crate::report::section as views;
+use crate::report::subject::ReportSubject;
 use crate::section::{self, Design};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
 use crate::tui::plot_pane::PlotPane;
-
-/// Columns of what is written to a file.
-pub const PAPER_WIDTH: usize = 100;
 
 /// A cross-section.
 #[derive(Debug, Clone)]
@@ -85,8 +81,8 @@ impl DocumentKind for SectionView {
         ("tables", "The cross-section with its tables")
     }
 
-    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        Some(views::report(&self.design, rows, PAPER_WIDTH, glyphs, None))
+    fn report<'a>(&'a self, rows: &'a [FieldRow]) -> Option<ReportSubject<'a>> {
+        Some(ReportSubject::Section(&self.design, rows, None))
     }
 
     fn copy(&self) -> Option<&str> {

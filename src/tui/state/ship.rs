@@ -12,8 +12,8 @@ use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::numerics::V3;
-use crate::report::chart::Glyphs;
-use crate::report::ship::text;
+use crate::report::ship as views;
+use crate::report::subject::ReportSubject;
 use crate::ship::{DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
 use crate::tui::facade::FieldRow;
 use crate::tui::pane::PaneId;
@@ -79,7 +79,7 @@ impl ShipView {
     #[must_use]
     pub fn new(statics: StaticAnalysis) -> Self {
         Self {
-            equilibrium: text::governing(&statics),
+            equilibrium: views::governing(&statics),
             statics: Arc::new(statics),
             dynamic: None,
             running: None,
@@ -174,13 +174,9 @@ impl DocumentKind for ShipView {
         self.running.as_ref().map(|_| "dynamic analysis: running")
     }
 
-    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        Some(text::text(
-            &self.statics,
-            self.dynamic.as_deref(),
-            rows,
-            glyphs,
-        ))
+    fn report<'a>(&'a self, rows: &'a [FieldRow]) -> Option<ReportSubject<'a>> {
+        let dynamic = self.dynamic.as_deref();
+        Some(ReportSubject::Ship(&self.statics, dynamic, rows))
     }
 
     fn line_input(&self, stem: &str) -> (PathBuf, Option<String>, &'static str) {

@@ -9,9 +9,8 @@ use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
-use crate::report::chart::Glyphs;
 use crate::report::figures::FigureId;
-use crate::report::system as views;
+use crate::report::subject::ReportSubject;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
 use crate::system::{SolvedSystem, validation};
@@ -174,9 +173,8 @@ impl DocumentKind for SystemView {
         Some(&self.checks)
     }
 
-    fn report(&self, rows: &[FieldRow], glyphs: Glyphs) -> Option<String> {
-        let analyses = self.analyses.as_ref()?;
-        let report = views::report(&self.solved, analyses, &self.checks.rows, rows, glyphs);
-        Some(report)
+    fn report<'a>(&'a self, rows: &'a [FieldRow]) -> Option<ReportSubject<'a>> {
+        let (analyses, checks) = (self.analyses.as_ref()?, &self.checks.rows);
+        Some(ReportSubject::System(&self.solved, analyses, checks, rows))
     }
 }

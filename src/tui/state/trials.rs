@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::JobNumber;
+use crate::report::subject::StudyTable;
 use crate::report::table::Table;
 use crate::study::{TrialVerdict, hard_cases};
 use crate::tui::table_pane::TablePane;
@@ -69,6 +70,21 @@ impl Trials {
     #[must_use]
     pub fn selected(&self, table: &Table) -> Option<&TrialVerdict> {
         self.progress.findings.get(self.pane.selected(table)?)
+    }
+
+    /// The table of those that are over, for a report on this file: those of its case, or of all cases.
+    #[must_use]
+    pub fn study(&self, of_file: &str) -> Option<StudyTable> {
+        let name = match &self.of {
+            TrialsOf::Case { file, .. } => {
+                Some(format!("Hard cases: the trials of {file}")).filter(|_| file == of_file)
+            }
+            TrialsOf::Files(_) => Some("Hard cases: the trials of all cases".to_owned()),
+        };
+        let table = hard_cases::compact_table(&self.progress.findings);
+        let is_over = self.progress.over && !self.progress.findings.is_empty();
+        name.filter(|_| is_over)
+            .map(|name| StudyTable { name, table })
     }
 
     /// Whether they still compute.

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 
 use super::notice::info;
 use crate::case::judging_rows::is_judging;
+use crate::report::document::ReportFormat;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
-use crate::tui::state::AppState;
 use crate::tui::state::report::{ReportRequest, TextOf, TextRequest};
+use crate::tui::state::trials::Trials;
+use crate::tui::state::{AppState, Document, Overlay, Question};
 
 /// Width of texts that are written to files.
 pub const TEXT_WIDTH: usize = 100;
@@ -26,19 +28,9 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
     if document.pane != PaneId::Report {
         return None;
     }
-    let Some((name, run, _)) = document.runs_view()?.reported() else {
+    let Some((wanted, open)) = wanted_report(document, state.trials.as_ref()) else {
         document.runs_view_mut()?.report = None;
         return None;
-    };
-    let line = document.line();
-    let line = line.filter(|_| run.case_text == document.editor.text);
-    // Its validation table is that of the runs as they are now.
-    let open = line.is_some_and(|line| line.checking.is_open());
-    let wanted = ReportRequest {
-        name,
-        run,
-        file: document.editor.file.clone(),
-        checks: line.map(|line| line.checks.rows.clone()),
     };
     let view = document.runs_view_mut()?;
     if open || view.report_asked.is_some() || view.report_of.as_ref() == Some(&wanted) {
@@ -46,6 +38,58 @@ pub(super) fn follow_report(state: &mut AppState) -> Option<Effect> {
     }
     view.report_asked = Some(wanted.clone());
     Some(Effect::MakeReport(Box::new(wanted)))
+}
+
+/// The report of the chosen run, and whether its validation table is still being made.
+fn wanted_report(document: &Document, trials: Option<&Trials>) -> Option<(ReportRequest, bool)> {
+    let (name, run, dir) = document.runs_view()?.reported()?;
+    let line = document.line();
+    let line = line.filter(|_| run.case_text == document.editor.text);
+    // Its validation table is that of the runs as they are now.
+    let open = line.is_some_and(|line| line.checking.is_open());
+    let file = document.editor.file.clone();
+    let studies = trials.and_then(|trials| trials.study(&file));
+    let wanted = ReportRequest {
+        name,
+        run,
+        dir,
+        file,
+        checks: line.map(|line| line.checks.rows.clone()),
+        studies: studies.into_iter().collect(),
+    };
+    Some((wanted, open))
+}
+
+/// Writes the report of the chosen run in a format; as text what is shown.
+fn write_run_report(
+    document: &Document,
+    trials: Option<&Trials>,
+    format: ReportFormat,
+) -> Vec<Effect> {
+    let Some((request, _)) = wanted_report(document, trials) else {
+        return Vec::new();
+    };
+    let name = format!("report.{}", format.ending());
+    let beside = format!("{}-{name}", document.editor.stem());
+    let dir = request.dir.as_ref();
+    let path = dir.map_or_else(|| PathBuf::from(beside), |dir| dir.join(name));
+    write_made(TextOf::Run(Box::new(request), format), path)
+}
+
+/// Asks for the format of the report.
+pub(super) fn ask_format(state: &mut AppState) -> Vec<Effect> {
+    state.overlay = Some(Overlay::Ask(Question::ReportFormat));
+    Vec::new()
+}
+
+/// Writes the report of what is open in a format.
+pub(super) fn write_report_as(state: &mut AppState, format: ReportFormat) -> Vec<Effect> {
+    match &state.document {
+        Some(document) if document.pane == PaneId::Report => {
+            write_run_report(document, state.trials.as_ref(), format)
+        }
+        _ => write_report(state, format),
+    }
 }
 
 /// A report is there.
@@ -59,8 +103,8 @@ pub(super) fn reported(state: &mut AppState, of: &ReportRequest, text: String) -
     Vec::new()
 }
 
-/// Writes the report of a file other than a line case.
-pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
+/// Writes the report of a file other than a line case in a format.
+pub(super) fn write_report(state: &mut AppState, format: ReportFormat) -> Vec<Effect> {
     let glyphs = state.capabilities.glyphs;
     let Some(document) = &state.document else {
         return Vec::new();
@@ -70,10 +114,14 @@ pub(super) fn write_report(state: &mut AppState) -> Vec<Effect> {
         return still_computing(state);
     }
     let (name, _) = kind.report_name();
-    let path = PathBuf::from(format!("{}-{name}.txt", document.editor.stem()));
+    let path = PathBuf::from(format!(
+        "{}-{name}.{}",
+        document.editor.stem(),
+        format.ending()
+    ));
     let mut rows = document.editor.rows.clone();
     rows.retain(|row| !is_judging(&row.path));
-    let of = TextOf::Report(document.content.clone(), rows, glyphs);
+    let of = TextOf::Report(document.content.clone(), rows, format, glyphs);
     write_made(of, path)
 }
 

@@ -10,6 +10,7 @@ use super::{
     run_table, runs, studies, sweeps, trials, vary,
 };
 use crate::report::chart::Glyphs;
+use crate::report::document::ReportFormat;
 use crate::tui::command::{Command, CommandId};
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
@@ -204,6 +205,10 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
             .into_iter()
             .collect(),
         (Question::ManyRuns { .. }, 'r') => vary::begin(state),
+        (Question::ReportFormat, key) => match Question::format_of(key) {
+            Some(format) => export::write_report_as(state, format),
+            None => Vec::new(),
+        },
         (Question::Overwrite, 'o') => quit::overwrite(state),
         (Question::Overwrite, 'a') => quit::ask_name(state, "the file has changed on disk"),
         _ => Vec::new(),
@@ -253,7 +258,8 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
         CommandId::Keep => runs::keep(state),
         CommandId::Trials => trials::show(state),
         CommandId::LineInput => export::write_line_input(state),
-        CommandId::Write => export::write_report(state),
+        CommandId::Write => export::write_report(state, ReportFormat::Text),
+        CommandId::WriteAs => export::ask_format(state),
         CommandId::Copy => {
             let text = visible::toml(document.kind().copy()?).into_owned();
             vec![Effect::Copy(text)]

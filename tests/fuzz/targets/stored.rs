@@ -122,7 +122,13 @@ fn opened(dir: &Path) -> bool {
         Err(faults) => return shown(&faults),
     };
     let rows = reference::rows_of_run(&run, &case);
-    !text::report(&run, &case, &rows, Glyphs::Ascii).is_empty()
+    let report = text::of_run(&run, &case, &rows);
+    let written = [
+        report.to_text(text::WIDTH, Glyphs::Ascii),
+        report.to_markdown(Glyphs::Ascii),
+        report.to_html(),
+    ];
+    written.iter().all(|text| !text.is_empty())
 }
 
 /// Goes on from a checkpoint: everything up to the first step, and a step or two where it belongs to the run.

@@ -16,6 +16,7 @@ mod modes;
 mod parts;
 mod pending;
 mod random;
+mod reports;
 mod response;
 mod resume;
 mod ropeway;

@@ -63,6 +63,7 @@ every!(OVERLAYS, overlay_name, Overlay {
     Overlay::Ask(Question::Recover { .. }) => "recover",
     Overlay::Ask(Question::Overwrite) => "overwrite",
     Overlay::Ask(Question::ManyRuns { .. }) => "many runs",
+    Overlay::Ask(Question::ReportFormat) => "report format",
     Overlay::Studies { .. } => "studies",
     Overlay::Curves { .. } => "curves",
     Overlay::LineTypes(_) => "line types",
