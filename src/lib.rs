@@ -60,6 +60,7 @@ pub mod modes;
 pub mod number;
 pub mod numerics;
 pub mod physics;
+pub mod places;
 pub mod reference;
 pub mod report;
 pub mod ropeway;

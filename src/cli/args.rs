@@ -145,6 +145,11 @@ pub(super) enum CliCommand {
     ///
     /// With `--schema` it prints a JSON Schema, by which editors complete and check files.
     Keys(KeysArgs),
+    /// List the commands of the workbench with your keys, by the names that your file of keys binds.
+    ///
+    /// The file is keys.toml in the folder seacable of $XDG_CONFIG_HOME (~/.config). Faults of it are reported with line and column, and the
+    /// exit status is then 1; in the workbench what is wrong keeps the program's own key.
+    Bindings(BindingsArgs),
     /// Studies over many runs.
     #[command(subcommand)]
     Study(StudyArgs),
@@ -177,6 +182,29 @@ pub(super) struct KeysArgs {
 
     /// Print with ASCII characters only.
     #[arg(long, conflicts_with = "schema")]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct BindingsArgs {
+    /// Only the commands of this table: keys, which holds everywhere, or a pane such as charts.
+    #[arg(value_name = "TABLE", conflicts_with = "default")]
+    pub(super) table: Option<String>,
+
+    /// Print a whole file of keys: every command with the program's own keys, each line a comment that says what it does.
+    #[arg(long)]
+    pub(super) default: bool,
+
+    /// Columns of the page; by default those of the terminal, 80 at least.
+    #[arg(long, value_name = "N", conflicts_with = "default")]
+    pub(super) width: Option<usize>,
+
+    /// Print one JSON object.
+    #[arg(long, conflicts_with_all = ["default", "ascii"])]
+    pub(super) json: bool,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
     pub(super) ascii: bool,
 }
 

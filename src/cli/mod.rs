@@ -7,6 +7,7 @@
 
 mod args;
 mod audit;
+mod bindings;
 mod cases;
 mod catenary;
 mod compare;
@@ -103,6 +104,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Export(args)) => export::export(args),
         Some(CliCommand::Audit(args)) => audit::audit(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
+        Some(CliCommand::Bindings(args)) => bindings::bindings(args),
         Some(CliCommand::Study(args)) => study::study(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args, SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),

@@ -20,6 +20,7 @@ use super::effects::EffectRunner;
 use super::effects::outbox::Outbox;
 use super::key::KeyPress;
 use super::msg::{Effect, Msg};
+use super::settings::Settings;
 use super::state::sweep_request::SweepMsg;
 use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
@@ -28,7 +29,7 @@ use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
 use super::update::edit_check;
-use super::{case_library, draw, external_editor, recovery, update};
+use super::{case_library, draw, external_editor, recovery, settings, update};
 use crate::background::lower_priority;
 use crate::files::{Target, disk, root};
 use crate::report::chart::Glyphs;
@@ -94,7 +95,9 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
     let var = |name: &str| std::env::var(name).ok();
-    let capabilities = capabilities::decide(options.glyphs, recovery::remembered_glyphs(), &var);
+    let settings = Settings::load();
+    let remembered = settings.config.glyphs.or_else(recovery::remembered_glyphs);
+    let capabilities = capabilities::decide(options.glyphs, remembered, &var);
     if !capabilities.colour {
         // The theme has no colours then; the library's own handling of NO_COLOR would take the
         // selection away as well.
@@ -120,7 +123,10 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
             escape: Duration::from_millis(80),
         }
     };
-    let state = AppState::new(screen.size()?, capabilities);
+    let mut state = AppState::new(screen.size()?, capabilities);
+    let flag = options.glyphs;
+    update::settings::begin(&mut state, settings);
+    state.capabilities.glyphs = flag.unwrap_or(state.capabilities.glyphs);
     let mut app = App {
         state,
         screen: &mut screen,
@@ -436,6 +442,7 @@ impl App<'_> {
                 Effect::Suspend => self.suspend(),
                 Effect::Copy(text) => self.copy(&text)?,
                 Effect::EditFile(path) => self.edit(&path)?,
+                Effect::EditKeys => self.edit_keys()?,
                 other => {
                     for answer in self.effects.perform(other) {
                         if let Some(end) = self.take(answer)? {
@@ -478,13 +485,29 @@ impl App<'_> {
         let ended = external_editor::run(path);
         self.signals.forget_interrupt();
         self.screen.reenter()?;
+        let read = match settings::is_file(path) {
+            true => Effect::ReadSettings,
+            false => Effect::ReadEdited(path.to_owned()),
+        };
         let answers = match ended {
-            Ok(()) => self.effects.perform(Effect::ReadEdited(path.to_owned())),
+            Ok(()) => self.effects.perform(read),
             Err(why) => vec![Msg::Say(Severity::Error, why)],
         };
         let out = self.effects.outbox();
         answers.into_iter().for_each(|answer| out.send(answer));
         Ok(())
+    }
+
+    /// Opens the file of keys in the user's editor; one that is not there yet has every key in a comment.
+    fn edit_keys(&mut self) -> io::Result<()> {
+        match settings::made_keys_file() {
+            Ok(path) => self.edit(&path),
+            Err(error) => {
+                let words = format!("The file of keys cannot be made: {error}.");
+                self.state.say(Severity::Error, words);
+                Ok(())
+            }
+        }
     }
 
     fn copy(&mut self, text: &str) -> io::Result<()> {

@@ -97,6 +97,8 @@ pub enum CommandId {
     Help,
     Palette,
     Glyphs,
+    Keys,
+    ReadSettings,
     Messages,
     Redraw,
     Interrupt,
@@ -281,6 +283,14 @@ pub const FILTER: Command = command(CommandOrder::Setup, CommandId::Filter, &["/
 #[rustfmt::skip]
 pub const DOWN: Command = command(CommandOrder::Motion, CommandId::Down, &["j", "down"], "", "Down");
 
+/// What several panes have, each in a table of its own.
+pub const SHARED: &[Command] = &[
+    FILTER,
+    SORT,
+    DOWN,
+    write("Write what the pane shows to a file"),
+];
+
 /// Cursor and scrolling in a list, without [`DOWN`].
 #[rustfmt::skip]
 pub const LIST: &[Command] = &[
@@ -304,6 +314,8 @@ pub const EVERYWHERE: &[Command] = &[
     command(CommandOrder::Everywhere, CommandId::Help, &["?", "f1"], "help", "Show every key that works here"),
     command(CommandOrder::Everywhere, CommandId::Palette, &[":"], "", "Find a command by its name"),
     command(CommandOrder::Everywhere, CommandId::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it"),
+    command(CommandOrder::Everywhere, CommandId::Keys, &[], "", "Open your file of keys in $VISUAL or $EDITOR, and take the keys as they are then"),
+    command(CommandOrder::Everywhere, CommandId::ReadSettings, &[], "", "Read your files of keys and settings again"),
     command(CommandOrder::Everywhere, CommandId::Messages, &["!"], "", "Show the messages so far in full"),
     command(CommandOrder::Everywhere, CommandId::Redraw, &["ctrl+l"], "", "Paint the screen anew"),
     command(CommandOrder::Everywhere, CommandId::Interrupt, &["ctrl+c"], "", "Cancel the running job; pressed again: quit"),

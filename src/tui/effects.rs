@@ -32,6 +32,7 @@ use super::external_editor;
 use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery::{self, RecoveredEdits};
+use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::parts::{Part, PartRequest, PartView};
@@ -400,6 +401,7 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             beside,
         } => read_run_case(dir, wanted, &beside),
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
+        Effect::ReadSettings => Msg::SettingsRead(Box::new(Settings::load())),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         Effect::WriteMade(request) => match request.text() {

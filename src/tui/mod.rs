@@ -11,6 +11,7 @@
 //! pane lists its commands with their keys in [`panes`].
 
 pub mod app;
+pub mod bindings;
 pub mod case_library;
 pub mod column_plot;
 pub mod command;
@@ -30,6 +31,7 @@ pub mod recovery;
 pub mod result_lines;
 pub mod run_cells;
 pub mod run_filter;
+pub mod settings;
 pub mod state;
 pub mod table_pane;
 pub mod terminal;

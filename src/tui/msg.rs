@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
+use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::parts::{PartKey, PartRequest, PartView};
 use super::state::report::{ReportRequest, TextRequest};
@@ -106,6 +107,8 @@ pub enum Msg {
     RunsDeleted(Vec<PathBuf>),
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
+    /// What the files of the user set.
+    SettingsRead(Box<Settings>),
     /// A message to the user.
     Say(Severity, String),
 }
@@ -354,6 +357,10 @@ pub enum Effect {
     },
     /// Copy text to the clipboard of the user's terminal, and to a file.
     Copy(String),
+    /// Read the files of the user's settings.
+    ReadSettings,
+    /// Give the terminal to the user's editor with the file of keys, made with all keys as comments where there is none.
+    EditKeys,
     /// Remember the glyphs for the next session.
     RememberGlyphs(Glyphs),
     /// Paint the whole screen anew.

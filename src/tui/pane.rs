@@ -38,3 +38,26 @@ pub enum PaneId {
     /// A system of lines drawn.
     System,
 }
+
+impl PaneId {
+    /// All panes.
+    pub const ALL: [Self; 17] = [
+        Self::Cases,
+        Self::Inputs,
+        Self::Charts,
+        Self::Results,
+        Self::Runs,
+        Self::Validation,
+        Self::Report,
+        Self::Jobs,
+        Self::Sweep,
+        Self::Trials,
+        Self::Nodes,
+        Self::Modes,
+        Self::Tables,
+        Self::Drawing,
+        Self::Ropeway,
+        Self::Ship,
+        Self::System,
+    ];
+}

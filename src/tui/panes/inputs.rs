@@ -57,6 +57,10 @@ impl Pane for InputsPane {
         [kept, COMMANDS, LIST].concat()
     }
 
+    fn at_times(&self) -> &'static [Command] {
+        KEPT
+    }
+
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
             CommandId::HoldAgainst => results::why_not_held(state),

@@ -21,6 +21,7 @@ mod validation;
 
 use ratatui::layout::Rect;
 
+use super::bindings::BoundCommand;
 use super::command::{self, Command, CommandId};
 use super::key::KeyPress;
 use super::msg::Effect;
@@ -62,6 +63,11 @@ pub trait Pane: Sync {
         self.about().commands.concat()
     }
 
+    /// Commands that it has at times only, beside those of [`PaneInfo`].
+    fn at_times(&self) -> &'static [Command] {
+        &[]
+    }
+
     /// Why a command cannot be done now.
     fn reason(&self, _state: &AppState, _id: CommandId) -> Option<&'static str> {
         None
@@ -98,9 +104,9 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
     }
 }
 
-/// The commands that apply now, in the order of footer and help.
+/// The commands that apply now with their keys, in the order of footer and help.
 #[must_use]
-pub fn commands(state: &AppState) -> Vec<Command> {
+pub fn commands(state: &AppState) -> Vec<BoundCommand> {
     let focus = state.focus();
     let mut all: Vec<Command> = pane(focus).commands(state);
     if let Some(document) = state.document.as_ref().filter(|_| focus != PaneId::Trials) {
@@ -119,15 +125,16 @@ pub fn commands(state: &AppState) -> Vec<Command> {
         seen.push(command.id);
         new
     });
-    all
+    let bound = all.iter().map(|command| state.keys.bound(focus, command));
+    bound.collect()
 }
 
 /// The command of a key.
 #[must_use]
-pub fn find(state: &AppState, key: KeyPress) -> Option<Command> {
+pub fn find(state: &AppState, key: KeyPress) -> Option<BoundCommand> {
     let name = key.to_string();
     let all = commands(state);
-    all.into_iter().find(|c| c.keys.contains(&name.as_str()))
+    all.into_iter().find(|command| command.keys.has(&name))
 }
 
 /// Nothing, or the reason why the command cannot be done now.
@@ -144,7 +151,7 @@ pub fn enabled(state: &AppState, id: CommandId) -> Result<(), String> {
             .filter(|_| focus != PaneId::Trials)?;
         in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
     });
-    reason.map_or(Ok(()), |reason| Err(reason.to_owned()))
+    reason.map_or(Ok(()), |reason| Err(state.worded(reason)))
 }
 
 /// What the editor of every kind of file cannot do now.

@@ -45,7 +45,9 @@ pub use system::SystemView;
 pub use variants::{Variant, VariantPlan, VariedRuns};
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
+use super::bindings::KeyTable;
 use super::msg::Msg;
 use super::pane::PaneId;
 use super::terminal::capabilities::Capabilities;
@@ -57,6 +59,8 @@ pub struct AppState {
     pub size: (u16, u16),
     /// Glyphs and colour.
     pub capabilities: Capabilities,
+    /// The keys that the user binds.
+    pub keys: Arc<KeyTable>,
     /// The list of cases.
     pub cases: CaseList,
     /// The document that is open.
@@ -106,6 +110,7 @@ impl AppState {
         Self {
             size,
             capabilities,
+            keys: Arc::default(),
             cases: CaseList::default(),
             document: None,
             trials: None,
@@ -201,11 +206,17 @@ impl AppState {
         self.document = None;
     }
 
-    /// Says something and keeps it in the log.
+    /// A text with the names of commands in it, such as `` `:undo` ``, replaced by the keys that the user has for them.
+    #[must_use]
+    pub fn worded(&self, text: &str) -> String {
+        self.keys.worded(self.focus(), text).into_owned()
+    }
+
+    /// Says something and keeps it in the log. A command is named in it as `` `:undo` ``, and shown by its key.
     pub fn say(&mut self, level: Severity, text: impl Into<String>) {
         let note = StatusMessage {
             level,
-            text: text.into(),
+            text: self.worded(&text.into()),
         };
         self.log.push(note.clone());
         self.note = Some(note);

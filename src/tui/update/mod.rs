@@ -21,6 +21,7 @@ pub mod results;
 pub mod resume;
 pub mod run_table;
 pub mod runs;
+pub mod settings;
 pub mod ship;
 pub mod step_value;
 mod studies;
@@ -97,6 +98,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
         Msg::RunsDeleted(dirs) => runs::deleted(state, &dirs),
         Msg::Kept(dir, run) => runs::kept(state, &dir, run),
+        Msg::SettingsRead(settings) => settings::read(state, *settings),
         Msg::Say(level, text) => {
             state.say(level, text);
             Vec::new()

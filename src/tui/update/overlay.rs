@@ -10,7 +10,8 @@ use super::{
     runs, studies, sweeps, trials, vary,
 };
 use crate::report::chart::Glyphs;
-use crate::tui::command::{Command, CommandId};
+use crate::tui::bindings::BoundCommand;
+use crate::tui::command::CommandId;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -85,11 +86,11 @@ fn scrolled(scroll: usize, key: KeyPress) -> Option<usize> {
 
 /// The commands whose name, key or text holds every word typed.
 #[must_use]
-pub fn palette_matches(state: &AppState, typed: &str) -> Vec<Command> {
+pub fn palette_matches(state: &AppState, typed: &str) -> Vec<BoundCommand> {
     let typed = typed.to_lowercase();
     let mut commands = panes::commands(state);
     commands.retain(|c| {
-        let text = format!("{:?} {} {} {}", c.id, c.label, c.keys.join(" "), c.doc);
+        let text = format!("{:?} {} {} {}", c.id, c.label, c.keys.joined(), c.doc);
         crate::tui::state::case_list::passes(&text, &typed)
     });
     commands
@@ -274,6 +275,8 @@ fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
             };
             return choose_glyphs(state, other);
         }
+        CommandId::Keys => return vec![Effect::EditKeys],
+        CommandId::ReadSettings => return vec![Effect::ReadSettings],
         CommandId::Redraw => return vec![Effect::Repaint],
         CommandId::Interrupt => return keys::interrupt(state),
         CommandId::Suspend => return vec![Effect::Suspend],

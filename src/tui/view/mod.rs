@@ -14,7 +14,8 @@ use ratatui::widgets::{Clear, Widget};
 
 pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
-use super::command::{Command, CommandId};
+use super::bindings::BoundCommand;
+use super::command::CommandId;
 use super::msg::StudyOf;
 use super::pane::PaneId;
 use super::panes;
@@ -228,7 +229,7 @@ impl Painter<'_> {
 
     /// The keys that work now, then `?` and `q`.
     fn foot(&mut self, line: Rect) {
-        let (ends, others): (Vec<Command>, Vec<Command>) = offered(self.state)
+        let (ends, others): (Vec<BoundCommand>, Vec<BoundCommand>) = offered(self.state)
             .into_iter()
             .partition(|command| matches!(command.id, CommandId::Help | CommandId::Quit));
         let mut room = line.width.saturating_sub(ends.iter().map(key_width).sum());
@@ -248,7 +249,7 @@ impl Painter<'_> {
         }
     }
 
-    fn key(&mut self, line: Rect, command: &Command) -> Rect {
+    fn key(&mut self, line: Rect, command: &BoundCommand) -> Rect {
         let Some(key) = command.keys.first() else {
             return line;
         };
@@ -260,7 +261,7 @@ impl Painter<'_> {
 
 /// The commands that the footer offers, as far as there is room: those that can be done now.
 #[must_use]
-pub fn offered(state: &AppState) -> Vec<Command> {
+pub fn offered(state: &AppState) -> Vec<BoundCommand> {
     let mut commands = panes::commands(state);
     commands
         .retain(|command| !command.label.is_empty() && panes::enabled(state, command.id).is_ok());
@@ -280,8 +281,8 @@ fn study_words(room: usize, study: Option<&RunningStudy>) -> String {
     fitting(room, &[format!("{what}: {share}"), share])
 }
 
-fn key_width(command: &Command) -> u16 {
-    let key = command.keys.first().map_or(0, |k| k.len());
+fn key_width(command: &BoundCommand) -> u16 {
+    let key = command.keys.first().map_or(0, str::len);
     u16::try_from(key + command.label.len() + 3).unwrap_or(u16::MAX)
 }
 

@@ -9,8 +9,8 @@ use unicode_width::UnicodeWidthStr;
 use super::paint::{below_head, over, row, wrap};
 use super::painter::Painter;
 use crate::report::chart::marker;
+use crate::tui::bindings::BoundCommand;
 use crate::tui::column_plot::ColumnPair;
-use crate::tui::command::Command;
 use crate::tui::state::overlay::RunText;
 use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
 use crate::tui::update::palette_matches;
@@ -44,11 +44,11 @@ fn help_lines(state: &AppState, width: u16) -> Vec<String> {
             continue;
         }
         let words = match panes::enabled(state, command.id) {
-            Ok(()) => command.doc.to_owned(),
-            Err(why) => format!("{}. Not now: {why}", command.doc),
+            Ok(()) => state.worded(command.doc),
+            Err(why) => format!("{}. Not now: {why}", state.worded(command.doc)),
         };
         let parts = wrap(&words, usize::from(width.saturating_sub(21)));
-        let keys = std::iter::once(command.keys.join(" ")).chain(std::iter::repeat(String::new()));
+        let keys = std::iter::once(command.keys.joined()).chain(std::iter::repeat(String::new()));
         lines.extend(
             keys.zip(parts)
                 .map(|(keys, part)| format!(" {keys:<16} {part}")),
@@ -150,7 +150,7 @@ impl Painter<'_> {
     }
 
     /// Keys and meaning; a command that cannot be done now says why.
-    fn command_line(&mut self, at: Rect, command: &Command, selected: bool) {
+    fn command_line(&mut self, at: Rect, command: &BoundCommand, selected: bool) {
         let style = self.line_style(selected);
         self.buf.set_style(at, style);
         let [_, keys, _, rest] = Layout::horizontal([
@@ -161,7 +161,7 @@ impl Painter<'_> {
         ])
         .areas(at);
         let strong = style.patch(self.theme.strong());
-        self.text(keys, &command.keys.join(" "), strong);
+        self.text(keys, &command.keys.joined(), strong);
         match panes::enabled(self.state, command.id) {
             Ok(()) => self.text(rest, command.doc, style),
             Err(why) => {

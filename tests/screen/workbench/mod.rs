@@ -601,14 +601,14 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
                 assert!(!command.doc.is_empty(), "{command:?}");
                 let found = palette_matches(&desk.state, command.doc);
                 assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
-                for key in command.keys {
+                for key in command.keys.iter() {
                     let spelled = key.parse::<KeyPress>().map(|k| k.to_string());
-                    assert_eq!(spelled.as_deref(), Ok(*key));
+                    assert_eq!(spelled.as_deref(), Ok(key));
                     assert!(
-                        !eaten.contains(key),
+                        !eaten.contains(&key),
                         "multiplexers and flow control take `{key}`"
                     );
-                    let other = seen.insert(key, command.id);
+                    let other = seen.insert(key.to_owned(), command.id);
                     assert_eq!(other, None, "`{key}` at {id:?} is also {:?}", command.id);
                 }
             }
