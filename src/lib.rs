@@ -45,6 +45,7 @@ pub mod case;
 pub mod checks;
 pub mod cli;
 pub mod comparison;
+pub mod crash_log;
 pub mod dynamics;
 pub mod equations;
 pub mod export;

@@ -6,6 +6,8 @@ use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
+use super::screen_memory::ScreenMemory;
+use super::screen_memory::file::SessionMemory;
 use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::parts::{PartKey, PartRequest, PartView};
@@ -357,6 +359,10 @@ pub enum Effect {
     },
     /// Copy text to the clipboard of the user's terminal, and to a file.
     Copy(String),
+    /// Keep what the screen shows of a directory for the next session.
+    KeepScreen(PathBuf, Box<ScreenMemory>),
+    /// Keep what holds wherever the program is started.
+    KeepSession(Box<SessionMemory>),
     /// Read the files of the user's settings.
     ReadSettings,
     /// Give the terminal to the user's editor with the file of keys, made with all keys as comments where there is none.

@@ -335,11 +335,11 @@ mod tests {
 
     #[test]
     fn a_pane_goes_before_everywhere_and_both_before_what_is_declared() {
-        let text = "[keys]\nrun = \"F5\"\ndown = [\"n\", \"Down\"]\n[charts]\nzoom_in = \"Ctrl+R\"\nrun = \"space\"\n";
+        let text = "[keys]\nrun = \"F5\"\ndown = [\"f9\", \"Down\"]\n[charts]\nzoom_in = \"Ctrl+X\"\nrun = \"space\"\n";
         assert_eq!(keys(text, PaneId::Inputs, CommandId::Run), "f5");
         assert_eq!(keys(text, PaneId::Charts, CommandId::Run), "space");
-        assert_eq!(keys(text, PaneId::Inputs, CommandId::Down), "n down");
-        assert_eq!(keys(text, PaneId::Charts, CommandId::ZoomIn), "ctrl+r");
+        assert_eq!(keys(text, PaneId::Inputs, CommandId::Down), "f9 down");
+        assert_eq!(keys(text, PaneId::Charts, CommandId::ZoomIn), "ctrl+x");
         assert_eq!(keys(text, PaneId::Charts, CommandId::ZoomOut), "-");
     }
 
@@ -356,7 +356,7 @@ mod tests {
                 "keys.toml:6:8: keys.quit: a terminal sends `ctrl+m` as `enter`; give another key",
                 "keys.toml:7:1: keys.interrupt: is a command whose key is fixed; leave the line out; the terminal sends this key as a signal to every program",
                 "keys.toml:8:2: chart: is neither `keys` nor a pane; write [charts]",
-                "keys.toml:11:1: runs.zoom_in: is no command of the pane runs; it is a command of [charts]; [keys] binds it in all of them",
+                "keys.toml:11:1: runs.zoom_in: is no command of the pane runs; it is a command of [charts], [drawing]; [keys] binds it in all of them",
             ]
         );
     }

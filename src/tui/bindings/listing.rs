@@ -14,11 +14,11 @@ const WIDTH: usize = 100;
 
 /// What the file says of itself.
 const HEAD: &str = "\
-# Keys of the workbench. This file as it is changes nothing: every line is a comment. Take the `# ` off the lines
-# to change, and off the name of their table. A key is a character, `ctrl+` and a letter, f1 to f12, or a name: enter,
-# esc, tab, shift+tab, space, backspace, del, ins, up, down, left, right, home, end, pgup, pgdn. A list gives several;
-# [] none. A table of a pane goes before [keys]. Keys of lines that are typed, and of windows that lie over the screen, are
-# fixed, and so are ctrl+c and ctrl+z.
+## Keys of the workbench. This file as it is changes nothing: every line is a comment. Take the `# ` off the lines to
+## change, and off the name of their table. A key is a character, `ctrl+` and a letter, f1 to f12, or a name: enter, esc,
+## tab, shift+tab, space, backspace, del, ins, up, down, left, right, home, end, pgup, pgdn. A list gives several, [] none.
+## A table of a pane goes before [keys]. Keys of lines that are typed, and of windows that lie over the screen, are fixed,
+## and so are ctrl+c and ctrl+z. Screen and tmux take ctrl+a and ctrl+b, and some terminals ctrl+s and ctrl+q.
 ";
 
 /// The commands by the tables of the file in which they are listed: those that many panes share in the first.

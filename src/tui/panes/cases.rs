@@ -53,7 +53,7 @@ impl Pane for CasesPane {
             }
             _ => {
                 let by = step(state, id)?;
-                let lines = state.cases.shown().count();
+                let lines = state.cases.shown().len();
                 state.cases.cursor = moved(state.cases.cursor, by, lines);
                 Some(Vec::new())
             }
@@ -69,13 +69,13 @@ impl Pane for CasesPane {
         ])
         .areas(area);
         let cases = &painter.state.cases;
+        let entries: Vec<&CaseEntry> = cases.shown();
         if cases.filter.typing || !cases.filter.is_empty() {
-            painter.prompt(head, "filter: ", &cases.filter.input, cases.filter.typing);
+            painter.filter_line(head, &cases.filter, (entries.len(), cases.entries.len()));
         } else {
             let words = format!("Cases ({})", cases.entries.len());
             painter.text(head, &words, painter.theme.strong());
         }
-        let entries: Vec<&CaseEntry> = cases.shown().collect();
         if entries.is_empty() {
             let words = if cases.entries.is_empty() {
                 "There is no case file (*.toml) here. `seacable DIR` opens another directory."

@@ -6,7 +6,7 @@ mod charts;
 mod drawing;
 mod inputs;
 mod jobs;
-mod modes;
+pub mod modes;
 mod nodes;
 mod report;
 pub mod results;
@@ -27,6 +27,7 @@ use super::key::KeyPress;
 use super::msg::Effect;
 use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
+use super::update::tables::why_not;
 use super::view::painter::Painter;
 pub(super) use jobs::load_cases;
 
@@ -144,13 +145,20 @@ pub fn find(state: &AppState, key: KeyPress) -> Option<BoundCommand> {
 pub fn enabled(state: &AppState, id: CommandId) -> Result<(), String> {
     let focus = state.focus();
     let reason = pane(focus).reason(state, id);
-    let reason = reason.or_else(|| {
-        let document = state
-            .document
-            .as_ref()
-            .filter(|_| focus != PaneId::Trials)?;
-        in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
-    });
+    let without = || {
+        let skips = id == CommandId::TutorialSkip && state.tutorial.is_none();
+        skips.then_some("The tutorial does not run; `:tutorial` begins it.")
+    };
+    let reason = reason
+        .or_else(|| why_not(state, id))
+        .or_else(without)
+        .or_else(|| {
+            let document = state
+                .document
+                .as_ref()
+                .filter(|_| focus != PaneId::Trials)?;
+            in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
+        });
     reason.map_or(Ok(()), |reason| Err(state.worded(reason)))
 }
 

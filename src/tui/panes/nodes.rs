@@ -7,7 +7,9 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::report::limits;
 use crate::report::table::Table;
-use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
+use crate::tui::command::{
+    self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other,
+};
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -35,7 +37,7 @@ impl Pane for NodesPane {
         about(
             "Nodes",
             "Go to the line node by node",
-            &[COMMANDS, LIST, WIDE],
+            &[COMMANDS, LIST, TABLE, COLUMNS],
         )
     }
 

@@ -1,10 +1,12 @@
 //! Everything the screen knows, as plain data. Only [`update`](super::update()) changes it.
 
 pub mod case_list;
+pub mod command_line;
 pub mod curves;
 pub mod document;
 pub mod document_kind;
 pub mod edit_check;
+mod focused_table;
 pub mod jobs;
 pub mod line;
 pub mod modes;
@@ -28,6 +30,7 @@ pub mod value_check;
 pub mod variants;
 
 pub use case_list::{CaseEntry, CaseList, Filter};
+pub use command_line::{CommandLine, LineHistory};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Document, DocumentContent};
 pub use document_kind::DocumentKind;
@@ -50,7 +53,10 @@ use std::sync::Arc;
 use super::bindings::KeyTable;
 use super::msg::Msg;
 use super::pane::PaneId;
+use super::screen_memory::ScreenMemory;
 use super::terminal::capabilities::Capabilities;
+use super::theme::Palette;
+use super::tutorial::Tutorial;
 
 /// The whole state of the workbench.
 #[derive(Debug, Clone)]
@@ -81,6 +87,16 @@ pub struct AppState {
     pub held: VecDeque<Msg>,
     /// How many checks of edits were asked for.
     pub checks: u64,
+    /// Lines of commands of before.
+    pub history: LineHistory,
+    /// The theme that the user chose on the screen.
+    pub theme: Option<Palette>,
+    /// The tutorial, while it runs.
+    pub tutorial: Option<Tutorial>,
+    /// The step at which it was left.
+    pub tutorial_left: Option<usize>,
+    /// What the screen of an earlier session showed, until its file is open.
+    pub earlier: Option<Box<ScreenMemory>>,
 }
 
 /// A message to the user.
@@ -121,6 +137,11 @@ impl AppState {
             interrupted: false,
             held: VecDeque::new(),
             checks: 0,
+            history: LineHistory::default(),
+            theme: None,
+            tutorial: None,
+            tutorial_left: None,
+            earlier: None,
         }
     }
 
@@ -187,14 +208,27 @@ impl AppState {
         self.document.as_mut().map(|document| &mut document.editor)
     }
 
-    /// The filter of the list that is open, runs, fields or cases; its cursor; and how many lines pass.
-    pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
-        match &mut self.document {
-            Some(document) => document.filter_mut(),
-            None => {
-                let lines = self.cases.shown().count();
-                (&mut self.cases.filter, &mut self.cases.cursor, lines)
+    /// The filter of the list that has the focus, its cursor, and how many lines pass; nothing where no list has it.
+    pub fn filter_mut(&mut self) -> Option<(&mut Filter, &mut usize, usize)> {
+        let focus = self.focus();
+        let rows = self.focused_table().map(|table| {
+            let pane = self.table_pane();
+            pane.map_or(0, |pane| pane.count(&table))
+        });
+        if let Some(rows) = rows {
+            let pane = self.table_pane_mut()?;
+            return Some((&mut pane.filter, &mut pane.selected, rows));
+        }
+        match focus {
+            PaneId::Cases => {
+                let lines = self.cases.shown().len();
+                Some((&mut self.cases.filter, &mut self.cases.cursor, lines))
             }
+            PaneId::Jobs => {
+                let lines = self.jobs.shown().len();
+                Some((&mut self.jobs.filter, &mut self.jobs.cursor, lines))
+            }
+            _ => self.document.as_mut()?.filter_mut(),
         }
     }
 

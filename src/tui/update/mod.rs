@@ -2,13 +2,16 @@
 
 mod cases;
 pub mod column_plot;
+mod command_line;
 pub mod curves;
+pub mod earlier;
 pub mod edit;
 pub mod edit_check;
 pub mod export;
 mod job_events;
 pub mod jobs;
 mod keys;
+mod line_commands;
 pub mod line_types;
 mod modes;
 pub mod motion;
@@ -27,12 +30,14 @@ pub mod step_value;
 mod studies;
 pub mod sweep_view;
 pub mod sweeps;
+pub mod tables;
 mod text_input;
 pub mod trials;
+pub mod tutorial;
 pub mod vary;
 
 pub use jobs::joined_label;
-pub use overlay::{palette_matches, run_command};
+pub use overlay::run_command;
 
 use super::msg::{Effect, Msg};
 use super::state::AppState;
@@ -53,6 +58,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     effects.extend(parts::follow(state));
     effects.extend(sweeps::follow(state));
     effects.extend(export::follow_report(state));
+    tutorial::follow(state);
     effects
 }
 

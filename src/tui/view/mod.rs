@@ -1,16 +1,20 @@
 //! What the state looks like. Nothing here changes anything.
 
+mod command_line;
 pub mod layout;
 mod line_types;
 mod overlay;
 pub(super) mod paint;
 pub mod painter;
+mod tutorial;
 
 use crate::visible;
-use ratatui::Frame;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::Cell;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
+use ratatui::{Frame, Terminal};
 
 pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
@@ -34,7 +38,9 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
         buf: frame.buffer_mut(),
         cursor: None,
     };
-    canvas.screen(screen);
+    let work = layout::screen_of(state).intersection(screen);
+    canvas.screen(work);
+    canvas.tutorial(screen, work);
     let cursor = canvas.cursor;
     if state.capabilities.glyphs == Glyphs::Ascii {
         paint::only_ascii(frame.buffer_mut());
@@ -42,6 +48,20 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
     if let Some(at) = cursor.filter(|at| screen.contains((*at).into())) {
         frame.set_cursor_position(at);
     }
+}
+
+/// The screen as plain text, without the line of keys.
+#[must_use]
+pub(super) fn last_screen(state: &AppState) -> String {
+    let (width, height) = state.size;
+    let Ok(mut terminal) = Terminal::new(TestBackend::new(width, height));
+    let Ok(_) = terminal.draw(|frame| draw(state, frame));
+    let cells = terminal.backend().buffer().content();
+    let rows = cells.chunks(usize::from(width).max(1)).map(|row| {
+        let line: String = row.iter().map(Cell::symbol).collect();
+        format!("{}\n", line.trim_end())
+    });
+    rows.take(usize::from(height.saturating_sub(1))).collect()
 }
 
 impl Painter<'_> {

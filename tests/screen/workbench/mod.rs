@@ -5,6 +5,7 @@
 mod beside;
 mod coarse;
 mod column_plot;
+mod columns;
 mod curves;
 mod desk;
 mod footer;
@@ -32,11 +33,11 @@ use desk::{Desk, content_of, looks, run, shared};
 use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::JobEvent;
+use seacable::tui::command_line::candidates::{Candidate, candidates};
 use seacable::tui::key::KeyPress;
 use seacable::tui::panes;
 use seacable::tui::recovery::RecoveredEdits;
 use seacable::tui::state::{JobState, Overlay, PromptPurpose, Question, Severity};
-use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
 
 const SMALL: (u16, u16) = (80, 24);
@@ -599,8 +600,10 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
             let mut seen = std::collections::BTreeMap::new();
             for command in panes::commands(&desk.state) {
                 assert!(!command.doc.is_empty(), "{command:?}");
-                let found = palette_matches(&desk.state, command.doc);
-                assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
+                let found = candidates(&desk.state, command.doc);
+                let is_it =
+                    |c: &Candidate| matches!(c, Candidate::Command(of) if of.id == command.id);
+                assert!(found.iter().any(is_it), "{}", command.doc);
                 for key in command.keys.iter() {
                     let spelled = key.parse::<KeyPress>().map(|k| k.to_string());
                     assert_eq!(spelled.as_deref(), Ok(key));

@@ -70,6 +70,7 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
             vec![say(Severity::Info)]
         }
         Effect::ReadSettings | Effect::EditKeys => vec![Msg::SettingsRead(Box::new(settings()))],
+        Effect::KeepScreen(..) | Effect::KeepSession(_) => vec![say(Severity::Warning)],
         Effect::Sweep(effect) => sweeps(effect),
         // The desk answers these, or they change nothing that is seen.
         Effect::MakePart(_)

@@ -52,8 +52,9 @@ every!(PANES, pane_name, PaneId {
 
 every!(OVERLAYS, overlay_name, Overlay {
     Overlay::Help { .. } => "help",
-    Overlay::Palette { .. } => "palette",
+    Overlay::Palette(_) => "palette",
     Overlay::Messages { .. } => "messages",
+    Overlay::Explanation { .. } => "explanation",
     Overlay::Text { .. } => "text",
     Overlay::Page { .. } => "page",
     Overlay::Ask(Question::Unsaved { .. }) => "unsaved",
@@ -172,7 +173,11 @@ fn places(pane: PaneId) -> &'static [&'static str] {
 
 fn is_typing(desk: &mut Desk) -> bool {
     let editing = |desk: &Desk| desk.state.editor().is_some_and(|e| e.editing.is_some());
-    editing(desk) || desk.state.filter_mut().0.typing
+    editing(desk)
+        || desk
+            .state
+            .filter_mut()
+            .is_some_and(|(filter, ..)| filter.typing)
 }
 
 /// The same workbench again.
