@@ -325,7 +325,7 @@ impl App<'_> {
         if self.capabilities.unsure {
             self.state.say(
                 Severity::Info,
-                "No locale is set, so this is ASCII. `:` and `braille` change to dots.",
+                "No locale is set, so this is ASCII. `:palette` and `braille` change to dots.",
             );
         }
         let mut end = self.begin(file)?;

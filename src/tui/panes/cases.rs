@@ -32,7 +32,7 @@ impl Pane for CasesPane {
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let of_file = matches!(id, CommandId::Open | CommandId::ExternalEditor);
         (of_file && state.cases.current().is_none())
-            .then_some("There is no case here. `ctrl+r` reads the directory again.")
+            .then_some("There is no case here. `:reload` reads the directory again.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
@@ -80,7 +80,7 @@ impl Pane for CasesPane {
             let words = if cases.entries.is_empty() {
                 "There is no case file (*.toml) here. `seacable DIR` opens another directory."
             } else {
-                "No case passes the filter. `/` and Esc drop it."
+                "No case passes the filter. `:filter` and Esc drop it."
             };
             painter.paragraph(list, words);
         }

@@ -170,13 +170,13 @@ fn in_editor(editor: &ParameterEditor, id: CommandId) -> Option<&'static str> {
         CommandId::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
         CommandId::ExternalEditor => when(
             editor.unsaved(),
-            "There are changes that the file does not hold; `s` saves them first.",
+            "There are changes that the file does not hold; `:save` saves them first.",
         ),
         CommandId::Reset if !editor.unsaved() => Some("The field is as the file has it."),
         CommandId::Save => when(!editor.unsaved(), "The file already holds everything."),
         CommandId::Edit | CommandId::Reset => when(
             editor.current_field().is_none(),
-            "No field passes the filter. `/` and Esc drop it.",
+            "No field passes the filter. `:filter` and Esc drop it.",
         ),
         _ => None,
     }

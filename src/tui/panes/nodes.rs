@@ -47,7 +47,7 @@ impl Pane for NodesPane {
             CommandId::Write | CommandId::Sort | CommandId::NextTable | CommandId::PreviousTable
         );
         let Some((_, run, _)) = state.line()?.runs_view.reported() else {
-            return of_table.then_some("There is no finished run. `R` runs the case.");
+            return of_table.then_some("There is no finished run. `:run` runs the case.");
         };
         let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
         (next && LineTable::of(&run).len() < 2).then_some("This run has one table of the line.")
@@ -83,7 +83,7 @@ impl Pane for NodesPane {
             return;
         };
         let Some((_, run, _)) = line.runs_view.reported() else {
-            return painter.paragraph(area, "There is no finished run yet. `R` runs the case.");
+            return painter.paragraph(area, "There is no finished run yet. `:run` runs the case.");
         };
         let part = Part::Line(line.line_table.or_nodes(&run));
         painter.part(area, part, |painter, view| {

@@ -30,12 +30,12 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Compare, &["="], "compare", "Compare the marked runs: inputs that differ, every result, validation; one run alone: with the run held"),
     FILTER,
     SORT,
-    other(CommandId::PlotColumns, &["p"], "plot", "Plot a result of the runs of the table against an input; `]` and `[` change the result, `}` and `{` the input, `w` writes chart and values"),
+    other(CommandId::PlotColumns, &["p"], "plot", "Plot a result of the runs of the table against an input; ] and [ change the result, } and { the input, w writes chart and values"),
     other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results beside the inputs against this run"),
     other(CommandId::Delete, &["d"], "delete", "Delete the marked runs, or this one (asks first)"),
     other(CommandId::TagRuns, &["#"], "tag", "Tag the marked runs, or this one"),
     other(CommandId::NameRun, &["n"], "name", "Give this run a name of your own"),
-    other(CommandId::RunCase, &["e"], "its case", "Edit the exact case of this run in place of the open one; `u` takes it back"),
+    other(CommandId::RunCase, &["e"], "its case", "Edit the exact case of this run in place of the open one; `:undo` takes it back"),
     other(CommandId::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
     other(CommandId::RunAgain, &["X"], "again", "Compute the exact case of this run again, as a run of its own"),
     EXPLAIN,
@@ -82,7 +82,7 @@ impl Pane for RunsPane {
         let view = state.runs_view()?;
         let run = view.current_run();
         if !view.runs.has_live() && run.is_none() && OF_RUN.contains(&id) {
-            return Some("There is no run yet; `R` computes one.");
+            return Some("There is no run yet; `:run` computes one.");
         }
         let any_marked = || state.runs_view().is_some_and(|view| view.runs.any_marked());
         match id {
@@ -365,7 +365,7 @@ impl TableView {
 /// Why nothing can be done to a run that is not stored.
 fn why_not_stored(run: Option<&RunEntry>) -> Option<&'static str> {
     match run {
-        None => Some("The live run is in memory only; `K` keeps it."),
+        None => Some("The live run is in memory only; `:keep` keeps it."),
         Some(run) if run.dir.is_none() => Some("This run has no directory yet."),
         Some(_) => None,
     }
@@ -373,7 +373,7 @@ fn why_not_stored(run: Option<&RunEntry>) -> Option<&'static str> {
 
 fn why_not_resumed(run: Option<&RunEntry>) -> Option<&'static str> {
     let Some(run) = run else {
-        return Some("The live run is in memory only; `R` makes one that can be resumed.");
+        return Some("The live run is in memory only; `:run` makes one that can be resumed.");
     };
     match &run.state {
         RunStatus::Job(state) if state.is_open() => {

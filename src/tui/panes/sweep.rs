@@ -88,7 +88,7 @@ impl Pane for SweepPane {
             id => OF_MAP.contains(&id),
         };
         if needs_sweep && view.open.is_none() {
-            return Some("No sweep is shown; `W` computes the load cases of the file.");
+            return Some("No sweep is shown; `:start_sweep` computes the load cases of the file.");
         }
         let open = view.open.as_ref();
         let others = open.map_or(0, |open| open.choice.others().count());
@@ -207,7 +207,7 @@ fn without_sweep(view: &SweepsView) -> String {
         (Some(dir), _) => format!("Reading {}.", visible::path(dir)),
         (None, Some(_)) => "The load cases are read.".to_owned(),
         (None, None) => {
-            "No sweep of this file is stored below runs. `W` computes all load cases in the background.".to_owned()
+            "No sweep of this file is stored below runs. `:start_sweep` computes all load cases in the background.".to_owned()
         }
     }
 }

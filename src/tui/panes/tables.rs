@@ -39,8 +39,9 @@ impl Pane for TablesPane {
             DocumentContent::Ship(ship) => document.tab == MOTIONS && ship.has_motion(),
             _ => return (id == CommandId::NextTrace).then_some("Only a ship has six motions."),
         };
-        (id == CommandId::NextTrace && !of_motions)
-            .then_some("The motions of the ship have a table of their own; `]` goes there.")
+        (id == CommandId::NextTrace && !of_motions).then_some(
+            "The motions of the ship have a table of their own; `:next_table` goes there.",
+        )
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

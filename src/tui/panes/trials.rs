@@ -63,7 +63,7 @@ impl Pane for TrialsPane {
             CommandId::Back => trials.shown = false,
             CommandId::CancelJob | CommandId::Interrupt if trials.running() => {
                 let effects = trials::stop(state);
-                info(state, "Stopped; `T` computes the trials again.");
+                info(state, "Stopped; `:trials` computes the trials again.");
                 return Some(effects);
             }
             CommandId::Write => {

@@ -36,7 +36,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         None if key == KeyPress::Esc => Vec::new(),
         None => info(
             state,
-            format!("`{key}` does nothing here. `?` shows the keys that do."),
+            format!("`{key}` does nothing here. `:help` shows the keys that do."),
         ),
     }
 }

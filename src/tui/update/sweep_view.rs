@@ -87,7 +87,7 @@ pub fn turn_other(state: &mut AppState) -> Vec<Effect> {
     let label = place.map_or_else(String::new, |place| open.table.axes[place].label.clone());
     info(
         state,
-        format!("`>` and `<` hold {label} at one of its values."),
+        format!("`:hold_next` and `:hold_previous` hold {label} at one of its values."),
     )
 }
 
@@ -255,7 +255,7 @@ fn open_run(state: &mut AppState, load_case: usize, time: Option<f64>) -> Vec<Ef
     info(
         state,
         format!(
-            "Charts and report show load case {number} ({words}). `C` goes back to the load cases."
+            "Charts and report show load case {number} ({words}). `:sweep` goes back to the load cases."
         ),
     );
     effects

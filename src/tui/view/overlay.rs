@@ -307,7 +307,7 @@ impl Painter<'_> {
     /// Words, and a line to type.
     fn one_line(&mut self, screen: Rect, title: &str, words: &str, prompt: &str, input: &Input) {
         let area = self.boxed(screen, (76, 8), title);
-        let lines = wrap(words, area.width.into());
+        let lines = wrap(&self.state.worded(words), area.width.into());
         self.scrolled(area, &lines, 0);
         let used = u16::try_from(lines.len())
             .unwrap_or(0)

@@ -64,7 +64,7 @@ impl Painter<'_> {
     /// Plain words in an area, broken between words, as many lines as it has.
     pub fn paragraph(&mut self, area: Rect, words: &str) {
         let plain = self.theme.plain();
-        let lines = wrap(words, area.width.into());
+        let lines = wrap(&self.state.worded(words), area.width.into());
         self.lines(area, lines.into_iter().map(|line| (line, plain)));
     }
 
@@ -153,8 +153,16 @@ impl Painter<'_> {
         draw_chart(chart, area, self.buf, self.glyphs(), self.theme);
     }
 
-    /// A table over an area, below its filter where it has one.
+    /// A table over an area, below its filter where it has one. Its title may name commands, which are shown by their keys.
     pub fn table(&mut self, pane: &TablePane, table: &Table, area: Rect) {
+        let title = self.state.worded(&table.title);
+        if title != table.title {
+            let worded = Table {
+                title,
+                ..table.clone()
+            };
+            return self.table(pane, &worded, area);
+        }
         let area = match pane.filter.is_in_use() {
             true => self.filter_line(area, &pane.filter, (pane.count(table), table.rows.len())),
             false => area,

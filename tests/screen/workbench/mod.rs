@@ -3,11 +3,14 @@
 #![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 mod beside;
+mod bindings;
 mod coarse;
 mod column_plot;
 mod columns;
+mod command_line;
 mod curves;
 mod desk;
+mod earlier;
 mod footer;
 mod hostile;
 mod line_types;
@@ -24,6 +27,7 @@ mod ship;
 mod sweeps;
 mod system;
 mod system_runs;
+mod tutorial;
 mod umbilical;
 mod vary;
 
