@@ -77,7 +77,7 @@ fn bindings_lists_the_keys_of_the_user_and_prints_a_whole_file() {
         said.contains("f9") && said.contains("`q` is the key of `quit`"),
         "{said}"
     );
-    assert!(said.contains("keys.toml:3:13"), "{said}");
+    assert!(said.contains("keys.toml:3:12"), "{said}");
 }
 
 /// Whether a program is installed.

@@ -75,7 +75,10 @@ fn of_file<T: DeserializeOwned>(path: &Path) -> io::Result<Option<T>> {
 
 fn fault(path: &Path, why: &str) -> io::Error {
     let path = visible::path(path);
-    io::Error::other(format!("{path} is damaged and is not used: {why}"))
+    io::Error::other(format!(
+        "What the last session left is damaged and is not used: {path}: {}",
+        why.replace('\n', " ")
+    ))
 }
 
 /// Keeps what the screen shows of a directory.
