@@ -247,13 +247,13 @@ fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
             state.overlay = Some(Overlay::Help {
                 scroll: 0,
                 filter: Filter::default(),
-            })
+            });
         }
         CommandId::Messages => {
             state.overlay = Some(Overlay::Messages {
                 scroll: 0,
                 filter: Filter::default(),
-            })
+            });
         }
         CommandId::Palette => {
             state.overlay = Some(Overlay::Palette(CommandLine::default()));
