@@ -73,6 +73,10 @@ impl TomlNode {
         matches!(self.data, TomlData::Table(..))
     }
 
+    pub(crate) fn is_list(&self) -> bool {
+        matches!(self.data, TomlData::List(_))
+    }
+
     /// True for a list that holds nothing but tables.
     pub(crate) fn is_list_of_tables(&self) -> bool {
         matches!(&self.data, TomlData::List(items) if items.iter().all(Self::is_table))
@@ -97,6 +101,13 @@ impl TomlNode {
     pub(crate) fn text(&self) -> Option<&str> {
         match &self.data {
             TomlData::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn boolean(&self) -> Option<bool> {
+        match self.data {
+            TomlData::Boolean(value) => Some(value),
             _ => None,
         }
     }

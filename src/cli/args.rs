@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Parser, Subcommand};
+use clap_complete::Shell;
 
 use super::audit::AuditArgs;
 use super::export::ExportArgs;
@@ -49,6 +50,18 @@ pub(super) struct Args {
     /// For slow links: fewer frames, and a longer wait for key sequences that arrive in pieces.
     #[arg(long)]
     pub(super) slow_link: bool,
+
+    /// Open as for the first time: the last session's case, pane, cursor, filters and sorting are ignored.
+    #[arg(long)]
+    pub(super) fresh: bool,
+
+    /// Begin with the tutorial: five minutes on the screen, with a case that comes with the program.
+    #[arg(long)]
+    pub(super) tutorial: bool,
+
+    /// Leave the last screen in the shell on quitting.
+    #[arg(long)]
+    pub(super) keep_screen: bool,
 
     #[command(flatten)]
     pub(super) limits: LimitArgs,
@@ -146,6 +159,24 @@ pub(super) enum CliCommand {
     ///
     /// With `--schema` it prints a JSON Schema, by which editors complete and check files.
     Keys(KeysArgs),
+    /// List the commands of the workbench with your keys, by the names that your file of keys binds.
+    ///
+    /// The file is keys.toml in the folder seacable of $XDG_CONFIG_HOME (~/.config). Faults of it are reported with line and column, and the
+    /// exit status is then 1; in the workbench what is wrong keeps the program's own key.
+    Bindings(BindingsArgs),
+    /// Look at what the program finds where it runs: terminal, folders, editor, settings, the last fault.
+    ///
+    /// Needs no terminal. The exit status is 1 where something is in the way of work; each such line says what to do.
+    Doctor(DoctorArgs),
+    /// Print the completions of a shell.
+    Completions(CompletionsArgs),
+    /// Print the manual page of the program or of a command, in the language of `man`.
+    Man(ManArgs),
+    /// Put manual pages and shell completions where your shells find them, below $XDG_DATA_HOME (~/.local/share).
+    ///
+    /// `cargo install` places the program alone. Files that are not of this program stay, unless --force replaces them; the exit status is
+    /// then 1. Completions are written for bash, zsh and fish, as far as they are installed.
+    InstallManual(InstallManualArgs),
     /// Studies over many runs.
     #[command(subcommand)]
     Study(StudyArgs),
@@ -178,6 +209,69 @@ pub(super) struct KeysArgs {
 
     /// Print with ASCII characters only.
     #[arg(long, conflicts_with = "schema")]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct DoctorArgs {
+    /// Print one JSON object.
+    #[arg(long, conflicts_with = "ascii")]
+    pub(super) json: bool,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
+    pub(super) ascii: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_name = "SHELL")]
+    pub(super) shell: Shell,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct ManArgs {
+    /// The command, such as `run` or `study vary`; without one the page of the program.
+    #[arg(value_name = "COMMAND")]
+    pub(super) command: Vec<String>,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct InstallManualArgs {
+    /// Completions for this shell, whether it is installed or not: bash, zsh or fish; may be repeated.
+    #[arg(long, value_name = "SHELL", conflicts_with = "remove")]
+    pub(super) shell: Vec<Shell>,
+
+    /// Replace files that are not of this program too.
+    #[arg(long, conflicts_with = "remove")]
+    pub(super) force: bool,
+
+    /// Take away what this command has written.
+    #[arg(long)]
+    pub(super) remove: bool,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct BindingsArgs {
+    /// Only the commands of this table: keys, which holds everywhere, or a pane such as charts.
+    #[arg(value_name = "TABLE", conflicts_with = "default")]
+    pub(super) table: Option<String>,
+
+    /// Print a whole file of keys: every command with the program's own keys, each line a comment that says what it does.
+    #[arg(long)]
+    pub(super) default: bool,
+
+    /// Columns of the page; by default those of the terminal, 80 at least.
+    #[arg(long, value_name = "N", conflicts_with = "default")]
+    pub(super) width: Option<usize>,
+
+    /// Print one JSON object.
+    #[arg(long, conflicts_with_all = ["default", "ascii"])]
+    pub(super) json: bool,
+
+    /// Print with ASCII characters only.
+    #[arg(long)]
     pub(super) ascii: bool,
 }
 

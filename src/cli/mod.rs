@@ -7,9 +7,11 @@
 
 mod args;
 mod audit;
+mod bindings;
 mod cases;
 mod catenary;
 mod compare;
+mod doctor;
 mod duration;
 mod effects;
 mod error;
@@ -21,6 +23,7 @@ mod keys;
 mod kinds;
 mod limit_args;
 mod lines;
+mod manual;
 mod modes;
 mod output;
 mod physics;
@@ -103,6 +106,11 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Export(args)) => export::export(args),
         Some(CliCommand::Audit(args)) => audit::audit(args),
         Some(CliCommand::Keys(args)) => keys::keys(args),
+        Some(CliCommand::Bindings(args)) => bindings::bindings(args),
+        Some(CliCommand::Doctor(args)) => doctor::doctor(args),
+        Some(CliCommand::Completions(args)) => manual::completions(args),
+        Some(CliCommand::Man(args)) => manual::man(args),
+        Some(CliCommand::InstallManual(args)) => manual::install(args),
         Some(CliCommand::Study(args)) => study::study(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args, SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),

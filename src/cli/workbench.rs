@@ -20,6 +20,9 @@ pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
         path: args.path,
         glyphs: args.glyphs.or(args.ascii.then_some(Glyphs::Ascii)),
         slow_link: args.slow_link,
+        fresh: args.fresh,
+        tutorial: args.tutorial,
+        keep_screen: args.keep_screen,
     };
     tui::open(&options).map_err(CommandError::Screen)?;
     Ok(ExitCode::SUCCESS)

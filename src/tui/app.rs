@@ -3,7 +3,7 @@
 use crate::visible;
 use std::any::Any;
 use std::collections::VecDeque;
-use std::io;
+use std::io::{self, Write};
 use std::os::fd::AsFd;
 use std::panic::{self, AssertUnwindSafe};
 use std::path::{Path, PathBuf};
@@ -19,7 +19,10 @@ use rustix::process::{
 use super::effects::EffectRunner;
 use super::effects::outbox::Outbox;
 use super::key::KeyPress;
+use super::memory_keeper::MemoryKeeper;
 use super::msg::{Effect, Msg};
+use super::screen_memory::file;
+use super::settings::Settings;
 use super::state::sweep_request::SweepMsg;
 use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
@@ -28,8 +31,10 @@ use super::terminal::screen::{Screen, restore};
 use super::terminal::signals::{Signal, Signals};
 use super::terminal::wait::{read, wait};
 use super::update::edit_check;
-use super::{case_library, draw, external_editor, recovery, update};
+use super::view::last_screen;
+use super::{case_library, draw, external_editor, recovery, settings, update};
 use crate::background::lower_priority;
+use crate::crash_log;
 use crate::files::{Target, disk, root};
 use crate::report::chart::Glyphs;
 use crate::run::job::JobEvent;
@@ -43,6 +48,12 @@ pub struct WorkbenchOptions {
     pub glyphs: Option<Glyphs>,
     /// Fewer frames, and more patience with cut escape sequences.
     pub slow_link: bool,
+    /// Open as for the first time, whatever the last session showed.
+    pub fresh: bool,
+    /// Begin with the tutorial.
+    pub tutorial: bool,
+    /// Leave the last screen in the shell.
+    pub keep_screen: bool,
 }
 
 /// Why the workbench cannot be opened, or ended.
@@ -93,8 +104,20 @@ struct Timing {
 pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
+    let place = std::path::absolute(
+        options
+            .path
+            .as_ref()
+            .map_or(Path::new("."), |_| dir.as_path()),
+    )?;
+    let mut earlier = file::recall(&place);
+    if options.fresh || options.tutorial {
+        earlier.screen = None;
+    }
     let var = |name: &str| std::env::var(name).ok();
-    let capabilities = capabilities::decide(options.glyphs, recovery::remembered_glyphs(), &var);
+    let settings = Settings::load();
+    let remembered = settings.config.glyphs.or_else(recovery::remembered_glyphs);
+    let capabilities = capabilities::decide(options.glyphs, remembered, &var);
     if !capabilities.colour {
         // The theme has no colours then; the library's own handling of NO_COLOR would take the
         // selection away as well.
@@ -120,7 +143,15 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
             escape: Duration::from_millis(80),
         }
     };
-    let state = AppState::new(screen.size()?, capabilities);
+    let mut state = AppState::new(screen.size()?, capabilities);
+    let flag = options.glyphs;
+    let keeps_screen = options.keep_screen || settings.config.keep_screen;
+    update::earlier::begin(&mut state, &mut earlier, file.is_none());
+    update::settings::begin(&mut state, settings);
+    if options.tutorial {
+        update::tutorial::begin(&mut state);
+    }
+    state.capabilities.glyphs = flag.unwrap_or(state.capabilities.glyphs);
     let mut app = App {
         state,
         screen: &mut screen,
@@ -131,10 +162,19 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         typed: VecDeque::new(),
         awaited: None,
         may_panic: std::env::var_os("SEACABLE_MAY_PANIC").is_some(),
+        memory: MemoryKeeper::new(place, earlier.screen, earlier.session),
     };
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
+    let last = (keeps_screen && matches!(ended, Ok(Ok(ExitReason::Quit))))
+        .then(|| last_screen(&app.state));
+    let kept = app.memory.changes(&app.state);
+    app.perform(kept).ok();
     effects.finish(LAST_FILES);
-    finish(ended)
+    finish(ended)?;
+    match last {
+        Some(text) => Ok(io::stdout().write_all(text.as_bytes())?),
+        None => Ok(()),
+    }
 }
 
 /// Every way to end meets here.
@@ -212,6 +252,7 @@ fn guard_panics(out: Outbox) {
     let screen_thread = std::thread::current().id();
     let tell = panic::take_hook();
     panic::set_hook(Box::new(move |info| {
+        crash_log::keep(info);
         if std::thread::current().id() == screen_thread {
             restore();
             tell(info);
@@ -273,6 +314,8 @@ struct App<'a> {
     awaited: Option<Instant>,
     /// Lets the tests see that a panic gives the terminal back.
     may_panic: bool,
+    /// What the next session is to find.
+    memory: MemoryKeeper,
 }
 
 impl App<'_> {
@@ -282,7 +325,7 @@ impl App<'_> {
         if self.capabilities.unsure {
             self.state.say(
                 Severity::Info,
-                "No locale is set, so this is ASCII. `:` and `braille` change to dots.",
+                "No locale is set, so this is ASCII. `:palette` and `braille` change to dots.",
             );
         }
         let mut end = self.begin(file)?;
@@ -298,6 +341,8 @@ impl App<'_> {
             let limit = self.limit(due.map(|due| self.wait_for(due, drawn)), decoder.waiting());
             let (messages, ended) = self.listen(&mut decoder, limit)?;
             end = ended;
+            let kept = self.memory.at_times(&self.state);
+            end = end.or(self.perform(kept)?);
             let (typed, heard): (Vec<Msg>, Vec<Msg>) = messages.into_iter().partition(is_typed);
             self.typed.extend(typed);
             for message in heard {
@@ -331,7 +376,9 @@ impl App<'_> {
 
     /// Asks for what the first frame shows, and waits for it, unless the disk is slow.
     fn begin(&mut self, file: Option<PathBuf>) -> io::Result<Option<ExitReason>> {
-        let (first, later) = match file {
+        let remembered = self.state.earlier.as_ref();
+        let remembered = remembered.and_then(|earlier| earlier.case.clone());
+        let (first, later) = match file.or(remembered) {
             Some(path) => (Effect::ReadCase(path), Some(Effect::ReadCases)),
             None => (Effect::ReadCases, None),
         };
@@ -436,6 +483,7 @@ impl App<'_> {
                 Effect::Suspend => self.suspend(),
                 Effect::Copy(text) => self.copy(&text)?,
                 Effect::EditFile(path) => self.edit(&path)?,
+                Effect::EditKeys => self.edit_keys()?,
                 other => {
                     for answer in self.effects.perform(other) {
                         if let Some(end) = self.take(answer)? {
@@ -478,13 +526,29 @@ impl App<'_> {
         let ended = external_editor::run(path);
         self.signals.forget_interrupt();
         self.screen.reenter()?;
+        let read = match settings::is_file(path) {
+            true => Effect::ReadSettings,
+            false => Effect::ReadEdited(path.to_owned()),
+        };
         let answers = match ended {
-            Ok(()) => self.effects.perform(Effect::ReadEdited(path.to_owned())),
+            Ok(()) => self.effects.perform(read),
             Err(why) => vec![Msg::Say(Severity::Error, why)],
         };
         let out = self.effects.outbox();
         answers.into_iter().for_each(|answer| out.send(answer));
         Ok(())
+    }
+
+    /// Opens the file of keys in the user's editor; one that is not there yet has every key in a comment.
+    fn edit_keys(&mut self) -> io::Result<()> {
+        match settings::made_keys_file() {
+            Ok(path) => self.edit(&path),
+            Err(error) => {
+                let words = format!("The file of keys cannot be made: {error}.");
+                self.state.say(Severity::Error, words);
+                Ok(())
+            }
+        }
     }
 
     fn copy(&mut self, text: &str) -> io::Result<()> {

@@ -3,8 +3,6 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use etcetera::base_strategy::{BaseStrategy, Xdg};
-
 use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
@@ -13,6 +11,8 @@ use crate::files::{Target, disk};
 use crate::run::store::RUN;
 
 use crate::case::shipped::{BESIDE, BY_KIND};
+use crate::places::data_dir;
+pub use crate::places::state_dir;
 
 /// The case on which the list opens.
 pub const FIRST: &str = "pendulous/manifold.toml";
@@ -42,21 +42,6 @@ pub fn default_dir() -> io::Result<PathBuf> {
         }
     }
     Ok(dir)
-}
-
-fn data_dir() -> io::Result<PathBuf> {
-    let base = Xdg::new().map_err(io::Error::other)?;
-    Ok(base.data_dir().join("seacable"))
-}
-
-/// Where the program keeps what is not the user's: recovery, answers given.
-///
-/// # Errors
-/// When the user has no home directory.
-pub fn state_dir() -> io::Result<PathBuf> {
-    let base = Xdg::new().map_err(io::Error::other)?;
-    let dir = base.state_dir().unwrap_or_else(|| base.data_dir());
-    Ok(dir.join("seacable"))
 }
 
 /// The cases of a directory, by path; those that do not pass say why.

@@ -78,6 +78,11 @@ pub enum CommandId {
     RunCase,
     RunAgain,
     SortAround,
+    ColumnLeft,
+    ColumnRight,
+    Explain,
+    HideColumn,
+    ShowColumns,
     CancelJob,
     ScrollLeft,
     ScrollRight,
@@ -99,6 +104,10 @@ pub enum CommandId {
     Help,
     Palette,
     Glyphs,
+    Keys,
+    ReadSettings,
+    Tutorial,
+    TutorialSkip,
     Messages,
     Redraw,
     Interrupt,
@@ -227,7 +236,37 @@ const WRITE_MODEL_AS: Command = Command {
 
 /// Sorts the table of a pane.
 #[rustfmt::skip]
-pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the next column; after the last: in the original order");
+pub const SORT: Command = other(CommandId::Sort, &["o"], "sort", "Sort by the column under the cursor, then the other way round, then in the original order; without a cursor by the next column");
+
+/// What a column of a table is.
+#[rustfmt::skip]
+pub const EXPLAIN: Command = other(CommandId::Explain, &["i"], "column", "Say what the column under the cursor is, its unit, and where it comes from");
+
+/// Takes a column out of the table.
+#[rustfmt::skip]
+pub const HIDE_COLUMN: Command = other(CommandId::HideColumn, &["-"], "", "Hide the column under the cursor");
+
+/// Brings hidden columns back.
+#[rustfmt::skip]
+pub const SHOW_COLUMNS: Command = other(CommandId::ShowColumns, &["+"], "", "Show all columns of the table again");
+
+/// Of a table whose columns have a cursor.
+#[rustfmt::skip]
+pub const TABLE: &[Command] = &[
+    FILTER,
+    SORT,
+    EXPLAIN,
+    HIDE_COLUMN,
+    SHOW_COLUMNS,
+    other(CommandId::SortAround, &["O"], "", "Sort the other way round"),
+];
+
+/// The cursor from column to column.
+#[rustfmt::skip]
+pub const COLUMNS: &[Command] = &[
+    command(CommandOrder::Motion, CommandId::ColumnRight, &["l", "right"], "", "To the next column of the table"),
+    command(CommandOrder::Motion, CommandId::ColumnLeft, &["h", "left"], "", "To the previous column of the table"),
+];
 
 /// Adds a material to a file that has materials.
 #[rustfmt::skip]
@@ -299,11 +338,19 @@ pub const DOCUMENT: &[Command] = &[
 
 /// Filter of a list.
 #[rustfmt::skip]
-pub const FILTER: Command = command(CommandOrder::Setup, CommandId::Filter, &["/"], "filter", "Type letters that the lines must contain; Enter keeps, Esc drops the filter");
+pub const FILTER: Command = command(CommandOrder::Setup, CommandId::Filter, &["/"], "filter", "Type words that the lines must hold, or letters of them in their order; Enter keeps, Esc drops the filter");
 
 /// The cursor one line down.
 #[rustfmt::skip]
 pub const DOWN: Command = command(CommandOrder::Motion, CommandId::Down, &["j", "down"], "", "Down");
+
+/// What several panes have, each in a table of its own.
+pub const SHARED: &[Command] = &[
+    FILTER,
+    SORT,
+    DOWN,
+    write("Write what the pane shows to a file"),
+];
 
 /// Cursor and scrolling in a list, without [`DOWN`].
 #[rustfmt::skip]
@@ -328,6 +375,10 @@ pub const EVERYWHERE: &[Command] = &[
     command(CommandOrder::Everywhere, CommandId::Help, &["?", "f1"], "help", "Show every key that works here"),
     command(CommandOrder::Everywhere, CommandId::Palette, &[":"], "", "Find a command by its name"),
     command(CommandOrder::Everywhere, CommandId::Glyphs, &[], "", "Change between braille and ASCII characters, and remember it"),
+    command(CommandOrder::Everywhere, CommandId::Keys, &[], "", "Open your file of keys in $VISUAL or $EDITOR, and take the keys as they are then"),
+    command(CommandOrder::Everywhere, CommandId::ReadSettings, &[], "", "Read your files of keys and settings again"),
+    command(CommandOrder::Everywhere, CommandId::Tutorial, &["ctrl+t"], "", "Begin the tutorial of five minutes, or leave it and go on later"),
+    command(CommandOrder::Everywhere, CommandId::TutorialSkip, &["ctrl+n"], "", "Skip a step of the tutorial"),
     command(CommandOrder::Everywhere, CommandId::Messages, &["!"], "", "Show the messages so far in full"),
     command(CommandOrder::Everywhere, CommandId::Redraw, &["ctrl+l"], "", "Paint the screen anew"),
     command(CommandOrder::Everywhere, CommandId::Interrupt, &["ctrl+c"], "", "Cancel the running job; pressed again: quit"),

@@ -34,6 +34,8 @@ use super::external_editor;
 use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery::{self, RecoveredEdits};
+use super::screen_memory::file;
+use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::parts::{Part, PartRequest, PartView};
@@ -56,6 +58,8 @@ pub struct EffectRunner {
     out: Outbox,
     inbox: Inbox,
     files: OrderedWorker,
+    /// What the next session is to find; no key waits for it.
+    memory: OrderedWorker,
     checks: OrderedWorker,
     /// Views of models, which do not wait for their tables.
     drawings: OrderedWorker,
@@ -89,6 +93,7 @@ impl EffectRunner {
         Ok(Self {
             dir,
             files: OrderedWorker::start("files", out.clone()),
+            memory: OrderedWorker::start("memory", out.clone()),
             checks: OrderedWorker::start("checks", out.clone()),
             drawings: OrderedWorker::start("drawings", out.clone()),
             tables: OrderedWorker::start("tables", out.clone()),
@@ -123,6 +128,7 @@ impl EffectRunner {
     /// Waits until all files are read and written that were asked for, or the time is up.
     pub fn finish(&self, limit: Duration) {
         self.files.finish(limit);
+        self.memory.finish(limit);
     }
 
     /// What jobs said since the last call.
@@ -222,6 +228,14 @@ impl EffectRunner {
             Effect::Study(request, cancel) => self.study(*request, cancel),
             Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
             Effect::MakeReport(request) => self.aside(move || make_report(*request)),
+            Effect::KeepScreen(directory, memory) => self.memory.perform(move || {
+                let kept = file::keep_screen(&directory, &memory);
+                warning(kept, "The state of the screen cannot be kept")
+            }),
+            Effect::KeepSession(session) => self.memory.perform(move || {
+                let kept = file::keep_session(&session);
+                warning(kept, "The lines of commands cannot be kept")
+            }),
             Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),
         }
@@ -412,6 +426,7 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             beside,
         } => read_run_case(dir, wanted, &beside),
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
+        Effect::ReadSettings => Msg::SettingsRead(Box::new(Settings::load())),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         Effect::WriteMade(request) => match request.text() {

@@ -117,6 +117,38 @@ impl FromStr for KeyPress {
     }
 }
 
+/// Further names that users give keys.
+const ALIASES: [(&str, &str); 12] = [
+    ("return", "enter"),
+    ("escape", "esc"),
+    ("backtab", "shift+tab"),
+    ("delete", "del"),
+    ("insert", "ins"),
+    ("pageup", "pgup"),
+    ("page_up", "pgup"),
+    ("pagedown", "pgdn"),
+    ("page_down", "pgdn"),
+    (" ", "space"),
+    ("plus", "+"),
+    ("minus", "-"),
+];
+
+impl KeyPress {
+    /// A key as users name it: `F5`, `Ctrl+R`, `PageUp`. The case of a single character counts.
+    ///
+    /// # Errors
+    /// The name is that of no key.
+    pub fn of_user(text: &str) -> Result<Self, KeyNameError> {
+        if text.chars().count() == 1 && text != " " {
+            return text.parse();
+        }
+        let name = text.to_lowercase().replace("ctrl-", "ctrl+");
+        let alias = ALIASES.iter().find(|(alias, _)| *alias == name);
+        let name = alias.map_or(name.as_str(), |(_, name)| name);
+        name.parse().map_err(|_| KeyNameError(text.to_owned()))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -134,6 +166,22 @@ mod tests {
         for key in keys {
             assert_eq!(key.to_string().parse(), Ok(key));
         }
+    }
+
+    #[test]
+    fn users_may_write_names_in_several_ways() {
+        for (text, name) in [
+            ("F5", "f5"),
+            ("Ctrl+R", "ctrl+r"),
+            ("ctrl-r", "ctrl+r"),
+            ("PageUp", "pgup"),
+            (" ", "space"),
+            ("Escape", "esc"),
+            ("G", "G"),
+        ] {
+            assert_eq!(KeyPress::of_user(text).unwrap().to_string(), name);
+        }
+        assert!(KeyPress::of_user("").is_err() && KeyPress::of_user("Meta+X").is_err());
     }
 
     #[test]

@@ -11,15 +11,19 @@
 //! pane lists its commands with their keys in [`panes`].
 
 pub mod app;
+pub mod bindings;
 pub mod case_library;
 pub mod column_plot;
 pub mod command;
+pub mod command_line;
 pub mod effects;
 mod external_editor;
 pub mod facade;
 mod files;
+pub mod fuzzy;
 pub mod key;
 pub mod line_tables;
+mod memory_keeper;
 pub mod msg;
 pub mod pane;
 pub mod panes;
@@ -29,11 +33,15 @@ pub mod plots;
 pub mod recovery;
 pub mod result_lines;
 pub mod run_cells;
+pub mod run_columns;
 pub mod run_filter;
+pub mod screen_memory;
+pub mod settings;
 pub mod state;
 pub mod table_pane;
 pub mod terminal;
 pub mod theme;
+pub mod tutorial;
 pub mod update;
 pub mod view;
 

@@ -6,6 +6,9 @@ use std::sync::atomic::AtomicBool;
 
 use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
+use super::screen_memory::ScreenMemory;
+use super::screen_memory::file::SessionMemory;
+use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::parts::{PartKey, PartRequest, PartView};
 use super::state::report::{ReportRequest, TextRequest};
@@ -112,6 +115,8 @@ pub enum Msg {
     RunsDeleted(Vec<PathBuf>),
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
+    /// What the files of the user set.
+    SettingsRead(Box<Settings>),
     /// A message to the user.
     Say(Severity, String),
 }
@@ -369,6 +374,14 @@ pub enum Effect {
     },
     /// Copy text to the clipboard of the user's terminal, and to a file.
     Copy(String),
+    /// Keep what the screen shows of a directory for the next session.
+    KeepScreen(PathBuf, Box<ScreenMemory>),
+    /// Keep what holds wherever the program is started.
+    KeepSession(Box<SessionMemory>),
+    /// Read the files of the user's settings.
+    ReadSettings,
+    /// Give the terminal to the user's editor with the file of keys, made with all keys as comments where there is none.
+    EditKeys,
     /// Remember the glyphs for the next session.
     RememberGlyphs(Glyphs),
     /// Paint the whole screen anew.

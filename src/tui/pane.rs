@@ -40,3 +40,27 @@ pub enum PaneId {
     /// What the file is made of, to be built.
     Model,
 }
+
+impl PaneId {
+    /// All panes.
+    pub const ALL: [Self; 18] = [
+        Self::Cases,
+        Self::Inputs,
+        Self::Charts,
+        Self::Results,
+        Self::Runs,
+        Self::Validation,
+        Self::Report,
+        Self::Jobs,
+        Self::Sweep,
+        Self::Trials,
+        Self::Nodes,
+        Self::Modes,
+        Self::Tables,
+        Self::Drawing,
+        Self::Ropeway,
+        Self::Ship,
+        Self::System,
+        Self::Model,
+    ];
+}

@@ -88,6 +88,20 @@ impl PlotPane {
         self.frozen.is_some()
     }
 
+    /// What is shown along x and along y; absent: everything.
+    #[must_use]
+    pub const fn shown(&self) -> (Option<AxisRange>, Option<AxisRange>) {
+        (self.x, self.y)
+    }
+
+    /// Shows these ranges; those that are none show everything.
+    pub fn show(&mut self, x: Option<AxisRange>, y: Option<AxisRange>) {
+        let sane =
+            |range: &AxisRange| range.0.is_finite() && range.1.is_finite() && range.0 < range.1;
+        self.x = x.filter(sane);
+        self.y = y.filter(sane);
+    }
+
     /// Whether all of the chart is shown, and no cursor on it.
     #[must_use]
     pub fn is_fitted(&self) -> bool {

@@ -168,15 +168,16 @@ fn about(process: i32) -> Option<(String, char)> {
 fn prefix(case: &Path) -> String {
     let whole = case.canonicalize().unwrap_or_else(|_| case.to_owned());
     let stem = case.file_stem().unwrap_or_default().to_string_lossy();
-    // FNV-1a, which unlike the standard hasher will be the same in every later version.
-    let print = whole
-        .as_os_str()
-        .as_encoded_bytes()
-        .iter()
-        .fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-            (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
-        });
-    format!("{stem}-{print:016x}-")
+    format!("{stem}-{:016x}-", fingerprint(&whole))
+}
+
+/// A fingerprint of a whole path: FNV-1a, which unlike the standard hasher will be the same in every later version.
+#[must_use]
+pub fn fingerprint(path: &Path) -> u64 {
+    let bytes = path.as_os_str().as_encoded_bytes().iter();
+    bytes.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 /// The glyphs the user chose in an earlier session.

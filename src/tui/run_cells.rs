@@ -6,14 +6,25 @@ use crate::number;
 use crate::run::index::MeasuredResult;
 use crate::run::settings::method_name;
 
-/// The head of a column.
+/// The head of a column, with how many runs there are and how it sorts.
 #[must_use]
 pub fn head(runs: &RunList, column: RunColumn) -> String {
-    let words = match column {
-        RunColumn::Name => match runs.rows().len() {
-            0 => "    run".to_owned(),
-            count => format!("    run ({count})"),
-        },
+    let words = match (column, runs.rows().len()) {
+        (RunColumn::Name, 0) => "    run".to_owned(),
+        (RunColumn::Name, count) => format!("    run ({count})"),
+        _ => plain_head(runs, column),
+    };
+    match runs.sort {
+        Some((by, down)) if by == column => format!("{words} {}", if down { "v" } else { "^" }),
+        _ => words,
+    }
+}
+
+/// The name of a column.
+#[must_use]
+pub fn plain_head(runs: &RunList, column: RunColumn) -> String {
+    match column {
+        RunColumn::Name => "run".to_owned(),
         RunColumn::State => "state".to_owned(),
         RunColumn::Input(at) => runs
             .columns
@@ -29,10 +40,6 @@ pub fn head(runs: &RunList, column: RunColumn) -> String {
         RunColumn::Cpu => "CPU".to_owned(),
         RunColumn::Age => "begun".to_owned(),
         RunColumn::Tags => "tags".to_owned(),
-    };
-    match runs.sort {
-        Some((by, down)) if by == column => format!("{words} {}", if down { "v" } else { "^" }),
-        _ => words,
     }
 }
 

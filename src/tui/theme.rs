@@ -9,12 +9,54 @@ use super::terminal::capabilities::Capabilities;
 use crate::report::chart::PicturePart;
 use crate::report::table::CellStyle;
 
+/// The colours of the screen.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Palette {
+    /// Colours that are read on a dark background.
+    #[default]
+    Dark,
+    /// Colours that are read on a light background.
+    Light,
+    /// None: weight alone.
+    Mono,
+}
+
+impl Palette {
+    /// The palettes by their names.
+    pub const NAMES: [(&'static str, Self); 3] = [
+        ("dark", Self::Dark),
+        ("light", Self::Light),
+        ("mono", Self::Mono),
+    ];
+
+    /// The name of the palette.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Dark => "dark",
+            Self::Light => "light",
+            Self::Mono => "mono",
+        }
+    }
+}
+
 /// Styles by meaning. Meaning is never by colour alone, so that one theme without colour is enough.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Theme {
     /// False under `NO_COLOR`: weight alone.
     colour: bool,
+    palette: Palette,
 }
+
+/// Colours of the series on a light background: none of the bright ones, and no yellow.
+const SLOTS_ON_LIGHT: [Color; 6] = [
+    Color::Blue,
+    Color::Red,
+    Color::Green,
+    Color::Magenta,
+    Color::Cyan,
+    Color::DarkGray,
+];
 
 /// Colours of the series, by slot; they repeat after the last.
 const SLOTS: [Color; 8] = [
@@ -33,7 +75,8 @@ impl Theme {
     #[must_use]
     pub fn new(capabilities: Capabilities) -> Self {
         Self {
-            colour: capabilities.colour,
+            colour: capabilities.colour && capabilities.palette != Palette::Mono,
+            palette: capabilities.palette,
         }
     }
 
@@ -59,11 +102,13 @@ impl Theme {
 
     /// Headings and the focused pane.
     pub(super) fn head(self) -> Style {
-        self.fg(Color::Cyan).add_modifier(Modifier::BOLD)
+        let colour = self.either(Color::Cyan, Color::Blue);
+        self.fg(colour).add_modifier(Modifier::BOLD)
     }
 
     pub(super) fn warning(self) -> Style {
-        self.fg(Color::Yellow).add_modifier(Modifier::BOLD)
+        let colour = self.either(Color::Yellow, Color::Magenta);
+        self.fg(colour).add_modifier(Modifier::BOLD)
     }
 
     pub(super) fn error(self) -> Style {
@@ -77,7 +122,10 @@ impl Theme {
     /// The colour of a series; none without colour.
     #[must_use]
     pub fn slot(self, slot: usize) -> Style {
-        self.fg(SLOTS[slot % SLOTS.len()])
+        self.fg(match self.palette {
+            Palette::Light => SLOTS_ON_LIGHT[slot % SLOTS_ON_LIGHT.len()],
+            _ => SLOTS[slot % SLOTS.len()],
+        })
     }
 
     /// The style of a character of a chart.
@@ -92,7 +140,7 @@ impl Theme {
             PicturePart::Dimmed(slot) => self.slot(slot).add_modifier(Modifier::DIM),
             PicturePart::Shade(-2) => self.fg(Color::Blue),
             PicturePart::Shade(-1) => self.fg(Color::Cyan),
-            PicturePart::Shade(1) => self.fg(Color::Yellow),
+            PicturePart::Shade(1) => self.fg(self.either(Color::Yellow, Color::Magenta)),
             PicturePart::Shade(2) => self.fg(Color::Red),
             // Without colour the shades differ by their characters alone, all at one weight.
             PicturePart::Shade(_) => plain,
@@ -110,6 +158,14 @@ impl Theme {
             CellStyle::Bad => self.error(),
             CellStyle::Warn => self.warning(),
             CellStyle::Dim => self.faint(),
+        }
+    }
+
+    /// A colour of the dark palette, or the one that is read on a light background in its place.
+    const fn either(self, dark: Color, light: Color) -> Color {
+        match self.palette {
+            Palette::Light => light,
+            _ => dark,
         }
     }
 

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 9] = [
+const DOCUMENTS: [&str; 10] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
@@ -13,6 +13,7 @@ const DOCUMENTS: [&str; 9] = [
     "docs/METHODS.md",
     "docs/MUTANTS.md",
     "docs/SECURITY.md",
+    "docs/WORKBENCH.md",
 ];
 
 /// The paths of the repository in a text: in code, or as the target of a link.

@@ -85,9 +85,10 @@ struct Session {
 
 impl Session {
     fn open(dir: TempDir, args: &[&str]) -> Self {
+        let args = [&["--fresh"], args].concat();
         let pty = Start {
             size: (160, 50),
-            args,
+            args: &args,
             vars: &[("LANG", "C.UTF-8"), ("EDITOR", "true")],
             ..Start::default()
         };

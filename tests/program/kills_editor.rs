@@ -27,7 +27,7 @@ const ROUNDS: u32 = 3;
 /// Opens the case, in place of the shell.
 fn start(dir: TempDir) -> Pty {
     let pty = Start {
-        args: &[FILE],
+        args: &["--fresh", FILE],
         script: r#"exec "$0" "$@""#,
         ..Start::default()
     };

@@ -27,6 +27,7 @@ mod json;
 mod kills;
 mod kills_editor;
 mod limits;
+mod manners;
 mod output_files;
 mod reports;
 mod signals;

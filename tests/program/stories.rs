@@ -91,7 +91,7 @@ fn speeds(screen: &Screen) -> Vec<String> {
 
 fn table_of_runs(dir: tempfile::TempDir) -> Pty {
     let start = Start {
-        args: &[HANGING],
+        args: &["--fresh", HANGING],
         ..Start::default()
     };
     let mut pty = start.go_in(dir);

@@ -339,7 +339,11 @@ fn unsaved_changes_survive_a_kill_and_are_offered_again() {
     pty.wait_for("[ended 137]");
     let dir = std::mem::replace(&mut pty.dir, tempfile::tempdir().unwrap());
     drop(pty);
-    let mut again = Start::default().go_in(dir);
+    let mut again = Start {
+        args: &["--fresh"],
+        ..Start::default()
+    }
+    .go_in(dir);
     again.wait_for(LIST);
     again.send("\r");
     again.wait_for("bring them back");

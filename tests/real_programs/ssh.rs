@@ -64,7 +64,7 @@ fn locale_terminal_and_no_color_decide_what_is_sent_at_every_size() {
     let server = Sshd::start(dir.path());
     for setting in SETTINGS {
         for size in [(80, 24), (200, 60), (60, 20)] {
-            let words = format!("cd && env {} seacable", setting.words);
+            let words = format!("cd && env {} seacable --fresh", setting.words);
             let mut pty = terminal(&server, dir, size, &words);
             pty.wait_for(LIST);
             pty.send("\r");
@@ -103,7 +103,7 @@ fn on_a_dumb_terminal_the_commands_to_use_instead_are_named() {
 fn the_workbench_in_a_terminal_from_the_list_to_a_saved_report() {
     let dir = place();
     let server = Sshd::start(dir.path());
-    let mut pty = terminal(&server, dir, (200, 60), "cd && seacable");
+    let mut pty = terminal(&server, dir, (200, 60), "cd && seacable --fresh");
     pty.wait_for(LIST);
     pty.send("\r");
     pty.wait_for("solver alpha");

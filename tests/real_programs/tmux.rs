@@ -72,7 +72,7 @@ fn client(size: (u16, u16), words: &str, dir: tempfile::TempDir) -> Pty {
 fn from_the_list_to_a_saved_report(size: (u16, u16)) {
     let mut tmux = Tmux::start(size);
     let pty = &mut tmux.pty;
-    pty.send("seacable\r");
+    pty.send("seacable --fresh\r");
     pty.wait_for(LIST);
     pty.send("\r");
     pty.wait_for("solver alpha");
@@ -131,7 +131,7 @@ fn locale_terminal_and_no_color_decide_what_is_shown_at_every_size() {
         let mut tmux = Tmux::start(size);
         for setting in SETTINGS {
             tmux.pty
-                .send(&format!("clear; env {} seacable\r", setting.words));
+                .send(&format!("clear; env {} seacable --fresh\r", setting.words));
             tmux.pty.wait_for(LIST);
             tmux.pty.send("\r");
             tmux.pty.wait_for("solver alpha");

@@ -25,6 +25,19 @@ pub struct TableLayout {
     pub lines: Vec<TableLine>,
     /// Width of the widest line.
     pub width: usize,
+    /// Where the columns are side by side; empty where cells are below each other.
+    pub columns: Vec<ColumnPlace>,
+}
+
+/// Where a column of a table is in its layout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ColumnPlace {
+    /// Its number in the table.
+    pub number: usize,
+    /// The first column of text that it takes.
+    pub from: usize,
+    /// How many it takes.
+    pub width: usize,
 }
 
 /// A line of a table.
@@ -67,12 +80,12 @@ impl Table {
     #[must_use]
     pub fn layout(&self, width: usize) -> TableLayout {
         let width = width.max(1);
-        let mut lines = Vec::new();
+        let (mut lines, mut columns) = (Vec::new(), Vec::new());
         if !self.title.is_empty() {
             self.add_text(&mut lines, LineKind::Title, &self.title, width);
         }
         if !self.columns.is_empty() {
-            self.add_body(&mut lines, width);
+            columns = self.add_body(&mut lines, width);
         }
         if !self.notes.is_empty() {
             lines.push(blank());
@@ -82,7 +95,11 @@ impl Table {
         }
         let wide = |line: &TableLine| line.pieces.iter().map(|p| p.text.width()).sum();
         let width = lines.iter().map(wide).max().unwrap_or(0);
-        TableLayout { lines, width }
+        TableLayout {
+            lines,
+            width,
+            columns,
+        }
     }
 
     fn add_text(&self, lines: &mut Vec<TableLine>, kind: LineKind, text: &str, width: usize) {
@@ -92,26 +109,34 @@ impl Table {
         }));
     }
 
-    fn add_body(&self, lines: &mut Vec<TableLine>, width: usize) {
+    /// Adds heads and rows, and says where the columns are.
+    fn add_body(&self, lines: &mut Vec<TableLine>, width: usize) -> Vec<ColumnPlace> {
         let all: Vec<usize> = (0..self.columns.len()).collect();
-        let flat = ColumnGrid::fit(self, &all, width, GAP).map(|grid| self.flat(&grid));
+        let flat =
+            ColumnGrid::fit(self, &all, width, GAP).map(|grid| (self.flat(&grid), grid.places(0)));
         let inner = width.saturating_sub(GAP);
         let stacked = || {
             let grid = ColumnGrid::fit(self, &all[1..], inner, GAP)
                 .or_else(|| ColumnGrid::fit(self, &all[1..], inner, NARROW_GAP))?;
-            Some(self.stacked(&grid, width))
+            let first = ColumnPlace {
+                number: 0,
+                from: 0,
+                width,
+            };
+            let places = [vec![first], grid.places(GAP)].concat();
+            Some((self.stacked(&grid, width), places))
         };
-        let body = match flat {
+        let rows = |lines: &[TableLine]| lines.iter().filter(|line| line.is_row()).count();
+        let (body, places) = match flat {
             // No layout is shorter than one line per row.
-            Some(flat) if flat.iter().filter(|line| line.is_row()).count() == self.rows.len() => {
-                flat
-            }
+            Some((flat, places)) if rows(&flat) == self.rows.len() => (flat, places),
             Some(flat) => stacked()
-                .filter(|stacked| stacked.len() < flat.len())
+                .filter(|(stacked, _)| stacked.len() < flat.0.len())
                 .unwrap_or(flat),
-            None => stacked().unwrap_or_else(|| self.records(width)),
+            None => stacked().unwrap_or_else(|| (self.records(width), Vec::new())),
         };
         lines.extend(body);
+        places
     }
 
     /// One line per row.
@@ -206,6 +231,21 @@ impl ColumnGrid {
             column.width -= 1;
         }
         Some(Self { gap, columns })
+    }
+
+    /// Where the columns are, behind so many blanks.
+    fn places(&self, indent: usize) -> Vec<ColumnPlace> {
+        let mut from = indent;
+        let each = self.columns.iter().map(|column| {
+            let place = ColumnPlace {
+                number: column.number,
+                from,
+                width: column.width,
+            };
+            from += column.width + self.gap;
+            place
+        });
+        each.collect()
     }
 
     /// The headings, bottom-aligned, and a rule.

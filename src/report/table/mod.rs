@@ -3,6 +3,7 @@
 //! A table is described by its columns with [`Table::of`], or by its rows with [`Table::compare`].
 
 mod columns;
+pub mod explanations;
 mod export;
 mod layout;
 
@@ -11,7 +12,7 @@ use std::borrow::Cow;
 use crate::visible;
 
 pub use columns::{Columns, Comparison, NumberFormat};
-pub use layout::{LineKind, StyledText, TableLayout, TableLine};
+pub use layout::{ColumnPlace, LineKind, StyledText, TableLayout, TableLine};
 
 /// A table: columns, rows of cells, notes.
 #[derive(Debug, Clone, Default, PartialEq)]

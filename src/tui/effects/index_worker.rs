@@ -1,15 +1,14 @@
 //! The thread that keeps the index of the runs, so that the screen never waits for a directory of ten thousand.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant, SystemTime};
 
 use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, unbounded};
-use etcetera::BaseStrategy;
-use etcetera::base_strategy::Xdg;
 
 use super::outbox::Outbox;
 use crate::background::lower_priority;
+use crate::places::cache_dir;
 use crate::run::RunState;
 use crate::run::index::{IndexError, IndexedRun, RunIndex, SyncProgress};
 use crate::run::store::{self, is_locked};
@@ -67,15 +66,10 @@ impl IndexWorker {
     }
 }
 
-/// The folder of the databases: the user's cache.
-fn cache() -> Option<PathBuf> {
-    Some(Xdg::new().ok()?.cache_dir().join("seacable"))
-}
-
 fn keep(questions: &Receiver<Question>, out: &Outbox) {
     lower_priority();
     let root = Path::new(store::DEFAULT_ROOT);
-    let index = match RunIndex::open(root, cache().as_deref()) {
+    let index = match RunIndex::open(root, cache_dir().ok().as_deref()) {
         Ok(index) => index,
         Err(error) => return complain(out, &error),
     };

@@ -34,7 +34,7 @@ impl Pane for CasesPane {
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let of_file = matches!(id, CommandId::Open | CommandId::ExternalEditor);
         (of_file && state.cases.current().is_none())
-            .then_some("There is no case here. `ctrl+r` reads the directory again.")
+            .then_some("There is no case here. `:reload` reads the directory again.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
@@ -56,7 +56,7 @@ impl Pane for CasesPane {
             }
             _ => {
                 let by = step(state, id)?;
-                let lines = state.cases.shown().count();
+                let lines = state.cases.shown().len();
                 state.cases.cursor = moved(state.cases.cursor, by, lines);
                 Some(Vec::new())
             }
@@ -72,18 +72,18 @@ impl Pane for CasesPane {
         ])
         .areas(area);
         let cases = &painter.state.cases;
+        let entries: Vec<&CaseEntry> = cases.shown();
         if cases.filter.typing || !cases.filter.is_empty() {
-            painter.prompt(head, "filter: ", &cases.filter.input, cases.filter.typing);
+            painter.filter_line(head, &cases.filter, (entries.len(), cases.entries.len()));
         } else {
             let words = format!("Cases ({})", cases.entries.len());
             painter.text(head, &words, painter.theme.strong());
         }
-        let entries: Vec<&CaseEntry> = cases.shown().collect();
         if entries.is_empty() {
             let words = if cases.entries.is_empty() {
                 "There is no case file (*.toml) here. `seacable DIR` opens another directory."
             } else {
-                "No case passes the filter. `/` and Esc drop it."
+                "No case passes the filter. `:filter` and Esc drop it."
             };
             painter.paragraph(list, words);
         }

@@ -87,7 +87,7 @@ impl Pane for ChartsPane {
                 | CommandId::WritePicture
         );
         if of_curves && !plots::has_curves(on) {
-            return Some("There are no curves yet. `R` runs the case.");
+            return Some("There are no curves yet. `:run` runs the case.");
         }
         let alone = matches!(id, CommandId::NextSeries | CommandId::PreviousSeries);
         if alone && plots::curve_count(on, on.view.chart) == 0 {
@@ -158,7 +158,7 @@ impl Pane for ChartsPane {
                 let (glyphs, theme) = (painter.glyphs(), painter.theme);
                 on.view.views[id.index()].draw(&chart, *place, painter.buf, glyphs, theme);
             } else if *id == FigureId::Study {
-                let words = "`V` computes what the case states along its studies.";
+                let words = "`:validate` computes what the case states along its studies.";
                 painter.titled(*place, &chart.title, words);
             } else {
                 painter.titled(
@@ -265,7 +265,7 @@ fn freeze(state: &mut AppState) -> Vec<Effect> {
         if frozen {
             "The curves continue."
         } else {
-            "The curves are held still. `f` lets them continue."
+            "The curves are held still. `:freeze` lets them continue."
         },
     )
 }
@@ -296,7 +296,7 @@ fn copy(state: &mut AppState) -> Vec<Effect> {
         }
         _ => info(
             state,
-            "There is no cursor on this chart yet; `h` and `l` move it on charts with an axis of time or length.",
+            "There is no cursor on this chart yet; `:cursor_left` and `:cursor_right` move it on charts with an axis of time or length.",
         ),
     }
 }
@@ -328,7 +328,7 @@ fn limits(state: &mut AppState) -> Vec<Effect> {
     };
     view.without_limits = !view.without_limits;
     let words = match view.without_limits {
-        true => "Limits and published values are left out. `t` shows them.",
+        true => "Limits and published values are left out. `:limits` shows them.",
         false => "Limits and published values are shown where the case states them.",
     };
     info(state, words)
@@ -347,7 +347,9 @@ fn chart_tabs(painter: &mut Painter, tabs: Rect, on: Charted<'_>) {
 fn nothing_yet(on: Charted<'_>, runs: usize) -> String {
     match (&on.view.live.failure, plots::runs_shown(on)) {
         (Some(why), _) => format!("The last solve gave nothing: {why}"),
-        (None, 0) if on.view.runs.is_empty() => "There is no run yet. `R` computes one.".to_owned(),
+        (None, 0) if on.view.runs.is_empty() => {
+            "There is no run yet. `:run` computes one.".to_owned()
+        }
         (None, 0) => format!("No run is shown. `{runs}` goes to the runs, space shows one."),
         (None, _) => "Nothing to draw yet.".to_owned(),
     }

@@ -57,6 +57,10 @@ impl Pane for InputsPane {
         [kept, COMMANDS, LIST].concat()
     }
 
+    fn at_times(&self) -> &'static [Command] {
+        KEPT
+    }
+
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         match id {
             CommandId::HoldAgainst => results::why_not_held(state),
@@ -129,12 +133,8 @@ impl Pane for InputsPane {
 }
 
 fn filter_line(painter: &mut Painter, list: Rect, editor: &ParameterEditor) -> Rect {
-    if !editor.filter.typing && editor.filter.is_empty() {
-        return list;
-    }
-    let [line, rest] = below_head(list);
-    painter.prompt(line, "filter: ", &editor.filter.input, editor.filter.typing);
-    rest
+    let all = editor.rows.iter().filter(|row| row.is_shown()).count();
+    painter.filter_line(list, &editor.filter, (editor.fields().count(), all))
 }
 
 /// A line of the list.

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use super::{Pane, PaneInfo, about};
 use crate::report::number;
 use crate::run::Progress;
-use crate::tui::command::{self, Command, CommandId, LIST, main};
+use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::{AppState, JobLine, JobPurpose, JobState};
@@ -17,6 +17,7 @@ use crate::tui::view::painter::Painter;
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
     main(CommandId::CancelJob, &["x", "d"], "cancel", "Cancel the job under the cursor"),
+    FILTER,
     command::DOWN,
 ];
 
@@ -28,18 +29,18 @@ impl Pane for JobsPane {
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
-        let line = state.jobs.lines.get(state.jobs.cursor);
+        let line = state.jobs.current();
         let open = line.is_some_and(|line| line.state.is_open());
         (id == CommandId::CancelJob && !open).then_some("There is no running job under the cursor.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
         if id == CommandId::CancelJob {
-            let ticket = state.jobs.lines.get(state.jobs.cursor)?.ticket;
+            let ticket = state.jobs.current()?.ticket;
             return Some(jobs::cancel(state, ticket));
         }
         let by = step(state, id)?;
-        state.jobs.cursor = moved(state.jobs.cursor, by, state.jobs.lines.len());
+        state.jobs.cursor = moved(state.jobs.cursor, by, state.jobs.shown().len());
         Some(Vec::new())
     }
 
@@ -51,8 +52,10 @@ impl Pane for JobsPane {
             return;
         }
         let focused = state.focus() == PaneId::Jobs;
-        painter.list(area, jobs.cursor, jobs.lines.len(), |painter, at, i| {
-            let line = &jobs.lines[i];
+        let shown = jobs.shown();
+        let area = painter.filter_line(area, &jobs.filter, (shown.len(), jobs.lines.len()));
+        painter.list(area, jobs.cursor, shown.len(), |painter, at, i| {
+            let line = shown[i];
             let style = painter.line_style(i == jobs.cursor && focused);
             painter.buf.set_style(at, style);
             let half = (area.width / 2).max(20);

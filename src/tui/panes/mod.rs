@@ -7,7 +7,7 @@ mod drawing;
 mod inputs;
 mod jobs;
 mod model;
-mod modes;
+pub mod modes;
 mod nodes;
 mod report;
 pub mod results;
@@ -22,11 +22,13 @@ mod validation;
 
 use ratatui::layout::Rect;
 
+use super::bindings::BoundCommand;
 use super::command::{self, Command, CommandId};
 use super::key::KeyPress;
 use super::msg::Effect;
 use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
+use super::update::tables::why_not;
 use super::view::painter::Painter;
 pub(super) use jobs::load_cases;
 
@@ -61,6 +63,11 @@ pub trait Pane: Sync {
     /// The commands that it has now.
     fn commands(&self, _state: &AppState) -> Vec<Command> {
         self.about().commands.concat()
+    }
+
+    /// Commands that it has at times only, beside those of [`PaneInfo`].
+    fn at_times(&self) -> &'static [Command] {
+        &[]
     }
 
     /// Why a command cannot be done now.
@@ -100,9 +107,9 @@ pub fn pane(id: PaneId) -> &'static dyn Pane {
     }
 }
 
-/// The commands that apply now, in the order of footer and help.
+/// The commands that apply now with their keys, in the order of footer and help.
 #[must_use]
-pub fn commands(state: &AppState) -> Vec<Command> {
+pub fn commands(state: &AppState) -> Vec<BoundCommand> {
     let focus = state.focus();
     let mut all: Vec<Command> = pane(focus).commands(state);
     if let Some(document) = state.document.as_ref().filter(|_| focus != PaneId::Trials) {
@@ -121,15 +128,16 @@ pub fn commands(state: &AppState) -> Vec<Command> {
         seen.push(command.id);
         new
     });
-    all
+    let bound = all.iter().map(|command| state.keys.bound(focus, command));
+    bound.collect()
 }
 
 /// The command of a key.
 #[must_use]
-pub fn find(state: &AppState, key: KeyPress) -> Option<Command> {
+pub fn find(state: &AppState, key: KeyPress) -> Option<BoundCommand> {
     let name = key.to_string();
     let all = commands(state);
-    all.into_iter().find(|c| c.keys.contains(&name.as_str()))
+    all.into_iter().find(|command| command.keys.has(&name))
 }
 
 /// Nothing, or the reason why the command cannot be done now.
@@ -139,14 +147,21 @@ pub fn find(state: &AppState, key: KeyPress) -> Option<Command> {
 pub fn enabled(state: &AppState, id: CommandId) -> Result<(), String> {
     let focus = state.focus();
     let reason = pane(focus).reason(state, id);
-    let reason = reason.or_else(|| {
-        let document = state
-            .document
-            .as_ref()
-            .filter(|_| focus != PaneId::Trials)?;
-        in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
-    });
-    reason.map_or(Ok(()), |reason| Err(reason.to_owned()))
+    let without = || {
+        let skips = id == CommandId::TutorialSkip && state.tutorial.is_none();
+        skips.then_some("The tutorial does not run; `:tutorial` begins it.")
+    };
+    let reason = reason
+        .or_else(|| why_not(state, id))
+        .or_else(without)
+        .or_else(|| {
+            let document = state
+                .document
+                .as_ref()
+                .filter(|_| focus != PaneId::Trials)?;
+            in_editor(&document.editor, id).or_else(|| document.kind().reason(id))
+        });
+    reason.map_or(Ok(()), |reason| Err(state.worded(reason)))
 }
 
 /// What the editor of every kind of file cannot do now.
@@ -163,19 +178,21 @@ fn in_editor(editor: &ParameterEditor, id: CommandId) -> Option<&'static str> {
         | CommandId::LineInput
             if editor.draft.is_some() =>
         {
-            Some("The file is not complete yet: `!` shows what it lacks, `u` takes edits back.")
+            Some(
+                "The file is not complete yet: `:messages` shows what it lacks, `:undo` takes edits back.",
+            )
         }
         CommandId::Undo => when(editor.undo.is_empty(), "There is nothing to undo."),
         CommandId::Redo => when(editor.redo.is_empty(), "There is nothing to redo."),
         CommandId::ExternalEditor => when(
             editor.unsaved(),
-            "There are changes that the file does not hold; `s` saves them first.",
+            "There are changes that the file does not hold; `:save` saves them first.",
         ),
         CommandId::Reset if !editor.unsaved() => Some("The field is as the file has it."),
         CommandId::Save => when(!editor.unsaved(), "The file already holds everything."),
         CommandId::Edit | CommandId::Reset => when(
             editor.current_field().is_none(),
-            "No field passes the filter. `/` and Esc drop it.",
+            "No field passes the filter. `:filter` and Esc drop it.",
         ),
         _ => None,
     }

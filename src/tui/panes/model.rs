@@ -21,12 +21,12 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Open, &["enter"], "keys", "Open all keys of the table under the cursor as a form; on a heading: add one"),
     main(CommandId::Add, &["a"], "add", "Add a table here or to the file, a line type of the library, a parameter"),
     main(CommandId::Remove, &["d"], "remove", "Remove the table under the cursor with all tables in it"),
-    main(CommandId::CopyTable, &["y"], "copy", "Copy the table under the cursor under another name"),
+    main(CommandId::CopyTable, &["c"], "copy", "Copy the table under the cursor under another name"),
     main(CommandId::Rename, &["n"], "rename", "Give the table under the cursor another name wherever the file uses it"),
     main(CommandId::Divide, &["|"], "divide", "Divide the line or section under the cursor into two"),
-    other(CommandId::MoveUp, &["K", "shift+up"], "up", "Move the table under the cursor before the one before it"),
-    other(CommandId::MoveDown, &["J", "shift+down"], "down", "Move the table under the cursor behind the one behind it"),
-    command::command(command::CommandOrder::Document, CommandId::Back, &["esc", "b", "B"], "back", "Back to the first pane"),
+    other(CommandId::MoveUp, &["<"], "up", "Move the table under the cursor before the one before it"),
+    other(CommandId::MoveDown, &[">"], "down", "Move the table under the cursor behind the one behind it"),
+    command::command(command::CommandOrder::Document, CommandId::Back, &["esc", "b"], "back", "Back to the first pane"),
     command::DOWN,
 ];
 
@@ -77,7 +77,7 @@ impl Pane for ModelPane {
             CommandId::Divide => build::divide(state),
             CommandId::MoveUp => build::shift(state, false),
             CommandId::MoveDown => build::shift(state, true),
-            CommandId::Back => {
+            CommandId::Back | CommandId::Model => {
                 let document = state.document.as_mut()?;
                 document.pane = document.kind().info().first;
                 Vec::new()

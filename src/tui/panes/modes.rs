@@ -9,11 +9,13 @@ use super::{Pane, PaneInfo, about};
 use crate::modes::LineModes;
 use crate::report::modes as views;
 use crate::report::table::Table;
-use crate::tui::command::{Command, CommandId, LIST, WIDE, main, other};
+use crate::tui::command::{COLUMNS, Command, CommandId, LIST, TABLE, main, other};
 use crate::tui::msg::Effect;
+use crate::tui::pane::PaneId;
 use crate::tui::state::{AppState, LineView};
 use crate::tui::update::export;
 use crate::tui::update::motion::table_verb;
+use crate::tui::view::layout;
 use crate::tui::view::painter::Painter;
 
 /// From this room on both pictures are seen at once.
@@ -29,6 +31,13 @@ const COMMANDS: &[Command] = &[
 
 pub(super) struct ModesPane;
 
+/// Whether the table of the modes has its narrow form.
+#[must_use]
+pub fn is_narrow(state: &AppState) -> bool {
+    let area = layout::pane_area(state, PaneId::Modes);
+    area.is_none_or(|area| area.width < BOTH.0)
+}
+
 /// The modes computed last, if any.
 fn computed(line: &LineView) -> Option<Arc<LineModes>> {
     match &line.modes.found {
@@ -39,7 +48,11 @@ fn computed(line: &LineView) -> Option<Arc<LineModes>> {
 
 impl Pane for ModesPane {
     fn about(&self) -> PaneInfo {
-        about("Modes", "Go to the natural modes", &[COMMANDS, LIST, WIDE])
+        about(
+            "Modes",
+            "Go to the natural modes",
+            &[COMMANDS, LIST, TABLE, COLUMNS],
+        )
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
@@ -56,7 +69,7 @@ impl Pane for ModesPane {
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
-        let verb = table_verb(state, id);
+        let (verb, narrow) = (table_verb(state, id), is_narrow(state));
         let (line, editor) = state.document.as_mut()?.line_and_editor()?;
         match id {
             CommandId::NextChart | CommandId::PreviousChart => line.modes.over = !line.modes.over,
@@ -68,7 +81,11 @@ impl Pane for ModesPane {
             _ => {
                 let verb = verb?;
                 let modes = computed(line)?;
-                line.modes.pane.act(verb, &views::table(&modes));
+                let table = match narrow {
+                    true => views::narrow(&modes),
+                    false => views::table(&modes),
+                };
+                line.modes.pane.act(verb, &table);
             }
         }
         Some(Vec::new())

@@ -7,7 +7,9 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::report::limits;
 use crate::report::table::Table;
-use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
+use crate::tui::command::{
+    self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other,
+};
 use crate::tui::line_tables::LineTable;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -35,7 +37,7 @@ impl Pane for NodesPane {
         about(
             "Nodes",
             "Go to the line node by node",
-            &[COMMANDS, LIST, WIDE],
+            &[COMMANDS, LIST, TABLE, COLUMNS],
         )
     }
 
@@ -45,7 +47,7 @@ impl Pane for NodesPane {
             CommandId::Write | CommandId::Sort | CommandId::NextTable | CommandId::PreviousTable
         );
         let Some((_, run, _)) = state.line()?.runs_view.reported() else {
-            return of_table.then_some("There is no finished run. `R` runs the case.");
+            return of_table.then_some("There is no finished run. `:run` runs the case.");
         };
         let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
         (next && LineTable::of(&run).len() < 2).then_some("This run has one table of the line.")
@@ -81,7 +83,7 @@ impl Pane for NodesPane {
             return;
         };
         let Some((_, run, _)) = line.runs_view.reported() else {
-            return painter.paragraph(area, "There is no finished run yet. `R` runs the case.");
+            return painter.paragraph(area, "There is no finished run yet. `:run` runs the case.");
         };
         let part = Part::Line(line.line_table.or_nodes(&run));
         painter.part(area, part, |painter, view| {

@@ -41,7 +41,7 @@ impl Pane for ReportPane {
         let view = state.runs_view()?;
         let none = view.report.is_none() && view.report_asked.is_none();
         (matches!(id, CommandId::Write | CommandId::WriteAs) && none)
-            .then_some("There is no finished run to report on. `R` runs the case.")
+            .then_some("There is no finished run to report on. `:run` runs the case.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
@@ -77,15 +77,18 @@ impl Pane for ReportPane {
         let Some((name, report)) = &view.report else {
             let words = match view.report_asked {
                 Some(_) => "The report is being made.",
-                None => "There is no finished run to report on yet. `R` runs the case.",
+                None => "There is no finished run to report on yet. `:run` runs the case.",
             };
             return painter.paragraph(area, words);
         };
         let [head, below] = below_head(area);
         let words = match view.report_asked {
             Some(_) => format!("Report on {name}, older than the run: a newer one is being made."),
-            None => format!("Report on {name}; `w` saves it as text, `F` in another format."),
+            None => format!(
+                "Report on {name}; `:write` saves it as text, `:write_as` in another format."
+            ),
         };
+        let words = painter.state.worded(&words);
         painter.text(head, &words, painter.theme.strong());
         let (down, across) = view.report_scroll;
         let last = report.lines().count().saturating_sub(text_rows(area));

@@ -5,7 +5,10 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{self, Command, CommandId, FILTER, LIST, SORT, WIDE, main, other};
+use crate::tui::command::{
+    self, COLUMNS, Command, CommandId, EXPLAIN, FILTER, HIDE_COLUMN, LIST, SHOW_COLUMNS, SORT,
+    main, other,
+};
 use crate::tui::msg::{Effect, RunCaseUse};
 use crate::tui::pane::PaneId;
 use crate::tui::run_cells::{cell, head, live_cell};
@@ -14,7 +17,7 @@ use crate::tui::state::{
     AppState, Charted, JobState, RunColumn, RunEntry, RunList, RunStatus, RunsView,
 };
 use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{column_plot, pages, results, resume, run_table, runs};
+use crate::tui::update::{column_plot, pages, results, resume, run_table, runs, tables};
 use crate::tui::view::layout;
 use crate::tui::view::paint::{below_head, first_line, rest, span};
 use crate::tui::view::painter::Painter;
@@ -27,14 +30,17 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Compare, &["="], "compare", "Compare the marked runs: inputs that differ, every result, validation; one run alone: with the run held"),
     FILTER,
     SORT,
-    other(CommandId::PlotColumns, &["p"], "plot", "Plot a result of the runs of the table against an input; `]` and `[` change the result, `}` and `{` the input, `w` writes chart and values"),
+    other(CommandId::PlotColumns, &["p"], "plot", "Plot a result of the runs of the table against an input; ] and [ change the result, } and { the input, w writes chart and values"),
     other(CommandId::HoldAgainst, &["v"], "hold", "Hold the results beside the inputs against this run"),
     other(CommandId::Delete, &["d"], "delete", "Delete the marked runs, or this one (asks first)"),
     other(CommandId::TagRuns, &["#"], "tag", "Tag the marked runs, or this one"),
     other(CommandId::NameRun, &["n"], "name", "Give this run a name of your own"),
-    other(CommandId::RunCase, &["e"], "its case", "Edit the exact case of this run in place of the open one; `u` takes it back"),
+    other(CommandId::RunCase, &["e"], "its case", "Edit the exact case of this run in place of the open one; `:undo` takes it back"),
     other(CommandId::Resume, &["c"], "resume", "Resume this stored run from its last checkpoint, up to a time that is asked for"),
     other(CommandId::RunAgain, &["X"], "again", "Compute the exact case of this run again, as a run of its own"),
+    EXPLAIN,
+    HIDE_COLUMN,
+    SHOW_COLUMNS,
     other(CommandId::NoteRun, &["N"], "note", "Write a note about this run"),
     other(CommandId::MarkAll, &["*"], "", "Mark all runs of the table; where any is marked: none"),
     other(CommandId::SortAround, &["O"], "", "Sort the other way round"),
@@ -62,7 +68,7 @@ pub(super) struct RunsPane;
 
 impl Pane for RunsPane {
     fn about(&self) -> PaneInfo {
-        about("Runs", "Go to the runs", &[COMMANDS, LIST, WIDE])
+        about("Runs", "Go to the runs", &[COMMANDS, LIST, COLUMNS])
     }
 
     fn commands(&self, state: &AppState) -> Vec<Command> {
@@ -76,7 +82,7 @@ impl Pane for RunsPane {
         let view = state.runs_view()?;
         let run = view.current_run();
         if !view.runs.has_live() && run.is_none() && OF_RUN.contains(&id) {
-            return Some("There is no run yet; `R` computes one.");
+            return Some("There is no run yet; `:run` computes one.");
         }
         let any_marked = || state.runs_view().is_some_and(|view| view.runs.any_marked());
         match id {
@@ -96,6 +102,16 @@ impl Pane for RunsPane {
                 let alone = !view.live.hidden && view.runs.on_charts().next().is_none();
                 (alone && !any_marked()).then_some("The live run is shown alone already.")
             }
+            CommandId::HideColumn => match view.runs.current_column() {
+                None => Some("No column has the cursor; `:column_right` puts it on one."),
+                Some(RunColumn::Name) => Some("The names of the runs stay."),
+                Some(_) => None,
+            },
+            CommandId::ShowColumns => view
+                .runs
+                .hidden
+                .is_empty()
+                .then_some("All columns are shown."),
             CommandId::TagRuns if any_marked() => None,
             CommandId::Mark
             | CommandId::NameRun
@@ -129,13 +145,23 @@ impl Pane for RunsPane {
             CommandId::PlotColumns => return Some(column_plot::open(state)),
             CommandId::Sort | CommandId::SortAround => {
                 run_table::sort(state, id == CommandId::SortAround);
-                show_sorted(state);
+                let sorted = state.runs_view()?.runs.sort;
+                show_column(state, sorted.map(|(column, _)| column));
             }
-            CommandId::ScrollRight => {
-                let last = view.runs.shown_columns().len().saturating_sub(2);
-                view.runs.scroll = (view.runs.scroll + 1).min(last);
+            CommandId::ColumnRight | CommandId::ColumnLeft => {
+                let by = if id == CommandId::ColumnRight { 1 } else { -1 };
+                view.runs.turn_column(by);
+                let column = view.runs.current_column();
+                show_column(state, column);
             }
-            CommandId::ScrollLeft => view.runs.scroll = view.runs.scroll.saturating_sub(1),
+            CommandId::Explain => {
+                let effects = tables::explain_run_column(state);
+                let column = state.runs_view()?.runs.current_column();
+                show_column(state, column);
+                return Some(effects);
+            }
+            CommandId::HideColumn => view.runs.hide_column(),
+            CommandId::ShowColumns => view.runs.hide_only(Vec::new()),
             _ => view.runs.cursor = moved(view.runs.cursor, by?, view.runs.lines()),
         }
         Some(Vec::new())
@@ -153,6 +179,7 @@ impl Pane for RunsPane {
         let table = TableView::new(on, &rows, area.width);
         let strong = painter.theme.strong();
         table.line(painter, heads, strong, 0);
+        table.mark(painter, heads, view.runs.current_column());
         let focused = state.focus() == PaneId::Runs;
         for (place, (number, y)) in rows.into_iter().zip(list.top()..).enumerate() {
             let at = Rect::new(list.x, y, list.width, 1);
@@ -171,13 +198,12 @@ fn rows_in_sight(view: &RunsView, height: u16) -> Vec<usize> {
     (first..view.runs.lines()).take(height.into()).collect()
 }
 
-/// Scrolls the table sideways until the column that sorts it is in sight.
-fn show_sorted(state: &mut AppState) {
+/// Scrolls the table sideways until a column is in sight.
+fn show_column(state: &mut AppState, column: Option<RunColumn>) {
     let area = layout::pane_area(state, PaneId::Runs).unwrap_or_default();
     let Some(view) = state.runs_view_mut() else {
         return;
     };
-    let column = view.runs.sort.map(|(column, _)| column);
     let columns = view.runs.shown_columns();
     // The first column is always there.
     let place = column.and_then(|column| columns.iter().position(|shown| *shown == column));
@@ -306,6 +332,20 @@ impl TableView {
         Self { columns }
     }
 
+    /// Marks the head of the column under the cursor.
+    fn mark(&self, painter: &mut Painter, heads: Rect, column: Option<RunColumn>) {
+        let mut from = 0;
+        for view in &self.columns {
+            if Some(view.column) == column {
+                let selected = painter.theme.selected();
+                painter
+                    .buf
+                    .set_style(span(heads, from, view.width), selected);
+            }
+            from += view.width + GAP;
+        }
+    }
+
     /// Writes the heads, the first row of cells, or a line of the table.
     fn line(&self, painter: &mut Painter, at: Rect, style: Style, row: usize) {
         let mut from = 0;
@@ -325,7 +365,7 @@ impl TableView {
 /// Why nothing can be done to a run that is not stored.
 fn why_not_stored(run: Option<&RunEntry>) -> Option<&'static str> {
     match run {
-        None => Some("The live run is in memory only; `K` keeps it."),
+        None => Some("The live run is in memory only; `:keep` keeps it."),
         Some(run) if run.dir.is_none() => Some("This run has no directory yet."),
         Some(_) => None,
     }
@@ -333,7 +373,7 @@ fn why_not_stored(run: Option<&RunEntry>) -> Option<&'static str> {
 
 fn why_not_resumed(run: Option<&RunEntry>) -> Option<&'static str> {
     let Some(run) = run else {
-        return Some("The live run is in memory only; `R` makes one that can be resumed.");
+        return Some("The live run is in memory only; `:run` makes one that can be resumed.");
     };
     match &run.state {
         RunStatus::Job(state) if state.is_open() => {

@@ -7,10 +7,13 @@ mod shade;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{Command, CommandId, CommandOrder, DOWN, LIST, command, main, other};
+use crate::tui::command::{
+    Command, CommandId, CommandOrder, DOWN, LIST, TABLE, command, main, other,
+};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
 use crate::tui::state::sweeps::{OpenSweep, SweepTab, SweepsView};
+use crate::tui::update::tables::{self, OF_TABLE};
 use crate::tui::update::{sweep_view, sweeps};
 use crate::tui::view::layout;
 use crate::tui::view::paint::{rest, right, row, wrap};
@@ -26,7 +29,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::AxisDown, &["y"], "down", "Another axis down"),
     main(CommandId::Rule, &["m"], "rule", "The next rule for the load cases of a cell: greatest, least, mean"),
     main(CommandId::HoldNext, &[">"], "hold", "Hold an axis that is not shown at its next value; after the last: all of its values"),
-    main(CommandId::Sort, &["o"], "sort", "Sort by the result shown, the greatest first; again: in the order of the load cases"),
+    main(CommandId::Sort, &["o"], "sort", "Sort by the result shown, the greatest first; again: in the order of the load cases; checks and seas by a column"),
     other(CommandId::HoldPrevious, &["<"], "", "Hold an axis that is not shown at its previous value"),
     other(CommandId::OtherAxis, &["t"], "other axis", "Choose which of the axes that are not shown is held"),
     other(CommandId::NextSweep, &["}"], "next", "Show the next stored sweep of this file, an older one"),
@@ -54,7 +57,7 @@ pub(super) struct SweepPane;
 
 impl Pane for SweepPane {
     fn about(&self) -> PaneInfo {
-        about("Sweep", "Go to the load cases", &[COMMANDS, LIST])
+        about("Sweep", "Go to the load cases", &[COMMANDS, LIST, TABLE])
     }
 
     fn commands(&self, state: &AppState) -> Vec<Command> {
@@ -63,9 +66,13 @@ impl Pane for SweepPane {
             return all;
         };
         let is_listed = view.open.as_ref().is_some_and(|open| open.cell.is_some());
+        let is_table = matches!(view.tab, SweepTab::Checks | SweepTab::Seas);
         let (tab, has_results) = (view.tab, [SweepTab::Map, SweepTab::LoadCases]);
         all.retain(|command| match command.id {
-            CommandId::Sort => tab == SweepTab::LoadCases,
+            CommandId::Sort => tab != SweepTab::Map,
+            CommandId::Filter => is_listed || tab != SweepTab::Map,
+            CommandId::Explain => tab != SweepTab::Map,
+            id if OF_TABLE.contains(&id) => !is_listed && is_table,
             CommandId::NextResult | CommandId::PreviousResult => has_results.contains(&tab),
             id if OF_MAP.contains(&id) => tab == SweepTab::Map && !is_listed,
             _ => true,
@@ -81,7 +88,7 @@ impl Pane for SweepPane {
             id => OF_MAP.contains(&id),
         };
         if needs_sweep && view.open.is_none() {
-            return Some("No sweep is shown; `W` computes the load cases of the file.");
+            return Some("No sweep is shown; `:start_sweep` computes the load cases of the file.");
         }
         let open = view.open.as_ref();
         let others = open.map_or(0, |open| open.choice.others().count());
@@ -113,7 +120,10 @@ impl Pane for SweepPane {
             CommandId::PreviousSweep => return Some(sweeps::turn(state, -1)),
             CommandId::Reload => return Some(sweeps::reload(state)),
             // Where no cell is open it goes back to the list of cases, as everywhere.
-            CommandId::Back => return sweep_view::leave(state).then(Vec::new),
+            CommandId::Back => {
+                let left = tables::drop_filter(state) || sweep_view::leave(state);
+                return left.then(Vec::new);
+            }
             CommandId::NextTable => sweeps::turn_tab(state, 1),
             CommandId::PreviousTable => sweeps::turn_tab(state, SweepTab::ALL.len() - 1),
             CommandId::NextResult => sweep_view::turn_result(state, 1),
@@ -121,7 +131,11 @@ impl Pane for SweepPane {
             CommandId::AxisAcross => sweep_view::turn_axis(state, false),
             CommandId::AxisDown => sweep_view::turn_axis(state, true),
             CommandId::Rule => sweep_view::turn_rule(state),
+            CommandId::Sort if state.focused_table().is_some() => return None,
             CommandId::Sort => sweep_view::sort(state),
+            CommandId::Explain if state.focused_table().is_none() => {
+                return Some(tables::explain_result(state));
+            }
             _ => sweep_view::go(state, id)?,
         }
         Some(Vec::new())
@@ -193,7 +207,7 @@ fn without_sweep(view: &SweepsView) -> String {
         (Some(dir), _) => format!("Reading {}.", visible::path(dir)),
         (None, Some(_)) => "The load cases are read.".to_owned(),
         (None, None) => {
-            "No sweep of this file is stored below runs. `W` computes all load cases in the background.".to_owned()
+            "No sweep of this file is stored below runs. `:start_sweep` computes all load cases in the background.".to_owned()
         }
     }
 }

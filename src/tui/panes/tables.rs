@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{Command, CommandId, DOWN, LIST, SORT, WIDE, main, other};
+use crate::tui::command::{COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::parts::Part;
 use crate::tui::state::ship::MOTIONS;
@@ -26,7 +26,11 @@ pub(super) struct TablesPane;
 
 impl Pane for TablesPane {
     fn about(&self) -> PaneInfo {
-        about("Tables", "Go to the tables", &[COMMANDS, LIST, WIDE])
+        about(
+            "Tables",
+            "Go to the tables",
+            &[COMMANDS, LIST, TABLE, COLUMNS],
+        )
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
@@ -35,8 +39,9 @@ impl Pane for TablesPane {
             DocumentContent::Ship(ship) => document.tab == MOTIONS && ship.has_motion(),
             _ => return (id == CommandId::NextTrace).then_some("Only a ship has six motions."),
         };
-        (id == CommandId::NextTrace && !of_motions)
-            .then_some("The motions of the ship have a table of their own; `]` goes there.")
+        (id == CommandId::NextTrace && !of_motions).then_some(
+            "The motions of the ship have a table of their own; `:next_table` goes there.",
+        )
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

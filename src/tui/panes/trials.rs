@@ -6,10 +6,10 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
 use crate::study::{hard_cases, tally};
-use crate::tui::command::{Command, CommandId, DOWN, LIST, WIDE, main};
+use crate::tui::command::{COLUMNS, Command, CommandId, DOWN, LIST, TABLE, main};
 use crate::tui::msg::Effect;
-use crate::tui::state::AppState;
 use crate::tui::state::trials::{self as data, Trials, TrialsOf};
+use crate::tui::state::{AppState, Filter};
 use crate::tui::update::motion::table_verb;
 use crate::tui::update::notice::info;
 use crate::tui::update::{export, trials};
@@ -33,7 +33,7 @@ pub(super) struct TrialsPane;
 
 impl Pane for TrialsPane {
     fn about(&self) -> PaneInfo {
-        about("Trials", "", &[COMMANDS, LIST, WIDE])
+        about("Trials", "", &[COMMANDS, LIST, TABLE, COLUMNS])
     }
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
@@ -57,10 +57,13 @@ impl Pane for TrialsPane {
                 let of = trials.of.clone();
                 return Some(trials::begin(state, of));
             }
+            CommandId::Back if !trials.pane.filter.is_empty() => {
+                trials.pane.filter = Filter::default();
+            }
             CommandId::Back => trials.shown = false,
             CommandId::CancelJob | CommandId::Interrupt if trials.running() => {
                 let effects = trials::stop(state);
-                info(state, "Stopped; `T` computes the trials again.");
+                info(state, "Stopped; `:trials` computes the trials again.");
                 return Some(effects);
             }
             CommandId::Write => {

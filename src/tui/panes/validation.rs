@@ -6,7 +6,7 @@ use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
 use crate::report::text;
-use crate::tui::command::{self, Command, CommandId, DOWN, LIST, SORT, WIDE};
+use crate::tui::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE};
 use crate::tui::msg::Effect;
 use crate::tui::state::AppState;
 use crate::tui::update::export::{self, TEXT_WIDTH};
@@ -29,7 +29,7 @@ impl Pane for ValidationPane {
         about(
             "Validation",
             "Go to the validation table",
-            &[COMMANDS, LIST, WIDE],
+            &[COMMANDS, LIST, TABLE, COLUMNS],
         )
     }
 

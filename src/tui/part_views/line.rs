@@ -9,12 +9,12 @@ use crate::tui::state::parts::PartView;
 pub(in crate::tui) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
     let mut table = which.table(run);
     table.title = match (which, LineTable::of(run).len()) {
-        (LineTable::Nodes, 1) => format!("Nodes of {name}; `w` writes them as CSV."),
+        (LineTable::Nodes, 1) => format!("Nodes of {name}; `:write` writes them as CSV."),
         (which, count) => {
             let number = 1 + which as usize;
             let what = which.title();
             format!(
-                "{what} of {name}, table {number} of {count}; `]` shows the next, `w` writes it."
+                "{what} of {name}, table {number} of {count}; `:next_table` shows the next, `:write` writes it."
             )
         }
     };

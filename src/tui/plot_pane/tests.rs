@@ -31,6 +31,7 @@ fn in_colour() -> Theme {
     Theme::new(crate::tui::terminal::capabilities::Capabilities {
         glyphs: Glyphs::Braille,
         colour: true,
+        palette: crate::tui::theme::Palette::Dark,
         unsure: false,
     })
 }

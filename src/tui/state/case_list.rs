@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use crate::tui::fuzzy::FuzzyFilter;
+
 /// A case file as the list shows it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CaseEntry {
@@ -24,7 +26,28 @@ pub struct Filter {
     pub typing: bool,
 }
 
+impl PartialEq for Filter {
+    fn eq(&self, other: &Self) -> bool {
+        self.typing == other.typing && self.input.value() == other.input.value()
+    }
+}
+
 impl Filter {
+    /// A filter of these words, as if they had been typed.
+    #[must_use]
+    pub fn of(words: &str) -> Self {
+        Self {
+            input: Input::new(words.to_owned()),
+            typing: false,
+        }
+    }
+
+    /// Whether it is typed, or holds lines back.
+    #[must_use]
+    pub fn is_in_use(&self) -> bool {
+        self.typing || !self.is_empty()
+    }
+
     /// Whether it lets everything pass.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -47,29 +70,26 @@ pub struct CaseList {
 
 impl CaseList {
     /// The entries that pass the filter.
-    pub fn shown(&self) -> impl Iterator<Item = &CaseEntry> {
-        let filter = self.filter.input.value().to_lowercase();
-        self.entries.iter().filter(move |entry| {
-            let about = match &entry.about {
-                Ok((title, source)) => format!("{title} {source}"),
-                Err((line, _)) => line.clone(),
-            };
-            passes(&format!("{} {about}", entry.name), &filter)
-        })
+    #[must_use]
+    pub fn shown(&self) -> Vec<&CaseEntry> {
+        if self.filter.is_empty() {
+            return self.entries.iter().collect();
+        }
+        let parts = |entry: &CaseEntry| match &entry.about {
+            Ok((title, source)) => vec![entry.name.clone(), title.clone(), source.clone()],
+            Err((line, _)) => vec![entry.name.clone(), line.clone()],
+        };
+        let lines: Vec<Vec<String>> = self.entries.iter().map(parts).collect();
+        let places = FuzzyFilter::new(self.filter.input.value()).places(&lines);
+        places
+            .into_iter()
+            .map(|place| &self.entries[place])
+            .collect()
     }
 
     /// The entry under the cursor.
     #[must_use]
     pub fn current(&self) -> Option<&CaseEntry> {
-        self.shown().nth(self.cursor)
+        self.shown().get(self.cursor).copied()
     }
-}
-
-/// True when every word of the filter occurs in the text.
-#[must_use]
-pub fn passes(text: &str, lowercase_filter: &str) -> bool {
-    let text = text.to_lowercase();
-    lowercase_filter
-        .split_whitespace()
-        .all(|word| text.contains(word))
 }

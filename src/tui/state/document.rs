@@ -223,20 +223,22 @@ impl Document {
         }
     }
 
-    /// The filter of the list that its pane shows, runs or fields; its cursor; and how many lines pass.
-    pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
-        let Self {
-            content,
-            editor,
-            pane,
-            ..
-        } = self;
-        if let (PaneId::Runs, Some(view)) = (*pane, content.runs_view_mut()) {
-            let lines = view.runs.lines();
-            return (&mut view.runs.filter, &mut view.runs.cursor, lines);
+    /// The filter of the list that its pane shows, fields, runs or load cases; its cursor; and how many lines pass.
+    pub fn filter_mut(&mut self) -> Option<(&mut Filter, &mut usize, usize)> {
+        match self.pane {
+            PaneId::Inputs => {
+                let editor = &mut self.editor;
+                let lines = editor.fields().count();
+                Some((&mut editor.filter, &mut editor.field, lines))
+            }
+            PaneId::Runs => {
+                let runs = &mut self.content.runs_view_mut()?.runs;
+                let lines = runs.lines();
+                Some((&mut runs.filter, &mut runs.cursor, lines))
+            }
+            PaneId::Sweep => self.content.sweeps_mut()?.filter_mut(),
+            _ => None,
         }
-        let lines = editor.fields().count();
-        (&mut editor.filter, &mut editor.field, lines)
     }
 
     /// What a part of the screen is of now; nothing where there is no such part.

@@ -85,8 +85,9 @@ pub trait DocumentKind {
 
     /// Why one of them cannot be done now.
     fn reason(&self, id: CommandId) -> Option<&'static str> {
-        (id == CommandId::Copy && self.copy().is_none())
-            .then_some("Only the material of a cross-section is copied; `M` writes it to a file.")
+        (id == CommandId::Copy && self.copy().is_none()).then_some(
+            "Only the material of a cross-section is copied; `:line_input` writes it to a file.",
+        )
     }
 
     /// The text for the clipboard.

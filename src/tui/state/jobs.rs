@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use super::case_list::Filter;
 use crate::case::stand_alone;
 use crate::kinds::FileType;
 use crate::run::event::JobEvent;
@@ -13,6 +14,7 @@ use crate::run::store;
 use crate::run::{Progress, ResumedRun, Run, RunInfo, resume_request};
 use crate::system::motion::checkpoint::{self, ResumedSystem};
 use crate::system::motion::job::{self as system_job, SystemRequest};
+use crate::tui::fuzzy::FuzzyFilter;
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
 pub type JobNumber = u64;
@@ -188,6 +190,8 @@ pub struct Jobs {
     pub limit: usize,
     /// Cursor in the list.
     pub cursor: usize,
+    /// The filter of the list.
+    pub filter: Filter,
     /// The next number.
     pub next: JobNumber,
 }
@@ -199,6 +203,7 @@ impl Default for Jobs {
             waiting: VecDeque::new(),
             limit: 1,
             cursor: 0,
+            filter: Filter::default(),
             next: 1,
         }
     }
@@ -210,6 +215,24 @@ impl Jobs {
         let ticket = self.next;
         self.next += 1;
         ticket
+    }
+
+    /// The jobs that pass the filter.
+    #[must_use]
+    pub fn shown(&self) -> Vec<&JobLine> {
+        if self.filter.is_empty() {
+            return self.lines.iter().collect();
+        }
+        let parts = |line: &JobLine| vec![line.name.clone(), line.state.word().to_owned()];
+        let lines: Vec<Vec<String>> = self.lines.iter().map(parts).collect();
+        let places = FuzzyFilter::new(self.filter.input.value()).places(&lines);
+        places.into_iter().map(|place| &self.lines[place]).collect()
+    }
+
+    /// The job under the cursor.
+    #[must_use]
+    pub fn current(&self) -> Option<&JobLine> {
+        self.shown().get(self.cursor).copied()
     }
 
     /// The job of this number.

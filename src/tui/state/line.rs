@@ -202,7 +202,7 @@ impl DocumentKind for LineView {
             CommandId::Keep => self.runs_view.live.why_not_kept(),
             CommandId::Trials => when(
                 case.trial.is_empty(),
-                "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `T` computes all.",
+                "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `:trials` computes all.",
             ),
             _ => None,
         }

@@ -1,10 +1,12 @@
 //! Everything the screen knows, as plain data. Only [`update`](super::update()) changes it.
 
 pub mod case_list;
+pub mod command_line;
 pub mod curves;
 pub mod document;
 pub mod document_kind;
 pub mod edit_check;
+mod focused_table;
 pub mod form;
 pub mod jobs;
 pub mod line;
@@ -31,6 +33,7 @@ pub mod value_check;
 pub mod variants;
 
 pub use case_list::{CaseEntry, CaseList, Filter};
+pub use command_line::{CommandLine, LineHistory};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
 pub use document::{Document, DocumentContent};
 pub use document_kind::DocumentKind;
@@ -49,10 +52,15 @@ pub use variants::{Variant, VariantPlan, VariedRuns};
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
+use std::sync::Arc;
 
+use super::bindings::KeyTable;
 use super::msg::Msg;
 use super::pane::PaneId;
+use super::screen_memory::ScreenMemory;
 use super::terminal::capabilities::Capabilities;
+use super::theme::Palette;
+use super::tutorial::Tutorial;
 
 /// The whole state of the workbench.
 #[derive(Debug, Clone)]
@@ -61,6 +69,8 @@ pub struct AppState {
     pub size: (u16, u16),
     /// Glyphs and colour.
     pub capabilities: Capabilities,
+    /// The keys that the user binds.
+    pub keys: Arc<KeyTable>,
     /// The list of cases.
     pub cases: CaseList,
     /// The document that is open.
@@ -83,6 +93,16 @@ pub struct AppState {
     pub checks: u64,
     /// The file or directory that is watched for changes by other programs.
     pub watched: Option<PathBuf>,
+    /// Lines of commands of before.
+    pub history: LineHistory,
+    /// The theme that the user chose on the screen.
+    pub theme: Option<Palette>,
+    /// The tutorial, while it runs.
+    pub tutorial: Option<Tutorial>,
+    /// The step at which it was left.
+    pub tutorial_left: Option<usize>,
+    /// What the screen of an earlier session showed, until its file is open.
+    pub earlier: Option<Box<ScreenMemory>>,
 }
 
 /// A message to the user.
@@ -112,6 +132,7 @@ impl AppState {
         Self {
             size,
             capabilities,
+            keys: Arc::default(),
             cases: CaseList::default(),
             document: None,
             trials: None,
@@ -123,6 +144,11 @@ impl AppState {
             held: VecDeque::new(),
             checks: 0,
             watched: None,
+            history: LineHistory::default(),
+            theme: None,
+            tutorial: None,
+            tutorial_left: None,
+            earlier: None,
         }
     }
 
@@ -189,14 +215,27 @@ impl AppState {
         self.document.as_mut().map(|document| &mut document.editor)
     }
 
-    /// The filter of the list that is open, runs, fields or cases; its cursor; and how many lines pass.
-    pub fn filter_mut(&mut self) -> (&mut Filter, &mut usize, usize) {
-        match &mut self.document {
-            Some(document) => document.filter_mut(),
-            None => {
-                let lines = self.cases.shown().count();
-                (&mut self.cases.filter, &mut self.cases.cursor, lines)
+    /// The filter of the list that has the focus, its cursor, and how many lines pass; nothing where no list has it.
+    pub fn filter_mut(&mut self) -> Option<(&mut Filter, &mut usize, usize)> {
+        let focus = self.focus();
+        let rows = self.focused_table().map(|table| {
+            let pane = self.table_pane();
+            pane.map_or(0, |pane| pane.count(&table))
+        });
+        if let Some(rows) = rows {
+            let pane = self.table_pane_mut()?;
+            return Some((&mut pane.filter, &mut pane.selected, rows));
+        }
+        match focus {
+            PaneId::Cases => {
+                let lines = self.cases.shown().len();
+                Some((&mut self.cases.filter, &mut self.cases.cursor, lines))
             }
+            PaneId::Jobs => {
+                let lines = self.jobs.shown().len();
+                Some((&mut self.jobs.filter, &mut self.jobs.cursor, lines))
+            }
+            _ => self.document.as_mut()?.filter_mut(),
         }
     }
 
@@ -208,11 +247,17 @@ impl AppState {
         self.document = None;
     }
 
-    /// Says something and keeps it in the log.
+    /// A text with the names of commands in it, such as `` `:undo` ``, replaced by the keys that the user has for them.
+    #[must_use]
+    pub fn worded(&self, text: &str) -> String {
+        self.keys.worded(self.focus(), text).into_owned()
+    }
+
+    /// Says something and keeps it in the log. A command is named in it as `` `:undo` ``, and shown by its key.
     pub fn say(&mut self, level: Severity, text: impl Into<String>) {
         let note = StatusMessage {
             level,
-            text: text.into(),
+            text: self.worded(&text.into()),
         };
         self.log.push(note.clone());
         self.note = Some(note);

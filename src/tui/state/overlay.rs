@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
+use super::case_list::Filter;
+use super::command_line::CommandLine;
 use super::form::Form;
 use super::picker::Picker;
 use crate::report::document::ReportFormat;
@@ -17,18 +19,24 @@ pub enum Overlay {
     Help {
         /// First line shown.
         scroll: usize,
+        /// The filter of the keys.
+        filter: Filter,
     },
-    /// All commands, filtered by what is typed.
-    Palette {
-        /// What is typed.
-        input: Input,
-        /// Cursor among the commands that pass.
-        cursor: usize,
-    },
+    /// The line on which a command is typed.
+    Palette(CommandLine),
     /// The messages so far.
     Messages {
         /// Lines scrolled up from the newest.
         scroll: usize,
+        /// The filter of the messages.
+        filter: Filter,
+    },
+    /// What a column is, until the next key.
+    Explanation {
+        /// Its head.
+        title: String,
+        /// What it is.
+        text: String,
     },
     /// A text to read, such as all that is wrong with a case file.
     Text {

@@ -14,6 +14,7 @@ use crate::case::judging_rows::is_judging;
 use crate::case::shipped;
 use crate::kinds::FileType;
 use crate::tui::facade::FieldRow;
+use crate::tui::fuzzy::{FuzzyFilter, Looking};
 
 /// The inputs of a file as it was opened, or as it is shipped: edits are told by them, also once they are saved.
 #[derive(Debug, Clone)]
@@ -154,6 +155,11 @@ pub struct ParameterEditor {
     pub draft: Option<String>,
 }
 
+/// What a filter is looked for in.
+fn parts(row: &FieldRow) -> [&str; 3] {
+    [&row.path, &row.group, &row.label]
+}
+
 impl ParameterEditor {
     /// The name of a file.
     #[must_use]
@@ -230,19 +236,19 @@ impl ParameterEditor {
 
     /// The fields that pass the filter.
     pub fn fields(&self) -> impl Iterator<Item = &FieldRow> {
-        let filter = self.filter.input.value().to_lowercase();
+        let filter = FuzzyFilter::new(self.filter.input.value());
         // Who looks for a field finds it.
         let folded = self.folded && filter.is_empty();
         let shown = self
             .rows
             .iter()
             .filter(move |row| row.is_shown() && (!folded || row.given || row.replaced.is_some()));
-        shown.filter(move |row| {
-            super::case_list::passes(
-                &format!("{} {} {}", row.path, row.group, row.label),
-                &filter,
-            )
-        })
+        let has_words = |row: &FieldRow| filter.passes(&parts(row), Looking::Words);
+        let looking = match filter.is_empty() || shown.clone().any(has_words) {
+            true => Looking::Words,
+            false => Looking::Letters,
+        };
+        shown.filter(move |row| filter.is_empty() || filter.passes(&parts(row), looking))
     }
 
     /// How many fields are folded, and how many of all fields are marked as assumed.

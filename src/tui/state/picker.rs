@@ -2,8 +2,8 @@
 
 use tui_input::Input;
 
-use super::case_list::passes;
 use crate::templates::Template;
+use crate::tui::fuzzy::{FuzzyFilter, Looking};
 
 /// What is chosen.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -57,19 +57,20 @@ impl Picker {
     /// The items that hold every word typed.
     #[must_use]
     pub fn shown(&self) -> Vec<&PickerItem> {
-        let typed = self.input.value().to_lowercase();
-        let items = self.items.iter();
-        let mut found: Vec<&PickerItem> = items
-            .filter(|item| passes(&format!("{} {}", item.name, item.help), &typed))
-            .collect();
+        let filter = FuzzyFilter::new(self.input.value());
+        let lines = self.items.iter().map(|item| vec![&item.name, &item.help]);
+        let places = filter.places(&lines.collect::<Vec<_>>());
+        let mut found: Vec<&PickerItem> = places.iter().map(|at| &self.items[*at]).collect();
         // Names before what is only said of others.
+        let typed = self.input.value().to_lowercase();
         found.sort_by_key(|item| {
             let name = item.name.to_lowercase();
             let last = name.rsplit(" > ").next().unwrap_or(&name);
             match () {
-                () if last.starts_with(&typed) => 0,
-                () if passes(&name, &typed) => 1,
-                () => 2,
+                () if last == typed => 0,
+                () if last.starts_with(&typed) => 1,
+                () if filter.passes(&[&name], Looking::Words) => 2,
+                () => 3,
             }
         });
         found

@@ -84,8 +84,14 @@ pub struct RunList {
     pub filter: Filter,
     /// The column that sorts, and whether the greatest comes first; absent: oldest first.
     pub sort: Option<(RunColumn, bool)>,
+    /// The column that is to sort once it is there, and whether the greatest comes first.
+    sort_later: Option<(ColumnName, bool)>,
     /// Columns hidden at the left.
     pub scroll: usize,
+    /// The column under the cursor.
+    pub column: Option<ColumnName>,
+    /// Columns that the user hides.
+    pub hidden: Vec<ColumnName>,
     /// Inputs that differ among the runs, and results.
     pub columns: RunColumns,
     /// How far the index is in step with the directories, while it is not.
@@ -393,7 +399,65 @@ impl RunList {
             RunColumn::Tags,
         ];
         let first = [RunColumn::Name, RunColumn::State].into_iter();
-        first.chain(differ).chain(results).chain(rest).collect()
+        let all = first.chain(differ).chain(results).chain(rest);
+        all.filter(|column| !self.hides(*column)).collect()
+    }
+
+    /// Whether the user hides a column.
+    fn hides(&self, column: RunColumn) -> bool {
+        !self.hidden.is_empty()
+            && self
+                .name_of(column)
+                .is_some_and(|name| self.hidden.contains(&name))
+    }
+
+    /// The column under the cursor, where it is shown.
+    #[must_use]
+    pub fn current_column(&self) -> Option<RunColumn> {
+        let column = self.column_of(self.column.as_ref()?)?;
+        self.shown_columns.contains(&column).then_some(column)
+    }
+
+    /// The column under the cursor; where none has it, the first gets it.
+    pub fn column_or_first(&mut self) -> RunColumn {
+        let column = self.current_column().unwrap_or(RunColumn::Name);
+        self.column = self.name_of(column);
+        column
+    }
+
+    /// Moves the cursor by so many columns.
+    pub fn turn_column(&mut self, by: isize) {
+        let now = self.current_column();
+        let now = now.and_then(|column| self.shown_columns.iter().position(|c| *c == column));
+        let last = self.shown_columns.len().saturating_sub(1);
+        let next = now
+            .map_or(0, |place| place.saturating_add_signed(by))
+            .min(last);
+        let column = self.shown_columns.get(next).copied();
+        self.column = column.and_then(|column| self.name_of(column));
+    }
+
+    /// Hides the column under the cursor, which goes to the next one. The name stays.
+    pub fn hide_column(&mut self) {
+        let Some(column) = self
+            .current_column()
+            .filter(|column| *column != RunColumn::Name)
+        else {
+            return;
+        };
+        let name = self.name_of(column);
+        self.turn_column(1);
+        if self.current_column() == Some(column) {
+            self.turn_column(-1);
+        }
+        self.hidden.extend(name);
+        self.shown_columns = self.columns_to_show();
+    }
+
+    /// Hides these columns and no others.
+    pub fn hide_only(&mut self, hidden: Vec<ColumnName>) {
+        self.hidden = hidden;
+        self.shown_columns = self.columns_to_show();
     }
 
     /// Whether an input is not the same in all rows of the table.
@@ -408,11 +472,27 @@ impl RunList {
 
     /// Takes new columns; the table stays sorted by the column of the same name.
     pub fn take_columns(&mut self, columns: RunColumns) {
-        let sorted = self.sort.take();
-        let named = sorted.and_then(|(column, down)| Some((self.name_of(column)?, down)));
+        let wanted = self.wanted_sort();
         self.columns = columns;
         self.shown_columns = self.columns_to_show();
-        self.sort = named.and_then(|(name, down)| Some((self.column_of(&name)?, down)));
+        self.sort = None;
+        self.sort_when_there(wanted);
+    }
+
+    /// The column that sorts, or is to once it is there, by its name.
+    #[must_use]
+    pub fn wanted_sort(&self) -> Option<(ColumnName, bool)> {
+        let sorted = self.sort;
+        let named = sorted.and_then(|(column, down)| Some((self.name_of(column)?, down)));
+        named.or_else(|| self.sort_later.clone())
+    }
+
+    /// Sorts by the column of a name, once there is one.
+    pub fn sort_when_there(&mut self, wanted: Option<(ColumnName, bool)>) {
+        let there = wanted.as_ref();
+        let there = there.and_then(|(name, down)| Some((self.column_of(name)?, *down)));
+        self.sort = there.or(self.sort);
+        self.sort_later = wanted.filter(|_| there.is_none());
     }
 
     /// The name of a column.
@@ -440,8 +520,17 @@ impl RunList {
         })
     }
 
-    /// Sorts by the next column; after the last in the original order again.
+    /// Sorts by the column under the cursor, then the other way round, then in the original order; without a cursor by the next
+    /// column, after the last in the original order again.
     pub fn sort_next(&mut self) {
+        self.sort_later = None;
+        if let Some(column) = self.current_column() {
+            self.sort = match self.sort {
+                Some((by, down)) if by == column => (!down).then_some((column, true)),
+                _ => Some((column, false)),
+            };
+            return self.arrange();
+        }
         let columns = self.shown_columns();
         let at = self
             .sort
@@ -453,6 +542,7 @@ impl RunList {
 
     /// Turns the order around.
     pub fn sort_around(&mut self) {
+        self.sort_later = None;
         let (column, down) = self.sort.unwrap_or((RunColumn::Age, false));
         self.sort = Some((column, !down));
         self.arrange();

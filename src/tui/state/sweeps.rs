@@ -9,6 +9,8 @@ use crate::study::load_case_table::{
     HeatCell, HeatMap, HeatMapChoice, LoadCaseColumn, LoadCaseTable, ResultValue,
 };
 use crate::study::sweep::{SweepEntry, SweepSnapshot};
+use crate::tui::fuzzy::FuzzyFilter;
+use crate::tui::state::Filter;
 use crate::tui::table_pane::TablePane;
 
 /// Why there is nothing to compute.
@@ -140,7 +142,9 @@ impl SweepRead {
 pub struct CellList {
     /// The load cases, by their places.
     pub load_cases: Vec<usize>,
-    /// Cursor.
+    /// Those that pass the filter.
+    pub shown: Vec<usize>,
+    /// Cursor among those shown.
     pub cursor: usize,
 }
 
@@ -165,8 +169,10 @@ pub struct OpenSweep {
     pub cursor: (usize, usize),
     /// The load cases of the cell that was entered.
     pub cell: Option<CellList>,
-    /// The load cases in the order of the table.
+    /// The load cases in the order of the table, as far as they pass the filter.
     pub order: Vec<usize>,
+    /// The filter of load cases in lines.
+    pub filter: Filter,
     /// Whether the table is sorted by the result shown, the greatest first.
     pub by_result: bool,
     /// Cursor in the table.
@@ -194,6 +200,7 @@ impl OpenSweep {
             cursor: (0, 0),
             cell: None,
             order: Vec::new(),
+            filter: Filter::default(),
             by_result: false,
             row: 0,
             checks_pane: TablePane::default(),
@@ -243,7 +250,7 @@ impl OpenSweep {
             column.min(last(self.map.columns)),
             row.min(last(self.map.rows)),
         );
-        self.order = (0..self.table.states.len()).collect();
+        self.order = self.passing((0..self.table.states.len()).collect());
         if self.by_result {
             let key = |case: &usize| values.get(*case).copied().flatten().map(|of| of.value);
             // What has no value comes last.
@@ -253,10 +260,50 @@ impl OpenSweep {
                 (a, b) => b.is_some().cmp(&a.is_some()),
             });
         }
+        let shown = self
+            .cell
+            .as_ref()
+            .map(|cell| self.passing(cell.load_cases.clone()));
+        if let (Some(cell), Some(shown)) = (&mut self.cell, shown) {
+            cell.cursor = cell.cursor.min(last(shown.len()));
+            cell.shown = shown;
+        }
+        self.row = self.row.min(last(self.order.len()));
+    }
+
+    /// Those of these load cases that pass the filter.
+    fn passing(&self, load_cases: Vec<usize>) -> Vec<usize> {
+        if self.filter.is_empty() {
+            return load_cases;
+        }
+        let words = |case: &usize| {
+            let state = self.table.states.get(*case).map_or("", |of| of.word());
+            vec![
+                (case + 1).to_string(),
+                self.table.words(*case),
+                state.to_owned(),
+            ]
+        };
+        let lines: Vec<Vec<String>> = load_cases.iter().map(words).collect();
+        let places = FuzzyFilter::new(self.filter.input.value()).places(&lines);
+        places.into_iter().map(|place| load_cases[place]).collect()
     }
 }
 
 impl SweepsView {
+    /// The filter of the load cases in lines, its cursor, and how many pass; nothing where they are not in lines.
+    pub fn filter_mut(&mut self) -> Option<(&mut Filter, &mut usize, usize)> {
+        let tab = self.tab;
+        let open = self.open.as_mut()?;
+        match &mut open.cell {
+            Some(cell) => Some((&mut open.filter, &mut cell.cursor, cell.shown.len())),
+            None if tab == SweepTab::LoadCases => {
+                Some((&mut open.filter, &mut open.row, open.order.len()))
+            }
+            None => None,
+        }
+    }
+
     /// Takes the list of those stored: the newest is shown, unless another is.
     pub fn take(&mut self, stored: Vec<SweepEntry>) {
         self.stored = stored;

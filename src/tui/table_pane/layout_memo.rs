@@ -9,35 +9,44 @@ use crate::report::table::{Table, TableLayout};
 #[derive(Debug, Default)]
 pub(super) struct LayoutMemo(RefCell<Option<LaidOut>>);
 
+/// What a layout depends on besides the table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct LayoutKey {
+    /// Head of the column that sorts, and whether the greatest comes first.
+    pub(super) sort: Option<(String, bool)>,
+    /// Heads of the columns that are hidden.
+    pub(super) hidden: Vec<String>,
+    /// The filter of the rows.
+    pub(super) filter: String,
+    pub(super) width: usize,
+}
+
 #[derive(Debug)]
 struct LaidOut {
     table: Table,
-    sort: Option<usize>,
-    width: usize,
+    key: LayoutKey,
     layout: Arc<TableLayout>,
 }
 
 impl LayoutMemo {
-    /// The layout of a table that is sorted by a column, in a width; made by `lay_out` where it is not that of the last time.
+    /// The layout of a table as the user has it; made by `lay_out` where it is not that of the last time.
     pub(super) fn of(
         &self,
         table: &Table,
-        sort: Option<usize>,
-        width: usize,
+        key: LayoutKey,
         lay_out: impl FnOnce() -> TableLayout,
     ) -> Arc<TableLayout> {
         let mut last = self.0.borrow_mut();
         let known = last
             .as_ref()
-            .filter(|last| last.width == width && last.sort == sort && last.table == *table);
+            .filter(|last| last.key == key && last.table == *table);
         if let Some(known) = known {
             return Arc::clone(&known.layout);
         }
         let layout = Arc::new(lay_out());
         *last = Some(LaidOut {
             table: table.clone(),
-            sort,
-            width,
+            key,
             layout: Arc::clone(&layout),
         });
         layout
@@ -67,8 +76,14 @@ mod tests {
         let memo = LayoutMemo::default();
         let made = std::cell::Cell::new(0);
         let table = |n: usize| Table::of("", &[n]).count("n", |n| n).build();
-        let lay_out = |n, sort, width| {
-            memo.of(&table(n), sort, width, || {
+        let lay_out = |n, sort: Option<&str>, width| {
+            let key = LayoutKey {
+                sort: sort.map(|head| (head.to_owned(), false)),
+                hidden: Vec::new(),
+                filter: String::new(),
+                width,
+            };
+            memo.of(&table(n), key, || {
                 made.set(made.get() + 1);
                 table(n).layout(width)
             });
@@ -76,6 +91,9 @@ mod tests {
         };
         assert_eq!([lay_out(1, None, 80), lay_out(1, None, 80)], [1, 1]);
         assert_eq!([lay_out(2, None, 80), lay_out(2, None, 60)], [2, 3]);
-        assert_eq!([lay_out(2, Some(0), 60), lay_out(2, Some(0), 60)], [4, 4]);
+        assert_eq!(
+            [lay_out(2, Some("n"), 60), lay_out(2, Some("n"), 60)],
+            [4, 4]
+        );
     }
 }

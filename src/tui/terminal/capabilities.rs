@@ -1,6 +1,7 @@
 //! What the terminal can show: glyphs and colours, decided from flags and environment alone.
 
 use crate::report::chart::Glyphs;
+use crate::tui::theme::Palette;
 
 /// What was decided, and whether the user should be asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,6 +10,8 @@ pub struct Capabilities {
     pub glyphs: Glyphs,
     /// False under `NO_COLOR`.
     pub colour: bool,
+    /// The colours, where there are any.
+    pub palette: Palette,
     /// True when nothing says what the terminal can show: no locale is no proof of plain ASCII,
     /// as a command run over SSH often has none.
     pub unsure: bool,
@@ -36,6 +39,7 @@ pub fn decide(
     Capabilities {
         glyphs,
         colour: set("NO_COLOR").is_none(),
+        palette: Palette::default(),
         unsure,
     }
 }

@@ -15,10 +15,10 @@ pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>
     state.cases.entries = entries;
     // The cursor stays on its case; at first it is on the one that newcomers should see.
     let at = match before {
-        Some(path) => state.cases.shown().position(|e| e.path == path),
-        None => state.cases.shown().position(|e| e.name == FIRST),
+        Some(path) => state.cases.shown().iter().position(|e| e.path == path),
+        None => state.cases.shown().iter().position(|e| e.name == FIRST),
     };
-    let lines = state.cases.shown().count();
+    let lines = state.cases.shown().len();
     state.cases.cursor = at
         .unwrap_or(state.cases.cursor)
         .min(lines.saturating_sub(1));
@@ -66,6 +66,12 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
         .map(|d| &mut d.editor)
     {
         editor.folded = true;
+    }
+    let earlier = state.earlier.take();
+    if let Some(document) = &mut state.document
+        && let Some(earlier) = earlier.filter(|earlier| earlier.is_of(&document.editor.path))
+    {
+        earlier.restore(document);
     }
     results::main_ones(state);
     let mut effects = jobs::resolve(state);

@@ -21,7 +21,9 @@ pub fn open(state: &mut AppState) -> Vec<Effect> {
 #[must_use]
 pub fn why_not(runs: &RunList) -> Option<&'static str> {
     let none = ColumnPair::first(runs).is_none();
-    none.then_some("The runs of the table have no two columns of numbers yet. `R` runs the case.")
+    none.then_some(
+        "The runs of the table have no two columns of numbers yet. `:run` runs the case.",
+    )
 }
 
 /// Keys while the chart is shown.

@@ -21,10 +21,9 @@ pub fn why_no_difference(on: Charted<'_>) -> Option<&'static str> {
     if !plots::has_differences(on.view.chart) {
         return Some("Only curves against time are drawn as differences.");
     }
-    on.view
-        .against
-        .is_none()
-        .then_some("No run is held yet: `v` beside the inputs or in the runs holds one.")
+    on.view.against.is_none().then_some(
+        "No run is held yet: `:hold_against` beside the inputs or in the runs holds one.",
+    )
 }
 
 /// Why the axes of the chart stay linear.
@@ -44,7 +43,7 @@ pub fn difference(state: &mut AppState) -> Vec<Effect> {
     let words = match (&view.against, view.differences) {
         (Some((name, _)), true) => {
             format!(
-                "Curves against time are drawn less those of {name}. `d` draws them as they are."
+                "Curves against time are drawn less those of {name}. `:difference` draws them as they are."
             )
         }
         _ => "Curves are drawn as they are.".to_owned(),

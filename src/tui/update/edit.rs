@@ -103,7 +103,7 @@ pub fn optional(row: &FieldRow) -> bool {
 
 pub(super) fn undo(state: &mut AppState) -> Vec<Effect> {
     let text = state.editor().and_then(|editor| editor.undo.last());
-    let said = Some("Undone. `U` does it again.".to_owned());
+    let said = Some("Undone. `:redo` does it again.".to_owned());
     step_back(state, text.cloned(), EditSource::Undo, said)
 }
 
@@ -138,7 +138,7 @@ pub(super) fn edited(state: &mut AppState, read: Result<String, String>) -> Vec<
         Ok(text) if text == editor.saved => info(state, "The file is as it was."),
         Ok(text) => {
             editor.saved.clone_from(&text);
-            let said = "Read from the file again. `u` takes the change back.";
+            let said = "Read from the file again. `:undo` takes the change back.";
             replace(state, text, said)
         }
         Err(story) => {
@@ -215,7 +215,7 @@ pub fn reset(state: &mut AppState) -> Vec<Effect> {
         }
         None => info(
             state,
-            "The file gives no value here; `u` undoes the edits one by one.",
+            "The file gives no value here; `:undo` undoes the edits one by one.",
         ),
     }
 }
@@ -272,7 +272,7 @@ pub(super) fn recover(state: &mut AppState, left: RecoveredEdits) -> Vec<Effect>
         let kept = left.kept.iter();
         editor.kept = kept.filter_map(|word| KeptRange::read(word)).collect();
     }
-    let said = "The edits of the earlier session are back. `u` undoes them.";
+    let said = "The edits of the earlier session are back. `:undo` undoes them.";
     let edit = PendingEdit {
         change: Change::Text(left.text),
         source: EditSource::Recovered,

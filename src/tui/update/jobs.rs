@@ -274,7 +274,7 @@ pub(super) fn cancel_focused(state: &mut AppState) -> Vec<Effect> {
         }
         None => info(
             state,
-            "Nothing is running. Ctrl-C again quits; so does `q`.",
+            "Nothing is running. Ctrl-C again quits; so does `:quit`.",
         ),
     }
 }

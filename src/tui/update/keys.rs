@@ -3,7 +3,7 @@
 use super::motion::moved;
 use super::notice::info;
 use super::text_input::{type_key, type_text};
-use super::{edit, overlay, quit};
+use super::{command_line, edit, overlay, quit, sweeps};
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
@@ -36,14 +36,14 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
         None if key == KeyPress::Esc => Vec::new(),
         None => info(
             state,
-            format!("`{key}` does nothing here. `?` shows the keys that do."),
+            format!("`{key}` does nothing here. `:help` shows the keys that do."),
         ),
     }
 }
 
 /// Keys while a filter is typed.
 fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
-    let (filter, cursor, lines) = state.filter_mut();
+    let (filter, cursor, lines) = state.filter_mut()?;
     if !filter.typing {
         return None;
     }
@@ -64,24 +64,39 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
         }
     }
     if filter.input.value() != before {
-        filter_runs(state);
+        filtered(state);
     }
     Some(Vec::new())
 }
 
-/// Brings the table of runs in step with its filter, where that is the one typed.
-fn filter_runs(state: &mut AppState) {
-    let focused = state.focus() == PaneId::Runs;
-    if let Some(line) = state.line_mut().filter(|_| focused) {
-        line.runs_view.runs.filter_rows();
+/// Brings the list that has the focus in step with its filter, where it keeps the lines that pass.
+pub(super) fn filtered(state: &mut AppState) {
+    match state.focus() {
+        PaneId::Runs => {
+            if let Some(view) = state.runs_view_mut() {
+                view.runs.filter_rows();
+            }
+        }
+        PaneId::Sweep => {
+            if let Some(open) = sweeps::sweeps_mut(state).and_then(|view| view.open.as_mut()) {
+                open.arrange();
+            }
+        }
+        _ => {}
     }
 }
 
 pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
     match &mut state.overlay {
-        Some(Overlay::Palette { input, cursor }) => {
-            type_text(input, text);
-            *cursor = 0;
+        Some(Overlay::Palette(line)) => {
+            type_text(&mut line.input, text);
+            command_line::begin_anew(line);
+            return Vec::new();
+        }
+        Some(Overlay::Help { filter, .. } | Overlay::Messages { filter, .. }) => {
+            if filter.typing {
+                type_text(&mut filter.input, text);
+            }
             return Vec::new();
         }
         Some(Overlay::Prompt { input, .. } | Overlay::LineTypes(LineTypePicker { input, .. })) => {
@@ -111,11 +126,12 @@ pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {
         editing.problem = None;
         return Vec::new();
     }
-    let (filter, cursor, _) = state.filter_mut();
-    if filter.typing {
+    if let Some((filter, cursor, _)) = state.filter_mut()
+        && filter.typing
+    {
         type_text(&mut filter.input, text);
         *cursor = 0;
-        filter_runs(state);
+        filtered(state);
         return Vec::new();
     }
     info(

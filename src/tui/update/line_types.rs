@@ -50,6 +50,6 @@ fn add(state: &mut AppState, line: &LineProperties) -> Vec<Effect> {
         return Vec::new();
     };
     let (text, name) = with_material(&editor.text, line);
-    let said = format!("Added [materials.{name}] at the end of the file. `u` takes it back.");
+    let said = format!("Added [materials.{name}] at the end of the file. `:undo` takes it back.");
     edit::replace(state, text, said)
 }

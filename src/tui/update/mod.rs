@@ -3,13 +3,16 @@
 pub mod build;
 mod cases;
 pub mod column_plot;
+mod command_line;
 pub mod curves;
+pub mod earlier;
 pub mod edit;
 pub mod edit_check;
 pub mod export;
 mod job_events;
 pub mod jobs;
 mod keys;
+mod line_commands;
 pub mod line_types;
 mod modes;
 pub mod motion;
@@ -22,18 +25,21 @@ pub mod results;
 pub mod resume;
 pub mod run_table;
 pub mod runs;
+pub mod settings;
 pub mod ship;
 pub mod step_value;
 mod studies;
 pub mod sweep_view;
 pub mod sweeps;
+pub mod tables;
 mod text_input;
 pub mod trials;
+pub mod tutorial;
 pub mod vary;
 mod watch;
 
 pub use jobs::joined_label;
-pub use overlay::{palette_matches, run_command};
+pub use overlay::run_command;
 
 use super::msg::{Effect, Msg};
 use super::state::AppState;
@@ -55,6 +61,7 @@ pub fn update(state: &mut AppState, msg: Msg) -> Vec<Effect> {
     effects.extend(sweeps::follow(state));
     effects.extend(export::follow_report(state));
     effects.extend(watch::follow(state));
+    tutorial::follow(state);
     effects
 }
 
@@ -103,6 +110,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::RunRead(dir, run) => runs::read(state, &dir, run),
         Msg::RunsDeleted(dirs) => runs::deleted(state, &dirs),
         Msg::Kept(dir, run) => runs::kept(state, &dir, run),
+        Msg::SettingsRead(settings) => settings::read(state, *settings),
         Msg::Say(level, text) => {
             state.say(level, text);
             Vec::new()

@@ -32,9 +32,12 @@ pub fn step(state: &AppState, id: CommandId) -> Option<isize> {
 #[must_use]
 pub fn table_verb(state: &AppState, id: CommandId) -> Option<TableVerb> {
     Some(match id {
-        CommandId::ScrollLeft => TableVerb::Scroll(-8),
-        CommandId::ScrollRight => TableVerb::Scroll(8),
+        CommandId::ColumnLeft => TableVerb::Column(-1),
+        CommandId::ColumnRight => TableVerb::Column(1),
         CommandId::Sort => TableVerb::Sort,
+        CommandId::SortAround => TableVerb::SortAround,
+        CommandId::HideColumn => TableVerb::Hide,
+        CommandId::ShowColumns => TableVerb::ShowAll,
         _ => TableVerb::Select(step(state, id)?),
     })
 }

@@ -6,18 +6,19 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
 use super::{
-    build, column_plot, curves, edit, export, jobs, keys, line_types, pages, quit, resume,
-    run_table, runs, studies, sweeps, trials, vary,
+    build, column_plot, command_line, curves, edit, export, jobs, keys, line_types, pages, quit,
+    resume, run_table, runs, studies, sweeps, tables, trials, tutorial, vary,
 };
 use crate::report::chart::Glyphs;
 use crate::report::document::ReportFormat;
-use crate::tui::command::{Command, CommandId};
+use crate::tui::command::CommandId;
 use crate::tui::key::KeyPress;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::panes;
+use crate::tui::state::command_line::CommandLine;
 use crate::tui::state::parameter_editor::AfterSave;
-use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
+use crate::tui::state::{AppState, Filter, Overlay, PromptPurpose, Question};
 use crate::tui::view::last_scroll;
 use crate::visible;
 
@@ -30,6 +31,13 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     };
     let last = last_scroll(state, &overlay);
     if key == KeyPress::Ctrl('c') && !matches!(overlay, Overlay::Ask(_)) {
+        return Vec::new();
+    }
+    if let Overlay::Help { scroll, filter } | Overlay::Messages { scroll, filter } = &mut overlay
+        && filters(filter, key)
+    {
+        *scroll = 0;
+        state.overlay = Some(overlay);
         return Vec::new();
     }
     match overlay {
@@ -47,9 +55,10 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
             });
             effects
         }
-        Overlay::Help { ref mut scroll }
+        Overlay::Explanation { .. } => Vec::new(),
+        Overlay::Help { ref mut scroll, .. }
         | Overlay::Page { ref mut scroll, .. }
-        | Overlay::Messages { ref mut scroll }
+        | Overlay::Messages { ref mut scroll, .. }
         | Overlay::Text { ref mut scroll, .. } => {
             if let Some(moved) = scrolled(*scroll, key) {
                 *scroll = moved.min(last);
@@ -57,7 +66,7 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
             }
             Vec::new()
         }
-        Overlay::Palette { input, cursor } => palette(state, input, cursor, key),
+        Overlay::Palette(line) => command_line::key(state, line, key),
         Overlay::Columns(pair) => column_plot::key(state, pair, key),
         Overlay::Picker(picker) => build::picker::key(state, picker, key),
         Overlay::Form(form) => build::form::key(state, form, key),
@@ -73,6 +82,18 @@ pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     }
 }
 
+/// Takes a key for the filter of a list that lies over the screen; false where it is for the list.
+fn filters(filter: &mut Filter, key: KeyPress) -> bool {
+    match key {
+        KeyPress::Char('/') if !filter.typing => filter.typing = true,
+        KeyPress::Enter if filter.typing => filter.typing = false,
+        KeyPress::Esc if filter.is_in_use() => *filter = Filter::default(),
+        key if filter.typing => _ = type_key(&mut filter.input, key),
+        _ => return false,
+    }
+    true
+}
+
 /// The new scroll position; none closes.
 fn scrolled(scroll: usize, key: KeyPress) -> Option<usize> {
     Some(match key {
@@ -84,45 +105,6 @@ fn scrolled(scroll: usize, key: KeyPress) -> Option<usize> {
         KeyPress::End | KeyPress::Char('G') => usize::MAX,
         _ => return None,
     })
-}
-
-/// The commands whose name, key or text holds every word typed.
-#[must_use]
-pub fn palette_matches(state: &AppState, typed: &str) -> Vec<Command> {
-    let typed = typed.to_lowercase();
-    let mut commands = panes::commands(state);
-    commands.retain(|c| {
-        let text = format!("{:?} {} {} {}", c.id, c.label, c.keys.join(" "), c.doc);
-        crate::tui::state::case_list::passes(&text, &typed)
-    });
-    commands
-}
-
-fn palette(
-    state: &mut AppState,
-    mut input: Input,
-    mut cursor: usize,
-    key: KeyPress,
-) -> Vec<Effect> {
-    let found = palette_matches(state, input.value());
-    match key {
-        KeyPress::Esc => return Vec::new(),
-        KeyPress::Enter => {
-            return match found.get(cursor) {
-                Some(command) => run_command(state, command.id),
-                None => info(state, "No command has that name."),
-            };
-        }
-        KeyPress::Down | KeyPress::Tab => cursor = moved(cursor, 1, found.len()),
-        KeyPress::Up | KeyPress::BackTab => cursor = moved(cursor, -1, found.len()),
-        _ => {
-            if type_key(&mut input, key) {
-                cursor = 0;
-            }
-        }
-    }
-    state.overlay = Some(Overlay::Palette { input, cursor });
-    Vec::new()
 }
 
 fn choose_study(
@@ -215,7 +197,8 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
     }
 }
 
-fn choose_glyphs(state: &mut AppState, glyphs: Glyphs) -> Vec<Effect> {
+/// Draws with these characters from now on, and remembers it.
+pub(super) fn choose_glyphs(state: &mut AppState, glyphs: Glyphs) -> Vec<Effect> {
     state.capabilities.glyphs = glyphs;
     state.capabilities.unsure = false;
     vec![Effect::RememberGlyphs(glyphs)]
@@ -228,6 +211,7 @@ pub fn run_command(state: &mut AppState, id: CommandId) -> Vec<Effect> {
     }
     let pane = panes::pane(state.focus());
     pane.update(state, id)
+        .or_else(|| tables::command(state, id))
         .or_else(|| document_command(state, id))
         .unwrap_or_else(|| everywhere(state, id))
 }
@@ -271,13 +255,20 @@ fn document_command(state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> 
 /// What a command does wherever it is given.
 fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
     match id {
-        CommandId::Help => state.overlay = Some(Overlay::Help { scroll: 0 }),
-        CommandId::Messages => state.overlay = Some(Overlay::Messages { scroll: 0 }),
-        CommandId::Palette => {
-            state.overlay = Some(Overlay::Palette {
-                input: Input::default(),
-                cursor: 0,
+        CommandId::Help => {
+            state.overlay = Some(Overlay::Help {
+                scroll: 0,
+                filter: Filter::default(),
             });
+        }
+        CommandId::Messages => {
+            state.overlay = Some(Overlay::Messages {
+                scroll: 0,
+                filter: Filter::default(),
+            });
+        }
+        CommandId::Palette => {
+            state.overlay = Some(Overlay::Palette(CommandLine::default()));
         }
         CommandId::Glyphs => {
             let other = match state.capabilities.glyphs {
@@ -286,6 +277,11 @@ fn everywhere(state: &mut AppState, id: CommandId) -> Vec<Effect> {
             };
             return choose_glyphs(state, other);
         }
+        CommandId::Filter => return tables::begin_filter(state),
+        CommandId::Tutorial => return tutorial::turn(state),
+        CommandId::TutorialSkip => return tutorial::skip(state),
+        CommandId::Keys => return vec![Effect::EditKeys],
+        CommandId::ReadSettings => return vec![Effect::ReadSettings],
         CommandId::Redraw => return vec![Effect::Repaint],
         CommandId::Interrupt => return keys::interrupt(state),
         CommandId::Suspend => return vec![Effect::Suspend],

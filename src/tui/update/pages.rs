@@ -34,7 +34,7 @@ pub fn compare(state: &mut AppState) -> Vec<Effect> {
         }
     }
     if runs.len() < 2 {
-        return warn(state, "Two runs are compared, or more: `m` marks them.");
+        return warn(state, "Two runs are compared, or more: `:mark` marks them.");
     }
     let name = format!("{} runs compared", runs.len());
     let effects = vec![Effect::Compare {
@@ -61,8 +61,10 @@ pub fn why_not_compared(state: &AppState) -> Option<&'static str> {
     let chosen = view.runs.chosen().len();
     let other = view.against.is_some() || solved_run(view).is_some();
     match (chosen, other) {
-        (0, _) => Some("Two runs are compared, or more: `m` marks them."),
-        (1, false) => Some("There is no other run to compare this one with; `m` marks several."),
+        (0, _) => Some("Two runs are compared, or more: `:mark` marks them."),
+        (1, false) => {
+            Some("There is no other run to compare this one with; `:mark` marks several.")
+        }
         _ => None,
     }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use super::notice::{info, warn};
-use super::{edit, jobs};
+use super::{edit, jobs, tables};
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::reading::SavedRows;
@@ -56,6 +56,9 @@ const fn nothing_unsaved(path: PathBuf) -> Effect {
 }
 
 pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
+    if tables::drop_filter(state) {
+        return Vec::new();
+    }
     let Some(editor) = state.editor_mut() else {
         return Vec::new();
     };
@@ -162,7 +165,7 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     let after = std::mem::take(&mut editor.after_save);
     let draft = match editor.draft {
         Some(_) => {
-            " It is a draft: until it is complete, the list opens it in the editor alone (`E`)."
+            " It is a draft: until it is complete, the list opens it in the editor alone (`:external_editor`)."
         }
         None => "",
     };

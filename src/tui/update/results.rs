@@ -25,7 +25,7 @@ pub fn choose(state: &mut AppState) -> Vec<Effect> {
     } else {
         return info(
             state,
-            "Five results stand beside the inputs already; `space` takes one off.",
+            "Five results stand beside the inputs already; `:select` takes one off.",
         );
     }
     Vec::new()

@@ -73,7 +73,9 @@ pub(super) fn found(
     let effects = start_newest(state);
     info(
         state,
-        format!("The run is resumed from {time} s. `2` shows its curves, `6` the jobs."),
+        format!(
+            "The run is resumed from {time} s. `:pane_2` shows its curves, `:pane_6` the jobs."
+        ),
     );
     effects
 }

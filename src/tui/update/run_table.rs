@@ -42,7 +42,9 @@ pub fn mark_all(state: &mut AppState) -> Vec<Effect> {
     });
     let words = match (any, rows.len()) {
         (true, _) => "No run is marked any more.".to_owned(),
-        (false, count) => format!("{count} runs are marked. `d` deletes them, `#` tags them."),
+        (false, count) => {
+            format!("{count} runs are marked. `:delete` deletes them, `:tag_runs` tags them.")
+        }
     };
     info(state, words)
 }
@@ -108,7 +110,7 @@ pub fn ask_text(state: &mut AppState, what: RunText) -> Vec<Effect> {
                 .to_owned()
         }
         (RunText::Tags, 1) => {
-            "Words apart by blanks; `/` then `#word` shows the runs that have one.".to_owned()
+            "Words apart by blanks; `:filter` then `#word` shows the runs that have one.".to_owned()
         }
         (RunText::Tags, count) => format!("Words apart by blanks, for all {count} marked runs."),
         (RunText::Note, _) => "What is worth knowing about this run.".to_owned(),
@@ -185,7 +187,7 @@ pub(super) fn exact_case(
             if let Some(document) = &mut state.document {
                 document.pane = PaneId::Inputs;
             }
-            let said = format!("The inputs are those of {name}. `u` takes them back.");
+            let said = format!("The inputs are those of {name}. `:undo` takes them back.");
             edit::replace(state, text, said)
         }
         RunCaseUse::RunAgain => {

@@ -121,7 +121,7 @@ fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effe
         if begun == 0 {
             "Everything needed has been run already.".to_owned()
         } else {
-            format!("{begun} runs begun. `6` shows the jobs, `ctrl+c` cancels.")
+            format!("{begun} runs begun. `:pane_6` shows the jobs, `ctrl+c` cancels.")
         },
     );
     effects

@@ -12,7 +12,7 @@ use crate::tui::command::CommandId;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;
 use crate::tui::state::sweeps::{CellList, OpenSweep, SweepTab};
-use crate::tui::state::{AppState, JobState, RunEntry, RunOrigin, RunStatus};
+use crate::tui::state::{AppState, Filter, JobState, RunEntry, RunOrigin, RunStatus};
 use crate::tui::table_pane::TableVerb;
 
 /// Shows the result so many places further on.
@@ -87,7 +87,7 @@ pub fn turn_other(state: &mut AppState) -> Vec<Effect> {
     let label = place.map_or_else(String::new, |place| open.table.axes[place].label.clone());
     info(
         state,
-        format!("`>` and `<` hold {label} at one of its values."),
+        format!("`:hold_next` and `:hold_previous` hold {label} at one of its values."),
     )
 }
 
@@ -128,7 +128,7 @@ pub fn go(state: &mut AppState, id: CommandId) -> Option<()> {
     let tab = view.tab;
     let open = view.open.as_mut()?;
     if let Some(cell) = &mut open.cell {
-        cell.cursor = moved(cell.cursor, by, cell.load_cases.len());
+        cell.cursor = moved(cell.cursor, by, cell.shown.len());
         return Some(());
     }
     match tab {
@@ -141,7 +141,7 @@ pub fn go(state: &mut AppState, id: CommandId) -> Option<()> {
         SweepTab::Checks | SweepTab::Seas => {
             let verb = match across {
                 0 => TableVerb::Select(by),
-                way => TableVerb::Scroll(8 * way),
+                way => TableVerb::Column(way),
             };
             let verdict = open.verdict.as_ref()?;
             match tab {
@@ -163,7 +163,7 @@ pub fn enter(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     if let Some(cell) = &open.cell {
-        let case = cell.load_cases.get(cell.cursor).copied();
+        let case = cell.shown.get(cell.cursor).copied();
         return case.map_or_else(Vec::new, |case| open_run(state, case, None));
     }
     match tab {
@@ -194,10 +194,13 @@ fn list(state: &mut AppState, load_cases: Vec<usize>, governing: Option<usize>) 
     }
     if let Some(open) = open(state) {
         let cursor = load_cases.iter().position(|case| Some(*case) == governing);
+        open.filter = Filter::default();
         open.cell = Some(CellList {
             cursor: cursor.unwrap_or(0),
+            shown: load_cases.clone(),
             load_cases,
         });
+        open.arrange();
     }
     Vec::new()
 }
@@ -220,7 +223,14 @@ fn of_check(state: &mut AppState) -> Vec<Effect> {
 
 /// Back from the load cases of a cell to the map; false where the map is shown already.
 pub fn leave(state: &mut AppState) -> bool {
-    open(state).is_some_and(|open| open.cell.take().is_some())
+    open(state).is_some_and(|open| {
+        let had = open.cell.take().is_some();
+        if had {
+            open.filter = Filter::default();
+            open.arrange();
+        }
+        had
+    })
 }
 
 /// Shows the run of a load case alone, as the table of runs does, at a time \[s\] where one is given.
@@ -245,7 +255,7 @@ fn open_run(state: &mut AppState, load_case: usize, time: Option<f64>) -> Vec<Ef
     info(
         state,
         format!(
-            "Charts and report show load case {number} ({words}). `C` goes back to the load cases."
+            "Charts and report show load case {number} ({words}). `:sweep` goes back to the load cases."
         ),
     );
     effects

@@ -229,7 +229,9 @@ fn outcome(read: &SweepRead, cancelled: bool) -> String {
     let (done, of) = (read.table.done(), read.table.states.len());
     let dir = visible::path(&read.snapshot.dir);
     match (cancelled, read.table.failed()) {
-        (true, _) => format!("Stopped with {done} of {of} load cases done in {dir}; `W` goes on."),
+        (true, _) => {
+            format!("Stopped with {done} of {of} load cases done in {dir}; `:start_sweep` goes on.")
+        }
         (false, 0) => format!("{done} of {of} load cases are done: {dir}."),
         (false, failed) => {
             format!("{done} of {of} load cases are done, {failed} without results: {dir}.")
@@ -246,7 +248,7 @@ pub fn turn(state: &mut AppState, by: isize) -> Vec<Effect> {
     if count == 0 {
         return warn(
             state,
-            "No sweep of this file is stored; `W` computes its load cases.",
+            "No sweep of this file is stored; `:start_sweep` computes its load cases.",
         );
     }
     let place = view.place().unwrap_or(0) as isize + by;

@@ -334,9 +334,11 @@ fn say(state: &mut AppState, keys: &str, queued: &Queued) {
     let words = match (queued.begun, queued.there) {
         (0, 0) => format!("No run begun over {keys}."),
         (0, _) => format!("All runs over {keys} are there already; the charts show them."),
-        (_, 0) => format!("{runs} begun over {keys}. `2` shows the curves, `6` the jobs."),
+        (_, 0) => {
+            format!("{runs} begun over {keys}. `:pane_2` shows the curves, `:pane_6` the jobs.")
+        }
         (_, there) => {
-            format!("{runs} begun over {keys}; {there} there already. `2` shows the curves.")
+            format!("{runs} begun over {keys}; {there} there already. `:pane_2` shows the curves.")
         }
     };
     info(state, words);

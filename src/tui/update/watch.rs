@@ -32,13 +32,14 @@ pub(super) fn changed(state: &mut AppState, path: &Path, text: String) -> Vec<Ef
     }
     if editor.unsaved() || !editor.pending.is_empty() || editor.editing.is_some() {
         let words = format!(
-            "{} was changed by another program; your edits are kept. `s` asks which of both to save.",
+            "{} was changed by another program; your edits are kept. `:save` asks which of both to save.",
             visible::path(path)
         );
         return warn(state, words);
     }
     editor.saved.clone_from(&text);
-    let said = "The file was changed by another program and is read again. `u` takes that back.";
+    let said =
+        "The file was changed by another program and is read again. `:undo` takes that back.";
     edit::replace(state, text, said)
 }
 

@@ -9,6 +9,7 @@ use crate::report::figures::FigureId;
 use crate::tui::pane::PaneId;
 use crate::tui::panes::results;
 use crate::tui::state::AppState;
+use crate::tui::tutorial;
 
 /// The smallest screen that is drawn.
 pub const SMALLEST: (u16, u16) = (40, 10);
@@ -49,6 +50,17 @@ pub fn areas(screen: Rect) -> Areas {
         note,
         foot,
     }
+}
+
+/// The screen without the strip of the tutorial, which is at its foot while there is room.
+#[must_use]
+pub fn screen_of(state: &AppState) -> Rect {
+    let (width, height) = state.size;
+    let strip = match state.tutorial {
+        Some(_) if height >= SMALLEST.1 + tutorial::ROWS => tutorial::ROWS,
+        _ => 0,
+    };
+    Rect::new(0, 0, width, height - strip)
 }
 
 /// True when panes have frames with their names, as several are seen at once.
@@ -119,7 +131,7 @@ pub fn panes(screen: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
 /// The names of the panes seen.
 #[must_use]
 pub fn seen(state: &AppState) -> Vec<PaneId> {
-    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    let screen = screen_of(state);
     let panes = panes(screen, state).into_iter();
     panes.map(|(id, _)| id).collect()
 }
@@ -154,8 +166,8 @@ fn has_room(body: Rect, state: &AppState) -> bool {
 /// Why the inputs cannot be given the whole screen.
 #[must_use]
 pub fn why_not_zoomed(state: &AppState) -> Option<&'static str> {
-    let (width, height) = state.size;
-    let body = areas(Rect::new(0, 0, width, height)).body;
+    let screen = screen_of(state);
+    let (width, body) = (screen.width, areas(screen).body);
     let shares = width < WIDE && body.width >= COCKPIT.0 && body.height >= COCKPIT.1;
     (state.line().is_none() || !shares).then_some("The inputs share their place with nothing here.")
 }
@@ -322,7 +334,7 @@ fn together(area: Rect, page: &[FigureId]) -> Vec<(FigureId, Rect)> {
 /// The inside of a pane, where it is seen.
 #[must_use]
 pub fn pane_area(state: &AppState, id: PaneId) -> Option<Rect> {
-    let screen = Rect::new(0, 0, state.size.0, state.size.1);
+    let screen = screen_of(state);
     let mut seen = panes(screen, state).into_iter();
     let (_, area) = seen.find(|(place, _)| *place == id)?;
     Some(inside(screen, area))

@@ -1,21 +1,26 @@
 //! What the state looks like. Nothing here changes anything.
 
 mod build;
+mod command_line;
 pub mod layout;
 mod line_types;
 mod overlay;
 pub(super) mod paint;
 pub mod painter;
+mod tutorial;
 
 use crate::visible;
-use ratatui::Frame;
+use ratatui::backend::TestBackend;
+use ratatui::buffer::Cell;
 use ratatui::layout::Rect;
 use ratatui::style::Style;
 use ratatui::widgets::{Clear, Widget};
+use ratatui::{Frame, Terminal};
 
 pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
-use super::command::{Command, CommandId};
+use super::bindings::BoundCommand;
+use super::command::CommandId;
 use super::msg::StudyOf;
 use super::pane::PaneId;
 use super::panes;
@@ -34,7 +39,9 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
         buf: frame.buffer_mut(),
         cursor: None,
     };
-    canvas.screen(screen);
+    let work = layout::screen_of(state).intersection(screen);
+    canvas.screen(work);
+    canvas.tutorial(screen, work);
     let cursor = canvas.cursor;
     if state.capabilities.glyphs == Glyphs::Ascii {
         paint::only_ascii(frame.buffer_mut());
@@ -42,6 +49,20 @@ pub fn draw(state: &AppState, frame: &mut Frame) {
     if let Some(at) = cursor.filter(|at| screen.contains((*at).into())) {
         frame.set_cursor_position(at);
     }
+}
+
+/// The screen as plain text, without the line of keys.
+#[must_use]
+pub(super) fn last_screen(state: &AppState) -> String {
+    let (width, height) = state.size;
+    let Ok(mut terminal) = Terminal::new(TestBackend::new(width, height));
+    let Ok(_) = terminal.draw(|frame| draw(state, frame));
+    let cells = terminal.backend().buffer().content();
+    let rows = cells.chunks(usize::from(width).max(1)).map(|row| {
+        let line: String = row.iter().map(Cell::symbol).collect();
+        format!("{}\n", line.trim_end())
+    });
+    rows.take(usize::from(height.saturating_sub(1))).collect()
 }
 
 impl Painter<'_> {
@@ -237,7 +258,7 @@ impl Painter<'_> {
 
     /// The keys that work now, then `?` and `q`.
     fn foot(&mut self, line: Rect) {
-        let (ends, others): (Vec<Command>, Vec<Command>) = offered(self.state)
+        let (ends, others): (Vec<BoundCommand>, Vec<BoundCommand>) = offered(self.state)
             .into_iter()
             .partition(|command| matches!(command.id, CommandId::Help | CommandId::Quit));
         let mut room = line.width.saturating_sub(ends.iter().map(key_width).sum());
@@ -257,7 +278,7 @@ impl Painter<'_> {
         }
     }
 
-    fn key(&mut self, line: Rect, command: &Command) -> Rect {
+    fn key(&mut self, line: Rect, command: &BoundCommand) -> Rect {
         let Some(key) = command.keys.first() else {
             return line;
         };
@@ -269,7 +290,7 @@ impl Painter<'_> {
 
 /// The commands that the footer offers, as far as there is room: those that can be done now.
 #[must_use]
-pub fn offered(state: &AppState) -> Vec<Command> {
+pub fn offered(state: &AppState) -> Vec<BoundCommand> {
     let mut commands = panes::commands(state);
     commands
         .retain(|command| !command.label.is_empty() && panes::enabled(state, command.id).is_ok());
@@ -289,8 +310,8 @@ fn study_words(room: usize, study: Option<&RunningStudy>) -> String {
     fitting(room, &[format!("{what}: {share}"), share])
 }
 
-fn key_width(command: &Command) -> u16 {
-    let key = command.keys.first().map_or(0, |k| k.len());
+fn key_width(command: &BoundCommand) -> u16 {
+    let key = command.keys.first().map_or(0, str::len);
     u16::try_from(key + command.label.len() + 3).unwrap_or(u16::MAX)
 }
 

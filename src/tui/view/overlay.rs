@@ -6,14 +6,15 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::paint::{below_head, over, row, wrap};
+use super::paint::{over, row, wrap};
 use super::painter::Painter;
 use crate::report::chart::marker;
+use crate::tui::bindings::BoundCommand;
+use crate::tui::bindings::names::name;
 use crate::tui::column_plot::ColumnPair;
-use crate::tui::command::Command;
+use crate::tui::fuzzy::FuzzyFilter;
 use crate::tui::state::overlay::RunText;
-use crate::tui::state::{AppState, Overlay, PromptPurpose, Question};
-use crate::tui::update::palette_matches;
+use crate::tui::state::{AppState, Filter, Overlay, PromptPurpose, Question};
 use crate::tui::{panes, plots};
 
 /// Columns of the help, and size of the box of messages.
@@ -25,10 +26,14 @@ const MESSAGES: (u16, u16) = (100, 20);
 pub(in crate::tui) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize {
     let (columns, rows) = state.size;
     let (lines, most) = match overlay {
-        Overlay::Help { .. } => (help_lines(state, HELP.min(columns)).len(), rows),
-        Overlay::Messages { .. } => {
+        Overlay::Help { filter, .. } => {
+            let lines = help_lines(state, HELP.min(columns), filter).len();
+            (lines + usize::from(filter.is_in_use()), rows)
+        }
+        Overlay::Messages { filter, .. } => {
             let width = MESSAGES.0.min(columns).saturating_sub(2);
-            (message_lines(state, width).len(), MESSAGES.1)
+            let lines = message_lines(state, width, filter).len();
+            (lines + usize::from(filter.is_in_use()), MESSAGES.1)
         }
         Overlay::Text { text, .. } | Overlay::Page { text, .. } => (text.lines().count(), rows),
         _ => (0, rows),
@@ -36,19 +41,29 @@ pub(in crate::tui) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize 
     lines.saturating_sub(most.min(rows).saturating_sub(2).into())
 }
 
+/// The commands of the pane with the focus that have keys, as far as they pass a filter.
+fn help_commands(state: &AppState, filter: &Filter) -> Vec<BoundCommand> {
+    let mut all = panes::commands(state);
+    all.retain(|command| !command.keys.is_empty());
+    let parts = |command: &BoundCommand| {
+        let doc = state.worded(command.doc);
+        vec![command.keys.joined(), name(command.id), doc]
+    };
+    let lines: Vec<Vec<String>> = all.iter().map(parts).collect();
+    let places = FuzzyFilter::new(filter.input.value()).places(&lines);
+    places.into_iter().map(|place| all[place].clone()).collect()
+}
+
 /// The keys of the pane with the focus, as the help shows them.
-fn help_lines(state: &AppState, width: u16) -> Vec<String> {
+fn help_lines(state: &AppState, width: u16, filter: &Filter) -> Vec<String> {
     let mut lines = Vec::new();
-    for command in panes::commands(state) {
-        if command.keys.is_empty() {
-            continue;
-        }
+    for command in help_commands(state, filter) {
         let words = match panes::enabled(state, command.id) {
-            Ok(()) => command.doc.to_owned(),
-            Err(why) => format!("{}. Not now: {why}", command.doc),
+            Ok(()) => state.worded(command.doc),
+            Err(why) => format!("{}. Not now: {why}", state.worded(command.doc)),
         };
         let parts = wrap(&words, usize::from(width.saturating_sub(21)));
-        let keys = std::iter::once(command.keys.join(" ")).chain(std::iter::repeat(String::new()));
+        let keys = std::iter::once(command.keys.joined()).chain(std::iter::repeat(String::new()));
         lines.extend(
             keys.zip(parts)
                 .map(|(keys, part)| format!(" {keys:<16} {part}")),
@@ -57,11 +72,21 @@ fn help_lines(state: &AppState, width: u16) -> Vec<String> {
     lines
 }
 
-fn message_lines(state: &AppState, width: u16) -> Vec<String> {
-    let newest_first = state.log.iter().rev();
-    newest_first
-        .flat_map(|note| wrap(&note.text, width.into()))
-        .collect()
+/// The messages that pass a filter, the newest first.
+fn messages<'a>(state: &'a AppState, filter: &Filter) -> Vec<&'a str> {
+    let lines: Vec<Vec<&str>> = state
+        .log
+        .iter()
+        .rev()
+        .map(|note| vec![note.text.as_str()])
+        .collect();
+    let places = FuzzyFilter::new(filter.input.value()).places(&lines);
+    places.into_iter().map(|place| lines[place][0]).collect()
+}
+
+fn message_lines(state: &AppState, width: u16, filter: &Filter) -> Vec<String> {
+    let messages = messages(state, filter).into_iter();
+    messages.flat_map(|text| wrap(text, width.into())).collect()
 }
 
 /// Title and prompt of a text about runs.
@@ -86,9 +111,10 @@ impl Painter<'_> {
     pub(super) fn overlay(&mut self, screen: Rect, overlay: &Overlay) {
         self.cursor = None;
         match overlay {
-            Overlay::Help { scroll } => self.help(screen, *scroll),
-            Overlay::Palette { input, cursor } => self.palette(screen, input, *cursor),
-            Overlay::Messages { scroll } => self.messages(screen, *scroll),
+            Overlay::Help { scroll, filter } => self.help(screen, *scroll, filter),
+            Overlay::Explanation { title, text } => self.explanation(screen, title, text),
+            Overlay::Palette(line) => self.palette(screen, line),
+            Overlay::Messages { scroll, filter } => self.messages(screen, *scroll, filter),
             Overlay::Page {
                 title,
                 text,
@@ -139,57 +165,42 @@ impl Painter<'_> {
         self.lines(area, lines.iter().skip(first).map(|line| (line, plain)));
     }
 
-    fn help(&mut self, screen: Rect, scroll: usize) {
+    fn help(&mut self, screen: Rect, scroll: usize, filter: &Filter) {
         let width = HELP.min(screen.width);
-        let lines = help_lines(self.state, width);
-        let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
+        let lines = help_lines(self.state, width, filter);
+        let all = help_commands(self.state, &Filter::default()).len();
+        let height = lines.len() + 2 + usize::from(filter.is_in_use());
         let title = format!(
-            "Keys: {} (j and k scroll, any other key closes)",
+            "Keys: {} (j and k scroll, / filters, any other key closes)",
             panes::pane(self.state.focus()).about().title
         );
+        let height = u16::try_from(height).unwrap_or(u16::MAX);
         let area = self.boxed(screen, (width, height), &title);
+        let shown = help_commands(self.state, filter).len();
+        let area = self.filter_line(area, filter, (shown, all));
         self.scrolled(area, &lines, scroll);
     }
 
-    /// Keys and meaning; a command that cannot be done now says why.
-    fn command_line(&mut self, at: Rect, command: &Command, selected: bool) {
-        let style = self.line_style(selected);
-        self.buf.set_style(at, style);
-        let [_, keys, _, rest] = Layout::horizontal([
-            Constraint::Length(1),
-            Constraint::Length(16),
-            Constraint::Length(1),
-            Constraint::Min(0),
-        ])
-        .areas(at);
-        let strong = style.patch(self.theme.strong());
-        self.text(keys, &command.keys.join(" "), strong);
-        match panes::enabled(self.state, command.id) {
-            Ok(()) => self.text(rest, command.doc, style),
-            Err(why) => {
-                let words = format!("{} (not now: {why})", command.doc);
-                self.text(rest, &words, style.patch(self.theme.faint()))
-            }
-        };
-    }
-
-    fn palette(&mut self, screen: Rect, input: &Input, cursor: usize) {
-        let found = palette_matches(self.state, input.value());
-        let area = self.boxed(
-            screen,
-            (90, 18),
-            "Commands (type a word, Enter does it, Esc closes)",
+    /// What a column is, in a box that is as high as it needs to be.
+    fn explanation(&mut self, screen: Rect, title: &str, text: &str) {
+        let width = 76.min(screen.width);
+        let lines = wrap(text, width.saturating_sub(4).into());
+        let height = u16::try_from(lines.len() + 2).unwrap_or(u16::MAX);
+        let area = self.boxed(screen, (width, height), title);
+        let inside = Rect::new(
+            area.x + 1,
+            area.y,
+            area.width.saturating_sub(2),
+            area.height,
         );
-        let [head, list] = below_head(area);
-        self.prompt(head, ":", input, true);
-        self.list(list, cursor, found.len(), |painter, at, i| {
-            painter.command_line(at, &found[i], i == cursor);
-        });
+        self.scrolled(inside, &lines, 0);
     }
 
-    fn messages(&mut self, screen: Rect, scroll: usize) {
-        let area = self.boxed(screen, MESSAGES, "Messages, newest first");
-        let lines = message_lines(self.state, area.width);
+    fn messages(&mut self, screen: Rect, scroll: usize, filter: &Filter) {
+        let area = self.boxed(screen, MESSAGES, "Messages, newest first (/ filters)");
+        let lines = message_lines(self.state, area.width, filter);
+        let of = (messages(self.state, filter).len(), self.state.log.len());
+        let area = self.filter_line(area, filter, of);
         self.scrolled(area, &lines, scroll);
     }
 
@@ -298,7 +309,7 @@ impl Painter<'_> {
     /// Words, and a line to type.
     fn one_line(&mut self, screen: Rect, title: &str, words: &str, prompt: &str, input: &Input) {
         let area = self.boxed(screen, (76, 8), title);
-        let lines = wrap(words, area.width.into());
+        let lines = wrap(&self.state.worded(words), area.width.into());
         self.scrolled(area, &lines, 0);
         let used = u16::try_from(lines.len())
             .unwrap_or(0)

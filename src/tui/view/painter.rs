@@ -6,13 +6,13 @@ use ratatui::style::Style;
 use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
-use super::paint::{cut, first_line, rest, right, row, span, tabs_seen, text, wrap};
+use super::paint::{below_head, cut, first_line, rest, right, row, span, tabs_seen, text, wrap};
 use crate::report::chart::{Chart, Glyphs};
 use crate::report::plain::ascii;
 use crate::report::table::Table;
 use crate::tui::plot_pane::draw_chart;
-use crate::tui::state::AppState;
 use crate::tui::state::parts::{Part, PartView};
+use crate::tui::state::{AppState, Filter};
 use crate::tui::table_pane::TablePane;
 use crate::tui::theme::Theme;
 use crate::visible;
@@ -64,7 +64,7 @@ impl Painter<'_> {
     /// Plain words in an area, broken between words, as many lines as it has.
     pub fn paragraph(&mut self, area: Rect, words: &str) {
         let plain = self.theme.plain();
-        let lines = wrap(words, area.width.into());
+        let lines = wrap(&self.state.worded(words), area.width.into());
         self.lines(area, lines.into_iter().map(|line| (line, plain)));
     }
 
@@ -156,9 +156,47 @@ impl Painter<'_> {
         draw_chart(chart, area, self.buf, self.glyphs(), self.theme);
     }
 
-    /// A table over an area.
+    /// A table over an area, below its filter where it has one. Its title may name commands, which are shown by their keys.
     pub fn table(&mut self, pane: &TablePane, table: &Table, area: Rect) {
+        let title = self.state.worded(&table.title);
+        if title != table.title {
+            let worded = Table {
+                title,
+                ..table.clone()
+            };
+            return self.table(pane, &worded, area);
+        }
+        let area = match pane.filter.is_in_use() {
+            true => self.filter_line(area, &pane.filter, (pane.count(table), table.rows.len())),
+            false => area,
+        };
         pane.draw(table, area, self.buf, self.glyphs(), self.theme);
+    }
+
+    /// The filter of a list with how many of its lines pass, where it has one; returns the rest of the area.
+    pub fn filter_line(
+        &mut self,
+        area: Rect,
+        filter: &Filter,
+        (shown, all): (usize, usize),
+    ) -> Rect {
+        if !filter.is_in_use() {
+            return area;
+        }
+        let [line, below] = below_head(area);
+        let words = format!("{shown} of {all}");
+        let count = u16::try_from(words.width())
+            .unwrap_or(0)
+            .min(line.width / 2);
+        let [typed, _, far] = Layout::horizontal([
+            Constraint::Min(0),
+            Constraint::Length(1),
+            Constraint::Length(count),
+        ])
+        .areas(line);
+        self.prompt(typed, "filter: ", &filter.input, filter.typing);
+        self.text(far, &words, self.theme.faint());
+        below
     }
 
     /// What is typed after a prompt, scrolled to the cursor; the terminal's own cursor is there while `typing`.

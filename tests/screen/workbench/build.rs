@@ -472,7 +472,7 @@ fn what_a_form_refuses_stays_in_it() {
     desk.keys("esc");
     assert_eq!(desk.state.editor().unwrap().text, before);
     // A taken name.
-    desk.keys("y");
+    desk.keys("c");
     desk.keys("esc");
     assert!(desk.state.overlay.is_none());
 }

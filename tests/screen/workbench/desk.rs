@@ -23,6 +23,7 @@ use seacable::tui::state::{
     CaseEntry, DocumentContent, JobNumber, JobRequest, LineView, VariantPlan, VariedRuns,
 };
 use seacable::tui::terminal::capabilities::Capabilities;
+use seacable::tui::theme::Palette;
 use seacable::tui::{AppState, Effect, Msg, draw, update};
 
 /// A small case with everything the screens show: marks, floats left out, a study, published rows.
@@ -44,6 +45,7 @@ pub(crate) fn looks(glyphs: Glyphs, colour: bool) -> Capabilities {
     Capabilities {
         glyphs,
         colour,
+        palette: Palette::Dark,
         unsure: false,
     }
 }

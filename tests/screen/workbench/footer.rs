@@ -18,7 +18,7 @@ fn press_all(name: &str, desk: &Desk, idle: &mut Vec<String>) {
             opens_new_files: false,
             parts_at_once: true,
         };
-        let key = command.keys[0].parse().unwrap();
+        let key = command.keys.first().unwrap().parse().unwrap();
         copy.asked = update(&mut copy.state, Msg::Key(key));
         let pane = desk.state.focus();
         let refused = copy.state.note.as_ref().is_some_and(|note| {

@@ -3,11 +3,15 @@
 #![expect(clippy::float_cmp, reason = "compares numbers that are the same bits")]
 
 mod beside;
+mod bindings;
 mod build;
 mod coarse;
 mod column_plot;
+mod columns;
+mod command_line;
 mod curves;
 mod desk;
+mod earlier;
 mod footer;
 mod hostile;
 mod line_types;
@@ -25,6 +29,7 @@ mod ship;
 mod sweeps;
 mod system;
 mod system_runs;
+mod tutorial;
 mod umbilical;
 mod vary;
 
@@ -34,11 +39,11 @@ use desk::{Desk, content_of, looks, run, shared};
 use seacable::report::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::JobEvent;
+use seacable::tui::command_line::candidates::{Candidate, candidates};
 use seacable::tui::key::KeyPress;
 use seacable::tui::panes;
 use seacable::tui::recovery::RecoveredEdits;
 use seacable::tui::state::{JobState, Overlay, PromptPurpose, Question, Severity};
-use seacable::tui::update::palette_matches;
 use seacable::tui::{Effect, Msg};
 
 const SMALL: (u16, u16) = (80, 24);
@@ -601,16 +606,18 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
             let mut seen = std::collections::BTreeMap::new();
             for command in panes::commands(&desk.state) {
                 assert!(!command.doc.is_empty(), "{command:?}");
-                let found = palette_matches(&desk.state, command.doc);
-                assert!(found.iter().any(|c| c.id == command.id), "{}", command.doc);
-                for key in command.keys {
+                let found = candidates(&desk.state, command.doc);
+                let is_it =
+                    |c: &Candidate| matches!(c, Candidate::Command(of) if of.id == command.id);
+                assert!(found.iter().any(is_it), "{}", command.doc);
+                for key in command.keys.iter() {
                     let spelled = key.parse::<KeyPress>().map(|k| k.to_string());
-                    assert_eq!(spelled.as_deref(), Ok(*key));
+                    assert_eq!(spelled.as_deref(), Ok(key));
                     assert!(
-                        !eaten.contains(key),
+                        !eaten.contains(&key),
                         "multiplexers and flow control take `{key}`"
                     );
-                    let other = seen.insert(key, command.id);
+                    let other = seen.insert(key.to_owned(), command.id);
                     assert_eq!(other, None, "`{key}` at {id:?} is also {:?}", command.id);
                 }
             }

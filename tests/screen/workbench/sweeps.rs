@@ -253,7 +253,7 @@ fn axes_rule_and_result_are_chosen_and_the_title_says_so() {
         desk.keys(tabs);
         for command in offered(&desk.state) {
             let mut copy = desk.state.clone();
-            let key = command.keys[0].parse().unwrap();
+            let key = command.keys.first().unwrap().parse().unwrap();
             let asked = update(&mut copy, Msg::Key(key));
             let mut after = Desk::new(SMALL);
             after.state = copy;

@@ -38,7 +38,9 @@ pub(super) fn table(painter: &mut Painter, area: Rect, open: &OpenSweep) {
         true => ", sorted by the first result",
         false => "",
     };
-    let words = format!("{} load cases{order}", open.order.len());
+    let words = format!("{} load cases{order}", open.table.states.len());
+    let of = (open.order.len(), open.table.states.len());
+    let area = painter.filter_line(area, &open.filter, of);
     lines(painter, area, open, (&open.order, open.row), &words);
 }
 
@@ -48,7 +50,9 @@ pub(super) fn of_cell(painter: &mut Painter, area: Rect, open: &OpenSweep, cell:
         "{} load cases; Enter shows the run, Esc goes back",
         cell.load_cases.len()
     );
-    lines(painter, area, open, (&cell.load_cases, cell.cursor), &words);
+    let of = (cell.shown.len(), cell.load_cases.len());
+    let area = painter.filter_line(area, &open.filter, of);
+    lines(painter, area, open, (&cell.shown, cell.cursor), &words);
 }
 
 /// The load cases of the cell under the cursor, without a cursor of their own.

@@ -112,11 +112,11 @@ fn of_parameter(form: &Form, edit: StructureEdit) -> StructureEdit {
 /// What is said once the edit is taken.
 fn said(form: &Form) -> String {
     match &form.purpose {
-        FormPurpose::Add { table } => format!("Added to {table}. `u` takes it back."),
-        FormPurpose::Fill { path } => format!("Set in {path}. `u` takes it back."),
-        FormPurpose::Copy { path } => format!("Copied {path}. `u` takes it back."),
-        FormPurpose::Rename { path } => format!("Renamed {path}. `u` takes it back."),
-        FormPurpose::Divide { path } => format!("Divided {path}. `u` takes it back."),
+        FormPurpose::Add { table } => format!("Added to {table}. `:undo` takes it back."),
+        FormPurpose::Fill { path } => format!("Set in {path}. `:undo` takes it back."),
+        FormPurpose::Copy { path } => format!("Copied {path}. `:undo` takes it back."),
+        FormPurpose::Rename { path } => format!("Renamed {path}. `:undo` takes it back."),
+        FormPurpose::Divide { path } => format!("Divided {path}. `:undo` takes it back."),
         FormPurpose::NewFile(_) => String::new(),
     }
 }

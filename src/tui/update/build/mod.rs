@@ -256,7 +256,7 @@ pub fn remove(state: &mut AppState) -> Vec<Effect> {
     let Some((path, _)) = current(state) else {
         return Vec::new();
     };
-    let said = format!("Removed {path}. `u` takes it back.");
+    let said = format!("Removed {path}. `:undo` takes it back.");
     edit(state, StructureEdit::Remove { path }, said)
 }
 

@@ -71,6 +71,8 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
             assert!(raw.is_empty(), "{raw:?} for the clipboard:\n{text}");
             vec![say(Severity::Info)]
         }
+        Effect::ReadSettings | Effect::EditKeys => vec![Msg::SettingsRead(Box::new(settings()))],
+        Effect::KeepScreen(..) | Effect::KeepSession(_) => vec![say(Severity::Warning)],
         Effect::Sweep(effect) => sweeps(effect),
         // The desk answers these, or they change nothing that is seen.
         Effect::MakePart(_)
@@ -87,6 +89,17 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
         | Effect::Repaint
         | Effect::Suspend
         | Effect::Quit => Vec::new(),
+    }
+}
+
+/// A file of keys with hostile words in it.
+fn settings() -> seacable::tui::settings::Settings {
+    let text = format!("[keys]\nrun = {HOSTILE:?}\n{HOSTILE:?} = \"x\"\n");
+    let (keys, faults) = seacable::tui::bindings::file::read(&text, HOSTILE);
+    seacable::tui::settings::Settings {
+        keys,
+        faults,
+        ..Default::default()
     }
 }
 

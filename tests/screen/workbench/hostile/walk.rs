@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use seacable::tui::command::{Command, CommandId};
+use seacable::tui::command::CommandId;
 use seacable::tui::pane::PaneId;
 use seacable::tui::recovery::RecoveredEdits;
 use seacable::tui::state::overlay::RunText;
@@ -53,8 +53,9 @@ every!(PANES, pane_name, PaneId {
 
 every!(OVERLAYS, overlay_name, Overlay {
     Overlay::Help { .. } => "help",
-    Overlay::Palette { .. } => "palette",
+    Overlay::Palette(_) => "palette",
     Overlay::Messages { .. } => "messages",
+    Overlay::Explanation { .. } => "explanation",
     Overlay::Text { .. } => "text",
     Overlay::Page { .. } => "page",
     Overlay::Ask(Question::Unsaved { .. }) => "unsaved",
@@ -118,7 +119,9 @@ impl Walk {
                     let what = || format!("{}, {keys}", what());
                     self.look(desk, &what);
                     for command in panes::commands(&desk.state) {
-                        self.command(desk, command, &|| format!("{}, `{:?}`", what(), command.id));
+                        self.command(desk, command.id, &|| {
+                            format!("{}, `{:?}`", what(), command.id)
+                        });
                     }
                 }
                 // Every chart, every table.
@@ -131,12 +134,12 @@ impl Walk {
     }
 
     /// Does a command, types into what it opens, and hears the worst answers.
-    fn command(&mut self, from: &Desk, command: Command, what: &dyn Fn() -> String) {
+    fn command(&mut self, from: &Desk, id: CommandId, what: &dyn Fn() -> String) {
         let mut desk = copy(from);
-        let effects = run_command(&mut desk.state, command.id);
+        let effects = run_command(&mut desk.state, id);
         desk.perform(effects);
         self.look(&desk, what);
-        if matches!(command.id, CommandId::Pane(_) | CommandId::Redraw) {
+        if matches!(id, CommandId::Pane(_) | CommandId::Redraw) {
             return;
         }
         for effect in std::mem::take(&mut desk.asked) {
@@ -175,7 +178,11 @@ fn places(pane: PaneId) -> &'static [&'static str] {
 
 fn is_typing(desk: &mut Desk) -> bool {
     let editing = |desk: &Desk| desk.state.editor().is_some_and(|e| e.editing.is_some());
-    editing(desk) || desk.state.filter_mut().0.typing
+    editing(desk)
+        || desk
+            .state
+            .filter_mut()
+            .is_some_and(|(filter, ..)| filter.typing)
 }
 
 /// The same workbench again.
@@ -222,7 +229,7 @@ fn rare(walk: &mut Walk) {
     desk.checks_at_once = true;
     desk.keys("1 M");
     for command in panes::commands(&desk.state) {
-        walk.command(&desk, command, &|| format!("edited, `{:?}`", command.id));
+        walk.command(&desk, command.id, &|| format!("edited, `{:?}`", command.id));
     }
     let mut desk = copy(&line);
     desk.keys("R q");

@@ -1,0 +1,203 @@
+//! `seacable doctor`: what the program finds where it runs, and what is wrong with it.
+
+mod places;
+mod program;
+mod session;
+mod terminal;
+
+use std::io::{IsTerminal, stdout};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use serde_json::json;
+
+use super::args::DoctorArgs;
+use super::{BAD_RESULT, CommandError, output};
+
+/// How much something matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Health {
+    /// As it should be.
+    Fine,
+    /// Worth knowing.
+    Note,
+    /// In the way of work.
+    Problem,
+}
+
+impl Health {
+    /// Its word.
+    #[must_use]
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Fine => "ok",
+            Self::Note => "note",
+            Self::Problem => "PROBLEM",
+        }
+    }
+}
+
+/// Something that was looked at.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Finding {
+    /// What it belongs to.
+    pub topic: &'static str,
+    /// What was looked at.
+    pub name: String,
+    /// What was found.
+    pub value: String,
+    /// How much it matters.
+    pub health: Health,
+    /// What to do about it; empty where nothing need be done.
+    pub remedy: String,
+}
+
+impl Finding {
+    fn fine(topic: &'static str, name: &str, value: impl Into<String>) -> Self {
+        Self {
+            topic,
+            name: name.to_owned(),
+            value: value.into(),
+            health: Health::Fine,
+            remedy: String::new(),
+        }
+    }
+
+    fn note(self, remedy: impl Into<String>) -> Self {
+        self.of(Health::Note, remedy)
+    }
+
+    fn problem(self, remedy: impl Into<String>) -> Self {
+        self.of(Health::Problem, remedy)
+    }
+
+    fn of(self, health: Health, remedy: impl Into<String>) -> Self {
+        Self {
+            health,
+            remedy: remedy.into(),
+            ..self
+        }
+    }
+}
+
+/// Where the program runs.
+pub(super) struct Surroundings<'a> {
+    /// Looks up a variable of the environment.
+    pub var: &'a dyn Fn(&str) -> Option<String>,
+    /// Columns and rows of the terminal; nothing without one.
+    pub size: Option<(u16, u16)>,
+    /// The directory in which it runs.
+    pub directory: PathBuf,
+}
+
+impl std::fmt::Debug for Surroundings<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Surroundings")
+            .field("size", &self.size)
+            .field("directory", &self.directory)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Surroundings<'_> {
+    /// A variable that is set to something.
+    fn set(&self, name: &str) -> Option<String> {
+        (self.var)(name).filter(|value| !value.is_empty())
+    }
+
+    /// The file of a program in the search path.
+    fn program(&self, name: &str) -> Option<PathBuf> {
+        if name.contains('/') {
+            return Some(PathBuf::from(name)).filter(|path| path.is_file());
+        }
+        let path = self.set("PATH")?;
+        let mut files = path.split(':').map(|dir| Path::new(dir).join(name));
+        files.find(|file| file.is_file())
+    }
+}
+
+/// Looks at everything.
+#[must_use]
+pub(super) fn examine(around: &Surroundings<'_>) -> Vec<Finding> {
+    let mut found = program::findings();
+    found.extend(terminal::findings(around));
+    found.extend(places::findings(around));
+    found.extend(session::findings(around));
+    found
+}
+
+/// Whether anything is in the way of work.
+#[must_use]
+pub(super) fn has_problems(found: &[Finding]) -> bool {
+    found
+        .iter()
+        .any(|finding| finding.health == Health::Problem)
+}
+
+/// Prints what was found; the exit status says whether anything is in the way.
+pub(super) fn doctor(args: &DoctorArgs) -> Result<ExitCode, CommandError> {
+    let size = stdout().is_terminal().then(crossterm::terminal::size);
+    let around = Surroundings {
+        var: &|name| std::env::var(name).ok(),
+        size: size.and_then(Result::ok),
+        directory: std::env::current_dir().unwrap_or_default(),
+    };
+    let found = examine(&around);
+    if args.json {
+        output::object(&object(&found))?;
+    } else {
+        output::results(&page(&found), args.ascii)?;
+    }
+    Ok(match has_problems(&found) {
+        true => ExitCode::from(BAD_RESULT),
+        false => ExitCode::SUCCESS,
+    })
+}
+
+/// The page: topic by topic, remedies below what they are for.
+fn page(found: &[Finding]) -> String {
+    let widest = found.iter().map(|finding| finding.name.len()).max();
+    let width = widest.unwrap_or(0);
+    let mut text = String::new();
+    let mut topic = "";
+    for finding in found {
+        if finding.topic != topic {
+            topic = finding.topic;
+            text.push_str(&format!("{topic}\n"));
+        }
+        let word = finding.health.word();
+        text.push_str(&format!(
+            "  {word:<7}  {:<width$}  {}\n",
+            finding.name, finding.value
+        ));
+        if !finding.remedy.is_empty() {
+            text.push_str(&format!(
+                "  {:<7}  {:<width$}    {}\n",
+                "", "", finding.remedy
+            ));
+        }
+    }
+    let problems = found.iter().filter(|f| f.health == Health::Problem).count();
+    text.push_str(&match problems {
+        0 => "\nNothing is in the way.\n".to_owned(),
+        1 => "\n1 problem.\n".to_owned(),
+        count => format!("\n{count} problems.\n"),
+    });
+    text
+}
+
+fn object(found: &[Finding]) -> serde_json::Value {
+    let each = found.iter().map(|finding| {
+        json!({
+            "topic": finding.topic,
+            "name": finding.name,
+            "value": finding.value,
+            "health": finding.health.word().to_lowercase(),
+            "remedy": finding.remedy,
+        })
+    });
+    json!({ "findings": each.collect::<Vec<_>>(), "problems": has_problems(found) })
+}
+
+#[cfg(test)]
+mod tests;
