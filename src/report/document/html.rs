@@ -23,10 +23,11 @@ tr, figure { break-inside: avoid }
 h1, h2, caption { break-after: avoid }
 figure { margin: 0.8em 0 }
 svg { display: block; width: 100%; max-width: 180mm; height: auto }
-.right { text-align: right; white-space: nowrap }
+.right { text-align: right }
+td.right { white-space: nowrap }
 .wide { font-size: 8pt }
 .dense { font-size: 7pt }
-.dense .right { white-space: normal }
+.dense td.right { white-space: normal }
 .pairs th { border-bottom: 1px solid #ccc; white-space: nowrap }
 .good { color: #060 }
 .bad { color: #a00; font-weight: bold }
@@ -136,8 +137,8 @@ fn table(table: &Table) -> String {
             .map(|column| cell("th", column.align, None, &column.head));
         let heads: String = heads.collect();
         let wide = match needed(table) {
-            0..=USUAL => "",
-            ..=SMALL => " class=\"wide\"",
+            few if few <= USUAL => "",
+            more if more <= SMALL => " class=\"wide\"",
             _ => " class=\"dense\"",
         };
         out += &format!("<table{wide}>\n{caption}<thead><tr>{heads}</tr></thead>\n<tbody>\n");

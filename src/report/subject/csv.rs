@@ -46,10 +46,6 @@ fn results(run: &Run) -> Table {
     let number =
         |value: Option<f64>| Cell::plain(value.map_or_else(String::new, |v| v.to_string()));
     let in_time = run.history.time.len() > 1;
-    let record = |quantity: &Quantity| match quantity.id.parts().0 {
-        Subject::Channel(_) if in_time => RECORD,
-        _ => "",
-    };
     let unsettled = |end: usize| move |q: &Quantity| number(q.unsettled.map(|range| range[end]));
     Table::of("", &run.summary)
         .text("quantity", Quantity::name)
@@ -60,7 +56,10 @@ fn results(run: &Run) -> Table {
         .cell("mesh_error", Align::Right, |q| number(q.mesh_error))
         .cell("least_if_not_settled", Align::Right, unsettled(0))
         .cell("greatest_if_not_settled", Align::Right, unsettled(1))
-        .text("record", |q| record(q))
+        .text("record", |q| match q.id.parts().0 {
+            Subject::Channel(_) if in_time => RECORD,
+            _ => "",
+        })
         .build()
 }
 

@@ -17,7 +17,7 @@ const OFF: f64 = 4.0;
 const ROWS: u8 = 5;
 
 /// An area counts as so many pieces of curves where a name lies over it.
-const SOLID: usize = 4;
+const SOLID: usize = 12;
 
 /// Dash of a reference line.
 const DASH: &str = "6 4";
@@ -117,10 +117,30 @@ pub(super) fn names(chart: &Chart, plan: &SvgPlan, curves: &[Polyline], page: &m
         let chosen = places.iter().filter(free).min_by_key(covered);
         if let Some(area) = chosen.copied() {
             taken.push(area);
+            lead(limit, plan, area, page);
             let style = format!(" font-size=\"{SIZE}\" fill=\"{LIMIT}\"");
             let at = (area.0, area.1 + 0.8 * TALL);
             page.styled_words(at, Anchor::Start, &name, &style);
         }
+    }
+}
+
+/// A thin line from a name to its area, where it is not beside it.
+fn lead(limit: &Limit, plan: &SvgPlan, (left, top, wide, _): Area, page: &mut SvgPage) {
+    let LimitLine::Band { x, y } = limit.line else {
+        return;
+    };
+    let Some(area) = band(plan, x, y) else {
+        return;
+    };
+    let middle = (area.0 + 0.5 * area.2).clamp(left, left + wide);
+    let at = middle.clamp(area.0, area.0 + area.2);
+    let (from, to) = match top > area.1 {
+        true => (top + 2.0, area.1 + area.3),
+        false => (top + TALL, area.1),
+    };
+    if (from - to).abs() > 0.5 * TALL {
+        page.line((middle, from), (at, to), LIMIT, "1 2");
     }
 }
 
