@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use etcetera::base_strategy::{BaseStrategy, Xdg};
 
+pub use crate::user_dirs::state_dir;
+
 use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
@@ -47,16 +49,6 @@ pub fn default_dir() -> io::Result<PathBuf> {
 fn data_dir() -> io::Result<PathBuf> {
     let base = Xdg::new().map_err(io::Error::other)?;
     Ok(base.data_dir().join("seacable"))
-}
-
-/// Where the program keeps what is not the user's: recovery, answers given.
-///
-/// # Errors
-/// When the user has no home directory.
-pub fn state_dir() -> io::Result<PathBuf> {
-    let base = Xdg::new().map_err(io::Error::other)?;
-    let dir = base.state_dir().unwrap_or_else(|| base.data_dir());
-    Ok(dir.join("seacable"))
 }
 
 /// The cases of a directory, by path; those that do not pass say why.
