@@ -8,6 +8,8 @@ use super::audit::AuditArgs;
 use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::intervals::IntervalsArgs;
+use super::job::JobArgs;
+use super::jobs::JobsArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs};
@@ -159,6 +161,14 @@ pub(super) enum CliCommand {
     /// Several runs are taken together as records of one sea with other seeds. Two errors are stated and never added: the interval of the
     /// sample, and the numerical error of the runs.
     Statistics(StatisticsArgs),
+    /// List the jobs that go on without a screen, and cancel or wait for one: runs of the workbench and of `seacable run --detach`.
+    ///
+    /// They are listed with their state, for a week after their end, or until the workbench has shown it; those on other hosts with the
+    /// same home are listed too.
+    Jobs(JobsArgs),
+    /// The process of a job.
+    #[command(hide = true)]
+    Job(JobArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -507,6 +517,10 @@ pub(super) struct RunArgs {
     /// Directory to write, which must not exist yet; by default runs/CASE-TIME.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+
+    /// Compute it as a job that goes on without this terminal; prints its number and folder. `seacable jobs` lists them.
+    #[arg(long)]
+    pub(super) detach: bool,
 
     /// Print with ASCII characters only.
     #[arg(long)]

@@ -17,6 +17,8 @@ mod export;
 mod import;
 mod inputs;
 mod intervals;
+mod job;
+mod jobs;
 mod keys;
 mod kinds;
 mod limit_args;
@@ -106,6 +108,8 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Study(args)) => study::study(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args, SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),
+        Some(CliCommand::Jobs(args)) => jobs::jobs(args),
+        Some(CliCommand::Job(args)) => job::job(args),
     };
     done.unwrap_or_else(CommandError::report)
 }

@@ -28,12 +28,20 @@ impl JobRequest {
     /// # Errors
     /// Why it cannot be resumed.
     pub fn resumed(dir: &Path, until: f64) -> Result<Self, String> {
+        Self::resumed_until(dir, Some(until))
+    }
+
+    /// The same, or to the end of its case.
+    ///
+    /// # Errors
+    /// As [`JobRequest::resumed`].
+    pub fn resumed_until(dir: &Path, until: Option<f64>) -> Result<Self, String> {
         if FileType::of(&dir.join(store::CASE)) == FileType::System {
-            let (mut request, from) = checkpoint::resume_request(dir, Some(until))?;
+            let (mut request, from) = checkpoint::resume_request(dir, until)?;
             request.id = stem(&request.file);
             return Ok(Self::System(Box::new(request), from.map(Box::new)));
         }
-        let (mut request, from) = resume_request(dir, Some(until))?;
+        let (mut request, from) = resume_request(dir, until)?;
         request.id = stem(&request.file);
         Ok(Self::Line(Box::new(request), from.map(Box::new)))
     }
