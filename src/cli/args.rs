@@ -47,6 +47,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "SET", conflicts_with = "ascii")]
     pub(super) glyphs: Option<Glyphs>,
 
+    /// Compute runs inside the workbench, not as jobs that go on without it; they end with it.
+    #[arg(long)]
+    pub(super) in_process: bool,
+
     /// For slow links: fewer frames, and a longer wait for key sequences that arrive in pieces.
     #[arg(long)]
     pub(super) slow_link: bool,

@@ -20,6 +20,7 @@ pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
         path: args.path,
         glyphs: args.glyphs.or(args.ascii.then_some(Glyphs::Ascii)),
         slow_link: args.slow_link,
+        in_process: args.in_process,
     };
     tui::open(&options).map_err(CommandError::Screen)?;
     Ok(ExitCode::SUCCESS)

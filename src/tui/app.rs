@@ -43,6 +43,8 @@ pub struct WorkbenchOptions {
     pub glyphs: Option<Glyphs>,
     /// Fewer frames, and more patience with cut escape sequences.
     pub slow_link: bool,
+    /// Compute stored runs and load cases inside the program, and not by processes that outlive it.
+    pub in_process: bool,
 }
 
 /// Why the workbench cannot be opened, or ended.
@@ -120,7 +122,10 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
             escape: Duration::from_millis(80),
         }
     };
-    let state = AppState::new(screen.size()?, capabilities);
+    let mut state = AppState::new(screen.size()?, capabilities);
+    if !options.in_process {
+        use_processes(&mut state, &mut effects);
+    }
     let mut app = App {
         state,
         screen: &mut screen,
@@ -135,6 +140,18 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     let ended = panic::catch_unwind(AssertUnwindSafe(|| app.run(file)));
     effects.finish(LAST_FILES);
     finish(ended)
+}
+
+/// Lets jobs be processes that outlive the program, where there is a place to keep them.
+fn use_processes(state: &mut AppState, effects: &mut EffectRunner) {
+    let directory = std::env::current_dir().map_err(|error| error.to_string());
+    match directory.and_then(|dir| effects.use_processes().map(|()| dir)) {
+        Ok(dir) => state.jobs.processes = Some(dir),
+        Err(why) => state.say(
+            Severity::Warning,
+            format!("Runs are computed inside this screen, and end with it: {why}."),
+        ),
+    }
 }
 
 /// Every way to end meets here.

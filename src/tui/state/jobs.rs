@@ -1,7 +1,9 @@
 //! Jobs that run, wait or have ended.
 
 use std::collections::VecDeque;
+use std::path::PathBuf;
 
+use super::job_process::JobProcess;
 pub use crate::jobs::JobRequest;
 use crate::run::Progress;
 
@@ -34,6 +36,10 @@ pub enum JobState {
     Failed(String),
     /// Stopped by the user.
     Cancelled,
+    /// Its process ended without a word; what can be done about it.
+    Killed(String),
+    /// Computed on another host; how far it is, in words.
+    Elsewhere(String),
 }
 
 impl JobState {
@@ -46,6 +52,8 @@ impl JobState {
             Self::Done => "done",
             Self::Failed(_) => "failed",
             Self::Cancelled => "cancelled",
+            Self::Killed(_) => "killed",
+            Self::Elsewhere(_) => "elsewhere",
         }
     }
 
@@ -69,6 +77,8 @@ pub struct JobLine {
     pub state: JobState,
     /// How far it is.
     pub progress: Progress,
+    /// What is known of its process, where it is one of its own.
+    pub process: Option<Box<JobProcess>>,
 }
 
 /// A request that waits for its turn.
@@ -93,6 +103,10 @@ pub struct Jobs {
     pub cursor: usize,
     /// The next number.
     pub next: JobNumber,
+    /// The directory that the program works in, where stored runs and load cases are computed by processes of their own.
+    pub processes: Option<PathBuf>,
+    /// Why those end with the login, where the system ends them.
+    pub ended_by_logout: Option<String>,
 }
 
 impl Default for Jobs {
@@ -103,6 +117,8 @@ impl Default for Jobs {
             limit: 1,
             cursor: 0,
             next: 1,
+            processes: None,
+            ended_by_logout: None,
         }
     }
 }
@@ -131,9 +147,19 @@ impl Jobs {
     /// How many stored runs, and sweeps of them, wait or compute.
     #[must_use]
     pub fn open(&self) -> usize {
+        self.open_lines().count()
+    }
+
+    /// How many of them end with this program.
+    #[must_use]
+    pub fn open_here(&self) -> usize {
+        self.open_lines().filter(|l| l.process.is_none()).count()
+    }
+
+    fn open_lines(&self) -> impl Iterator<Item = &JobLine> {
         let stored = [JobPurpose::Run, JobPurpose::Sweep];
         let all = stored.into_iter().flat_map(|purpose| self.of(purpose));
-        all.filter(|l| l.state.is_open()).count()
+        all.filter(|l| l.state.is_open())
     }
 
     fn of(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {

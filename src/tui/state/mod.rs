@@ -5,6 +5,7 @@ pub mod curves;
 pub mod document;
 pub mod document_kind;
 pub mod edit_check;
+pub mod job_process;
 pub mod jobs;
 pub mod line;
 pub mod modes;

@@ -9,6 +9,7 @@ mod curves;
 mod desk;
 mod footer;
 mod hostile;
+mod job_processes;
 mod line_types;
 mod marks;
 mod modes;
