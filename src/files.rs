@@ -9,6 +9,7 @@
 
 pub(crate) mod disk;
 pub(crate) mod faults;
+pub(crate) mod lock;
 pub mod read;
 pub mod root;
 pub mod walk;

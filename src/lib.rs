@@ -18,7 +18,8 @@
 //! * [`line_between_ends`]: a line at rest as an element of a system: end forces and end stiffness.
 //! * [`equations`]: the equations of all of these, with links to the functions that hold them.
 //! * [`modes`]: natural frequencies and mode shapes about the static shape.
-//! * [`run`]: a case computed: history, shapes, summary with errors, cost; jobs on threads; the store.
+//! * [`run`]: a case computed: history, shapes, summary with errors, cost; the store.
+//! * [`jobs`]: runs and load cases as processes that outlive the screen.
 //! * [`system`]: systems of lines at rest: points, bodies, lines.
 //! * [`section`]: the cross-section designer: from units, layers and armour to the material of a line.
 //! * [`line_types`]: chains, wire ropes and fibre ropes by nominal diameter, from published formulas.
@@ -53,6 +54,7 @@ pub mod extremes;
 pub mod fatigue;
 pub mod files;
 pub mod import;
+pub mod jobs;
 pub mod kinds;
 pub mod limits;
 pub mod line_between_ends;

@@ -48,11 +48,20 @@ pub(crate) fn prefix(name: &OsStr) -> OsString {
 
 /// Removes what killed processes left in a directory. What holds anything else than `files` is left.
 pub(crate) fn remove(directory: &Path, files: &[&str]) {
+    remove_older(directory, files, OLD);
+}
+
+/// The same, however young it is: for directories that no other machine writes in.
+pub(crate) fn remove_of_this_host(directory: &Path, files: &[&str]) {
+    remove_older(directory, files, Duration::ZERO);
+}
+
+fn remove_older(directory: &Path, files: &[&str], age: Duration) {
     let Ok(inside) = fs::read_dir(directory) else {
         return;
     };
     for item in inside.flatten() {
-        let Some(hidden) = left_behind(&item.file_name()).filter(|_| is_old(&item)) else {
+        let Some(hidden) = left_behind(&item.file_name()).filter(|_| is_old(&item, age)) else {
             continue;
         };
         // Best effort: what stays is hidden, and tried again.
@@ -76,9 +85,9 @@ fn left_behind(name: &OsStr) -> Option<Hidden> {
     (test_kill_process(process) == Err(Errno::SRCH)).then_some(hidden)
 }
 
-fn is_old(item: &fs::DirEntry) -> bool {
+fn is_old(item: &fs::DirEntry, least: Duration) -> bool {
     let changed = item.metadata().and_then(|found| found.modified());
-    changed.is_ok_and(|changed| changed.elapsed().is_ok_and(|age| age > OLD))
+    changed.is_ok_and(|changed| least.is_zero() || changed.elapsed().is_ok_and(|age| age > least))
 }
 
 fn remove_run(dir: &Path, files: &[&str]) -> io::Result<()> {

@@ -25,7 +25,7 @@ pub fn digests(case: &Case) -> BTreeMap<String, String> {
 }
 
 /// The digest of a text, by which texts are known to be the same.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct TextDigest(pub u64);
 
 impl TextDigest {

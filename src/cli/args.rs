@@ -9,6 +9,8 @@ use super::audit::AuditArgs;
 use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::intervals::IntervalsArgs;
+use super::job::JobArgs;
+use super::jobs::JobsArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, EffectsArgs, StudyPageArgs};
@@ -46,6 +48,10 @@ pub(super) struct Args {
     /// Character set to draw with; by default chosen from the locale and the terminal.
     #[arg(long, value_name = "SET", conflicts_with = "ascii")]
     pub(super) glyphs: Option<Glyphs>,
+
+    /// Compute runs inside the workbench, not as jobs that go on without it; they end with it.
+    #[arg(long)]
+    pub(super) in_process: bool,
 
     /// For slow links: fewer frames, and a longer wait for key sequences that arrive in pieces.
     #[arg(long)]
@@ -191,6 +197,14 @@ pub(super) enum CliCommand {
     /// Several runs are taken together as records of one sea with other seeds. Two errors are stated and never added: the interval of the
     /// sample, and the numerical error of the runs.
     Statistics(StatisticsArgs),
+    /// List the jobs that go on without a screen, and cancel or wait for one: runs of the workbench and of `seacable run --detach`.
+    ///
+    /// They are listed with their state, for a week after their end, or until the workbench has shown it; those on other hosts with the
+    /// same home are listed too.
+    Jobs(JobsArgs),
+    /// The process of a job.
+    #[command(hide = true)]
+    Job(JobArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -602,6 +616,10 @@ pub(super) struct RunArgs {
     /// Directory to write, which must not exist yet; by default runs/CASE-TIME.
     #[arg(long, value_name = "DIR")]
     pub(super) out: Option<PathBuf>,
+
+    /// Compute it as a job that goes on without this terminal; prints its number and folder. `seacable jobs` lists them.
+    #[arg(long)]
+    pub(super) detach: bool,
 
     /// Print with ASCII characters only.
     #[arg(long)]

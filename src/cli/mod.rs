@@ -19,6 +19,8 @@ mod export;
 mod import;
 mod inputs;
 mod intervals;
+mod job;
+mod jobs;
 mod keys;
 mod kinds;
 mod limit_args;
@@ -114,6 +116,8 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Study(args)) => study::study(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args, SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),
+        Some(CliCommand::Jobs(args)) => jobs::jobs(args),
+        Some(CliCommand::Job(args)) => job::job(args),
     };
     done.unwrap_or_else(CommandError::report)
 }

@@ -8,10 +8,12 @@ use std::{
 };
 
 use super::{
-    BAD_RESULT, CommandError, args::RunArgs, cases, output, progress, signals::StopFlag, system,
+    BAD_RESULT, CommandError, args::RunArgs, cases, jobs, output, progress, signals::StopFlag,
+    system,
 };
 use crate::{
     case,
+    jobs::JobRequest,
     kinds::FileType,
     report::{limits, run_json, text},
     run::{
@@ -39,6 +41,10 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
         None => (request(args)?, None),
     };
+    if args.detach {
+        let request = JobRequest::Line(Box::new(request), from.map(Box::new));
+        return jobs::detach(&request, case_of(args), args.out.as_deref(), args.json);
+    }
     let info = request.initial_info();
     let text = case::stand_alone(&request.text, &request.case).into_owned();
     let stored = stored(args, &info, &text, &stop, &mut |cancel, events| {
@@ -61,6 +67,12 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     output::results(&text, args.ascii)?;
     Ok(status(&run, &stop))
+}
+
+/// The file that a run is of: the case, or that of the run resumed.
+pub(super) fn case_of(args: &RunArgs) -> &Path {
+    let resumed = args.resume.as_deref();
+    args.case.as_deref().or(resumed).unwrap_or(Path::new(""))
 }
 
 /// The case with every `--set` and `--solver` applied, in their order.

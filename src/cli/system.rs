@@ -6,11 +6,12 @@ use std::{path::Path, process::ExitCode, sync::Arc};
 use super::{
     CommandError,
     args::RunArgs,
-    cases, output,
-    run::{StoredRun, status, stored},
+    cases, jobs, output,
+    run::{StoredRun, case_of, status, stored},
     signals::StopFlag,
 };
 use crate::{
+    jobs::JobRequest,
     report::{
         system::{self as views, json, motion},
         text::WIDTH,
@@ -50,6 +51,11 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
     if solved.file.solver.is_some() {
         return in_motion(args, solved, stop);
     }
+    if args.detach {
+        return Err(CommandError::Usage(
+            "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run in time.".to_owned(),
+        ));
+    }
     if args.out.is_some() {
         return Err(CommandError::Usage(
             "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
@@ -76,7 +82,11 @@ fn in_motion(
     solved: SolvedSystem,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    stored_run(args, &request(args, solved)?, None, stop)
+    let request = request(args, solved)?;
+    if args.detach {
+        return detach(args, request, None);
+    }
+    stored_run(args, &request, None, stop)
 }
 
 /// Continues a stored run.
@@ -86,7 +96,20 @@ pub(super) fn resume(
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
     let (request, from) = resume_request(dir, args.until).map_err(CommandError::Usage)?;
+    if args.detach {
+        return detach(args, request, from);
+    }
     stored_run(args, &request, from.as_ref(), stop)
+}
+
+/// Keeps the run as a job.
+fn detach(
+    args: &RunArgs,
+    request: SystemRequest,
+    from: Option<ResumedSystem>,
+) -> Result<ExitCode, CommandError> {
+    let request = JobRequest::System(Box::new(request), from.map(Box::new));
+    jobs::detach(&request, case_of(args), args.out.as_deref(), args.json)
 }
 
 /// Computes a run, stores it as it is computed, and prints its results.

@@ -23,6 +23,7 @@ pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
         fresh: args.fresh,
         tutorial: args.tutorial,
         keep_screen: args.keep_screen,
+        in_process: args.in_process,
     };
     tui::open(&options).map_err(CommandError::Screen)?;
     Ok(ExitCode::SUCCESS)

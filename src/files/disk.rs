@@ -4,7 +4,7 @@
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::{self, Write};
-use std::os::unix::fs::{OpenOptionsExt, PermissionsExt};
+use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
@@ -163,6 +163,25 @@ pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
 pub(crate) fn create_dir(path: &Path) -> io::Result<()> {
     faults::met(Operation::Create, path)?;
     fs::create_dir(path)
+}
+
+/// Makes a directory that only its owner can enter.
+///
+/// # Errors
+/// As [`fs::create_dir`].
+pub(crate) fn create_private_dir(path: &Path) -> io::Result<()> {
+    faults::met(Operation::Create, path)?;
+    fs::DirBuilder::new().mode(0o700).create(path)
+}
+
+/// A file that only its owner can read, to be written at its end; made where it is missing.
+///
+/// # Errors
+/// As [`OpenOptions::open`].
+pub(crate) fn append_private(path: &Path) -> io::Result<File> {
+    faults::met(Operation::Create, path)?;
+    let mut options = OpenOptions::new();
+    options.append(true).create(true).mode(0o600).open(path)
 }
 
 /// Makes a directory and those above it, where they are missing.

@@ -9,6 +9,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{PoisonError, RwLock};
 
+use serde::{Deserialize, Serialize};
+
 use super::read;
 
 /// A folder of this name is the root of the cases below it.
@@ -62,6 +64,40 @@ pub fn open(dir: &Path) {
 pub fn allow(name: &str) {
     let name = name.trim_matches(['"', '\'']).to_owned();
     say(|given| given.names.push(name));
+}
+
+/// What the user said of where files may lie, for another process that is to read the same.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct GivenRoots {
+    /// The root of all cases.
+    pub root: Option<PathBuf>,
+    /// Directories that the user opened.
+    #[serde(default)]
+    pub opened: Vec<PathBuf>,
+    /// Names that the user typed.
+    #[serde(default)]
+    pub names: Vec<String>,
+}
+
+impl GivenRoots {
+    /// What was said to this process so far.
+    #[must_use]
+    pub fn of_this_process() -> Self {
+        said(|given| Self {
+            root: given.root.clone(),
+            opened: given.opened.clone(),
+            names: given.names.clone(),
+        })
+    }
+
+    /// Says it to this process.
+    pub fn adopt(self) {
+        say(|given| {
+            given.root = self.root.or(given.root.take());
+            given.opened.extend(self.opened);
+            given.names.extend(self.names);
+        });
+    }
 }
 
 /// A file that a case names.

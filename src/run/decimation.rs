@@ -27,6 +27,8 @@ pub struct DecimatedRecord {
     /// Shapes recorded, and every which of them is kept.
     drawn: u64,
     stride: u64,
+    /// How many numbers the rows kept may hold, where that is fewer than usual; 0 where it is not.
+    numbers: usize,
 }
 
 impl DecimatedRecord {
@@ -41,6 +43,15 @@ impl DecimatedRecord {
             },
             stride: 1,
             ..Self::default()
+        }
+    }
+
+    /// An empty record of these channels whose rows hold about so many numbers at most.
+    #[must_use]
+    pub fn within(channels: impl IntoIterator<Item = ChannelId>, numbers: usize) -> Self {
+        Self {
+            numbers,
+            ..Self::new(channels)
         }
     }
 
@@ -119,7 +130,12 @@ impl DecimatedRecord {
         if provisional {
             self.shapes.pop();
         }
-        let room = (NODES / shape.nodes.len().max(1)).max(16);
+        let nodes = if self.numbers == 0 {
+            NODES
+        } else {
+            self.numbers
+        };
+        let room = (nodes / shape.nodes.len().max(1)).max(16);
         self.shapes.push(shape);
         self.drawn += 1;
         if self.shapes.len() > room {
@@ -139,7 +155,10 @@ impl DecimatedRecord {
     /// How many rows are kept at most.
     fn room(&self) -> usize {
         let columns = 1 + self.history.channels.len();
-        (NUMBERS / columns).max(16 * self.most())
+        match self.numbers {
+            0 => (NUMBERS / columns).max(16 * self.most()),
+            fewer => (fewer / columns).max(8 * self.most()),
+        }
     }
 
     /// Divides what was kept whole so far into stretches.

@@ -442,7 +442,7 @@ impl Quantity {
 }
 
 /// How far a running job is.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Progress {
     /// Simulated time \[s\].
     pub time: f64,

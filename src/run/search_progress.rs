@@ -1,7 +1,9 @@
 //! How far the search for an accuracy is, in numbers and in words.
 
+use serde::{Deserialize, Serialize};
+
 /// How far the search for an accuracy is.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SearchProgress {
     /// The round that begins, from 1.
     pub round: usize,

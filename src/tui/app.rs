@@ -54,6 +54,8 @@ pub struct WorkbenchOptions {
     pub tutorial: bool,
     /// Leave the last screen in the shell.
     pub keep_screen: bool,
+    /// Compute stored runs and load cases inside the program, and not by processes that outlive it.
+    pub in_process: bool,
 }
 
 /// Why the workbench cannot be opened, or ended.
@@ -152,6 +154,9 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         update::tutorial::begin(&mut state);
     }
     state.capabilities.glyphs = flag.unwrap_or(state.capabilities.glyphs);
+    if !options.in_process {
+        use_processes(&mut state, &mut effects);
+    }
     let mut app = App {
         state,
         screen: &mut screen,
@@ -174,6 +179,18 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     match last {
         Some(text) => Ok(io::stdout().write_all(text.as_bytes())?),
         None => Ok(()),
+    }
+}
+
+/// Lets jobs be processes that outlive the program, where there is a place to keep them.
+fn use_processes(state: &mut AppState, effects: &mut EffectRunner) {
+    let directory = std::env::current_dir().map_err(|error| error.to_string());
+    match directory.and_then(|dir| effects.use_processes().map(|()| dir)) {
+        Ok(dir) => state.jobs.processes = Some(dir),
+        Err(why) => state.say(
+            Severity::Warning,
+            format!("Runs are computed inside this screen, and end with it: {why}."),
+        ),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod file_watch;
 mod index_worker;
+mod job_processes;
 mod open;
 mod ordered_worker;
 pub mod outbox;
@@ -23,6 +24,7 @@ use crossbeam_channel::{Receiver, bounded};
 
 use self::file_watch::FileWatch;
 use self::index_worker::{IndexWorker, Question};
+use self::job_processes::JobProcesses;
 use self::open::read_case;
 use self::ordered_worker::OrderedWorker;
 use self::outbox::{Inbox, Outbox};
@@ -68,6 +70,8 @@ pub struct EffectRunner {
     sweeps: SweepWorker,
     watch: FileWatch,
     jobs: HashMap<JobNumber, RunningJob>,
+    /// Jobs that are processes of their own; nothing where all are computed here.
+    processes: Option<JobProcesses>,
     /// The trials that compute, and the flag that stops them.
     trials: Option<(JobNumber, Arc<AtomicBool>)>,
 }
@@ -103,8 +107,18 @@ impl EffectRunner {
             out,
             inbox,
             jobs: HashMap::new(),
+            processes: None,
             trials: None,
         })
+    }
+
+    /// From now on stored runs and load cases may be computed by processes of their own, and those of earlier screens are found.
+    ///
+    /// # Errors
+    /// Why they cannot, in words.
+    pub fn use_processes(&mut self) -> Result<(), String> {
+        self.processes = Some(JobProcesses::start(&self.out)?);
+        Ok(())
     }
 
     /// Where other threads send what happened.
@@ -129,6 +143,9 @@ impl EffectRunner {
     pub fn finish(&self, limit: Duration) {
         self.files.finish(limit);
         self.memory.finish(limit);
+        if let Some(processes) = &self.processes {
+            processes.finish(limit);
+        }
     }
 
     /// What jobs said since the last call.
@@ -138,7 +155,9 @@ impl EffectRunner {
             let mut curves = going.fresh.lock().unwrap_or_else(PoisonError::into_inner);
             Some(Msg::Recorded(*ticket, Box::new(curves.take()?)))
         });
-        let fresh: Vec<Msg> = fresh.collect();
+        let mut fresh: Vec<Msg> = fresh.collect();
+        let processes = self.processes.as_ref();
+        fresh.extend(processes.map(JobProcesses::recorded).unwrap_or_default());
         let mut heard = self.inbox.take();
         for msg in &heard {
             let ended = match msg {
@@ -187,6 +206,10 @@ impl EffectRunner {
             } => self.start(ticket, request, store),
             Effect::StartTrials { ticket, of } => self.start_trials(ticket, of),
             Effect::Cancel(ticket) => self.cancel(ticket),
+            Effect::Process(effect) => {
+                let processes = self.processes.as_ref();
+                processes.map_or_else(Vec::new, |processes| processes.perform(effect))
+            }
             Effect::FindModes { case, text } => self.aside(move || {
                 let found = modes::of_case(&case, COUNT);
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
@@ -270,7 +293,8 @@ impl EffectRunner {
         if let Some(running) = self.jobs.get(&ticket) {
             running.cancel.store(true, Ordering::Relaxed);
         }
-        Vec::new()
+        let processes = self.processes.as_ref();
+        processes.map_or_else(Vec::new, |processes| processes.cancel(ticket))
     }
 
     fn start_trials(&mut self, ticket: JobNumber, of: TrialsOf) -> Vec<Msg> {

@@ -10,6 +10,7 @@ use super::screen_memory::ScreenMemory;
 use super::screen_memory::file::SessionMemory;
 use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
+use super::state::job_process::{ProcessEffect, ProcessMsg};
 use super::state::parts::{PartKey, PartRequest, PartView};
 use super::state::report::{ReportRequest, TextRequest};
 use super::state::ship::ShipAtSea;
@@ -58,6 +59,8 @@ pub enum Msg {
     Stored(JobNumber, PathBuf),
     /// A job could not be started or stored, for this reason.
     JobFailed(JobNumber, String),
+    /// What is said of jobs that are processes of their own.
+    Process(ProcessMsg),
     /// The cases of a directory.
     CasesRead(PathBuf, Vec<CaseEntry>),
     /// A file was read; with edits that an earlier session left behind.
@@ -279,6 +282,8 @@ pub enum Effect {
     },
     /// Cancel a job.
     Cancel(JobNumber),
+    /// Start or follow a job that is a process of its own.
+    Process(ProcessEffect),
     /// Compute a ship at sea on a thread of its own.
     ComputeShip(Box<ShipAtSea>),
     /// Work out a part of the screen.

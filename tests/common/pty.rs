@@ -241,10 +241,15 @@ impl Pty {
         }
     }
 
+    /// The process that the shell has become.
+    pub(crate) fn process_itself(&self) -> Pid {
+        let process = i32::try_from(self.shell.process_id().unwrap()).unwrap();
+        Pid::from_raw(process).unwrap()
+    }
+
     /// Kills the program where the shell has become it, and returns its directory.
     pub(crate) fn kill(mut self) -> tempfile::TempDir {
-        let process = i32::try_from(self.shell.process_id().unwrap()).unwrap();
-        let process = Pid::from_raw(process).unwrap();
+        let process = self.process_itself();
         // It may have ended by itself.
         let _ = kill_process(process, Signal::KILL);
         self.shell.wait().unwrap();

@@ -381,7 +381,7 @@ fn a_run_of_the_workbench_that_cannot_be_stored_says_so_last() {
         let dir = tempfile::tempdir().unwrap();
         with_case(dir.path());
         let mut pty = Start {
-            args: &["small.toml"],
+            args: &["--in-process", "small.toml"],
             vars: &[("LANG", "C.UTF-8"), (variable, value)],
             ..Start::default()
         }

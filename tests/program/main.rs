@@ -3,6 +3,9 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 #[cfg(target_os = "linux")]
+#[path = "../common/jobs.rs"]
+mod jobs;
+#[cfg(target_os = "linux")]
 #[path = "../common/pty.rs"]
 mod pty;
 #[path = "../common/reseal.rs"]
@@ -23,6 +26,8 @@ mod full_disk;
 mod hostile_files;
 mod hostile_screen;
 mod hostile_text;
+#[cfg(target_os = "linux")]
+mod job_stories;
 mod json;
 mod kills;
 mod kills_editor;

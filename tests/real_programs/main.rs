@@ -7,6 +7,11 @@
 #![cfg(target_os = "linux")]
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "../program/chance.rs"]
+mod chance;
+mod job_links;
+#[path = "../common/jobs.rs"]
+mod jobs;
 #[path = "../common/pty.rs"]
 #[expect(dead_code, reason = "other tests use the rest")]
 mod pty;

@@ -172,7 +172,8 @@ fn the_workbench_without_a_terminal_says_what_to_do_instead() {
 fn a_killed_client_ends_the_workbench_and_the_work_is_kept() {
     let dir = place();
     let server = Sshd::start(dir.path());
-    let mut pty = terminal(&server, dir, (80, 24), &format!("cd && seacable {ENDLESS}"));
+    let words = format!("cd && seacable --in-process {ENDLESS}");
+    let mut pty = terminal(&server, dir, (80, 24), &words);
     let dir = pty.dir.path().to_owned();
     pty.wait_for("solver alpha");
     pty.send("R");

@@ -160,7 +160,7 @@ fn locale_terminal_and_no_color_decide_what_is_shown_at_every_size() {
 #[ignore = "left out: needs tmux; .ci/run runs it"]
 fn a_run_continues_through_resizes_and_while_nobody_is_attached() {
     let mut tmux = Tmux::start((80, 24));
-    tmux.pty.send(&format!("seacable {ENDLESS}\r"));
+    tmux.pty.send(&format!("seacable --in-process {ENDLESS}\r"));
     tmux.pty.wait_for("solver alpha");
     tmux.pty.send("R2");
     tmux.pty.wait_for("time [s]");
@@ -199,7 +199,7 @@ fn a_run_continues_through_resizes_and_while_nobody_is_attached() {
 fn a_killed_session_leaves_no_process_and_keeps_the_work() {
     let mut tmux = Tmux::start((80, 24));
     let dir = tmux.pty.dir.path().to_owned();
-    tmux.pty.send(&format!("seacable {ENDLESS}\r"));
+    tmux.pty.send(&format!("seacable --in-process {ENDLESS}\r"));
     tmux.pty.wait_for("solver alpha");
     tmux.pty.send("R");
     until("rows of the history", || rows(&dir) > 3);

@@ -1,6 +1,6 @@
 //! Records a job while it is computed, and says when it cannot be stored any more.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::{RunLocation, RunWriter, StoreError};
 use crate::run::{Run, RunInfo, RunState, event::JobEvent};
@@ -28,6 +28,12 @@ impl Recorder {
     #[must_use]
     pub fn id(&self) -> &str {
         self.writer.id()
+    }
+
+    /// The run directory.
+    #[must_use]
+    pub fn dir(&self) -> &Path {
+        self.writer.dir()
     }
 
     /// Writes an event; whether it is of use to go on. After a failure nothing more is written.

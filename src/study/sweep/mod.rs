@@ -20,6 +20,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use serde::{Deserialize, Serialize};
+
 pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
 pub use load_cases::{SweepKind, load_cases, without_load_cases};
 pub use part::{Part, PartDone};
@@ -56,7 +58,7 @@ pub enum SweepOutcomes {
 }
 
 /// How far a sweep is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SweepProgress {
     /// Load cases that are done.
     pub done: usize,

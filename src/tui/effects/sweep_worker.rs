@@ -3,28 +3,20 @@
 use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
-use std::time::{Duration, Instant};
 
 use super::ordered_worker::OrderedWorker;
 use super::outbox::Outbox;
 use crate::background::lower_priority;
-use crate::report::sweep::SweepReport;
+use crate::jobs::{SweepEvent, compute_sweep, on_all_cores_but_one};
 use crate::run::store;
-use crate::study::sweep::slurm::SlurmFile;
-use crate::study::sweep::{
-    SweepFolder, SweepOutcomes, SweepPlan, SweepProgress, SweepSnapshot, stored_sweeps,
-};
+use crate::study::sweep::{SweepSnapshot, stored_sweeps};
 use crate::tui::msg::Msg;
 use crate::tui::state::JobNumber;
 use crate::tui::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
 use crate::tui::state::sweep_verdict::SweepVerdict;
 use crate::tui::state::sweeps::SweepRead;
-use crate::visible;
-
-/// How often a sweep says how far it is, at most.
-const TELL: Duration = Duration::from_millis(200);
 
 /// Why there is no answer after a panic.
 const FAULT: &str = "This failed by a fault of seacable.";
@@ -82,7 +74,7 @@ impl SweepWorker {
                 lower_priority();
                 let compute = || compute(ticket, &request, &cancel, &out);
                 // It always answers; the panic hook reports a fault of it.
-                let ended = catch_unwind(AssertUnwindSafe(|| on_all_cores_but_one(compute)));
+                let ended = catch_unwind(AssertUnwindSafe(compute));
                 let ended = ended.unwrap_or_else(|_| Err(FAULT.to_owned()));
                 out.send(Msg::Sweep(SweepMsg::Ended(ticket, ended)));
             });
@@ -134,95 +126,20 @@ fn answer(effect: SweepEffect) -> Option<SweepMsg> {
     })
 }
 
-/// Computes the load cases of a text, and writes the tables of a sweep that has ended, as `seacable sweep` does.
+/// Computes the load cases of a text, and passes on what is said of them.
 fn compute(
     ticket: JobNumber,
     request: &SweepRequest,
     cancel: &AtomicBool,
     out: &Outbox,
 ) -> Result<(SweepRead, bool), String> {
-    let plan = request.plan()?;
-    let folder = folder(&plan)?;
-    let dir = folder.dir().to_owned();
-    out.send(Msg::Sweep(SweepMsg::Begun(ticket, dir.clone())));
-    let (sweep, question) = (&plan.sweep, &plan.question);
-    let (begun, told) = (Instant::now(), Mutex::new(None::<Instant>));
-    let tell = |progress: SweepProgress| {
-        let mut told = told.lock().unwrap_or_else(PoisonError::into_inner);
-        let is_due = told.is_none_or(|told| told.elapsed() >= TELL);
-        if is_due || progress.done == progress.of {
-            *told = Some(Instant::now());
-            let seconds = begun.elapsed().as_secs_f64();
-            out.send(Msg::Sweep(SweepMsg::Progress(ticket, progress, seconds)));
-        }
-    };
-    let outcomes = match question.statistics.until_settled {
-        true => sweep.compute_until_settled(&folder, question, cancel, &tell),
-        false => sweep.compute(Some(&folder), cancel, &tell),
-    };
-    if let Some(why) = not_stored(&outcomes) {
-        return Err(why);
-    }
-    let cancelled = cancel.load(Ordering::Relaxed);
-    if !cancelled {
-        let answers = sweep.answers(&outcomes, question);
-        let found = (&outcomes, answers.as_ref());
-        let report = SweepReport::new((sweep, question), found, true, Some(&dir));
-        report.store(&folder).map_err(|error| error.to_string())?;
-    }
-    let snapshot = SweepSnapshot::computed(&dir, Arc::new(plan), outcomes);
-    Ok((SweepRead::new(snapshot), cancelled))
-}
-
-/// The folder of a stored sweep of exactly these load cases, else a new one.
-fn folder(plan: &SweepPlan) -> Result<SweepFolder, String> {
-    let variation = &plan.sweep.variation;
-    let names = plan.sweep.results.names();
-    let stored = stored_sweeps(Path::new(store::DEFAULT_ROOT), &variation.base.file());
-    let known = stored
-        .into_iter()
-        .find(|entry| entry.info.is_of(variation, &names));
-    let folder = match known {
-        Some(known) => {
-            refuse_on_cluster(&known.dir, variation.points.len())?;
-            SweepFolder::open(&known.dir).map(|(folder, _)| folder)
-        }
-        None => SweepFolder::create(None, variation, (names, None)),
-    };
-    folder.map_err(|error| error.to_string())
-}
-
-/// A cluster may compute the same, which the command line asks it about.
-fn refuse_on_cluster(dir: &Path, load_cases: usize) -> Result<(), String> {
-    let found = SlurmFile::of_folder(dir, load_cases).map_err(|error| error.to_string())?;
-    match found.1.filter(|record| !record.gathered) {
-        None => Ok(()),
-        Some(_) => Err(format!(
-            "These load cases are computed by a cluster; `seacable sweep --resume {} --slurm` goes on.",
-            visible::path(dir)
-        )),
-    }
-}
-
-/// Why a run could not be stored, which ends the sweep.
-fn not_stored(outcomes: &SweepOutcomes) -> Option<String> {
-    let SweepOutcomes::Runs(runs, _) = outcomes else {
-        return None;
-    };
-    let mut refused = runs.iter().flatten().filter_map(|run| run.as_ref().err());
-    let found = refused.find(|why| why.starts_with("its run cannot be stored"));
-    found.map(|why| format!("A load case stopped the others: {why}"))
-}
-
-/// Computes on all cores but the one of the screen.
-fn on_all_cores_but_one<T: Send>(work: impl FnOnce() -> T + Send) -> T {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(cores.saturating_sub(1).max(1))
-        .start_handler(|_| lower_priority())
-        .build();
-    match pool {
-        Ok(pool) => pool.install(work),
-        Err(_) => work(),
-    }
+    let ended = compute_sweep(request, cancel, &|event| {
+        out.send(Msg::Sweep(match event {
+            SweepEvent::Begun(dir) => SweepMsg::Begun(ticket, dir),
+            SweepEvent::Progress(progress, seconds) => {
+                SweepMsg::Progress(ticket, progress, seconds)
+            }
+        }));
+    })?;
+    Ok((SweepRead::new(ended.snapshot), ended.is_cancelled))
 }

@@ -30,7 +30,11 @@ impl Pane for JobsPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let line = state.jobs.current();
-        let open = line.is_some_and(|line| line.state.is_open());
+        let state = line.map(|line| &line.state);
+        if id == CommandId::CancelJob && matches!(state, Some(JobState::Elsewhere(_))) {
+            return Some("This job is on another host; `seacable jobs cancel` does it there.");
+        }
+        let open = state.is_some_and(JobState::is_open);
         (id == CommandId::CancelJob && !open).then_some("There is no running job under the cursor.")
     }
 
@@ -59,9 +63,18 @@ impl Pane for JobsPane {
             let style = painter.line_style(i == jobs.cursor && focused);
             painter.buf.set_style(at, style);
             let half = (area.width / 2).max(20);
-            painter.text(span(at, 0, half.saturating_sub(1)), &line.name, style);
+            painter.text(span(at, 0, half.saturating_sub(1)), &job_name(line), style);
             painter.text(span(at, half, u16::MAX), &job_words(line), style);
         });
+    }
+}
+
+/// What it computes, with the number by which the command line knows it.
+fn job_name(line: &JobLine) -> String {
+    let number = line.process.as_ref().and_then(|process| process.number);
+    match number {
+        Some(number) => format!("{number}: {}", line.name),
+        None => line.name.clone(),
     }
 }
 
@@ -85,6 +98,8 @@ fn job_words(line: &JobLine) -> String {
             )
         }
         JobState::Failed(why) => format!("failed: {why}"),
+        JobState::Killed(words) => format!("killed; {words}"),
+        JobState::Elsewhere(words) => words.clone(),
         other => other.word().to_owned(),
     }
 }

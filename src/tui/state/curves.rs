@@ -43,6 +43,11 @@ impl RunCurves {
         }
     }
 
+    /// Adds a shape of the line.
+    pub fn push_shape(&mut self, shape: LineShape) {
+        self.streamed.shape(shape);
+    }
+
     /// Adds what was streamed to other curves of the same run since.
     pub fn append(&mut self, later: &Self) {
         self.progress = later.progress;

@@ -1,19 +1,12 @@
 //! Jobs that run, wait or have ended.
 
-use std::borrow::Cow;
 use std::collections::VecDeque;
-use std::path::Path;
-use std::sync::atomic::AtomicBool;
+use std::path::PathBuf;
 
 use super::case_list::Filter;
-use crate::case::stand_alone;
-use crate::kinds::FileType;
-use crate::run::event::JobEvent;
-use crate::run::job::{self, Request};
-use crate::run::store;
-use crate::run::{Progress, ResumedRun, Run, RunInfo, resume_request};
-use crate::system::motion::checkpoint::{self, ResumedSystem};
-use crate::system::motion::job::{self as system_job, SystemRequest};
+use super::job_process::JobProcess;
+pub use crate::jobs::JobRequest;
+use crate::run::Progress;
 use crate::tui::fuzzy::FuzzyFilter;
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
@@ -45,6 +38,10 @@ pub enum JobState {
     Failed(String),
     /// Stopped by the user.
     Cancelled,
+    /// Its process ended without a word; what can be done about it.
+    Killed(String),
+    /// Computed on another host; how far it is, in words.
+    Elsewhere(String),
 }
 
 impl JobState {
@@ -57,6 +54,8 @@ impl JobState {
             Self::Done => "done",
             Self::Failed(_) => "failed",
             Self::Cancelled => "cancelled",
+            Self::Killed(_) => "killed",
+            Self::Elsewhere(_) => "elsewhere",
         }
     }
 
@@ -80,94 +79,8 @@ pub struct JobLine {
     pub state: JobState,
     /// How far it is.
     pub progress: Progress,
-}
-
-/// What a job computes.
-#[derive(Debug, Clone)]
-pub enum JobRequest {
-    /// A run of a line case, from its start or from where an earlier run is resumed.
-    Line(Box<Request>, Option<Box<ResumedRun>>),
-    /// The same of a system of lines in time.
-    System(Box<SystemRequest>, Option<Box<ResumedSystem>>),
-}
-
-impl JobRequest {
-    /// The stored run in this directory, resumed up to a later end \[s\].
-    ///
-    /// # Errors
-    /// Why it cannot be resumed.
-    pub fn resumed(dir: &Path, until: f64) -> Result<Self, String> {
-        if FileType::of(&dir.join(store::CASE)) == FileType::System {
-            let (mut request, from) = checkpoint::resume_request(dir, Some(until))?;
-            request.id = stem(&request.file);
-            return Ok(Self::System(Box::new(request), from.map(Box::new)));
-        }
-        let (mut request, from) = resume_request(dir, Some(until))?;
-        request.id = stem(&request.file);
-        Ok(Self::Line(Box::new(request), from.map(Box::new)))
-    }
-
-    /// The time that it begins at \[s\].
-    #[must_use]
-    pub fn begins_at(&self) -> f64 {
-        match self {
-            Self::Line(_, from) => from.as_ref().map_or(0.0, |from| from.checkpoint.time()),
-            Self::System(_, from) => from.as_ref().map_or(0.0, |from| from.checkpoint.time()),
-        }
-    }
-
-    /// File name of its case.
-    #[must_use]
-    pub fn file(&self) -> &str {
-        match self {
-            Self::Line(request, _) => &request.file,
-            Self::System(request, _) => &request.file,
-        }
-    }
-
-    /// Its text.
-    #[must_use]
-    pub fn text(&self) -> &str {
-        match self {
-            Self::Line(request, _) => &request.text,
-            Self::System(request, _) => &request.text,
-        }
-    }
-
-    /// The content of `run.toml` while it is computed.
-    #[must_use]
-    pub fn initial_info(&self) -> RunInfo {
-        match self {
-            Self::Line(request, _) => request.initial_info(),
-            Self::System(request, _) => request.initial_info(),
-        }
-    }
-
-    /// The text that is stored with its run.
-    #[must_use]
-    pub fn stored_text(&self) -> Cow<'_, str> {
-        match self {
-            Self::Line(request, _) => stand_alone(&request.text, &request.case),
-            Self::System(request, _) => Cow::Borrowed(&request.text),
-        }
-    }
-
-    /// Computes it. Does not send [`JobEvent::Finished`]: the run is returned.
-    pub fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
-        match self {
-            Self::Line(request, from) => {
-                job::execute_from(request, from.as_deref(), cancel, events)
-            }
-            Self::System(request, from) => {
-                system_job::execute(request, from.as_deref(), cancel, events)
-            }
-        }
-    }
-}
-
-/// What its runs are named after.
-fn stem(file: &str) -> String {
-    file.trim_end_matches(".toml").to_owned()
+    /// What is known of its process, where it is one of its own.
+    pub process: Option<Box<JobProcess>>,
 }
 
 /// A request that waits for its turn.
@@ -194,6 +107,10 @@ pub struct Jobs {
     pub filter: Filter,
     /// The next number.
     pub next: JobNumber,
+    /// The directory that the program works in, where stored runs and load cases are computed by processes of their own.
+    pub processes: Option<PathBuf>,
+    /// Why those end with the login, where the system ends them.
+    pub ended_by_logout: Option<String>,
 }
 
 impl Default for Jobs {
@@ -205,6 +122,8 @@ impl Default for Jobs {
             cursor: 0,
             filter: Filter::default(),
             next: 1,
+            processes: None,
+            ended_by_logout: None,
         }
     }
 }
@@ -251,9 +170,19 @@ impl Jobs {
     /// How many stored runs, and sweeps of them, wait or compute.
     #[must_use]
     pub fn open(&self) -> usize {
+        self.open_lines().count()
+    }
+
+    /// How many of them end with this program.
+    #[must_use]
+    pub fn open_here(&self) -> usize {
+        self.open_lines().filter(|l| l.process.is_none()).count()
+    }
+
+    fn open_lines(&self) -> impl Iterator<Item = &JobLine> {
         let stored = [JobPurpose::Run, JobPurpose::Sweep];
         let all = stored.into_iter().flat_map(|purpose| self.of(purpose));
-        all.filter(|l| l.state.is_open()).count()
+        all.filter(|l| l.state.is_open())
     }
 
     fn of(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {

@@ -8,6 +8,7 @@ pub mod document_kind;
 pub mod edit_check;
 mod focused_table;
 pub mod form;
+pub mod job_process;
 pub mod jobs;
 pub mod line;
 pub mod model_list;

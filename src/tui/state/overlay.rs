@@ -139,6 +139,13 @@ pub enum Question {
     },
     /// Jobs are in the way of quitting.
     JobsRunning,
+    /// Jobs go on when the program ends.
+    JobsGoOn {
+        /// How many.
+        count: usize,
+        /// Why they do not, where the system ends them.
+        warning: Option<String>,
+    },
     /// Stored runs are to be deleted.
     DeleteRuns {
         /// Their directories.
@@ -190,6 +197,14 @@ impl Question {
                     .to_owned(),
                 &[('q', "stop them and quit"), ('c', "stay here")],
             ),
+            Self::JobsGoOn { count, warning } => (
+                jobs_go_on(*count, warning.as_deref()),
+                &[
+                    ('q', "quit; they go on"),
+                    ('x', "cancel them and quit"),
+                    ('c', "stay here"),
+                ],
+            ),
             Self::DeleteRuns { dirs, what } => (
                 format!("Delete {what} with all files? This cannot be undone."),
                 if dirs.len() == 1 {
@@ -231,4 +246,11 @@ impl Question {
             ),
         }
     }
+}
+
+fn jobs_go_on(count: usize, warning: Option<&str>) -> String {
+    let jobs = format!(
+        "Jobs are running: {count}. They go on without this screen; the next `seacable` shows them again."
+    );
+    warning.map_or(jobs.clone(), |warning| format!("{jobs} But {warning}"))
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use super::build::new_file;
 use super::notice::info;
-use super::{jobs, results, runs, ship, sweeps};
+use super::{job_processes, jobs, results, runs, ship, sweeps};
 use crate::tui::case_library::FIRST;
 use crate::tui::msg::{Effect, FileRead};
 use crate::tui::state::{AppState, CaseEntry, Document, Overlay, Question, Severity};
@@ -83,6 +83,7 @@ pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     effects.extend(ship::resolve(state));
     effects.extend(runs::list(state));
     effects.extend(sweeps::list(state));
+    effects.extend(job_processes::show(state));
     if let Some(left) = read.recovered {
         state.overlay = Some(Overlay::Ask(Question::Recover { left }));
     }

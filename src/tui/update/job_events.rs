@@ -190,7 +190,12 @@ fn said_done(state: &mut AppState, ticket: JobNumber) {
 
 /// A quit that waits for jobs continues when they have ended.
 pub(super) fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
-    let asked = matches!(state.overlay, Some(Overlay::Ask(Question::JobsRunning)));
+    let asked = matches!(
+        state.overlay,
+        Some(Overlay::Ask(
+            Question::JobsRunning | Question::JobsGoOn { .. }
+        ))
+    );
     if asked && state.jobs.open() == 0 {
         state.overlay = None;
         return super::quit::now(state);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::notice::info;
-use super::trials;
+use super::{job_processes, trials};
 use crate::case::{Case, StudyPoint, TextDigest};
 use crate::run::job::Request;
 use crate::run::settings::method_name;
@@ -70,6 +70,7 @@ pub(super) fn job_line(
         purpose,
         state,
         progress: crate::run::Progress::default(),
+        process: None,
     }
 }
 
@@ -190,14 +191,14 @@ pub(super) fn queue(
     shown: bool,
 ) {
     let ticket = state.jobs.ticket();
-    let Some(view) = state.runs_view_mut() else {
+    if state.runs_view().is_none() {
         return;
-    };
+    }
     let info = request.initial_info();
     let method = info.settings.method;
     let stem = request.file().trim_end_matches(".toml");
     let name = joined_label(&[stem, &label, &method]);
-    view.runs.push(RunEntry {
+    let entry = RunEntry {
         ticket: Some(ticket),
         id: name.clone(),
         label,
@@ -205,11 +206,15 @@ pub(super) fn queue(
         duration_s: info.settings.duration_s,
         shown,
         ..RunEntry::session(TextDigest::of(request.text()), method)
+    };
+    let process = job_processes::of_entry(state, &entry);
+    if let Some(view) = state.runs_view_mut() {
+        view.runs.push(entry);
+    }
+    state.jobs.lines.push(JobLine {
+        process,
+        ..job_line(ticket, name, JobPurpose::Run, JobState::Queued)
     });
-    state
-        .jobs
-        .lines
-        .push(job_line(ticket, name, JobPurpose::Run, JobState::Queued));
     state
         .jobs
         .waiting
@@ -225,7 +230,7 @@ pub fn joined_label(parts: &[&str]) -> String {
 
 /// Starts what waits, as far as there is room.
 pub(super) fn start_waiting(state: &mut AppState) -> Vec<Effect> {
-    let mut effects = Vec::new();
+    let mut effects = job_processes::submit_waiting(state);
     while state.jobs.computing() < state.jobs.limit {
         let Some(next) = state.jobs.waiting.pop_front() else {
             break;
@@ -311,14 +316,14 @@ pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEn
         .newest_mut(|run| run.ticket == Some(ticket))
 }
 
-/// Jobs of the open case end with it; trials keep running.
+/// Jobs of the open case end with it; trials and processes keep running.
 pub(super) fn cancel_all(state: &mut AppState) -> Vec<Effect> {
     state.jobs.waiting.clear();
     let open: Vec<JobNumber> = state
         .jobs
         .lines
         .iter_mut()
-        .filter(|l| l.state.is_open() && l.purpose != JobPurpose::Trials)
+        .filter(|l| l.state.is_open() && l.purpose != JobPurpose::Trials && l.process.is_none())
         .map(|l| {
             l.state = JobState::Cancelled;
             l.ticket

@@ -10,6 +10,7 @@ pub mod edit;
 pub mod edit_check;
 pub mod export;
 mod job_events;
+mod job_processes;
 pub mod jobs;
 mod keys;
 mod line_commands;
@@ -83,6 +84,7 @@ fn on(state: &mut AppState, msg: Msg) -> Vec<Effect> {
         Msg::ResumeReady(dir, until, found) => resume::found(state, dir, until, found),
         Msg::Recorded(ticket, curves) => job_events::recorded(state, ticket, &curves),
         Msg::Stored(ticket, dir) => runs::stored(state, ticket, dir),
+        Msg::Process(msg) => job_processes::told(state, msg),
         Msg::JobFailed(ticket, reason) => job_events::failed(state, ticket, reason),
         Msg::CasesRead(dir, entries) => cases::listed(state, dir, entries),
         Msg::FileRead(read) => cases::opened(state, *read),

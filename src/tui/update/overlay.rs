@@ -167,6 +167,8 @@ fn prompt(
 fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect> {
     let (_, answers) = question.wording();
     let chosen = match key {
+        // Nothing is lost by it.
+        KeyPress::Enter if matches!(question, Question::JobsGoOn { .. }) => answers.first(),
         KeyPress::Char(c) => answers.iter().find(|(k, _)| *k == c.to_ascii_lowercase()),
         KeyPress::Esc | KeyPress::Ctrl('c') => answers.last(),
         _ => None,
@@ -178,7 +180,8 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
     match (question, chosen) {
         (Question::Unsaved { quit }, 's') => quit::save_then_leave(state, quit),
         (Question::Unsaved { quit }, 'd') => quit::drop_edits(state, quit),
-        (Question::JobsRunning, 'q') => quit::now(state),
+        (Question::JobsRunning | Question::JobsGoOn { .. }, 'q') => quit::now(state),
+        (Question::JobsGoOn { .. }, 'x') => quit::cancel_and_quit(state),
         (Question::DeleteRuns { dirs, .. }, 'd') => vec![Effect::DeleteRuns(dirs)],
         (Question::Recover { left }, 'r') => edit::recover(state, left),
         (Question::Recover { .. }, 'd') => state

@@ -7,13 +7,13 @@ use std::sync::Arc;
 use tui_input::Input;
 
 use super::notice::{info, warn};
-use super::{edit, jobs, tables};
+use super::{edit, job_processes, jobs, tables};
 use crate::tui::msg::Effect;
 use crate::tui::state::parameter_editor::AfterSave;
 use crate::tui::state::reading::SavedRows;
 use crate::tui::state::{
-    AppState, Filter, JobLine, JobPurpose, Overlay, ParameterEditor, PromptPurpose, Question,
-    Severity,
+    AppState, Filter, JobLine, JobPurpose, JobState, Overlay, ParameterEditor, PromptPurpose,
+    Question, Severity,
 };
 
 pub(super) fn quit(state: &mut AppState) -> Vec<Effect> {
@@ -25,11 +25,30 @@ pub(super) fn quit(state: &mut AppState) -> Vec<Effect> {
 }
 
 fn quit_past_edits(state: &mut AppState) -> Vec<Effect> {
-    if state.jobs.open() > 0 {
-        state.overlay = Some(Overlay::Ask(Question::JobsRunning));
+    let open = state.jobs.open();
+    if open > 0 {
+        state.overlay = Some(Overlay::Ask(match state.jobs.open_here() {
+            0 => Question::JobsGoOn {
+                count: open,
+                warning: state.jobs.ended_by_logout.clone(),
+            },
+            _ => Question::JobsRunning,
+        }));
         return Vec::new();
     }
     now(state)
+}
+
+/// Cancels the jobs that would go on, and ends the program.
+pub(super) fn cancel_and_quit(state: &mut AppState) -> Vec<Effect> {
+    let open = state.jobs.lines.iter().filter(|l| l.state.is_open());
+    let tickets: Vec<_> = open
+        .filter(|l| l.process.is_some())
+        .map(|l| l.ticket)
+        .collect();
+    let mut effects: Vec<Effect> = tickets.into_iter().map(Effect::Cancel).collect();
+    effects.extend(now(state));
+    effects
 }
 
 /// Ends the program. Ranges that wait for one in a further field are dropped as they are when the case is left.
@@ -71,7 +90,7 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
         state.overlay = Some(Overlay::Ask(Question::Unsaved { quit: false }));
         return Vec::new();
     }
-    if state.jobs.open() > 0 {
+    if state.jobs.open_here() > 0 {
         return warn(
             state,
             "Runs of this case are still running. Ctrl-C cancels them; the case list comes back when they have ended.",
@@ -83,8 +102,13 @@ pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
 fn close(state: &mut AppState) -> Vec<Effect> {
     let mut effects = drop_ranges(state);
     effects.extend(jobs::cancel_all(state));
+    effects.extend(job_processes::hide(state));
     state.close();
-    let goes_on = |l: &JobLine| l.purpose == JobPurpose::Trials && l.state.is_open();
+    let goes_on = |l: &JobLine| {
+        let is_elsewhere = matches!(l.state, JobState::Elsewhere(_));
+        let has_process = l.purpose == JobPurpose::Trials || l.process.is_some();
+        has_process && (l.state.is_open() || is_elsewhere)
+    };
     state.jobs.lines.retain(goes_on);
     state.jobs.cursor = 0;
     effects.push(Effect::ReadCases);

@@ -4,6 +4,7 @@ use crate::visible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::job_processes;
 use super::motion::moved;
 use super::notice::info;
 use crate::case::{ChannelQuantity, TextDigest};
@@ -78,6 +79,7 @@ pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
 }
 
 pub(super) fn stored(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
+    job_processes::has_results(state, ticket, &dir);
     let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };

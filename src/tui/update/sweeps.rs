@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::job_processes;
 use super::jobs::{self, job_line};
 use super::notice::{info, warn};
 use crate::kinds::FileType;
@@ -12,7 +13,7 @@ use crate::tui::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
 use crate::tui::state::sweeps::{
     OpenSweep, SweepComparison, SweepJob, SweepRead, SweepTab, SweepsView,
 };
-use crate::tui::state::{AppState, JobNumber, JobPurpose, JobState, Severity};
+use crate::tui::state::{AppState, JobLine, JobNumber, JobPurpose, JobState, Severity};
 use crate::tui::view::layout;
 use crate::visible;
 
@@ -36,8 +37,12 @@ pub(super) fn start(state: &mut AppState) -> Vec<Effect> {
         .unwrap_or_default()
         .to_string_lossy();
     let name = format!("load cases of {file}");
-    let line = job_line(ticket, name, JobPurpose::Sweep, JobState::Running);
-    state.jobs.lines.push(line);
+    let process = job_processes::of_sweep(state, &request);
+    let is_process = process.is_some();
+    state.jobs.lines.push(JobLine {
+        process,
+        ..job_line(ticket, name.clone(), JobPurpose::Sweep, JobState::Running)
+    });
     if let Some(view) = sweeps_mut(state) {
         view.job = Some(SweepJob {
             ticket,
@@ -55,7 +60,10 @@ pub(super) fn start(state: &mut AppState) -> Vec<Effect> {
             state.number_of(PaneId::Jobs)
         ),
     );
-    vec![Effect::Sweep(SweepEffect::Start(ticket, Box::new(request)))]
+    match is_process {
+        true => vec![job_processes::submit_sweep(ticket, name, request)],
+        false => vec![Effect::Sweep(SweepEffect::Start(ticket, Box::new(request)))],
+    }
 }
 
 /// Shows the pane of the sweeps.
@@ -152,6 +160,7 @@ fn show(view: &mut SweepsView, read: SweepRead) {
 }
 
 fn begun(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
+    job_processes::has_results(state, ticket, &dir);
     if let Some(view) = sweeps_mut(state)
         && let Some(job) = view.job.as_mut().filter(|job| job.ticket == ticket)
     {

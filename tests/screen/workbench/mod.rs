@@ -14,6 +14,7 @@ mod desk;
 mod earlier;
 mod footer;
 mod hostile;
+mod job_processes;
 mod line_types;
 mod marks;
 mod modes;

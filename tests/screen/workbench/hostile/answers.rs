@@ -3,14 +3,15 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use seacable::run::{Settings, Work};
+use seacable::run::{Progress, Settings, Work};
 use seacable::study::sweep::{SweepOutcomes, SweepResults, SweepSnapshot};
 use seacable::study::{TrialOutcome, TrialVerdict};
-use seacable::tui::state::Severity;
+use seacable::tui::state::job_process::{FoundJob, JobProcess, ProcessEffect, ProcessMsg};
 use seacable::tui::state::sweep_request::{SweepEffect, SweepMsg};
 use seacable::tui::state::sweep_verdict::SweepVerdict;
 use seacable::tui::state::sweeps::SweepRead;
 use seacable::tui::state::trials::TrialProgress;
+use seacable::tui::state::{JobState, Severity};
 use seacable::tui::{Effect, Msg};
 use seacable::visible::is_invisible;
 
@@ -74,6 +75,12 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
         Effect::ReadSettings | Effect::EditKeys => vec![Msg::SettingsRead(Box::new(settings()))],
         Effect::KeepScreen(..) | Effect::KeepSession(_) => vec![say(Severity::Warning)],
         Effect::Sweep(effect) => sweeps(effect),
+        Effect::Process(ProcessEffect::Submit(ticket, new)) => vec![
+            process(ProcessMsg::Numbered(ticket, 7)),
+            Msg::Stored(ticket, PathBuf::from(HOSTILE)),
+            process(ProcessMsg::NotSubmitted(ticket, new, long())),
+        ],
+        Effect::Process(_) => Vec::new(),
         // The desk answers these, or they change nothing that is seen.
         Effect::MakePart(_)
         | Effect::CheckValues(_)
@@ -101,6 +108,43 @@ fn settings() -> seacable::tui::settings::Settings {
         faults,
         ..Default::default()
     }
+}
+
+fn process(said: ProcessMsg) -> Msg {
+    Msg::Process(said)
+}
+
+/// Jobs of other screens and hosts, in every state.
+pub(super) fn found_jobs() -> Vec<Msg> {
+    let long = || format!("{HOSTILE}\n\n{HOSTILE}\t{HOSTILE}\n").repeat(30);
+    let states = [
+        JobState::Queued,
+        JobState::Done,
+        JobState::Failed(long()),
+        JobState::Cancelled,
+        JobState::Killed(long()),
+        JobState::Elsewhere(long()),
+    ];
+    let found = states.into_iter().zip(1..).map(|(state, number)| {
+        let found = FoundJob {
+            name: HOSTILE.to_owned(),
+            is_sweep: false,
+            process: JobProcess {
+                number: Some(number),
+                host: matches!(state, JobState::Elsewhere(_)).then(|| HOSTILE.to_owned()),
+                case: PathBuf::from(HOSTILE),
+                label: HOSTILE.to_owned(),
+                results: Some(PathBuf::from(HOSTILE)),
+                ..JobProcess::default()
+            },
+            state,
+            progress: Progress::default(),
+        };
+        process(ProcessMsg::Found(Box::new(found)))
+    });
+    found
+        .chain([process(ProcessMsg::EndedByLogout(long()))])
+        .collect()
 }
 
 /// Sweeps that are listed, read, refused and begun.

@@ -2,6 +2,7 @@
 //! lists of panes and of what lies over them are those of the program: one that the walk does not see fails it.
 
 use std::collections::BTreeSet;
+use std::path::PathBuf;
 
 use seacable::tui::command::CommandId;
 use seacable::tui::pane::PaneId;
@@ -11,7 +12,7 @@ use seacable::tui::state::{Overlay, PromptPurpose, Question};
 use seacable::tui::update::run_command;
 use seacable::tui::{Msg, panes, plots};
 
-use super::answers::answers;
+use super::answers::{answers, found_jobs};
 use super::documents::{KINDS, file_read, list, open};
 use super::{HOSTILE, SEEN, check};
 use crate::workbench::desk::Desk;
@@ -60,6 +61,7 @@ every!(OVERLAYS, overlay_name, Overlay {
     Overlay::Page { .. } => "page",
     Overlay::Ask(Question::Unsaved { .. }) => "unsaved",
     Overlay::Ask(Question::JobsRunning) => "jobs running",
+    Overlay::Ask(Question::JobsGoOn { .. }) => "jobs go on",
     Overlay::Ask(Question::DeleteRuns { .. }) => "delete runs",
     Overlay::Ask(Question::Recover { .. }) => "recover",
     Overlay::Ask(Question::Overwrite) => "overwrite",
@@ -234,6 +236,17 @@ fn rare(walk: &mut Walk) {
     let mut desk = copy(&line);
     desk.keys("R q");
     walk.look(&desk, &|| "jobs on their way".to_owned());
+    let mut desk = copy(&line);
+    desk.state.jobs.processes = Some(PathBuf::from("/"));
+    for found in found_jobs() {
+        desk.tell(found);
+        for key in ["6", "!", "esc"] {
+            desk.keys(key);
+            walk.look(&desk, &|| format!("jobs found, {key}"));
+        }
+    }
+    desk.keys("R q");
+    walk.look(&desk, &|| "jobs that go on".to_owned());
     let mut desk = copy(&line);
     desk.keys("1 /");
     desk.type_text("current speed");
