@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::{CommandError, args::BindingsArgs, output};
+use super::{CommandError, about_args::BindingsArgs, output};
 use crate::case::render_all;
 use crate::tui::bindings::listing::{self, ListedCommand};
 use crate::tui::settings::{Settings, keys_file};

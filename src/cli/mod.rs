@@ -5,6 +5,7 @@
 //! the command could not be carried out (bad input, a file that cannot be read or written), 130 and 143 when
 //! stopped by SIGINT and SIGTERM.
 
+mod about_args;
 mod args;
 mod audit;
 mod bindings;

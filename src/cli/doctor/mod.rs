@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use super::args::DoctorArgs;
+use super::about_args::DoctorArgs;
 use super::{BAD_RESULT, CommandError, output};
 
 /// How much something matters.

@@ -10,7 +10,8 @@ use clap_complete::Shell;
 
 use self::files::{completion, page, pages};
 use self::installed::Written;
-use super::args::{Args, CompletionsArgs, InstallManualArgs, ManArgs};
+use super::about_args::{CompletionsArgs, InstallManualArgs, ManArgs};
+use super::args::Args;
 use super::output::{self, FileFormat};
 use super::{BAD_RESULT, CommandError};
 use crate::visible;

@@ -67,10 +67,15 @@ fn of_file<T: DeserializeOwned>(path: &Path) -> io::Result<Option<T>> {
         Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(fault(path, &error.to_string())),
     };
-    let content = toml::from_str(&text);
-    content
-        .map(Some)
-        .map_err(|error| fault(path, error.message()))
+    of_text(&text).map(Some).map_err(|why| fault(path, &why))
+}
+
+/// The content of a text: a [`ScreenMemory`] or a [`SessionMemory`].
+///
+/// # Errors
+/// Why it is none.
+pub fn of_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    toml::from_str(text).map_err(|error| error.message().to_owned())
 }
 
 fn fault(path: &Path, why: &str) -> io::Error {

@@ -34,6 +34,8 @@ const PASSING: &[CommandId] = &[
     CommandId::Zoom,
     CommandId::ScrollLeft,
     CommandId::ScrollRight,
+    CommandId::ColumnLeft,
+    CommandId::ColumnRight,
     CommandId::NextChart,
     CommandId::PreviousChart,
     CommandId::CursorLeft,

@@ -5,6 +5,7 @@ mod cases;
 mod foreign;
 mod place;
 mod runs;
+mod settings;
 mod stored;
 mod tables;
 
@@ -34,7 +35,7 @@ impl Target {
 
 /// All kinds of input.
 pub(crate) fn all() -> impl Iterator<Item = &'static Target> {
-    let rooms = [cases::ALL, tables::ALL, foreign::ALL];
+    let rooms = [cases::ALL, tables::ALL, foreign::ALL, settings::ALL];
     let rooms = rooms.into_iter().chain(stored::ALL.iter().copied());
     rooms.flatten()
 }
