@@ -40,6 +40,7 @@ mod size;
 pub mod structure;
 mod subject;
 mod tree;
+mod typed_value;
 mod value_range;
 mod warm_start;
 mod write;

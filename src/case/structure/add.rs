@@ -6,6 +6,7 @@ use crate::case::edit;
 use crate::case::fields::{Field, Schema, TableShape, is_name, join, value_text};
 use crate::case::parameters::{ANY_KEY, PARAMETERS};
 use crate::case::tree::{TomlNode, element_names};
+use crate::case::typed_value::checked_value;
 
 /// The text with a new table behind the last of its kind, or where the declaration of the file has its place.
 pub(super) fn add(
@@ -55,7 +56,7 @@ pub(super) fn add(
             .iter()
             .find(|field| field.key() == key || field.key() == ANY_KEY)
             .ok_or_else(|| format!("{} has no key {key}.", shown(table)))?;
-        let written = edit::checked_value(&tree, field, value)
+        let written = checked_value(&tree, field, value)
             .map_err(|(problem, remedy)| format!("{key} {problem}. {}.", capital(&remedy)))?;
         block.push_str(&format!("{} = {written}{end}", join(&[key])));
     }

@@ -144,10 +144,9 @@ fn row_line(painter: &mut Painter, line: Rect, row: &OutlineRow, selected: bool)
         true => style.patch(painter.theme.faint()),
         false => style.patch(painter.theme.strong()),
     };
-    let behind = painter.text(at, &row.name, name);
+    painter.text(at, &row.name, name);
     let used = u16::try_from(row.name.width()).unwrap_or(0);
     let from = (indent + used + 2).max(indent + 14).min(line.width);
-    let _ = behind;
     painter.text(rest(line, line.x + from), &row.summary, style);
 }
 
