@@ -5,6 +5,8 @@ use std::path::Path;
 
 use super::{Finding, Surroundings};
 use crate::cli::manual::installed::{self, Installed};
+use crate::jobs::list::JobEntry;
+use crate::jobs::{JobsDir, survival};
 use crate::run::store::DEFAULT_ROOT;
 use crate::tui::settings::{Settings, config_file, keys_file};
 use crate::{crash_log, places, visible};
@@ -88,13 +90,22 @@ fn is_toml(path: &Path) -> bool {
     path.extension().is_some_and(|end| end == "toml")
 }
 
-/// What becomes of jobs when the link is cut: they are threads of the workbench, and end with it.
+/// The jobs of the user, and whether they go on after the logout.
 fn jobs() -> Finding {
-    Finding::fine(
-        TOPIC,
-        "jobs",
-        "end with the workbench; what they have is kept, and resumed from its checkpoint",
-    )
+    let opened = JobsDir::open();
+    let value = match &opened {
+        Ok(dir) => {
+            let computing = JobEntry::all(dir).len();
+            format!("{computing} jobs, which go on without the screen")
+        }
+        Err(error) => format!("end with the workbench: {error}"),
+    };
+    let found = Finding::fine(TOPIC, "jobs", value);
+    match (opened, survival::ended_by_logout()) {
+        (Err(_), _) => found.note("give the state folder a place that can be written"),
+        (Ok(_), Some(why)) => found.note(why),
+        (Ok(_), None) => found,
+    }
 }
 
 /// Manual pages and completions.
