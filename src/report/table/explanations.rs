@@ -24,6 +24,11 @@ const fn of_table(table: &'static str, head: &'static str, words: &'static str) 
 /// The columns of the tables on the screen; one of a table by its title goes before one of any table.
 #[rustfmt::skip] // a table: one column a line
 const ALL: &[Explanation] = &[
+    of("", "What the row is of; the title of the table says of what the values are."),
+    of("made fast", "The value with the rope made fast on the ship: its length is held."),
+    of("on the winch", "The value with the rope on a winch that holds its tension."),
+    of("force by motion", "The force or moment that all lines put on the body, by the motion of the column: a row of the stiffness matrix."),
+    of("heave", "Vertical motion of the body, positive up, or the force along it."),
     of("quantity", "What is compared or stated, and of what. In the validation table from a [[published]] row of the file; the number in brackets is that of the note below."),
     of("outcome", "PASS within its tolerance, FAIL outside, DIFFERS known to differ for the reason stated, EDITED of inputs that you changed, NOT RUN without its run. Of trials: OK, REFUSED with a reason, WRONG."),
     of("published", "The value that the source prints, with as many digits. From the key value of its [[published]] row."),
@@ -234,7 +239,6 @@ pub fn words(title: &str, head: &str) -> String {
     };
     match known(title, head) {
         Some(words) => format!("{words}{unit}"),
-        None if head.is_empty() => "What each row is of.".to_owned(),
         None => format!("The values of \"{head}\" for what is at the left of each row.{unit}"),
     }
 }
