@@ -148,3 +148,30 @@ fn withdraw(folder: &JobFolder) -> io::Result<bool> {
     folder.write_status(&JobStatus::new(JobPhase::Cancelled))?;
     Ok(true)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::jobs::protocol::Hello;
+
+    #[test]
+    fn what_another_version_says_is_not_heard() {
+        for (version, heard) in [(VERSION, 1), (VERSION + 1, 0)] {
+            let dir = tempfile::tempdir().unwrap();
+            let path = dir.path().join("7");
+            std::fs::create_dir(&path).unwrap();
+            let folder = JobFolder::open(&path).unwrap();
+            let listener = socket::listen(&folder).unwrap();
+            let connection = Connection::open(&folder).unwrap();
+            let (mut job, _) = listener.accept().unwrap();
+            let hello = FromJob::Hello(Hello {
+                version,
+                program: "9.9.9".to_owned(),
+                job: 7,
+            });
+            job.write_all(line(&hello).unwrap().as_bytes()).unwrap();
+            drop(job);
+            assert_eq!(connection.said().unwrap().count(), heard);
+        }
+    }
+}

@@ -35,6 +35,9 @@ const SOON: Duration = Duration::from_secs(2);
 /// How many of those that wait are looked at eagerly: the others wait for these.
 const FIRST: usize = 8;
 
+/// After so many refusals a job is followed by its file.
+const MOST_REFUSALS: u32 = 3;
+
 /// What the thread is told.
 #[derive(Debug)]
 pub(super) enum Input {
@@ -59,6 +62,21 @@ struct Followed {
     connection: Option<Connection>,
     /// What was told of it last.
     told: Option<JobStatus>,
+    /// Connections that ended before anything was said: it is of another version, or serves too many.
+    refusals: u32,
+}
+
+impl Followed {
+    /// Who passes on what the job says.
+    fn reader(&self, ticket: JobNumber, fresh: &Fresh, out: &Outbox) -> Reader {
+        Reader {
+            ticket,
+            spec: self.spec.clone(),
+            fresh: fresh.clone(),
+            out: out.clone(),
+            told: self.told.clone(),
+        }
+    }
 }
 
 /// The thread.
@@ -160,6 +178,7 @@ impl Watcher {
             Input::Left(ticket, told) => {
                 if let Some(job) = self.followed.get_mut(&ticket) {
                     job.connection = None;
+                    job.refusals += u32::from(told.is_none());
                     job.told = told;
                 }
             }
@@ -181,6 +200,7 @@ impl Watcher {
             is_shown,
             connection: None,
             told: None,
+            refusals: 0,
         };
         self.followed.insert(ticket, job);
     }
@@ -275,34 +295,25 @@ impl Watcher {
                         .perform(move || vec![killed(ticket, &job.folder)]);
                 }
             }
-            FolderState::Held => match Connection::open(&job.folder) {
-                Ok(connection) => {
-                    let reader = Reader {
-                        ticket,
-                        spec: job.spec.clone(),
-                        fresh: self.fresh.clone(),
-                        out: self.out.clone(),
-                        told: job.told.clone(),
-                    };
-                    if reader.start(&connection, job.is_shown, &self.sender) {
-                        job.connection = Some(connection);
-                    }
-                }
-                // It does not listen yet, or never will: its file says how far it is.
-                Err(_) => {
-                    if let Some(status) = job.folder.status() {
-                        let mut reader = Reader {
-                            ticket,
-                            spec: job.spec.clone(),
-                            fresh: self.fresh.clone(),
-                            out: self.out.clone(),
-                            told: job.told.take(),
-                        };
-                        reader.status(status);
-                        job.told = reader.told;
-                    }
-                }
-            },
+            FolderState::Held => self.attach(ticket),
+        }
+    }
+
+    /// Connects with a job that computes. One that does not listen yet, or never will, is followed by its file.
+    fn attach(&mut self, ticket: JobNumber) {
+        let Some(job) = self.followed.get_mut(&ticket) else {
+            return;
+        };
+        let mut reader = job.reader(ticket, &self.fresh, &self.out);
+        let may_listen = job.refusals < MOST_REFUSALS;
+        let connection = may_listen.then(|| Connection::open(&job.folder).ok());
+        if let Some(connection) = connection.flatten() {
+            if reader.start(&connection, job.is_shown, &self.sender) {
+                job.connection = Some(connection);
+            }
+        } else if let Some(status) = job.folder.status() {
+            reader.status(status);
+            job.told = reader.told;
         }
     }
 
