@@ -242,7 +242,9 @@ mod tests {
                 sources(&path, found);
             } else if path.file_name().is_some_and(|name| name != "tests.rs") {
                 let text = fs::read_to_string(&path).unwrap();
-                let tests = text.find("\n#[cfg(test)]\nmod tests {");
+                let tests = ["mod tests {", "pub(super) mod tests {"];
+                let tests = tests.map(|begin| text.find(&format!("\n#[cfg(test)]\n{begin}")));
+                let tests = tests.into_iter().flatten().next();
                 let text = text[..tests.unwrap_or(text.len())].to_owned();
                 found.push((path.display().to_string(), text));
             }

@@ -89,7 +89,7 @@ impl FuzzyFilter {
         let mut buffer = Vec::new();
         let text = Utf32Str::new(name, &mut buffer);
         let mut matcher = self.matcher.borrow_mut();
-        let matcher = matcher.get_or_insert_with(|| Matcher::new(Config::DEFAULT));
+        let matcher = matcher.get_or_insert_with(matcher_of_names);
         let each = self.words.iter();
         let scores = each.map(|word| word.letters.score(text, matcher));
         scores.sum()
@@ -101,7 +101,7 @@ impl FuzzyFilter {
         let text = Utf32Str::new(text, &mut buffer);
         let mut at = Vec::new();
         let mut matcher = self.matcher.borrow_mut();
-        let matcher = matcher.get_or_insert_with(|| Matcher::new(Config::DEFAULT));
+        let matcher = matcher.get_or_insert_with(matcher_of_names);
         let found = word.letters.indices(text, matcher, &mut at);
         let span = match (at.iter().min(), at.iter().max()) {
             (Some(first), Some(last)) => (last - first) as usize,
@@ -109,6 +109,13 @@ impl FuzzyFilter {
         };
         found.is_some() && span <= 2 * word.lower.chars().count() + 2
     }
+}
+
+/// What scores names: best where they begin with the word.
+fn matcher_of_names() -> Matcher {
+    let mut config = Config::DEFAULT;
+    config.prefer_prefix = true;
+    Matcher::new(config)
 }
 
 #[cfg(test)]

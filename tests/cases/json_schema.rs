@@ -24,7 +24,11 @@ fn fault(schema: &Value, value: &Value, path: &str) -> Option<String> {
         let wrong =
             match rule.as_str() {
                 "type" => {
-                    let fits = wanted == kind || (wanted == "number" && kind == "integer");
+                    let one = std::slice::from_ref(wanted);
+                    let types = wanted.as_array().map_or(one, Vec::as_slice);
+                    let fits = types
+                        .iter()
+                        .any(|wanted| wanted == kind || (wanted == "number" && kind == "integer"));
                     if fits {
                         None
                     } else {

@@ -89,7 +89,11 @@ fn of_command(state: &AppState, line: &str) -> Vec<Candidate> {
         .filter_map(|candidate| Some((rank(&candidate, line, &filter)?, candidate)))
         .collect();
     if !filter.is_empty() {
-        found.sort_by_key(|(rank, _)| *rank);
+        // Of those that only do what is typed, the ones that need no argument come first.
+        let needs_argument = |rank: &Rank, candidate: &Candidate| {
+            *rank == Rank::Described && matches!(candidate, Candidate::Word(_))
+        };
+        found.sort_by_key(|(rank, candidate)| (*rank, needs_argument(rank, candidate)));
     }
     found.into_iter().map(|(_, candidate)| candidate).collect()
 }

@@ -178,7 +178,9 @@ mod tests {
         for step in STEPS {
             let words = state.worded(&(step.words)(&state));
             assert!(wrap(&words, 80).len() <= 2, "{}: {words}", step.title);
-            assert!(!words.contains("`:"), "a command without a key: {words}");
+            // The key of the line of commands is a colon itself.
+            let others = words.replace("`:`", "");
+            assert!(!others.contains("`:"), "a command without a key: {words}");
         }
     }
 }
