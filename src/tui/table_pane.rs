@@ -235,7 +235,7 @@ impl TablePane {
         let most = layout.width.saturating_sub(width);
         let wanted = match self.place_in(table, layout) {
             // The end of the last column is seen, where it is wider than the pane.
-            Some((from, wide)) if from + wide >= layout.width => layout.width.saturating_sub(width),
+            Some(_) if self.column(table).as_ref() == self.shown(table).last() => most,
             Some((from, wide)) => (from + wide).saturating_sub(width).min(from),
             // Cells below each other: each step to the right shows some more of long ones.
             None => self

@@ -229,7 +229,7 @@ fn values_out_of_range_words_and_conditions_do_not_meet_the_schema() {
     assert!(
         with("/line/0/segments", json!(2.5))
             .unwrap()
-            .contains("not \"integer\"")
+            .contains("not [\"integer\"")
     );
     assert!(
         with("/line/0/name", json!("a b"))
