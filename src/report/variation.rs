@@ -362,7 +362,7 @@ fn axis(key: &VariedKey) -> Axis {
     };
     Axis {
         scale,
-        ..Axis::new(key.field.label, key.unit())
+        ..Axis::new(&key.field.in_words(&key.path).0, key.unit())
     }
 }
 

@@ -147,9 +147,10 @@ pub fn at_label(case: &Case, at: &StudyPoint) -> String {
 #[must_use]
 pub fn setting_label(key: &str, value: &str) -> String {
     let path: Vec<&str> = key.split('.').collect();
-    match case::field_at(&path) {
-        Some(field) if matches!(field.unit, "" | "-") => format!("{} {value}", field.label),
-        Some(field) => format!("{} {value} {}", field.label, field.unit),
+    let words = case::field_at(&path).map(|field| field.in_words(key));
+    match words {
+        Some((label, "" | "-")) => format!("{label} {value}"),
+        Some((label, unit)) => format!("{label} {value} {unit}"),
         None => format!("{key} {value}"),
     }
 }

@@ -1,6 +1,7 @@
 //! A key of a file: what may be written, in which unit and range, and what holds without it.
 
 use super::range::Range;
+use crate::case::parameters::ANY_KEY;
 
 /// A key of a file.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,6 +140,16 @@ impl Field {
     #[must_use]
     pub fn table(&self) -> &str {
         self.path.rsplit_once('.').map_or("", |(table, _)| table)
+    }
+
+    /// Label and unit for the key of this path: a key that the user names has them in its name.
+    #[must_use]
+    pub fn in_words(&self, path: &str) -> (String, &'static str) {
+        if self.key() != ANY_KEY {
+            return (self.label.to_owned(), self.unit);
+        }
+        let (words, unit) = in_words(path.rsplit('.').next().unwrap_or(path));
+        (words, unit.unwrap_or("-"))
     }
 
     /// The key without its unit: `length` for `length_m`.

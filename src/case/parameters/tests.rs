@@ -163,3 +163,13 @@ fn parameters_are_set_by_name_and_never_made_by_a_slip() {
         "{refused}"
     );
 }
+
+#[test]
+fn a_parameter_has_its_label_and_unit_in_its_name() {
+    let text = case_with("wire_length_m = 100", "\"wire_length_m\"", "20");
+    let path = "parameters.wire_length_m";
+    let field = kind::field::<Case>(&text, path).unwrap();
+    assert_eq!(field.in_words(path), ("wire length".to_owned(), "m"));
+    let other = kind::field::<Case>(&text, "line.rope.length_m").unwrap();
+    assert_eq!(other.in_words("line.rope.length_m").1, "m");
+}

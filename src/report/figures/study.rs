@@ -104,7 +104,10 @@ fn axis(study: &Study) -> Axis {
     let field = crate::case::field_at(&path);
     field.map_or_else(
         || Axis::new(&study.key, ""),
-        |field| Axis::new(field.label, field.unit),
+        |field| {
+            let (label, unit) = field.in_words(&study.key);
+            Axis::new(&label, unit)
+        },
     )
 }
 

@@ -57,10 +57,9 @@ impl VariedKey {
     /// Unit as shown; empty for pure numbers and words.
     #[must_use]
     pub fn unit(&self) -> &'static str {
-        if self.field.unit == "-" {
-            ""
-        } else {
-            self.field.unit
+        match self.field.in_words(&self.path).1 {
+            "-" => "",
+            unit => unit,
         }
     }
 }
