@@ -6,7 +6,7 @@ use std::{
     process::ExitCode,
 };
 
-use super::{CommandError, args::LinesArgs, output, output::FileFormat, study_page};
+use super::{CommandError, model_args::LinesArgs, output, output::FileFormat, study_page};
 use crate::{
     case, files,
     import::yaml::library,

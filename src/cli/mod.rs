@@ -27,6 +27,7 @@ mod kinds;
 mod limit_args;
 mod lines;
 mod manual;
+mod model_args;
 mod modes;
 mod output;
 mod physics;

@@ -3,9 +3,8 @@
 use std::process::ExitCode;
 
 use super::{
-    BAD_RESULT, CommandError,
-    args::ModesArgs,
-    cases,
+    BAD_RESULT, CommandError, cases,
+    model_args::ModesArgs,
     output::{self, FileFormat, OutputFile},
     system_args::SystemArgs,
     system_study,

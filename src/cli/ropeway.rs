@@ -3,9 +3,8 @@
 use std::process::ExitCode;
 
 use super::{
-    CommandError,
-    args::RopewayArgs,
-    cases,
+    CommandError, cases,
+    model_args::RopewayArgs,
     output::{self, FileFormat, OutputFile},
 };
 use crate::{

@@ -3,9 +3,8 @@
 use std::process::ExitCode;
 
 use super::{
-    CommandError,
-    args::SectionArgs,
-    cases,
+    CommandError, cases,
+    model_args::SectionArgs,
     output::{self, FileFormat, OutputFile},
 };
 use crate::{

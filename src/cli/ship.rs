@@ -2,7 +2,7 @@
 
 use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool};
 
-use super::{CommandError, args::ShipArgs, cases, output};
+use super::{CommandError, cases, model_args::ShipArgs, output};
 use crate::{
     import::ImportOptions,
     report::{ship, text::WIDTH},

@@ -4,12 +4,13 @@ use std::{io, process::ExitCode, sync::Mutex};
 
 use super::{
     BAD_RESULT, CommandError,
-    args::{AccuracyArgs, CaseArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs, TableArgs},
+    args::{CaseArgs, TableArgs},
     cases::{self, NamedCase},
     effects, intervals,
     output::{self, FileFormat, OutputFile},
     physics, progress, random_systems,
     signals::StopFlag,
+    study_args::{AccuracyArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     system_study, vary,
 };
 use crate::case::Case;

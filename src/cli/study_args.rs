@@ -2,7 +2,13 @@
 
 use std::path::PathBuf;
 
+use clap::Subcommand;
+
 use super::args::{CaseArgs, TableArgs};
+use super::intervals::IntervalsArgs;
+use super::model_args::count;
+use super::sweep_args::SweepArgs;
+use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct CompareArgs {
@@ -44,6 +50,121 @@ pub(super) struct StudyPageArgs {
     /// Columns of the page; by default those of the terminal, 80 at least.
     #[arg(long, value_name = "COLUMNS", value_parser = width)]
     pub(super) width: Option<usize>,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum StudyArgs {
+    /// Compute the hard cases by every method that applies, and compare them with closed forms.
+    ///
+    /// Every trial is OK, REFUSED (with the reason) or WRONG. The exit status is 1 if one is not as expected.
+    HardCases(HardArgs),
+    /// Measure every method at several settings on one case: work against error.
+    ///
+    /// Errors are those of the time step, against a reference by another method in much finer steps, whose
+    /// own error is given; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
+    Speed(SpeedArgs),
+    /// Compare error-controlled steps with the constant step of equal error.
+    ///
+    /// For every tolerance and spectral radius: the work, the errors, and the work of constant steps at the same error.
+    /// Takes as long as the references, one for each variant: up to some minutes.
+    Steps(StepsArgs),
+    /// Hold every estimated error against the true one, from a converged run: cases by every method at two tolerances.
+    ///
+    /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
+    Bars(HardArgs),
+    /// Measure how often intervals of extremes hold the truth, and how often a verdict over seeds is false.
+    ///
+    /// Samples are drawn from Gumbel's and Weibull's law, and the default intervals made of each. Takes a minute.
+    Intervals(IntervalsArgs),
+    /// Hold an accuracy asked against the true one, and its cost against the cheapest setting that is as accurate.
+    ///
+    /// The truth is a run on twice the mesh found, with a time error four times as small. Takes some minutes for all cases.
+    Accuracy(AccuracyArgs),
+    /// Compute a case over ranges of its keys, and show results against them.
+    ///
+    /// `--vary KEY=A..B/N` takes N values from A to B in even steps, `A..B/Nlog` in even ratios, `KEY=a,b,c` the values listed; each with a
+    /// unit where it is not that of the key (`line.wire.length_m=0.1..0.5 km/3`). Given twice, all combinations are computed. It is
+    /// `seacable sweep` with a row for every point on its page: the same load cases, folder, table, runs and options, --jobs and --resume
+    /// among them. A point that fails says why and stops no other; the exit status is then 1.
+    Vary(Box<SweepArgs>),
+    /// Rank the inputs of a case by their effect on a result: each varied alone by its tolerance, up and down.
+    ///
+    /// The tolerance is that of the input's mark (`tolerance_rel`, `tolerance_abs`), 10 % of its value where it states none. Draws a tornado
+    /// chart; changes within the error bar of the result are marked. Variants are computed side by side, without companion runs.
+    Effects(EffectsArgs),
+    /// Leave every effect of a case out in turn: what changes against the error bars, and what it saves.
+    ///
+    /// Effects are drag, added mass, bending, damping, elasticity, bed friction, current, waves, motion of the ends, rotation of the payload,
+    /// inertia and the mesh, as far as the case has them.
+    Physics(EffectsArgs),
+    /// Solve random systems of lines at rest, nearly singular ones among them: each solved exactly, or refused with a reason.
+    ///
+    /// The exit status is 1 if one is solved with a residual above rounding.
+    Systems(SystemsArgs),
+    /// Push a body of a system of lines aside: restoring force and tensions against its offset.
+    Offsets(OffsetsArgs),
+    /// Watch circle of a body of a system under a steady load from all sides, with all lines and with each lost in turn.
+    ///
+    /// The body keeps its height and its angles. The exit status is 1 where the intact lines do not hold the load.
+    WatchCircle(WatchArgs),
+    /// Find the input of a system with which a result is as wanted: a length for a tension, a radius for a clearance.
+    ///
+    /// The exit status is 1, with the reason, where no value between the bounds gives it.
+    Seek(SeekArgs),
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct StepsArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
+
+    /// Variants of the case, each with slightly different gravity; the table holds their medians.
+    #[arg(long, value_name = "N", default_value = "5", value_parser = count)]
+    pub(super) variants: usize,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct SpeedArgs {
+    #[command(flatten)]
+    pub(super) case: CaseArgs,
+
+    /// Runs of every point; the table holds the cheapest.
+    #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
+    pub(super) repeats: usize,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct HardArgs {
+    /// Case files with trials, or directories of them; by default those that come with the program.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct AccuracyArgs {
+    /// Case files, or directories of them; by default those that come with the program.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    /// Accuracies asked, as shares of what each result is a part of.
+    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_values_t = [1e-2, 1e-3])]
+    pub(super) accuracy: Vec<f64>,
+
+    /// Wall time that each search may take: 10s, 2min.
+    #[arg(long, value_name = "TIME", value_parser = super::duration::seconds, default_value = "10s")]
+    pub(super) budget: f64,
 
     #[command(flatten)]
     pub(super) table: TableArgs,
