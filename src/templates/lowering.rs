@@ -1,6 +1,8 @@
 //! A body lowered on a rope from a vessel in waves.
 
-use super::{Answers, Template, TemplateInput, diameter, length, line_type, number, text, title};
+use super::{
+    Answers, Template, TemplateInput, diameter, filled, length, line_type, number, text, title,
+};
 
 const PERIOD: TemplateInput = TemplateInput {
     unit: "s",
@@ -69,31 +71,8 @@ pub(super) const LOWERING: Template = Template {
     make,
 };
 
-fn make(answers: &Answers<'_>) -> Result<String, String> {
-    let depth = answers.number("depth_m", 5.0, 10_000.0)?;
-    let rope = answers.number("rope_m", 1.0, 10_000.0)?;
-    if rope >= depth {
-        return Err(
-            "The rope must be shorter than the water is deep, or the body lies on the bed."
-                .to_owned(),
-        );
-    }
-    let dry = answers.number("mass_t", 0.001, 1e5)?;
-    let wet = answers.number("wet_mass_t", 0.001, 1e5)?;
-    if wet > dry {
-        return Err("The weight in water cannot exceed the mass in air.".to_owned());
-    }
-    let drag = answers.number("drag_area_m2", 0.0, 1e5)?;
-    let heave = answers.number("heave_m", 0.0, 20.0)?;
-    let period = answers.number("period_s", 1.0, 60.0)?;
-    let material = answers.material("wire")?;
-    let volume = (dry - wet) / 1.025;
-    let (depth, rope, title) = (number(depth), number(rope), answers.title());
-    let (dry, wet, drag) = (number(dry * 1e3), number(wet * 1e3), number(drag));
-    let (heave, period) = (number(heave), number(period));
-    let added = number((volume * 1025.0).round());
-    Ok(format!(
-        "\
+/// The text of the file.
+const TEXT: &str = "\
 [case]
 title = {title}
 
@@ -140,6 +119,45 @@ duration_s = \"15 * period_s\"
 [marks.\"payload.added_mass_kg\"]
 status = \"assumed\"
 reason = \"The mass of the displaced water; give that of the body.\"
-"
+";
+
+fn make(answers: &Answers<'_>) -> Result<String, String> {
+    let depth = answers.number("depth_m", 5.0, 10_000.0)?;
+    let rope = answers.number("rope_m", 1.0, 10_000.0)?;
+    if rope >= depth {
+        return Err(
+            "The rope must be shorter than the water is deep, or the body lies on the bed."
+                .to_owned(),
+        );
+    }
+    let dry = answers.number("mass_t", 0.001, 1e5)?;
+    let wet = answers.number("wet_mass_t", 0.001, 1e5)?;
+    if wet > dry {
+        return Err("The weight in water cannot exceed the mass in air.".to_owned());
+    }
+    let drag = answers.number("drag_area_m2", 0.0, 1e5)?;
+    let heave = answers.number("heave_m", 0.0, 20.0)?;
+    let period = answers.number("period_s", 1.0, 60.0)?;
+    let material = answers.material("wire")?;
+    let volume = (dry - wet) / 1.025;
+    let (depth, rope, title) = (number(depth), number(rope), answers.title());
+    let (dry, wet, drag) = (number(dry * 1e3), number(wet * 1e3), number(drag));
+    let (heave, period) = (number(heave), number(period));
+    let added = number((volume * 1025.0).round());
+    Ok(filled(
+        TEXT,
+        &[
+            ("added", added),
+            ("depth", depth),
+            ("drag", drag),
+            ("dry", dry),
+            ("heave", heave),
+            ("material", material),
+            ("period", period),
+            ("rope", rope),
+            ("wet", wet),
+            // Last: what the user typed is not looked through.
+            ("title", title),
+        ],
     ))
 }

@@ -163,6 +163,15 @@ impl Answers<'_> {
     }
 }
 
+/// A text with the values of its names in braces.
+fn filled(text: &str, values: &[(&str, String)]) -> String {
+    let mut text = text.to_owned();
+    for (name, value) in values {
+        text = text.replace(&format!("{{{name}}}"), value);
+    }
+    text
+}
+
 /// A number as a file has it.
 fn number(value: f64) -> String {
     format!("{value:?}")

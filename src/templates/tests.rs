@@ -96,3 +96,16 @@ fn what_cannot_be_is_refused_in_words() {
         assert!(said.contains(expected), "{name} {key}: {said}");
     }
 }
+
+#[test]
+fn a_title_with_braces_stays_as_it_is_typed() {
+    for template in TEMPLATES {
+        let typed = [("title", "{depth} and {wet} {title}".to_owned())];
+        let text = template.text(&typed).unwrap();
+        assert!(
+            text.contains("title = \"{depth} and {wet} {title}\""),
+            "{text}"
+        );
+        read(&text).unwrap_or_else(|faults| panic!("{}: {faults}", template.name));
+    }
+}

@@ -1,6 +1,6 @@
 //! An umbilical with a buoyant stretch between a vessel and a base on the sea bed.
 
-use super::{Answers, Template, TemplateInput, length, number, text, title};
+use super::{Answers, Template, TemplateInput, filled, length, number, text, title};
 
 /// A wave of three sections, the middle one with floats.
 pub(super) const UMBILICAL: Template = Template {
@@ -60,36 +60,8 @@ pub(super) const UMBILICAL: Template = Template {
     make,
 };
 
-fn make(answers: &Answers<'_>) -> Result<String, String> {
-    let depth = answers.number("depth_m", 10.0, 5000.0)?;
-    let offset = answers.number("offset_m", 1.0, 10_000.0)?;
-    let diameter = answers.number("diameter_mm", 5.0, 1000.0)? / 1e3;
-    let mass = answers.number("mass_kg_per_m", 0.1, 2000.0)?;
-    let ea = answers.number("ea_mn", 0.1, 1e5)? * 1e6;
-    let ei = answers.number("ei_kn_m2", 0.0, 1e6)? * 1e3;
-    let heave = answers.number("heave_m", 0.0, 20.0)?;
-    let period = answers.number("period_s", 1.0, 60.0)?;
-    // The floats carry twice the weight in water of their stretch, so that it rises.
-    let wet = mass - 1025.0 * std::f64::consts::PI / 4.0 * diameter * diameter;
-    if wet <= 0.0 {
-        return Err("The umbilical must be heavier than the water that it displaces.".to_owned());
-    }
-    let span = depth.hypot(offset);
-    let stretch = (0.25 * span).round();
-    let lift = (2.5 * wet * stretch).round();
-    let title = answers.title();
-    let bending = match ei > 0.0 {
-        true => format!("ei_n_m2 = {}\n", number(ei)),
-        false => String::new(),
-    };
-    let (float_mass, float_area) = (number((0.6 * lift).round()), number((lift / 160.0).round()));
-    let float_added = number((1.6 * lift).round());
-    let (depth, offset, stretch, lift) =
-        (number(depth), number(offset), number(stretch), number(lift));
-    let (diameter, mass, ea) = (number(diameter), number(mass), number(ea));
-    let (heave, period) = (number(heave), number(period));
-    Ok(format!(
-        "\
+/// The text of the file.
+const TEXT: &str = "\
 [case]
 title = {title}
 
@@ -168,6 +140,54 @@ shape_interval_s = 2.0
 [marks.\"floats.buoyant.lift_kg\"]
 status = \"assumed\"
 reason = \"Two and a half times the weight in water of the stretch; give that of the modules.\"
-"
+";
+
+fn make(answers: &Answers<'_>) -> Result<String, String> {
+    let depth = answers.number("depth_m", 10.0, 5000.0)?;
+    let offset = answers.number("offset_m", 1.0, 10_000.0)?;
+    let diameter = answers.number("diameter_mm", 5.0, 1000.0)? / 1e3;
+    let mass = answers.number("mass_kg_per_m", 0.1, 2000.0)?;
+    let ea = answers.number("ea_mn", 0.1, 1e5)? * 1e6;
+    let ei = answers.number("ei_kn_m2", 0.0, 1e6)? * 1e3;
+    let heave = answers.number("heave_m", 0.0, 20.0)?;
+    let period = answers.number("period_s", 1.0, 60.0)?;
+    // The floats carry twice the weight in water of their stretch, so that it rises.
+    let wet = mass - 1025.0 * std::f64::consts::PI / 4.0 * diameter * diameter;
+    if wet <= 0.0 {
+        return Err("The umbilical must be heavier than the water that it displaces.".to_owned());
+    }
+    let span = depth.hypot(offset);
+    let stretch = (0.25 * span).round();
+    let lift = (2.5 * wet * stretch).round();
+    let title = answers.title();
+    let bending = match ei > 0.0 {
+        true => format!("ei_n_m2 = {}\n", number(ei)),
+        false => String::new(),
+    };
+    let (float_mass, float_area) = (number((0.6 * lift).round()), number((lift / 160.0).round()));
+    let float_added = number((1.6 * lift).round());
+    let (depth, offset, stretch, lift) =
+        (number(depth), number(offset), number(stretch), number(lift));
+    let (diameter, mass, ea) = (number(diameter), number(mass), number(ea));
+    let (heave, period) = (number(heave), number(period));
+    Ok(filled(
+        TEXT,
+        &[
+            ("bending", bending),
+            ("depth", depth),
+            ("diameter", diameter),
+            ("ea", ea),
+            ("float_added", float_added),
+            ("float_area", float_area),
+            ("float_mass", float_mass),
+            ("heave", heave),
+            ("lift", lift),
+            ("mass", mass),
+            ("offset", offset),
+            ("period", period),
+            ("stretch", stretch),
+            // Last: what the user typed is not looked through.
+            ("title", title),
+        ],
     ))
 }
