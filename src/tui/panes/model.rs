@@ -6,7 +6,7 @@ use unicode_width::UnicodeWidthStr;
 use super::{Pane, PaneInfo, about};
 use crate::case::structure::OutlineRow;
 use crate::report::figures::FigureId;
-use crate::tui::command::{self, Command, CommandId, LIST, main, other};
+use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::plots;
 use crate::tui::state::parts::Part;
@@ -26,6 +26,7 @@ const COMMANDS: &[Command] = &[
     main(CommandId::Divide, &["|"], "divide", "Divide the line or section under the cursor into two"),
     other(CommandId::MoveUp, &["<"], "up", "Move the table under the cursor before the one before it"),
     other(CommandId::MoveDown, &[">"], "down", "Move the table under the cursor behind the one behind it"),
+    FILTER,
     command::command(command::CommandOrder::Document, CommandId::Back, &["esc", "b"], "back", "Back to the first pane"),
     command::DOWN,
 ];
@@ -85,7 +86,8 @@ impl Pane for ModelPane {
             _ => {
                 let by = step(state, id)?;
                 let model = &mut state.editor_mut()?.model;
-                model.cursor = moved(model.cursor, by, model.rows.len());
+                let lines = model.shown().len();
+                model.cursor = moved(model.cursor, by, lines);
                 Vec::new()
             }
         })
@@ -107,8 +109,10 @@ impl Pane for ModelPane {
         };
         let [list, help] =
             Layout::vertical([Constraint::Min(0), Constraint::Length(HELP)]).areas(left);
-        painter.list(list, model.cursor, model.rows.len(), |painter, line, i| {
-            row_line(painter, line, &model.rows[i], i == model.cursor);
+        let shown = model.shown();
+        let list = painter.filter_line(list, &model.filter, (shown.len(), model.rows.len()));
+        painter.list(list, model.cursor, shown.len(), |painter, line, i| {
+            row_line(painter, line, shown[i], i == model.cursor);
         });
         if let Some(row) = model.current() {
             let words = match row.summary.is_empty() {

@@ -236,6 +236,11 @@ impl Document {
                 let lines = runs.lines();
                 Some((&mut runs.filter, &mut runs.cursor, lines))
             }
+            PaneId::Model => {
+                let model = &mut self.editor.model;
+                let lines = model.shown().len();
+                Some((&mut model.filter, &mut model.cursor, lines))
+            }
             PaneId::Sweep => self.content.sweeps_mut()?.filter_mut(),
             _ => None,
         }

@@ -238,6 +238,7 @@ fn is_filtering(state: &AppState) -> bool {
             let view = document.runs_view();
             view.is_some_and(|view| view.runs.filter.typing)
         }
+        Some(document) if document.pane == PaneId::Model => document.editor.model.filter.typing,
         Some(document) => document.editor.filter.typing,
         None => false,
     }

@@ -596,3 +596,30 @@ fn changes_by_other_programs_are_taken_over() {
     );
     assert!(desk.state.editor().unwrap().draft.is_some());
 }
+
+#[test]
+fn the_list_of_tables_is_filtered() {
+    let mut client = Client::new();
+    client.begin("spread");
+    client.keys("/");
+    client.typed("anchor");
+    client.keys("enter");
+    let screen = client.desk.screen();
+    assert!(screen.contains("filter: anchor"), "{screen}");
+    let current = |client: &Client| {
+        let editor = client.desk.state.editor().unwrap();
+        editor.model.current().map(|row| row.path.clone())
+    };
+    assert_eq!(current(&client).as_deref(), Some("points.anchor"));
+    // What is under the cursor is what is edited, and stays under it.
+    client.keys("n");
+    client.fill(&[("(name)".to_owned(), "anchor_pile".to_owned())]);
+    assert!(client.text().contains("[points.anchor_pile]"));
+    assert_eq!(current(&client).as_deref(), Some("points.anchor_pile"));
+    client.keys("/ esc");
+    assert!(!client.desk.screen().contains("filter:"));
+    assert_eq!(
+        client.rows().len(),
+        client.desk.state.editor().unwrap().model.shown().len()
+    );
+}
