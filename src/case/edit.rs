@@ -13,6 +13,7 @@ use super::file_kind::errors;
 use super::model::{CASE, Case, field_at};
 use super::parameters::{self, ANY_KEY};
 use super::read::{evaluated_tree, tree_of};
+use super::text_lines::{line_start, newline};
 use super::tree::{TableForm, TomlData, TomlEntry, TomlNode};
 use super::typed_value::{bracketed, typed, written};
 
@@ -451,13 +452,4 @@ fn line_after(text: &str, offset: usize, line: &str) -> String {
         }
         None => format!("{text}{end}{line}{end}"),
     }
-}
-
-fn line_start(text: &str, offset: usize) -> usize {
-    text[..offset].rfind('\n').map_or(0, |newline| newline + 1)
-}
-
-/// How lines end in this file.
-fn newline(text: &str) -> &'static str {
-    if text.contains("\r\n") { "\r\n" } else { "\n" }
 }

@@ -39,6 +39,7 @@ pub mod shipped;
 mod size;
 pub mod structure;
 mod subject;
+mod text_lines;
 mod tree;
 mod typed_value;
 mod value_range;

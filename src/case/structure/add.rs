@@ -1,10 +1,11 @@
 //! A new table, and the keys of one that is there.
 
 use super::blocks::{Block, blocks};
-use super::{header, newline, shown, table_of};
+use super::{header, shown, table_of};
 use crate::case::edit;
 use crate::case::fields::{Field, Schema, TableShape, is_name, join, value_text};
 use crate::case::parameters::{ANY_KEY, PARAMETERS};
+use crate::case::text_lines::newline;
 use crate::case::tree::{TomlNode, element_names};
 use crate::case::typed_value::checked_value;
 

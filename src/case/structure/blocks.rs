@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use toml_edit::{Document, Item, Table};
 
+use crate::case::text_lines::{line_end, line_start};
 use crate::case::tree::{TomlNode, element_names};
 
 /// A table written under a header of its own: `[materials.chain]`, `[[lines]]`.
@@ -95,18 +96,6 @@ fn with_comments(text: &str, line: usize) -> usize {
         from = above;
     }
     from
-}
-
-/// Where the line begins in which `offset` is.
-pub(crate) fn line_start(text: &str, offset: usize) -> usize {
-    text[..offset].rfind('\n').map_or(0, |newline| newline + 1)
-}
-
-/// Behind the end of the line in which `offset` is.
-pub(crate) fn line_end(text: &str, offset: usize) -> usize {
-    text[offset..]
-        .find('\n')
-        .map_or(text.len(), |rest| offset + rest + 1)
 }
 
 /// The extent of a table with all tables in it: the table first, nothing else between them.

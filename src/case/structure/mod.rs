@@ -172,10 +172,5 @@ fn header(schema: &'static Schema, path: &[String]) -> Option<String> {
     })
 }
 
-/// How lines end in this file.
-fn newline(text: &str) -> &'static str {
-    if text.contains("\r\n") { "\r\n" } else { "\n" }
-}
-
 #[cfg(test)]
 mod tests;
