@@ -13,7 +13,7 @@ use crate::run::store::{now, rfc3339};
 /// The last fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LastCrash {
-    /// The file that tells of it.
+    /// The file that describes it.
     pub path: PathBuf,
     /// When it was.
     pub time: String,

@@ -10,10 +10,10 @@ use crate::case::ChannelId;
 use crate::run::event::JobEvent;
 use crate::run::{DecimatedRecord, OutputFrame, Progress};
 
-/// How often a follower is told of what goes on.
+/// Time between two messages to a follower.
 const TICK: Duration = Duration::from_millis(100);
 
-/// How many numbers a follower is told at a time, about.
+/// About how many numbers a message to a follower has.
 const NUMBERS: usize = 1 << 13;
 
 /// The board.

@@ -13,7 +13,7 @@ use super::status::{JobPhase, JobStatus, VERSION};
 /// The longest line that is read \[bytes\]: a long record, all at once.
 const LONGEST: u64 = 1 << 28;
 
-/// How long a job that hangs may leave what it is told unread.
+/// How long a job that hangs may leave messages unread.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// A connection with a job.

@@ -1,4 +1,4 @@
-//! The side of a job: lets any number of screens follow it, and takes what they ask for. A screen that does not read is let go.
+//! The side of a job: lets any number of screens follow it, and takes what they ask for. A screen that does not read is disconnected.
 
 use std::io::{self, BufRead, BufReader, Read, Write};
 use std::net::Shutdown;
@@ -14,7 +14,7 @@ use super::status::VERSION;
 /// How many may follow at a time.
 const MOST: usize = 32;
 
-/// How long a screen may leave what it is told unread.
+/// How long a screen may leave messages unread.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// The longest line that a screen may say \[bytes\].

@@ -156,7 +156,7 @@ fn make(answers: &Answers<'_>) -> Result<String, String> {
             ("period", period),
             ("rope", rope),
             ("wet", wet),
-            // Last: what the user typed is not looked through.
+            // Last, so that braces in what the user typed are kept.
             ("title", title),
         ],
     ))

@@ -72,7 +72,7 @@ impl Template {
     /// The text of the file for what was typed, by key; what is left out is as proposed.
     ///
     /// # Errors
-    /// What was typed that is no number, out of range, or no line type; as a full sentence.
+    /// What is not a number, out of range, or not a line type, as a full sentence.
     pub fn text(&self, typed: &[(&str, String)]) -> Result<String, String> {
         let answers = Answers {
             inputs: self.inputs,

@@ -186,7 +186,7 @@ fn make(answers: &Answers<'_>) -> Result<String, String> {
             ("offset", offset),
             ("period", period),
             ("stretch", stretch),
-            // Last: what the user typed is not looked through.
+            // Last, so that braces in what the user typed are kept.
             ("title", title),
         ],
     ))

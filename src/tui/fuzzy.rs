@@ -20,7 +20,7 @@ struct FilterWord {
     letters: Pattern,
 }
 
-/// How a line is looked through.
+/// What is searched for in a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Looking {
     /// For the words as they are typed.

@@ -162,7 +162,7 @@ impl Parameters {
         as_data(field, read.value(&of_names)).map(Some)
     }
 
-    /// A name that is no parameter.
+    /// What is said of a name in an expression that the file does not define.
     fn unknown(&self, name: &str) -> (String, String) {
         let problem = format!("names `{name}`, which is no parameter of this file");
         let known: Vec<&str> = self.values.keys().map(String::as_str).collect();

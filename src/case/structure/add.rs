@@ -9,7 +9,7 @@ use crate::case::text_lines::newline;
 use crate::case::tree::{TomlNode, element_names};
 use crate::case::typed_value::checked_value;
 
-/// The text with a new table behind the last of its kind, or where the declaration of the file has its place.
+/// The text with a new table after the last of its kind, or in the order of the declaration.
 pub(super) fn add(
     schema: &'static Schema,
     text: &str,

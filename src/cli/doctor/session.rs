@@ -129,7 +129,7 @@ fn crash() -> Finding {
             let value = format!("{}: {}", crash.time, crash.what);
             let path = visible::path(&crash.path);
             Finding::fine(TOPIC, "last fault", value).note(format!(
-                "{path} tells more; report it, then delete the file"
+                "{path} has the details; report it, then delete the file"
             ))
         }
     }

@@ -171,7 +171,7 @@ const ALL: &[Explanation] = &[
     of("tension, line lost", "Greatest tension in the lines that are left."),
     of("governing", "Which state governs."),
     of("mostly", "What moves most in this mode."),
-    of("at rest", "How the equilibrium was found, and what tells it from the others."),
+    of("at rest", "How the equilibrium was found, and how it differs from the others."),
     of("line", "The line, by its name in the file."),
     of("from", "The point or body at which the line begins."),
     of("to", "The point or body at which the line ends."),

@@ -15,7 +15,7 @@ use crate::tui::msg::Msg;
 /// Time between two looks.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// What tells one content of a file from another: device and inode, size, time of change.
+/// What differs between two contents of a file: device and inode, size, time of change.
 type Stamp = (u64, u64, u64, i64, i64);
 
 /// The thread that watches, and what it watches.

@@ -28,6 +28,7 @@ const COMMANDS: &[Command] = &[
     other(CommandId::MoveDown, &[">"], "down", "Move the table under the cursor behind the one behind it"),
     FILTER,
     command::command(command::CommandOrder::Document, CommandId::Back, &["esc", "b"], "back", "Back to the first pane"),
+    command::command(command::CommandOrder::Setup, CommandId::Model, &["B"], "", "Back to the first pane"),
     command::DOWN,
 ];
 

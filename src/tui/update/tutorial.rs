@@ -11,7 +11,7 @@ pub(super) fn turn(state: &mut AppState) -> Vec<Effect> {
         Some(tutorial) => {
             let is_over = tutorial.step + 1 == COUNT;
             state.tutorial_left = (!is_over).then_some(tutorial.step);
-            info(state, "The tutorial is left. `:tutorial` goes on with it.")
+            info(state, "The tutorial is left. `:tutorial` resumes it.")
         }
         None => {
             begin(state);

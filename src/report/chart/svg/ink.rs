@@ -1,4 +1,4 @@
-//! Colours, dashes and markers; nothing is told by a colour alone.
+//! Colours, dashes and markers; no meaning is in a colour alone.
 
 use crate::report::chart::Series;
 

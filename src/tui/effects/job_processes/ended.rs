@@ -49,7 +49,7 @@ impl EndedJob {
         let run = store::read(&dir);
         let stored = Msg::Stored(self.ticket, dir);
         let ended = match run {
-            // A run that could not be stored to its end is told of by its job.
+            // A run that could not be stored to its end is reported by its job.
             Ok(run) if JobPhase::of_run(run.info.state) == self.status.phase => {
                 let finished = JobEvent::Finished(Box::new(run));
                 Msg::Job(self.ticket, Box::new(finished))

@@ -23,7 +23,7 @@ pub(super) struct Reader {
     pub(super) spec: JobSpec,
     pub(super) fresh: Fresh,
     pub(super) out: Outbox,
-    /// What was told of it last.
+    /// What the screen was sent of it last.
     pub(super) told: Option<JobStatus>,
 }
 

@@ -60,7 +60,7 @@ struct Followed {
     spec: JobSpec,
     is_shown: bool,
     connection: Option<Connection>,
-    /// What was told of it last.
+    /// What the screen was sent of it last.
     told: Option<JobStatus>,
     /// Connections that ended before anything was said: it is of another version, or serves too many.
     refusals: u32,
