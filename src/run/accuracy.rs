@@ -1,20 +1,20 @@
-//! Accuracy as an input: mesh and steps are searched that bring the estimated errors of a run below a share of what each result
-//! is a part of.
+//! Accuracy as an input: mesh and steps are searched by which the estimated errors of a run are below a share of what each result is a
+//! part of.
 //!
-//! A search begins with the mesh and the steps of the case, and refines what makes the errors too large: segments by the order of the
-//! mesh, steps by that of the method. It takes nothing coarser: runs that are all too coarse agree with each other, as a pendulum does
-//! in steps of 0.08 s, none of which sees its line go slack.
+//! The search climbs: it begins with an eighth of the segments of the case and eight times its steps, and makes the one or the other
+//! twice as fine, whichever the greater error is made by. Each run is so the companion of those above it, which show its errors at no
+//! cost of their own, and all those below the last cost together about as much as that alone.
 
 mod deadline;
 mod event_record;
-mod fineness;
 mod reached;
-mod section_errors;
+mod rung;
 mod shares;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
+use super::companions::{Coarser, Companions};
 use super::compute::{Computed, Resolution, compute};
 use super::error_estimate::{self, ErrorEstimates};
 use super::event::JobEvent;
@@ -24,10 +24,9 @@ use crate::case::{Case, Method};
 use crate::number::si;
 use deadline::Deadline;
 use event_record::EventRecord;
-use fineness::Fineness;
 pub(super) use reached::Reached;
 use reached::reached;
-use section_errors::{factors, section_errors};
+use rung::Fineness;
 use shares::{AllowedErrors, Shares};
 
 /// A run of the search.
@@ -38,35 +37,30 @@ pub(super) struct EstimatedRun {
     pub(super) events: Option<Vec<JobEvent>>,
 }
 
-/// What a run with an estimate came to.
-struct Round {
-    fineness: Fineness,
+/// A run of the search, as fine as the one before it or twice as fine in one thing.
+struct Rung {
+    case: Case,
+    computed: Computed,
+    wall_s: f64,
+}
+
+/// The most accurate rung so far.
+struct Best {
     case: Case,
     run: EstimatedRun,
-    allowed: AllowedErrors,
     shares: Shares,
-    wall_s: f64,
 }
 
 /// Wall time of a search whose case sets none \[s\].
 const BUDGET_S: f64 = 60.0;
-/// Rounds of a search, at most.
-const ROUNDS: usize = 8;
-/// A round is more accurate than the best before it where its share is below this of that one's; after so many that are not, the
+/// Rungs of a search, at most.
+const RUNGS: usize = 32;
+/// A rung is more accurate than the best before it where its share is below this of that one's; after so many that are not, the
 /// search ends.
 const GAIN: f64 = 0.8;
-const IDLE_ROUNDS: usize = 2;
-/// By how much a round may refine or coarsen the mesh and the steps.
-const MOST_MESH: f64 = 3.0;
-const MOST_STEPS: f64 = 4.0;
-/// The order that segments are refined by: lower than that of the mesh, which bends, the bed and joints do not leave as it is.
-const MESH_ORDER: f64 = 1.5;
-/// Part of what the finest mesh of a round takes away that is aimed at by refining some sections more than others.
-const ONE_ROUND: f64 = 0.8;
-/// Part of what is asked that an error is brought to.
-const AIM: f64 = 0.9;
-/// Part of what is asked below which an error is smaller than it need be.
-const IDLE: f64 = 0.1;
+const IDLE_RUNGS: usize = 6;
+/// Times that each error must be seen to fall before it is believed.
+const SEEN: usize = 2;
 
 /// Searches mesh and steps for a request that asks for an accuracy.
 pub(super) fn search(
@@ -76,209 +70,232 @@ pub(super) fn search(
     events: &mut dyn FnMut(JobEvent),
 ) -> Reached {
     let mut search = Search {
-        case: &request.case,
+        own: &request.case,
         accuracy,
         cancel,
         deadline: Deadline::after(request.case.solver.budget_s.unwrap_or(BUDGET_S)),
-        fineness: Fineness::own(&request.case),
+        rungs: Vec::new(),
+        stair: Vec::new(),
         best: None,
-        rounds: 0,
+        computed: 0,
         idle: 0,
     };
+    let mut fineness = Fineness::first(&request.case, 1);
     let limit = loop {
         events(JobEvent::Searching(SearchProgress {
-            round: search.rounds + 1,
+            round: search.computed + 1,
             asked: accuracy,
             reached: search
                 .best
                 .as_ref()
                 .map(|best| best.shares.reached() * accuracy),
         }));
-        match search.advance() {
-            Ok(fineness) => search.fineness = fineness,
+        match search.advance(fineness) {
+            Ok(next) => fineness = next,
             Err(limit) => break limit,
         }
     };
     let spent = search.deadline.begun.elapsed().as_secs_f64();
-    let plural = if search.rounds == 1 { "" } else { "s" };
-    let cost = format!("{} round{plural}, {}", search.rounds, si(spent, "s"));
+    let plural = if search.computed == 1 { "" } else { "s" };
+    let cost = format!("{} round{plural}, {}", search.computed, si(spent, "s"));
     reached(request, accuracy, search.best, &cost, &limit)
 }
 
 /// A search while it lasts.
 struct Search<'a> {
-    case: &'a Case,
+    own: &'a Case,
     accuracy: f64,
     cancel: &'a AtomicBool,
     deadline: Deadline,
-    /// That of the round to come.
-    fineness: Fineness,
-    best: Option<Round>,
-    /// Rounds computed.
-    rounds: usize,
-    /// Those of them, at the end, that were hardly more accurate than the best before.
+    /// Those computed, from the coarsest.
+    rungs: Vec<Rung>,
+    /// What each is coarser in than the next finer one, from the finest.
+    stair: Vec<Coarser>,
+    best: Option<Best>,
+    /// Runs computed, those that failed included.
+    computed: usize,
+    /// Those of the rungs, at the end, that were hardly more accurate than the best before.
     idle: usize,
 }
 
 impl Search<'_> {
-    /// Computes a round. Returns how fine the next one is, or why there is none.
-    fn advance(&mut self) -> Result<Fineness, String> {
-        self.rounds += 1;
-        let round = self.round();
-        let next = match round {
-            Some(round) => {
-                if round.shares.reached() <= 1.0 {
-                    self.keep(round);
-                    return Err("reached".to_owned());
-                }
-                let next = |cancel: &AtomicBool| round.next(cancel);
-                let next = self.deadline.watch(self.cancel, next);
-                let cost = round.cost_of(self.case, &next);
-                self.keep(round);
-                if self.deadline.left() < cost {
-                    return Err(format!("the next round needs some {}", si(cost, "s")));
-                }
-                next
-            }
-            None if self.deadline.left() > 0.0 => {
-                self.fineness.finer(&vec![1.0; self.case.line.len()], 2.0)
-            }
-            None => return Err("its time is over".to_owned()),
+    /// Computes a rung. Returns how fine the next one is, or why there is none.
+    fn advance(&mut self, fineness: Fineness) -> Result<Fineness, String> {
+        self.computed += 1;
+        let (rung, events) = match self.climb(&fineness) {
+            Ok(climbed) => climbed,
+            Err(why) => return self.after_failure(&why),
         };
+        self.rungs.push(rung);
+        let shares = self.estimate(events);
+        if shares
+            .as_ref()
+            .is_some_and(|shares| shares.reached() <= 1.0)
+        {
+            return Err("reached".to_owned());
+        }
+        let next = self.next(shares.as_ref());
+        self.may_go_on(shares.is_some(), next)?;
+        self.stair.insert(0, next);
+        Ok(fineness.finer(next))
+    }
+
+    fn is_over(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed) || self.deadline.left() <= 0.0
+    }
+
+    /// Computes the case as fine as this, with what the run reports.
+    fn climb(&self, fineness: &Fineness) -> Result<(Rung, Option<Vec<JobEvent>>), String> {
+        let begun = Instant::now();
+        // As it is kept where it is the one looked for: its checkpoints belong to it.
+        let mut case = fineness.applied_to(self.own)?;
+        let solver = &mut case.solver;
+        solver.companions = Some(words(&self.stair));
+        (solver.accuracy, solver.budget_s) = (None, None);
+        let mut record = EventRecord::new();
+        let mut run = |cancel: &AtomicBool| {
+            compute(&case, Resolution::AS_SET, None, cancel, &mut |event| {
+                record.push(event);
+            })
+        };
+        // The first ones have all the time that they take: without them nothing is known.
+        let computed = if self.rungs.len() <= 2 * SEEN {
+            run(self.cancel)
+        } else {
+            self.deadline.watch(self.cancel, run)
+        };
+        match computed.outcome.state {
+            RunState::Done => Ok((
+                Rung {
+                    case,
+                    computed,
+                    wall_s: begun.elapsed().as_secs_f64(),
+                },
+                record.finish(),
+            )),
+            _ => Err(computed.outcome.failure.unwrap_or_else(|| self.stopped())),
+        }
+    }
+
+    fn stopped(&self) -> String {
         if self.cancel.load(Ordering::Relaxed) {
-            return Err("it was stopped".to_owned());
+            "it was stopped".to_owned()
+        } else {
+            "its time is over".to_owned()
         }
-        if self.idle >= IDLE_ROUNDS {
-            return Err("finer meshes and shorter steps make it no more accurate".to_owned());
-        }
-        if self.rounds == ROUNDS {
-            return Err(format!("not in {ROUNDS} rounds"));
-        }
-        if next == self.fineness {
-            return Err("its mesh or steps cannot be finer".to_owned());
-        }
-        Ok(next)
     }
 
-    /// The first round has all the time that it takes.
-    fn round(&self) -> Option<Round> {
-        let compute =
-            |cancel: &AtomicBool| round(self.case, self.fineness.clone(), self.accuracy, cancel);
-        if self.rounds == 1 {
-            return compute(self.cancel);
+    /// A run too coarse to come to its end is left for finer ones; among those that show an error it ends the search.
+    fn after_failure(&mut self, why: &str) -> Result<Fineness, String> {
+        if self.best.is_some() || self.is_over() {
+            return Err(format!("a finer run does not come to its end: {why}"));
         }
-        self.deadline.watch(self.cancel, compute)
+        self.rungs.clear();
+        self.stair.clear();
+        // A fourth as coarse, and as fine as the case itself.
+        let finer = 4_usize.pow(self.computed as u32);
+        if finer > rung::COARSEST {
+            return Err(format!("no run comes to its end: {why}"));
+        }
+        Ok(Fineness::first(self.own, finer))
     }
 
-    fn keep(&mut self, round: Round) {
-        let (best, share) = (self.reached(), round.shares.reached());
+    /// The errors of the last rung by those below it, once each is seen to fall; keeps it where it is the most accurate.
+    fn estimate(&mut self, events: Option<Vec<JobEvent>>) -> Option<Shares> {
+        let seen = |what| self.stair.iter().filter(|by| **by == what).count() >= SEEN;
+        let by_steps = matches!(
+            self.own.solver.method,
+            Method::Quasi | Method::Alpha | Method::Auto
+        );
+        if !seen(Coarser::Mesh) || (by_steps && !seen(Coarser::Steps)) {
+            return None;
+        }
+        let rung = self.rungs.last()?;
+        let case = rung.case.clone();
+        let below: Vec<&Computed> = self
+            .rungs
+            .iter()
+            .rev()
+            .skip(1)
+            .map(|r| &r.computed)
+            .collect();
+        let companions = Companions::down(&case, &rung.computed, &self.stair, &below, self.cancel);
+        let estimates = error_estimate::by_companions(&case, &rung.computed, &companions);
+        let allowed = AllowedErrors::of(&case, &rung.computed, &estimates.summary, self.accuracy);
+        let shares = Shares::of(&case, &allowed, &estimates.summary);
+        let (best, share) = (self.reached(), shares.reached());
         self.idle = if share < GAIN * best {
             0
         } else {
             self.idle + 1
         };
         if share < best || self.best.is_none() {
-            self.best = Some(round);
+            let run = EstimatedRun {
+                computed: rung.computed.clone(),
+                estimates,
+                events,
+            };
+            self.best = Some(Best {
+                case,
+                run,
+                shares: shares.clone(),
+            });
         }
+        Some(shares)
     }
 
-    /// The share of what is asked that the best round reaches; infinite without one.
+    /// The share of what is asked that the best rung reaches; infinite without one.
     fn reached(&self) -> f64 {
         let best = self.best.as_ref();
         best.map_or(f64::INFINITY, |best| best.shares.reached())
     }
+
+    /// What the next rung is finer in: by turns until both errors are seen, and then in what makes the greater one.
+    fn next(&self, shares: Option<&Shares>) -> Coarser {
+        match (self.own.solver.method, shares) {
+            (Method::Static | Method::Rk4, _) => Coarser::Mesh,
+            (_, Some(shares)) if shares.time > shares.mesh => Coarser::Steps,
+            (_, Some(_)) => Coarser::Mesh,
+            (_, None) if self.stair.first() == Some(&Coarser::Steps) => Coarser::Mesh,
+            (_, None) => Coarser::Steps,
+        }
+    }
+
+    /// Why there is no further rung.
+    fn may_go_on(&self, is_estimated: bool, next: Coarser) -> Result<(), String> {
+        if self.cancel.load(Ordering::Relaxed) {
+            return Err("it was stopped".to_owned());
+        }
+        if self.idle >= IDLE_RUNGS {
+            return Err("finer meshes and shorter steps make it no more accurate".to_owned());
+        }
+        if self.computed >= RUNGS {
+            return Err(format!("not in {RUNGS} rounds"));
+        }
+        let cost = self.cost_of(next);
+        if is_estimated && self.deadline.left() < cost {
+            return Err(format!("the next round needs some {}", si(cost, "s")));
+        }
+        Ok(())
+    }
+
+    /// Wall time that a rung finer in this would take \[s\].
+    fn cost_of(&self, next: Coarser) -> f64 {
+        let last = self.rungs.last().map_or(0.0, |rung| rung.wall_s);
+        // Explicit steps are as short as the segments.
+        let by_both = self.own.solver.method == Method::Rk4 && next == Coarser::Mesh;
+        if by_both { 4.0 * last } else { 2.0 * last }
+    }
 }
 
-/// Computes a case as fine as this, and its errors; none where the run is not complete.
-fn round(case: &Case, fineness: Fineness, accuracy: f64, cancel: &AtomicBool) -> Option<Round> {
-    let begun = Instant::now();
-    let case = fineness.applied_to(case);
-    let mut record = EventRecord::new();
-    let computed = compute(&case, Resolution::AS_SET, None, cancel, &mut |event| {
-        record.push(event);
-    });
-    if computed.outcome.state != RunState::Done {
-        return None;
-    }
-    let estimates = error_estimate::estimate(&case, &computed, cancel);
-    let allowed = AllowedErrors::of(&case, &computed, &estimates.summary, accuracy);
-    let shares = Shares::of(&case, &allowed, &estimates.summary);
-    let run = EstimatedRun {
-        computed,
-        estimates,
-        events: record.finish(),
+/// The companions of a rung in the words of a case.
+fn words(stair: &[Coarser]) -> Vec<String> {
+    let last = |what| {
+        let places = stair.iter().enumerate().filter(|(_, by)| **by == what);
+        places.map(|(place, _)| place + 1).nth(SEEN - 1)
     };
-    Some(Round {
-        fineness,
-        case,
-        run,
-        allowed,
-        shares,
-        wall_s: begun.elapsed().as_secs_f64(),
-    })
-}
-
-impl Round {
-    /// How fine the next round is: by which the errors would be a little smaller than asked.
-    fn next(&self, cancel: &AtomicBool) -> Fineness {
-        let factor = |share: f64, order: f64, most: f64| match share / AIM {
-            share if share > 1.0 => share.powf(1.0 / order).min(most),
-            share if share < IDLE => (share / IDLE).powf(1.0 / order).max(1.0 / most),
-            _ => 1.0,
-        };
-        let order = if self.case.solver.method == Method::Rk4 {
-            4.0
-        } else {
-            2.0
-        };
-        // Where either error is small enough in as many results as it must be, but not the sum, the greater one is as the sum.
-        let Shares { time, mesh, .. } = self.shares;
-        let sum = self.shares.reached();
-        let (time, mesh) = match time.max(mesh) {
-            greater if greater > AIM => (time, mesh),
-            greater if greater == time => (sum, mesh),
-            _ => (time, sum),
-        };
-        let steps = factor(time, order, MOST_STEPS);
-        self.fineness.finer(&self.refined(mesh, cancel), steps)
-    }
-
-    /// By how many times each section has more segments where the mesh error is this share of what is asked.
-    fn refined(&self, share: f64, cancel: &AtomicBool) -> Vec<f64> {
-        let excess = share / AIM;
-        if excess <= 1.0 {
-            return vec![1.0; self.case.line.len()];
-        }
-        match section_errors(&self.case, &self.allowed, cancel) {
-            Some(parts) => {
-                // No more than one round can take away, lest every section become as fine as it may.
-                let excess = excess.min(ONE_ROUND * MOST_MESH.powf(MESH_ORDER));
-                let errors: Vec<f64> = parts.iter().map(|part| part * excess).collect();
-                let segments = self.case.line.iter().map(|section| section.segments);
-                factors(
-                    &errors,
-                    &segments.collect::<Vec<_>>(),
-                    MESH_ORDER,
-                    MOST_MESH,
-                )
-            }
-            None => {
-                let factor = excess.powf(1.0 / MESH_ORDER).min(MOST_MESH);
-                vec![factor; self.case.line.len()]
-            }
-        }
-    }
-
-    /// Wall time that a round as fine as this would take \[s\].
-    fn cost_of(&self, case: &Case, next: &Fineness) -> f64 {
-        let segments = |case: &Case| crate::scene::mesh::segments(case, 1) as f64;
-        let mesh = segments(&next.applied_to(case)) / segments(&self.case);
-        // Explicit steps are as short as the segments, whatever is asked.
-        let steps = match self.case.solver.method {
-            Method::Rk4 => mesh,
-            Method::Static => 1.0,
-            _ => self.fineness.steps / next.steps,
-        };
-        self.wall_s * mesh * steps
-    }
+    // Those further down show nothing more.
+    let count = last(Coarser::Steps).max(last(Coarser::Mesh));
+    let stair = &stair[..count.unwrap_or(stair.len())];
+    stair.iter().map(|by| by.word().to_owned()).collect()
 }

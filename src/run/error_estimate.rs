@@ -1,16 +1,16 @@
 //! Numerical errors of a run, estimated by companions: runs with other time steps, and on other meshes. Time error and mesh
 //! error are kept apart; model error is what a validation table shows.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::companions::{self, Companions};
+use super::companions::{self, Companions, Evidence};
 use super::compute::Computed;
 use super::line_statistics;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::{Quantity, QuantityId, Subject};
 use crate::case::{Case, ChannelQuantity, LineQuantity, Method, Section, Statistic};
 use crate::numerics::interpolation::linear_clamped;
-use crate::numerics::richardson::{self, OBSERVED, PRESUMED};
+use crate::numerics::richardson::{self, OBSERVED, PRESUMED, UNLIKE};
 
 /// The single numbers of a run with their estimated errors.
 #[derive(Debug, Clone, Default)]
@@ -39,14 +39,52 @@ pub(super) fn without_errors(run: &Computed) -> ErrorEstimates {
     }
 }
 
-/// Runs the companions and estimates the errors of all single numbers.
+/// Runs the companions and estimates the errors of all single numbers. Where too many results do not approach each other from
+/// companion to companion, dearer ones nearer to the run are computed in their place.
 pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> ErrorEstimates {
-    let (time, mesh) = companions::compute_all(case, run, cancel);
-    let (time, mesh) = (time.as_ref(), Some(&mesh));
+    let companions = Companions::of(case, run, cancel);
+    let estimates = by_companions(case, run, &companions);
+    if companions.can_be_nearer() && !cancel.load(Ordering::Relaxed) && is_in_doubt(&estimates) {
+        return by_companions(case, run, &companions.beside_the_run());
+    }
+    estimates
+}
+
+/// Share of the results that may be not settled before companions nearer to the run are computed.
+const DOUBTFUL: f64 = 0.2;
+
+fn is_in_doubt(estimates: &ErrorEstimates) -> bool {
+    let summary = &estimates.summary;
+    let unsettled = summary.iter().filter(|q| q.unsettled.is_some()).count();
+    unsettled as f64 > DOUBTFUL * summary.len() as f64
+}
+
+pub(super) fn by_companions(
+    case: &Case,
+    run: &Computed,
+    companions: &Companions<'_>,
+) -> ErrorEstimates {
     let mut warnings = Vec::new();
-    let [whole_time, whole_mesh] = [("time", time), ("mesh", mesh)]
-        .map(|(what, companions)| companions.filter(|c| is_finished(c, what, &mut warnings)));
-    let mut statistics = with_errors(whole_time, whole_mesh, run, statistics);
+    let mut told = |what: &str, evidence: Result<_, String>| {
+        let warning = |why| {
+            format!("the {what} error is not estimated, its companion run did not finish: {why}")
+        };
+        evidence.map_err(|why| warnings.push(warning(why))).ok()
+    };
+    let time = companions.time().and_then(|time| told("time", time));
+    let mesh = told("mesh", companions.mesh());
+    estimates_by(case, run, [time.as_ref(), mesh.as_ref()], warnings)
+}
+
+/// The errors of all single numbers by what shows the error in time and that of the mesh.
+fn estimates_by(
+    case: &Case,
+    run: &Computed,
+    evidence: [Option<&Evidence<'_>>; 2],
+    warnings: Vec<String>,
+) -> ErrorEstimates {
+    let [time, mesh] = evidence;
+    let mut statistics = with_errors(time, mesh, run, statistics);
     limit_resolution(&mut statistics, case, run);
     let lists = [
         statistics,
@@ -56,19 +94,10 @@ pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> Erro
     ];
     ErrorEstimates {
         summary: lists.concat(),
-        rms: rms_error(run, [time, mesh]),
+        rms: rms_error(run, evidence),
         method: describe(case, time, mesh),
         warnings,
     }
-}
-
-/// Whether the companion came to its end; a warning where it did not.
-fn is_finished(companions: &Companions, what: &str, warnings: &mut Vec<String>) -> bool {
-    let failure = companions.failure();
-    warnings.extend(failure.map(|why| {
-        format!("the {what} error is not estimated, its companion run did not finish: {why}")
-    }));
-    failure.is_none()
 }
 
 /// The statistics of a run, without errors; those that cannot be taken are left out.
@@ -88,70 +117,86 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
 /// What reads numbers from a computation.
 type Numbers = fn(&Computed) -> Vec<Quantity>;
 
-/// The same numbers of the companions.
-struct CompanionNumbers<'a> {
-    companions: &'a Companions,
-    coarse: Vec<Quantity>,
-    coarser: Vec<Quantity>,
+/// The same numbers of the runs that show an error.
+struct EvidentNumbers<'a> {
+    evidence: &'a Evidence<'a>,
+    near: [Vec<Quantity>; 2],
+    far: Option<[Vec<Quantity>; 2]>,
     /// The quotient of differences that is usual among them.
     usual: f64,
 }
 
-impl<'a> CompanionNumbers<'a> {
-    fn read(companions: &'a Companions, run: &[Quantity], of: Numbers) -> Self {
+impl<'a> EvidentNumbers<'a> {
+    fn read(evidence: &'a Evidence<'a>, run: &[Quantity], of: Numbers) -> Self {
         let mut numbers = Self {
-            companions,
-            coarse: of(&companions.coarse),
-            coarser: companions.coarser.as_ref().map_or_else(Vec::new, of),
+            evidence,
+            near: evidence.near.map(of),
+            far: evidence.far.map(|far| far.map(of)),
             usual: 0.0,
         };
-        let three = run.iter().filter_map(|q| numbers.three(q));
-        numbers.usual = richardson::usual_quotient(three);
+        let differences = run
+            .iter()
+            .filter_map(|q| Some((q.value, numbers.differences(q)?)));
+        numbers.usual = richardson::usual_quotient(differences);
         numbers
     }
 
-    /// The values of a number in the run and both companions, where both have it.
-    fn three(&self, q: &Quantity) -> Option<[f64; 3]> {
-        Some([
-            q.value,
-            value(&self.coarse, &q.id)?,
-            value(&self.coarser, &q.id)?,
-        ])
+    /// A number in the nearest pair.
+    fn near(&self, q: &Quantity) -> Option<[f64; 2]> {
+        pair(&self.near, q)
+    }
+
+    fn far(&self, q: &Quantity) -> Option<[f64; 2]> {
+        pair(self.far.as_ref()?, q)
+    }
+
+    /// The differences of a number in the nearest pair and in the next, where both have it.
+    fn differences(&self, q: &Quantity) -> Option<[f64; 2]> {
+        let pairs = [self.near(q)?, self.far(q)?];
+        Some(pairs.map(|[fine, coarse]| (fine - coarse).abs()))
     }
 
     fn error(&self, q: &Quantity) -> Option<f64> {
-        if let Some(three) = self.three(q) {
-            return Some(self.companions.refinement.observed(three, self.usual));
+        if let Some(differences) = self.differences(q) {
+            return Some(self.evidence.refinement.observed(differences, self.usual));
         }
-        let coarse = value(&self.coarse, &q.id)?;
-        Some(self.companions.presumed(q.value, coarse))
+        let [fine, coarse] = self.near(q)?;
+        Some(self.evidence.presumed(fine, coarse))
     }
 
-    /// The values of the companions where they and the run's do not approach each other.
-    fn unsettled(&self, q: &Quantity) -> Option<[f64; 2]> {
-        let [value, coarse, coarser] = self.three(q)?;
-        richardson::is_unsettled(value, coarse, coarser).then_some([coarse, coarser])
+    /// The values of the companions where they do not approach each other.
+    fn unsettled(&self, q: &Quantity) -> Option<[f64; 4]> {
+        if !richardson::is_unsettled(q.value, self.differences(q)?) {
+            return None;
+        }
+        let ([a, b], [c, d]) = (self.near(q)?, self.far(q)?);
+        Some([a, b, c, d])
     }
+}
+
+/// A number in both runs of a pair, where both have it.
+fn pair([fine, coarse]: &[Vec<Quantity>; 2], q: &Quantity) -> Option<[f64; 2]> {
+    Some([value(fine, &q.id)?, value(coarse, &q.id)?])
 }
 
 fn value(list: &[Quantity], id: &QuantityId) -> Option<f64> {
     list.iter().find(|q| q.id == *id).map(|q| q.value)
 }
 
-/// The numbers of a run with their errors, by the same numbers of the companions.
+/// The numbers of a run with their errors, by the same numbers of the runs that show them.
 fn with_errors(
-    time: Option<&Companions>,
-    mesh: Option<&Companions>,
+    time: Option<&Evidence<'_>>,
+    mesh: Option<&Evidence<'_>>,
     run: &Computed,
     of: Numbers,
 ) -> Vec<Quantity> {
     let mut list = of(run);
-    let read = |companions| CompanionNumbers::read(companions, &list, of);
-    let (time, mesh) = (time.map(read), mesh.map(read));
+    let time = time.map(|evidence| EvidentNumbers::read(evidence, &list, of));
+    let mesh = mesh.map(|evidence| EvidentNumbers::read(evidence, &list, of));
     for q in &mut list {
         q.time_error = time.as_ref().and_then(|time| time.error(q));
         q.mesh_error = mesh.as_ref().and_then(|mesh| mesh.error(q));
-        let unsettled = |by: &Option<CompanionNumbers<'_>>| by.as_ref()?.unsettled(q);
+        let unsettled = |by: &Option<EvidentNumbers<'_>>| by.as_ref()?.unsettled(q);
         let others = [unsettled(&time), unsettled(&mesh)];
         q.unsettled = range(
             q,
@@ -190,24 +235,28 @@ fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
     }
 }
 
-/// Errors of the root mean square displacements: sums of the differences from the companions, each times its factor.
-fn rms_error(run: &Computed, companions: [Option<&Companions>; 2]) -> Vec<f64> {
+/// Errors of the root mean square displacements: sums of the differences in the nearest pairs, each times its factor.
+fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2]) -> Vec<f64> {
     let profile = &run.record.profile;
-    let others = companions.into_iter().flatten().filter_map(|companions| {
-        let other = &companions.coarse.record.profile;
-        let recorded = other.rms.len() == other.arc.len() && other.arc.len() > 1;
-        recorded.then_some((other, companions))
-    });
-    let others: Vec<_> = others.collect();
-    if others.is_empty() {
+    let recorded = |evidence: &&Evidence<'_>| {
+        let mut profiles = evidence.near.iter().map(|run| &run.record.profile);
+        profiles.all(|profile| profile.rms.len() == profile.arc.len() && profile.arc.len() > 1)
+    };
+    let evidence: Vec<_> = evidence.into_iter().flatten().filter(recorded).collect();
+    if evidence.is_empty() {
         return Vec::new();
     }
-    let error = |(s, rms): (&f64, &f64)| {
-        let each = others.iter();
-        each.map(|(other, by)| by.presumed(*rms, linear_clamped(&other.arc, &other.rms, *s)))
-            .sum()
+    let error = |s: &f64| {
+        let each = evidence.iter().map(|by| {
+            let [fine, coarse] = by.near.map(|run| {
+                let profile = &run.record.profile;
+                linear_clamped(&profile.arc, &profile.rms, *s)
+            });
+            by.presumed(fine, coarse)
+        });
+        each.sum()
     };
-    profile.arc.iter().zip(&profile.rms).map(error).collect()
+    profile.arc.iter().map(error).collect()
 }
 
 /// Whether it is the least tension somewhere or on the whole line.
@@ -238,34 +287,28 @@ fn segment_weight(case: &Case) -> f64 {
 }
 
 /// How the errors are estimated, in words.
-fn describe(case: &Case, time: Option<&Companions>, mesh: Option<&Companions>) -> String {
-    let order = |companions: &Companions| {
-        if companions.coarser.is_some() {
-            return format!("{OBSERVED} times Richardson by the order observed");
+fn describe(case: &Case, time: Option<&Evidence<'_>>, mesh: Option<&Evidence<'_>>) -> String {
+    let order = |evidence: &Evidence<'_>| {
+        if evidence.far.is_some() {
+            return format!("{OBSERVED} to {UNLIKE} times Richardson by the order observed");
         }
-        let order = companions.refinement.order;
+        let order = evidence.refinement.order;
         format!("{PRESUMED} times Richardson, order {order}")
     };
-    let steps = time.map(|time| {
-        let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
-        let and = time.coarser.is_some();
-        let steps = match (varies, time.is_single_step()) {
-            (true, _) if and => "8 and 64 times the error allowed in a step",
-            (true, _) => "another error allowed in a step",
-            (false, true) => "half the step",
-            (false, false) if and => "steps twice and four times as long",
-            (false, false) => "steps twice as long",
-        };
-        format!("time: {steps}, {}; ", order(time))
-    });
+    let time = time.map(|time| format!("time: {}, {}; ", steps(case, time), order(time)));
     let mesh = mesh.map(|mesh| {
-        let segments = match (mesh.is_finer, mesh.coarser.is_some()) {
+        let segments = match (mesh.is_finer, mesh.far.is_some()) {
             (true, _) => "twice the segments",
             (false, true) => "half the segments and a quarter",
             (false, false) => "half the segments",
         };
+        let steps = if mesh.is_elsewhere {
+            " in longer steps"
+        } else {
+            ""
+        };
         format!(
-            "mesh: {segments} (ratio {:.2}), {}",
+            "mesh: {segments}{steps} (ratio {:.2}), {}",
             mesh.refinement.ratio,
             order(mesh)
         )
@@ -277,7 +320,28 @@ fn describe(case: &Case, time: Option<&Companions>, mesh: Option<&Companions>) -
     };
     format!(
         "{}{}{crisis}",
-        steps.unwrap_or_default(),
+        time.unwrap_or_default(),
         mesh.unwrap_or_default()
     )
+}
+
+/// By which steps the error in time is told, in words.
+fn steps(case: &Case, time: &Evidence<'_>) -> String {
+    let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
+    let [near, far] = time.ratios;
+    let of = |ratio: f64| match varies {
+        true => format!("{} times the error allowed in a step", ratio.powi(3)),
+        false => format!("steps {ratio} times as long"),
+    };
+    let place = match time.segment {
+        1.0 => "",
+        2.0 => " on half the segments",
+        _ => " on a quarter of the segments",
+    };
+    match (time.is_single_step(), time.far.is_some()) {
+        (true, _) if varies => "another error allowed in a step".to_owned(),
+        (true, _) => "half the step".to_owned(),
+        (false, false) => format!("{}{place}", of(near)),
+        (false, true) => format!("{}, and {}{place}", of(near), of(far)),
+    }
 }

@@ -100,7 +100,7 @@ pub fn execute_from(
     // The method of a trial that was stopped may be another one than that of the whole trial.
     let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);
     let request = chosen.as_ref().unwrap_or(request);
-    // A resumed run keeps the mesh and the steps found for it.
+    // A run that was stopped after its search keeps what was found, and asks for no accuracy any more.
     let accuracy = request
         .case
         .solver

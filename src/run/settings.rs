@@ -1,7 +1,7 @@
 //! The settings that the solver uses, those included that the case leaves open.
 
 use super::{Settings, Work};
-use crate::case::{Case, Method};
+use crate::case::{Case, Method, Solver};
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::numerics::V3;
 use crate::physics::EndMotion;
@@ -26,7 +26,7 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
     let (step, automatic) = match solver.time_step_s {
         _ if still => (0.0, false),
         Some(step) => (step, false),
-        None => (automatic_step(scene, limit.map(|l| l.0)), true),
+        None => (longest_step(solver, scene, limit.map(|l| l.0)), true),
     };
     Settings {
         method: method_name(solver.method).to_owned(),
@@ -65,6 +65,14 @@ pub fn position_tolerance(case: &Case, scene: &Scene) -> f64 {
     case.solver
         .position_tolerance_m
         .min(scene.position_tolerance(1e-4))
+}
+
+/// The step of a case that sets none: the longest that it allows, where that is alpha's to vary.
+fn longest_step(solver: &Solver, scene: &Scene, limit: Option<f64>) -> f64 {
+    let own = solver
+        .longest_step_s
+        .filter(|_| solver.method == Method::Alpha);
+    own.unwrap_or_else(|| automatic_step(scene, limit))
 }
 
 /// A share of the stability limit for explicit methods. For implicit ones a share of the shortest period that

@@ -20,7 +20,7 @@ pub const WITHIN: f64 = 0.95;
 const FINER_MESH: usize = 2;
 const SHORTER_STEPS: f64 = 0.5;
 /// Segments and steps of the settings compared with, by those of the case.
-const MESHES: [f64; 3] = [0.5, 1.0, 2.0];
+const MESHES: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
 const STEPS: [f64; 5] = [8.0, 4.0, 2.0, 1.0, 0.5];
 
 /// A case and the accuracy asked of it.
@@ -80,7 +80,8 @@ pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFindi
     let run = run(asked, &trial.text, cancel)?;
     let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
     let found = case::parse(&run.case_text, &trial.name).map_err(|_| "its case is not read")?;
-    let exact = self::run(finer(&found), "", cancel).map_err(|why| format!("true run: {why}"))?;
+    let exact = self::run(finer(&trial.case, &found), "", cancel)
+        .map_err(|why| format!("true run: {why}"))?;
     let judge = Judge {
         scales: result_scales(&found, &run),
         exact: &exact,
@@ -146,8 +147,22 @@ fn cheapest(case: &Case, judge: &Judge<'_>, cancel: &AtomicBool) -> Option<(Stri
     met.min_by(|a, b| a.1.total_cmp(&b.1))
 }
 
-fn finer(found: &Case) -> Case {
-    with(found, FINER_MESH as f64, SHORTER_STEPS)
+/// Twice as fine as what was found and as the case itself.
+fn finer(own: &Case, found: &Case) -> Case {
+    let mut finer = with(found, FINER_MESH as f64, SHORTER_STEPS);
+    let own = with(own, FINER_MESH as f64, SHORTER_STEPS);
+    for (section, other) in finer.line.iter_mut().zip(&own.line) {
+        section.segments = section.segments.max(other.segments);
+    }
+    let (solver, other) = (&mut finer.solver, &own.solver);
+    solver.step_tolerance = solver.step_tolerance.min(other.step_tolerance);
+    solver.time_step_s = match (solver.time_step_s, other.time_step_s) {
+        (Some(found), Some(own)) => Some(found.min(own)),
+        (found, own) => found.or(own),
+    };
+    // Where it is longer than that of the case, the case has its own.
+    solver.longest_step_s = None;
+    finer
 }
 
 /// The case with these segments and steps by its own, without a search or bars.

@@ -125,6 +125,8 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
         // The start at full velocity sends a front down the line, on which mesh and steps leave up to 3 points of 5.
         ("mooring/hybrid_moving.toml", name) if name.ends_with("by the static one") => 0.6,
         ("mooring/hybrid_moving.toml", name) if name.starts_with("swing of the stiffness") => 0.13,
+        // The companion in longer steps has it one segment further along.
+        ("mooring/hybrid_moving.toml", name) if name.starts_with("where along") => 2.1,
         // A place along the line is known to a segment, and that is the tolerance.
         (_, name) if name.starts_with("where along") || name.starts_with("the lowest point") => 1.0,
         ("umbilical/catenary.toml", "weight alone: tension at the anchor") => 0.2,
@@ -150,6 +152,9 @@ fn allowed(path: &str, row: &ValidationRow) -> f64 {
         ("benchmarks/lindahl_chain.toml", name) if name.starts_with("mean peak") => 0.3,
         ("double_stepped/cantilever.toml", "drag at C_Y = 1000") => 0.13,
         ("benchmarks/current_across.toml", "pull on the anchor along z, 0.5 m/s") => 0.11,
+        // The order on three meshes is a little off that of the method, and the bars have the wider factor of safety.
+        ("benchmarks/elastica.toml", "tip z, P L2 / EI = 10") => 0.12,
+        ("umbilical/steep_wave.toml", name) if name.ends_with("height at 60 m") => 0.11,
         // Nodes that touch down one by one: the coarse meshes are there to show how their noise falls, and halving
         // such a mesh for the estimate doubles it.
         ("hard/touchdown.toml", name) if name.ends_with(" segments") => 80.0,

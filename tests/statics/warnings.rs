@@ -176,8 +176,8 @@ fn a_clamp_without_bending_stiffness_is_reported() {
     );
 }
 
-/// A weight at the third of nine segments' ends: the companion has it at the same place, and its estimate of the mesh error
-/// is about the error there is.
+/// A weight at a third of 27 segments, whose place is no node of half as many: the companions have it at the same place, and their
+/// estimate of the mesh error is about the error there is.
 #[test]
 fn a_body_stays_in_its_place_on_the_companions_mesh() {
     let sag = |segments: usize| {
@@ -198,11 +198,11 @@ fn a_body_stays_in_its_place_on_the_companions_mesh() {
             .clone();
         (summary.value, summary.mesh_error.unwrap())
     };
-    let (coarse, estimated) = sag(9);
+    let (coarse, estimated) = sag(27);
     let (fine, _) = sag(288);
     let error = (coarse - fine).abs();
     assert!(
-        (0.5 * error..2.5 * error).contains(&estimated),
+        (error..2.7 * error).contains(&estimated),
         "{estimated} m estimated, {error} m"
     );
 }

@@ -1,5 +1,5 @@
 //! Checks of a case file. [`keys`] holds every table and value against its declaration; [`mod@line`], [`ends`], [`rope`],
-//! [`loads`], [`payload`], [`sea`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
+//! [`loads`], [`payload`], [`sea`], [`mod@solver`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
 //! over what is missing or faulty, so that everything is reported at once, each at its place.
 
 mod checks;
@@ -15,6 +15,7 @@ mod payload;
 mod recorded;
 mod rope;
 mod sea;
+mod solver;
 mod start;
 mod taken;
 mod trials;
@@ -34,13 +35,14 @@ pub(crate) use sea::of_waves;
 
 /// Errors of the keys of a case against each other.
 pub(super) fn check(keys: &CaseKeys<'_>) -> Vec<Finding> {
-    const CHECKS: [fn(&CaseKeys<'_>) -> Vec<Finding>; 9] = [
+    const CHECKS: [fn(&CaseKeys<'_>) -> Vec<Finding>; 10] = [
         line::check,
         ends::check,
         rope::check,
         loads::check,
         payload::check,
         sea::check,
+        solver::check,
         start::check,
         validation_data::check,
         trials::check,

@@ -1,6 +1,7 @@
 //! What a search came to: the request with the mesh and the steps found, and that in words.
 
-use super::{EstimatedRun, Round};
+use super::{Best, EstimatedRun};
+use crate::case::model::CASE;
 use crate::case::{Case, Method, edit};
 use crate::run::job::Request;
 use crate::run::settings::method_name;
@@ -9,7 +10,7 @@ use crate::run::settings::method_name;
 pub(in crate::run) struct Reached {
     /// The request with the mesh and the steps found.
     pub(in crate::run) request: Request,
-    /// Its run with the errors; absent where none was complete.
+    /// Its run with the errors; absent where none shows them.
     pub(in crate::run) run: Option<EstimatedRun>,
     /// What was asked, found and reached, in words.
     pub(in crate::run) words: String,
@@ -21,7 +22,7 @@ pub(in crate::run) struct Reached {
 pub(super) fn reached(
     request: &Request,
     accuracy: f64,
-    best: Option<Round>,
+    best: Option<Best>,
     cost: &str,
     limit: &str,
 ) -> Reached {
@@ -29,9 +30,9 @@ pub(super) fn reached(
         return Reached {
             request: request.clone(),
             run: None,
-            words: format!("{accuracy} asked; no run was complete ({cost})"),
+            words: format!("{accuracy} asked; no run of the search shows its errors ({cost})"),
             failure: Some(format!(
-                "the accuracy of {accuracy} is not reached: no run of the search was complete"
+                "the accuracy of {accuracy} is not reached ({limit}): the case is computed as it is set"
             )),
         };
     };
@@ -59,14 +60,12 @@ pub(super) fn reached(
             few.join(", ")
         )
     });
-    let edits: Vec<(&str, &str)> = settings
-        .iter()
-        .map(|(key, value)| (key.as_str(), value.as_str()))
-        .collect();
     let mut request = request.clone();
-    if let Ok(text) = edit::set_all(&request.text, &edits) {
+    if let Some(text) = text(&request.text, &settings) {
         request.text = text;
     }
+    let is_asked = |key: &String| ASKED.iter().any(|asked| key.starts_with(asked));
+    request.overrides.retain(|key| !is_asked(key));
     request.overrides.extend(list);
     request.case = best.case;
     Reached {
@@ -75,6 +74,22 @@ pub(super) fn reached(
         words,
         failure,
     }
+}
+
+/// What a search is asked, and a case that was found asks no more: computed again it is the same.
+const ASKED: [&str; 2] = ["solver.accuracy", "solver.budget_s"];
+
+/// The text of the case with what was found in the place of what was asked.
+fn text(own: &str, settings: &[(String, String)]) -> Option<String> {
+    let edits: Vec<(&str, &str)> = settings
+        .iter()
+        .map(|(key, value)| (key.as_str(), value.as_str()))
+        .collect();
+    let (mut text, _) = edit::put_all(&CASE, own, &edits).ok()?;
+    for key in ASKED {
+        text = edit::cut(&text, key).unwrap_or(text);
+    }
+    Some(text)
 }
 
 /// The keys of mesh and steps, with their values.
@@ -95,9 +110,15 @@ fn settings(request: &Request, found: &Case) -> Vec<(String, String)> {
             format!("{:?}", solver.step_tolerance),
         ));
     }
-    if let Some(step) = solver.time_step_s {
-        keys.push(("solver.time_step_s".to_owned(), format!("{step:?}")));
+    let steps = [
+        ("solver.time_step_s", solver.time_step_s),
+        ("solver.longest_step_s", solver.longest_step_s),
+    ];
+    for (key, step) in steps {
+        keys.extend(step.map(|step| (key.to_owned(), format!("{step:?}"))));
     }
+    let companions = solver.companions.as_deref().unwrap_or_default();
+    keys.push(("solver.companions".to_owned(), format!("{companions:?}")));
     keys.push((
         "solver.method".to_owned(),
         method_name(solver.method).to_owned(),

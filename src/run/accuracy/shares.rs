@@ -1,8 +1,8 @@
 //! Estimated errors of results as shares of what is asked of them.
 
 use crate::case::{Case, Method};
+use crate::numerics::richardson::OBSERVED;
 use crate::run::compute::Computed;
-use crate::run::error_estimate::without_errors;
 use crate::run::result_scale::Scales;
 use crate::run::{Quantity, QuantityId};
 
@@ -24,19 +24,6 @@ impl AllowedErrors {
             .filter_map(|q| Some((q.id.clone(), accuracy * scales.of(q)?)));
         Self(allowed.collect())
     }
-
-    /// What two runs differ by as a share of what is allowed, in [`WITHIN`] of the results.
-    pub(super) fn difference(&self, a: &Computed, b: &Computed) -> f64 {
-        let (a, b) = (without_errors(a).summary, without_errors(b).summary);
-        let value =
-            |list: &[Quantity], id: &QuantityId| list.iter().find(|q| q.id == *id).map(|q| q.value);
-        let share = |(id, allowed): &(QuantityId, f64)| {
-            Some((value(&a, id)? - value(&b, id)?).abs() / allowed)
-        };
-        let mut shares: Vec<f64> = self.0.iter().filter_map(share).collect();
-        shares.sort_by(f64::total_cmp);
-        quantile(&shares)
-    }
 }
 
 /// Errors of results by what is asked of them.
@@ -52,7 +39,7 @@ impl Shares {
     pub(super) fn of(case: &Case, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
         let counted = allowed.0.iter().filter_map(|(id, allowed)| {
             let q = summary.iter().find(|q| q.id == *id)?;
-            Some((q, *allowed, q.error_estimate()? / allowed))
+            Some((q, *allowed, expected(q)? / allowed))
         });
         let counted: Vec<_> = counted.filter(|(.., share)| share.is_finite()).collect();
         let mut all: Vec<_> = counted
@@ -69,7 +56,7 @@ impl Shares {
         let part = |error: fn(&Quantity) -> Option<f64>| {
             let shares = counted
                 .iter()
-                .filter_map(|(q, allowed, _)| Some(parts * error(q)? / allowed));
+                .filter_map(|(q, allowed, _)| Some(parts * error(q)? / (OBSERVED * allowed)));
             let mut shares: Vec<f64> = shares.collect();
             shares.sort_by(f64::total_cmp);
             quantile(&shares)
@@ -91,6 +78,13 @@ impl Shares {
     pub(super) fn missed(&self) -> impl Iterator<Item = &(f64, String)> {
         self.all.iter().rev().take_while(|(share, _)| *share > 1.0)
     }
+}
+
+/// The error to be expected of a result: its bar without the factor of safety, by which nearly every single one lies inside. Of all
+/// results together [`WITHIN`] are asked for.
+fn expected(q: &Quantity) -> Option<f64> {
+    let safety = if q.unsettled.is_some() { 1.0 } else { OBSERVED };
+    Some(q.error_estimate()? / safety)
 }
 
 /// The least of these sorted numbers that [`WITHIN`] of them do not exceed; zero of none.
