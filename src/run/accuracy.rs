@@ -90,7 +90,7 @@ pub(super) fn search(
                 .as_ref()
                 .map(|best| best.shares.reached() * accuracy),
         }));
-        match search.advance(fineness) {
+        match search.advance(&fineness) {
             Ok(next) => fineness = next,
             Err(limit) => break limit,
         }
@@ -120,9 +120,9 @@ struct Search<'a> {
 
 impl Search<'_> {
     /// Computes a rung. Returns how fine the next one is, or why there is none.
-    fn advance(&mut self, fineness: Fineness) -> Result<Fineness, String> {
+    fn advance(&mut self, fineness: &Fineness) -> Result<Fineness, String> {
         self.computed += 1;
-        let (rung, events) = match self.climb(&fineness) {
+        let (rung, events) = match self.climb(fineness) {
             Ok(climbed) => climbed,
             Err(why) => return self.after_failure(&why),
         };

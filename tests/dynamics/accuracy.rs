@@ -180,3 +180,73 @@ fn forces_that_are_zero_are_a_part_of_those_that_are_not() {
     assert!(words.contains("(3 rounds,"), "{words}");
     assert!(!run.info.warnings.iter().any(|w| w.contains("not reached")));
 }
+
+/// Errors by other companions are about those by the usual ones, and the run says which they are.
+#[test]
+fn companions_can_be_named() {
+    let of = |companions: &str| {
+        let mut request = request(companions);
+        request.case.line[0].segments = 24;
+        request.case.solver.step_tolerance = 1e-6;
+        let run = computed(&request);
+        let q = run
+            .summary
+            .iter()
+            .find(|q| q.name() == "tension_n[top|rope].max");
+        let q = q.unwrap();
+        (
+            run.info.settings.error_method.clone(),
+            [q.time_error.unwrap(), q.mesh_error.unwrap()],
+        )
+    };
+    let (usual, errors) = of("method = \"alpha\"");
+    assert!(
+        usual.contains("27 times the error allowed in a step"),
+        "{usual}"
+    );
+    for (companions, words) in [
+        (
+            r#"companions = ["nearest"]"#,
+            "time: 8 times the error allowed in a step, and 64 times",
+        ),
+        (
+            r#"companions = ["steps", "mesh", "steps", "mesh"]"#,
+            "on half the segments",
+        ),
+    ] {
+        let (method, named) = of(companions);
+        assert!(method.contains(words), "{method}");
+        for (a, b) in errors.into_iter().zip(named) {
+            assert!((0.1..10.0).contains(&(a / b)), "{companions}: {a} {b}");
+        }
+    }
+}
+
+#[test]
+fn steps_that_vary_are_no_longer_than_the_longest() {
+    let longest = |solver: &str| {
+        let run = computed(&request(solver));
+        (run.info.settings.time_step_s, run.info.work.steps)
+    };
+    let (own, steps) = longest("step_tolerance = 1e-2");
+    let (bound, more) = longest("step_tolerance = 1e-2, longest_step_s = 0.02");
+    assert!(own > 0.05 && (bound - 0.02).abs() < 1e-15, "{own} {bound}");
+    assert!(more >= 600 && more > 2 * steps, "{steps} {more}");
+}
+
+#[test]
+fn companions_and_steps_that_contradict_are_refused() {
+    let problems = |solver: &str| {
+        let text = case::write(&request("method = \"alpha\"").case);
+        let text = text.replace("[solver]\n", &format!("[solver]\n{solver}\n"));
+        let found = case::parse(&text, "test.toml").unwrap_err();
+        found
+            .iter()
+            .map(|d| format!("{}: {}", d.key, d.problem))
+            .collect::<String>()
+    };
+    let unknown = problems(r#"companions = ["steps", "nearest"]"#);
+    assert!(unknown.contains("is not known: \"nearest\""), "{unknown}");
+    let both = problems("time_step_s = 0.1\nlongest_step_s = 0.1");
+    assert!(both.contains("steps of one length"), "{both}");
+}
