@@ -1,10 +1,10 @@
 //! The companions of a run: the same case with longer steps and on coarser meshes, to tell its errors by.
 //!
-//! They stand below the run like stairs: each is coarser than the one above it in its steps or in its mesh only. A pair of neighbours
-//! shows the error in time or that of the mesh, the next such pair further down the order by which it falls. Each costs about half
-//! of the one above it or less, so that all of them cost less than the run.
+//! They are a sequence: each is coarser than the one before it in its steps or in its mesh only. A pair of neighbours shows the error
+//! in time or that of the mesh, the next such pair the order by which it falls. Each costs about half of the one before it or
+//! less, so that all of them cost less than the run.
 
-mod stairs;
+mod pairs;
 
 use std::borrow::Cow;
 use std::sync::atomic::AtomicBool;
@@ -15,11 +15,11 @@ use super::RunState;
 use super::compute::{Computed, Resolution, compute};
 use crate::case::{Case, Method};
 use crate::numerics::richardson::Refinement;
-pub(super) use stairs::{CRISIS, Coarser, has_crisis};
-use stairs::{
+pub(super) use pairs::{CRISIS, Coarsening, has_crisis};
+use pairs::{
     Pairs, Place, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_third, is_single_step,
-    mesh_ratio, meshes_in_steps, named, on_the_own_mesh, order, pairs_of, place_of, stairs_in_time,
-    stairs_of_meshes,
+    mesh_ratio, meshes_in_steps, named, on_the_own_mesh, order, pairs_in_time, pairs_of,
+    pairs_of_meshes, place_of,
 };
 
 /// What shows one error of a run: the nearest pair of runs that differ in one thing only, and the next.
@@ -68,12 +68,12 @@ pub(super) struct Companions<'a> {
 impl<'a> Companions<'a> {
     /// Computes those that the case names, or those that tell the errors at the least cost, side by side where there are cores.
     pub(super) fn of(case: &'a Case, run: &'a Computed, cancel: &'a AtomicBool) -> Self {
-        if let Some(stair) = named(case) {
-            return Self::down(case, run, &stair, &[], cancel);
+        if let Some(coarsenings) = named(case) {
+            return Self::coarsened_by(case, run, &coarsenings, &[], cancel);
         }
         let coarsens = coarsens(case);
-        let time = stairs_in_time(case, run, coarsens);
-        let mesh = stairs_of_meshes(case, time.as_ref(), coarsens);
+        let time = pairs_in_time(case, run, coarsens);
+        let mesh = pairs_of_meshes(case, time.as_ref(), coarsens);
         let companions = Self {
             case,
             run,
@@ -89,21 +89,22 @@ impl<'a> Companions<'a> {
         }
     }
 
-    /// Those down a stair, the first of which are known; by turns what it does not show.
-    pub(super) fn down(
+    /// Those of a sequence, the first of which are known; as where a case names none for an error that it does not show.
+    pub(super) fn coarsened_by(
         case: &'a Case,
         run: &'a Computed,
-        stair: &[Coarser],
+        coarsenings: &[Coarsening],
         known: &[&'a Computed],
         cancel: &'a AtomicBool,
     ) -> Self {
-        let places = (1..=known.len()).map(|count| place_of(&stair[..count.min(stair.len())]));
+        let places =
+            (1..=known.len()).map(|count| place_of(&coarsenings[..count.min(coarsenings.len())]));
         let known = places.zip(known.iter().map(|run| Cow::Borrowed(*run)));
-        let time = order(case).and_then(|_| pairs_of(stair, Coarser::Steps));
+        let time = order(case).and_then(|_| pairs_of(coarsenings, Coarsening::Steps));
         let coarsens = coarsens(case);
-        let time = time.or_else(|| stairs_in_time(case, run, coarsens));
-        let mesh = pairs_of(stair, Coarser::Mesh);
-        let mesh = mesh.unwrap_or_else(|| stairs_of_meshes(case, time.as_ref(), coarsens));
+        let time = time.or_else(|| pairs_in_time(case, run, coarsens));
+        let mesh = pairs_of(coarsenings, Coarsening::Mesh);
+        let mesh = mesh.unwrap_or_else(|| pairs_of_meshes(case, time.as_ref(), coarsens));
         Self {
             case,
             run,

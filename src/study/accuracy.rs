@@ -1,5 +1,5 @@
-//! Accuracy as an input, held against the truth: what a search for it found, beside a run on twice the mesh with a time error four
-//! times as small, and what it cost, beside the cheapest of some settings that are as accurate.
+//! Accuracy as an input, held against the truth: what a search for it found, beside a run on twice the mesh of what was found and of
+//! the case, with a time error four times as small, and what it cost, beside the cheapest of some settings that are as accurate.
 //!
 //! A setting is as accurate as asked where [`WITHIN`] of its results are, as shares of what [`result_scales`] says.
 

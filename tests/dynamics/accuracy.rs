@@ -110,7 +110,7 @@ fn what_a_budget_does_not_allow_is_said_and_the_best_is_kept() {
         .find(|w| w.contains("not reached"))
         .unwrap();
     assert!(warning.contains("next round needs"), "{warning}");
-    // The first rungs are climbed all the same: without them nothing is known of the errors.
+    // The first levels are computed all the same: without them nothing is known of the errors.
     let words = run.info.settings.accuracy.clone().unwrap();
     assert!(words.contains("(5 rounds, "), "{words}");
     assert_eq!(found(&run).line[0].segments, 4);
@@ -132,7 +132,7 @@ fn a_search_tells_its_rounds_and_reports_one_run() {
         },
     );
     assert_eq!((started, frames), (1, run.history.time.len()));
-    // Five rungs show the first errors.
+    // Five levels show the first errors.
     let known = rounds.iter().position(|round| round.reached.is_some());
     assert_eq!(known, Some(5), "{rounds:?}");
     assert_eq!(rounds[1].to_string(), "accuracy 2e-3: round 2");

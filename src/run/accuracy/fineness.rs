@@ -1,11 +1,11 @@
-//! How fine mesh and steps are on a rung of the search, and the case as fine as that.
+//! How fine mesh and steps are on a level of the search, and the case as fine as that.
 
-use super::super::companions::Coarser;
+use super::super::companions::Coarsening;
 use super::super::settings::settings;
 use crate::case::{Case, Clump, Method};
 use crate::scene;
 
-/// Mesh and steps of a rung.
+/// Mesh and steps of a level.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Fineness {
     /// Segments of every section.
@@ -14,12 +14,12 @@ pub(super) struct Fineness {
     pub(super) steps: f64,
 }
 
-/// Segments and steps of the first rung, by those of the case. Runs much coarser than this agree with each other although none is
+/// Segments and steps of the first level, by those of the case. Runs much coarser than this agree with each other although none is
 /// right.
 pub(super) const COARSEST: usize = 16;
 
 impl Fineness {
-    /// That of the first rung, or this many times finer where that does not come to its end.
+    /// That of the first level, or this many times finer where that does not come to its end.
     pub(super) fn first(case: &Case, finer: usize) -> Self {
         let coarsest = (COARSEST / finer).max(1);
         let mut mesh = coarsest;
@@ -41,11 +41,11 @@ impl Fineness {
     }
 
     /// Twice as fine in this.
-    pub(super) fn finer(&self, what: Coarser) -> Self {
+    pub(super) fn finer(&self, what: Coarsening) -> Self {
         let mut finer = self.clone();
         match what {
-            Coarser::Steps => finer.steps *= 0.5,
-            Coarser::Mesh => finer.segments.iter_mut().for_each(|n| *n *= 2),
+            Coarsening::Steps => finer.steps *= 0.5,
+            Coarsening::Mesh => finer.segments.iter_mut().for_each(|n| *n *= 2),
         }
         finer
     }

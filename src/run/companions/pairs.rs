@@ -13,7 +13,7 @@ pub(super) const LONGER: f64 = 3.0;
 /// Mesh and steps of a companion, by those of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
-    /// Length of the segments: half, once, twice, or four times that of the run's.
+    /// Length of the segments: a power of two times the run's.
     pub(super) segment: f64,
     /// Length of the steps; the error in time grows by this to the power of the method's order.
     pub(super) step: f64,
@@ -43,14 +43,14 @@ impl Pairs {
 
 /// What a companion is coarser in than the next finer one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::run) enum Coarser {
+pub(in crate::run) enum Coarsening {
     /// Steps twice as long.
     Steps,
     /// Half the segments on every section.
     Mesh,
 }
 
-impl Coarser {
+impl Coarsening {
     /// Its word in `solver.companions`.
     pub(in crate::run) const fn word(self) -> &'static str {
         match self {
@@ -70,9 +70,9 @@ impl Coarser {
 pub(super) const NEAREST: &str = "nearest";
 
 /// The companions that a case names, from the finest; none where it leaves them open.
-pub(super) fn named(case: &Case) -> Option<Vec<Coarser>> {
+pub(super) fn named(case: &Case) -> Option<Vec<Coarsening>> {
     let words = case.solver.companions.as_ref()?;
-    let coarser = words.iter().map(|word| Coarser::of_word(word));
+    let coarser = words.iter().map(|word| Coarsening::of_word(word));
     coarser.collect()
 }
 
@@ -82,15 +82,15 @@ pub(super) fn asks_for_nearest(case: &Case) -> bool {
     words.is_some_and(|words| words.iter().any(|word| word == NEAREST))
 }
 
-/// The first two pairs that differ in this, down a stair of companions.
-pub(super) fn pairs_of(stair: &[Coarser], what: Coarser) -> Option<Pairs> {
+/// The first two pairs of a sequence that differ in this.
+pub(super) fn pairs_of(coarsenings: &[Coarsening], what: Coarsening) -> Option<Pairs> {
     let mut place = RUN;
     let mut pairs = Vec::new();
-    for coarser in stair {
+    for coarser in coarsenings {
         let finer = place;
         match coarser {
-            Coarser::Steps => place.step *= 2.0,
-            Coarser::Mesh => place.segment *= 2.0,
+            Coarsening::Steps => place.step *= 2.0,
+            Coarsening::Mesh => place.segment *= 2.0,
         }
         if *coarser == what {
             pairs.push([finer, place]);
@@ -102,9 +102,9 @@ pub(super) fn pairs_of(stair: &[Coarser], what: Coarser) -> Option<Pairs> {
     })
 }
 
-/// The first stair and the last: longer steps, and on the coarsest mesh longer ones still. Explicit methods have twice the steps on half
-/// the segments. Half the step where the run is a single step. None for statics.
-pub(super) fn stairs_in_time(case: &Case, run: &Computed, coarsens: bool) -> Option<Pairs> {
+/// Longer steps, and on the coarsest mesh longer ones still. Explicit methods have twice the steps on half the segments. Half the
+/// step where the run is a single step. None for statics.
+pub(super) fn pairs_in_time(case: &Case, run: &Computed, coarsens: bool) -> Option<Pairs> {
     order(case)?;
     if !coarsens || is_single_step(run) {
         return on_the_own_mesh(case, run).or(Some(Pairs {
@@ -141,7 +141,7 @@ pub(super) fn on_the_own_mesh(case: &Case, run: &Computed) -> Option<Pairs> {
 }
 
 /// Meshes in the longer steps of the first pair in time, where they go on from there.
-pub(super) fn stairs_of_meshes(case: &Case, time: Option<&Pairs>, coarsens: bool) -> Pairs {
+pub(super) fn pairs_of_meshes(case: &Case, time: Option<&Pairs>, coarsens: bool) -> Pairs {
     let longer = time.filter(|time| time.far.is_some());
     let step = longer.map_or(1.0, |time| time.near[1].step);
     if coarsens {
@@ -173,12 +173,17 @@ pub(super) fn finer_mesh(step: f64) -> Pairs {
     }
 }
 
-/// Where a stair leads.
-pub(super) fn place_of(stair: &[Coarser]) -> Place {
-    let count = |what| stair.iter().filter(|coarser| **coarser == what).count() as i32;
+/// Mesh and steps after these coarsenings.
+pub(super) fn place_of(coarsenings: &[Coarsening]) -> Place {
+    let count = |what| {
+        coarsenings
+            .iter()
+            .filter(|coarser| **coarser == what)
+            .count() as i32
+    };
     at(
-        2.0_f64.powi(count(Coarser::Mesh)),
-        2.0_f64.powi(count(Coarser::Steps)),
+        2.0_f64.powi(count(Coarsening::Mesh)),
+        2.0_f64.powi(count(Coarsening::Steps)),
     )
 }
 
