@@ -7,6 +7,7 @@ use super::companions::{self, Companions, Evidence};
 use super::compute::Computed;
 use super::line_statistics;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
+use super::unsettled_range::unsettled_range;
 use super::{Quantity, QuantityId, Subject};
 use crate::case::{Case, ChannelQuantity, LineQuantity, Method, Section, Statistic};
 use crate::numerics::interpolation::linear_clamped;
@@ -198,26 +199,10 @@ fn with_errors(
         q.mesh_error = mesh.as_ref().and_then(|mesh| mesh.error(q));
         let unsettled = |by: &Option<EvidentNumbers<'_>>| by.as_ref()?.unsettled(q);
         let others = [unsettled(&time), unsettled(&mesh)];
-        q.unsettled = range(
-            q,
-            &others.into_iter().flatten().flatten().collect::<Vec<_>>(),
-        );
+        let others: Vec<f64> = others.into_iter().flatten().flatten().collect();
+        q.unsettled = unsettled_range(q, &others, run);
     }
     list
-}
-
-/// By how much of itself the range of results that do not approach each other is wider to either side: another one lies between
-/// three that scatter in half of the cases only.
-const SCATTER: f64 = 0.5;
-
-/// The range that holds a number with its error and the same of companions that do not approach it, with room for another; none
-/// without such.
-fn range(q: &Quantity, others: &[f64]) -> Option<[f64; 2]> {
-    let error = q.error_estimate().filter(|_| !others.is_empty())?;
-    let least = others.iter().copied().fold(q.value - error, f64::min);
-    let greatest = others.iter().copied().fold(q.value + error, f64::max);
-    let room = SCATTER * (greatest - least);
-    Some([least - room, greatest + room])
 }
 
 /// A place along the line has at least the mesh error of a segment, and the tension of a line that goes slack between nodes that of

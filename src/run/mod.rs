@@ -43,6 +43,7 @@ mod step_interval;
 pub mod store;
 mod time_march;
 mod touchdown_speed;
+mod unsettled_range;
 mod warm_start;
 mod wave_decomposition;
 
