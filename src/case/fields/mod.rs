@@ -83,17 +83,14 @@ impl Schema {
     pub fn fields_of(&'static self, table: &str) -> impl Iterator<Item = &'static Field> {
         self.fields
             .iter()
-            .filter(move |field| field.table() == table)
+            .filter(move |field| stands_in(&field.path, table))
     }
 
     /// The tables that stand in a table of this pattern.
     pub fn tables_in(&'static self, pattern: &str) -> impl Iterator<Item = &'static TableSchema> {
         self.tables
             .iter()
-            .filter(move |table| match table.path.rsplit_once('.') {
-                Some((parent, _)) => parent == pattern,
-                None => pattern.is_empty(),
-            })
+            .filter(move |table| stands_in(&table.path, pattern))
     }
 
     /// The fields that a key path may mean; more than one where tables of several kinds share a key.
@@ -114,4 +111,16 @@ impl Schema {
                 same && pattern.next().is_none()
             })
     }
+}
+
+/// Whether a path is a key of this table, not of a table within it. Asked of all paths for every table of a file: most differ
+/// from the first letter on.
+fn stands_in(path: &str, table: &str) -> bool {
+    let key = match table {
+        "" => Some(path),
+        _ => path
+            .strip_prefix(table)
+            .and_then(|rest| rest.strip_prefix('.')),
+    };
+    key.is_some_and(|key| !key.contains('.'))
 }
