@@ -11,12 +11,21 @@ pub(super) fn text(x: f64) -> String {
 
 /// The same at the end of a text.
 pub(super) fn append(text: &mut String, x: f64) {
-    // A string refuses nothing.
-    let _ = write!(text, "{x:?}");
+    // A fifth of the time of the standard library, where that writes no power of ten; of two numbers as short and as near, this
+    // one takes the even one.
+    if x == 0.0 || WITHOUT_POWER.contains(&x.abs()) {
+        text.push_str(zmij::Buffer::new().format_finite(x));
+    } else {
+        // A string refuses nothing.
+        let _ = write!(text, "{x:?}");
+    }
     if text.ends_with(".0") {
         text.truncate(text.len() - 2);
     }
 }
+
+/// Magnitudes that the standard library writes without a power of ten.
+const WITHOUT_POWER: std::ops::Range<f64> = 1e-4..1e16;
 
 /// Room for a number and a comma: most take no more.
 pub(super) const ROOM: usize = 24;
@@ -62,5 +71,21 @@ mod tests {
             assert_eq!(parse(&text(x)), None);
         }
         assert_eq!(text(2.0), "2");
+    }
+
+    #[test]
+    fn no_number_is_longer_than_by_the_standard_library() {
+        let mut random = crate::numerics::random::Random::new(2026, 0);
+        for count in 0..200_000 {
+            let power = random.uniform() * 44.0 - 22.0;
+            let digits = 10_f64.powi(count % 18);
+            let exact = (random.uniform() - 0.5) * 10_f64.powf(power);
+            for x in [exact, (exact * digits).round() / digits] {
+                let debug = format!("{x:?}");
+                let short = debug.strip_suffix(".0").unwrap_or(&debug);
+                assert_eq!(text(x).len(), short.len(), "{x}");
+                assert_eq!(parse(&text(x)).map(f64::to_bits), Some(x.to_bits()));
+            }
+        }
     }
 }
