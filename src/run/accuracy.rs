@@ -154,9 +154,8 @@ impl Search<'_> {
         (solver.accuracy, solver.budget_s) = (None, None);
         let mut record = EventRecord::new();
         let mut run = |cancel: &AtomicBool| {
-            compute(&case, Resolution::AS_SET, None, cancel, &mut |event| {
-                record.push(event);
-            })
+            let mut keep = |event| record.push(event);
+            compute(&case, Resolution::AS_SET, None, cancel, Some(&mut keep))
         };
         // The first ones have all the time that they take: without them nothing is known.
         let computed = if self.levels.len() <= 2 * SEEN {

@@ -203,7 +203,7 @@ impl ChannelStatistics {
 }
 
 /// Whether a statistic needs a second reading of the samples.
-fn reads_twice(statistic: Statistic) -> bool {
+pub(super) fn reads_twice(statistic: Statistic) -> bool {
     use Statistic::{MeanPeak, MeanTrough, RiseTime, SettlingTime};
     matches!(statistic, SettlingTime | RiseTime | MeanPeak | MeanTrough)
 }

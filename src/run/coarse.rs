@@ -27,7 +27,7 @@ pub fn coarse(request: &Request, cancel: &AtomicBool) -> Option<Run> {
     let attempts = COARSE.map(|ratio| resolution(&request.case, ratio));
     let computed = attempts
         .into_iter()
-        .map(|resolution| compute(&request.case, resolution, None, cancel, &mut |_| {}))
+        .map(|resolution| compute(&request.case, resolution, None, cancel, None))
         .take_while(|_| !cancel.load(Ordering::Relaxed))
         .find(is_done)?;
     let summary = error_estimate::without_errors(&computed).summary;

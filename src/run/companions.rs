@@ -12,8 +12,10 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 
 use super::RunState;
+use super::channel_statistics::reads_twice;
 use super::compute::{Computed, Resolution, compute};
-use crate::case::{Case, Method};
+use super::requested_statistics::requested;
+use crate::case::{self, Case, Method};
 use crate::numerics::richardson::Refinement;
 pub(super) use pairs::{CRISIS, Coarsening, has_crisis};
 use pairs::{
@@ -260,6 +262,9 @@ fn companion(case: &Case, place: Place, cancel: &AtomicBool) -> Computed {
     let mut case = case.clone();
     // Cycles along the line are counted by the run itself.
     case.checks.clear();
+    if !reads_output_times(&case) {
+        case.output.interval_s = case.solver.duration_s;
+    }
     let mut coarsening = place.segment.max(1.0) as usize;
     if named(&case).is_some() {
         divide(&mut case, coarsening);
@@ -274,7 +279,17 @@ fn companion(case: &Case, place: Place, cancel: &AtomicBool) -> Computed {
         coarsening,
         step_ratio: place.step,
     };
-    compute(&case, resolution, None, cancel, &mut |_| {})
+    compute(&case, resolution, None, cancel, None)
+}
+
+/// Whether any result is read at output times, not from what lies between steps.
+fn reads_output_times(case: &Case) -> bool {
+    let statistics = requested(case, &case::channels(case));
+    !case.published_curve.is_empty()
+        || case.output.response_from_s.is_some()
+        || statistics
+            .iter()
+            .any(|wanted| reads_twice(wanted.statistic))
 }
 
 /// Gives every section so many times fewer segments, and explicit steps so many times their length, in the case itself: as a search

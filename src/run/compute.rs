@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::event::JobEvent;
+use super::event::{JobEvent, Listener};
 use super::observer::RunRecord;
 use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
@@ -78,7 +78,7 @@ pub(super) fn compute(
     resolution: Resolution,
     from: Option<&ResumedRun>,
     cancel: &AtomicBool,
-    events: &mut dyn FnMut(JobEvent),
+    events: Listener<'_>,
 ) -> Computed {
     let scene = match scene::build(case, resolution.coarsening) {
         Ok(scene) => scene,
@@ -88,10 +88,16 @@ pub(super) fn compute(
     let ratio = resolution.step_ratio;
     settings.time_step_s *= ratio;
     settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
-    let channels = case::channels(case).into_iter();
-    events(JobEvent::Started {
-        channels: channels.map(|channel| channel.id).collect(),
-    });
+    let events: Listener<'_> = match events {
+        Some(events) => {
+            let channels = case::channels(case).into_iter();
+            events(JobEvent::Started {
+                channels: channels.map(|channel| channel.id).collect(),
+            });
+            Some(events)
+        }
+        None => None,
+    };
     let (cpu, wall) = (cpu_time(), Instant::now());
     let stop = || cancel.load(Ordering::Relaxed);
     let mut warnings = warnings(&scene, &settings);

@@ -55,6 +55,16 @@ impl DecimatedRecord {
         }
     }
 
+    /// The same with room for so many rows, or for those that are kept at most.
+    pub(super) fn with_room_for(mut self, rows: usize) -> Self {
+        let rows = rows.min(self.room() + 1);
+        self.history.time.reserve_exact(rows);
+        for channel in &mut self.history.channels {
+            channel.values.reserve_exact(rows);
+        }
+        self
+    }
+
     /// The rows kept.
     #[must_use]
     pub fn history(&self) -> &History {

@@ -119,7 +119,7 @@ pub fn execute_from(
         _ if stopped => (Computed::stopped(), None),
         Some(found) => computed_of(found, case, cancel, events),
         None => (
-            compute(case, Resolution::AS_SET, from, cancel, events),
+            compute(case, Resolution::AS_SET, from, cancel, Some(&mut *events)),
             None,
         ),
     };
@@ -167,7 +167,7 @@ fn computed_of(
             kept.into_iter().for_each(events);
             found.computed
         }
-        None => compute(case, Resolution::AS_SET, None, cancel, events),
+        None => compute(case, Resolution::AS_SET, None, cancel, Some(events)),
     };
     (computed, Some(found.estimates))
 }
@@ -197,7 +197,7 @@ fn tried(case: &Case, cancel: &AtomicBool) -> Work {
     let mut case = case.clone();
     case.solver.duration_s *= settings::TRIAL;
     case.output.interval_s = case.solver.duration_s;
-    let trial = compute(&case, Resolution::AS_SET, None, cancel, &mut |_| {});
+    let trial = compute(&case, Resolution::AS_SET, None, cancel, None);
     trial.outcome.work
 }
 

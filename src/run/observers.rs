@@ -5,13 +5,14 @@ use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
 use super::energy_balance::EnergyBalance;
 use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
+use super::recorder::OutputTimes;
 use super::requested_statistics::requested;
 use super::response::ResponseSums;
 use super::step_envelope::{self, StepEnvelope};
 use super::step_interval::StepInterval;
 use super::touchdown_speed::TouchdownSpeed;
 use super::{Checkpoint, Profile, energy_balance, wave_decomposition};
-use crate::case::{Case, ChannelSpec};
+use crate::case::{Case, ChannelSpec, Method};
 use crate::fatigue::spot::SpotCounter;
 use crate::scene::Scene;
 
@@ -22,6 +23,10 @@ pub(super) fn observers(
     channels: &[ChannelSpec],
 ) -> Vec<Box<dyn Observer>> {
     let ids = channels.iter().map(|channel| channel.id.clone());
+    let rows = match case.solver.method {
+        Method::Static => 1,
+        _ => OutputTimes::of(case).rows(),
+    };
     vec![
         Box::new(StepEnvelope),
         Box::new(TouchdownSpeed::of(scene)),
@@ -29,7 +34,7 @@ pub(super) fn observers(
         Box::new(ResponseSums::of(case)),
         Box::new(WaveDecomposition),
         Box::new(energy_balance::is_stated(case).then(EnergyBalance::default)),
-        Box::new(DecimatedRecord::new(ids)),
+        Box::new(DecimatedRecord::new(ids).with_room_for(rows)),
         Box::new(ChannelStatistics::new(requested(case, channels))),
     ]
 }

@@ -1,8 +1,10 @@
 //! Records a run: reads the channels of every accepted step, and passes them and what lies between to the observers. Rows are
 //! written at the output times, which change no step.
 
+use std::collections::BTreeMap;
+
 use super::channel_reading::ChannelReading;
-use super::event::JobEvent;
+use super::event::{JobEvent, Listener};
 use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
 use super::observers::observers;
 use super::step_interval::{LatestSteps, StepInterval, StepSample};
@@ -17,6 +19,8 @@ use crate::solve::{AcceptedStep, Kinematics, Progressing, Sink, State};
 /// Records a run. Between output times a step costs the tensions of the line and no allocation.
 pub(super) struct Recorder<'a> {
     case: &'a Case,
+    /// Its digests, once a checkpoint needs them.
+    digests: Option<BTreeMap<String, String>>,
     initial: &'a Scene,
     scene: &'a Scene,
     channels: Vec<ChannelSpec>,
@@ -44,7 +48,7 @@ pub(super) struct Recorder<'a> {
     clock: std::time::Instant,
     progress: Progress,
     /// Receives every output time.
-    events: &'a mut dyn FnMut(JobEvent),
+    events: Listener<'a>,
     stop: &'a dyn Fn() -> bool,
 }
 
@@ -53,7 +57,7 @@ impl<'a> Recorder<'a> {
     pub(super) fn new(
         case: &'a Case,
         scene: &'a Scene,
-        events: &'a mut dyn FnMut(JobEvent),
+        events: Listener<'a>,
         stop: &'a dyn Fn() -> bool,
     ) -> Self {
         let channels = case::channels(case);
@@ -61,6 +65,7 @@ impl<'a> Recorder<'a> {
         let observers = observers(case, scene, &channels);
         Self {
             case,
+            digests: None,
             initial: scene,
             scene,
             reads_line: observers.iter().any(|observer| observer.reads_line()),
@@ -92,10 +97,11 @@ impl<'a> Recorder<'a> {
 
     /// Completes a checkpoint by the state of the observers, and sends it.
     pub(super) fn send_checkpoint(&mut self, mut checkpoint: Checkpoint) {
-        if self.fault.is_some() {
+        let Some(events) = self.events.as_mut().filter(|_| self.fault.is_none()) else {
             return;
-        }
-        checkpoint.case = case::digests(self.case);
+        };
+        let digests = self.digests.get_or_insert_with(|| case::digests(self.case));
+        checkpoint.case.clone_from(digests);
         checkpoint.profile = self.record.profile.clone();
         checkpoint.output_interval_s = self.output_times.interval;
         checkpoint.rows = self.rows;
@@ -103,7 +109,7 @@ impl<'a> Recorder<'a> {
         for observer in &self.observers {
             observer.save(&mut checkpoint);
         }
-        (self.events)(JobEvent::Checkpoint(Box::new(checkpoint)));
+        events(JobEvent::Checkpoint(Box::new(checkpoint)));
     }
 
     /// Continues from a checkpoint: the rows recorded before it are recorded and sent again, and it with them, so that the new run
@@ -136,7 +142,9 @@ impl<'a> Recorder<'a> {
         }
         self.latest.clone_from(&from.checkpoint.latest);
         self.record.profile.clone_from(&from.checkpoint.profile);
-        (self.events)(JobEvent::Checkpoint(Box::new(from.checkpoint.clone())));
+        if let Some(events) = &mut self.events {
+            events(JobEvent::Checkpoint(Box::new(from.checkpoint.clone())));
+        }
         Ok(())
     }
 
@@ -313,13 +321,14 @@ impl<'a> Recorder<'a> {
         for observer in &mut self.observers {
             observer.row(&row);
         }
-        let frame = OutputFrame {
-            time,
-            values: self.row.values.clone(),
-            shape,
-            progress: self.progress,
-        };
-        (self.events)(JobEvent::Frame(Box::new(frame)));
+        if let Some(events) = &mut self.events {
+            events(JobEvent::Frame(Box::new(OutputFrame {
+                time,
+                values: self.row.values.clone(),
+                shape,
+                progress: self.progress,
+            })));
+        }
     }
 }
 
@@ -388,6 +397,11 @@ impl OutputTimes {
             count: count as u64,
             duration,
         }
+    }
+
+    /// Number of rows.
+    pub(super) fn rows(&self) -> usize {
+        self.count as usize + 1
     }
 
     /// The time of a row by its number, if it is not after `until` \[s\].
