@@ -91,6 +91,10 @@ impl Residual for Scene {
         self.line.extrapolate_segment_tensions(d, state);
     }
 
+    fn passes_kink(&self, d: &[V3], state: &State) -> bool {
+        self.line.turns_taut_or_slack(d, [0.0; 2], state)
+    }
+
     fn force_norm_displacement(&self, d: &[V3], state: &State) -> f64 {
         let stiffest = self.stiffest();
         let by_segments = self.line.force_in_segments(d, state) / stiffest;

@@ -16,13 +16,23 @@ const REACH: f64 = 1e-2;
 /// Displacements below this share of the tolerance are rounding, of which no rate can be measured.
 const ROUNDING: f64 = 1e-3;
 
-/// A measured rate of quadratic convergence.
+/// Where no rate was ever measured, since second displacements are rounding, they count as this share of the tolerance: a first
+/// displacement up to five times as large as before needs no second one.
+const LINEAR: f64 = 1e-2;
+
+/// First displacements of up to so many tolerances may be those of a linear system. Greater ones may have passed a kink.
+const NEAR: f64 = 100.0;
+
+/// A rate of quadratic convergence.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ConvergenceRate {
     /// `|d1| / |d0|²` \[1/m\].
     pub per_m: f64,
     /// The `|d0|` of its last measurement \[m\].
     pub measured_at_m: f64,
+    /// The system is linear up to rounding: the rate is a bound, and none was measured.
+    #[serde(default)]
+    pub is_bound: bool,
 }
 
 impl ConvergenceRate {
@@ -86,17 +96,18 @@ impl Convergence {
         }
         let least = ROUNDING * self.tolerance;
         let per_m = moved.max(least) / (last * last);
-        let known = self.rate.map(|rate| rate.per_m);
-        let believed = match known {
-            // An iteration that meets a linear system says nothing of the next one.
-            None if moved <= least => return,
-            Some(known) if moved <= least => per_m.max(known),
-            Some(known) => per_m.max(0.7 * known),
-            None => per_m,
+        let known = self.rate.filter(|rate| !rate.is_bound);
+        let (is_bound, believed) = match known.map(|rate| rate.per_m) {
+            None if moved <= least && last > NEAR * self.tolerance => return,
+            None if moved <= least => (true, LINEAR * self.tolerance / (last * last)),
+            Some(known) if moved <= least => (false, per_m.max(known)),
+            Some(known) => (false, per_m.max(0.7 * known)),
+            None => (false, per_m),
         };
         self.rate = Some(ConvergenceRate {
             per_m: believed,
             measured_at_m: last,
+            is_bound,
         });
     }
 
@@ -143,16 +154,31 @@ mod tests {
     }
 
     #[test]
-    fn rounding_lowers_no_rate_and_makes_none() {
+    fn rounding_lowers_no_rate() {
         let rate = Some(ConvergenceRate {
             per_m: 0.04,
             measured_at_m: 1.0,
+            is_bound: false,
         });
         let (reached, after) = ends(&[1e-1, 1e-12], rate);
         assert!(reached);
         assert_eq!(after.map(|rate| rate.per_m), Some(0.04));
         assert_eq!(after.map(|rate| rate.measured_at_m), Some(1e-1));
+    }
+
+    /// Every second displacement is rounding: a first one that is not much greater needs none.
+    #[test]
+    fn a_linear_system_needs_one_iteration() {
         assert_eq!(ends(&[1e-1, 1e-12], None), (true, None));
+        let (_, bound) = ends(&[1e-4, 1e-12], None);
+        assert!(bound.unwrap().is_bound);
+        assert!(ends(&[4.9e-4], bound).0 && !ends(&[5.1e-4], bound).0);
+        // It follows the displacements, and gives way to a rate that is measured.
+        let (_, wider) = ends(&[1e-3, 1e-12], bound);
+        assert!(ends(&[4.9e-3], wider).0);
+        let (_, measured) = ends(&[1e-2, 1e-6], wider);
+        let measured = measured.unwrap();
+        assert!(!measured.is_bound && (measured.per_m - 1e-2).abs() < 1e-12);
     }
 
     #[test]
@@ -160,6 +186,7 @@ mod tests {
         let rate = Some(ConvergenceRate {
             per_m: 1.0,
             measured_at_m: 1e-2,
+            is_bound: false,
         });
         let (_, after) = ends(&[1e-2, 1e-6], rate);
         assert_eq!(after.map(|rate| rate.per_m), Some(0.7));

@@ -154,7 +154,9 @@ impl Newton {
         } else {
             self.tolerance
         };
-        let mut convergence = Convergence::new(tolerance, self.rate);
+        // At rest nothing follows that would mend an iteration left out.
+        let rate = self.rate.filter(|rate| !rate.is_bound || c.damping > 0.0);
+        let mut convergence = Convergence::new(tolerance, rate);
         let (mut worst, mut made) = ((0, f64::INFINITY), 0);
         while made < self.max_iterations && convergence.idle() < self.stagnation_limit {
             made += 1;
@@ -162,7 +164,9 @@ impl Newton {
             let moved = self.convergence_norm(system, state, worst.1);
             let reached = convergence.is_reached(moved);
             self.rate = convergence.rate();
-            if reached {
+            // A bound says that all was linear so far: nothing of a tension that sets in.
+            let by_bound = moved > tolerance && self.rate.is_some_and(|rate| rate.is_bound);
+            if reached && !(by_bound && system.passes_kink(&self.residual, state)) {
                 return Ok(made);
             }
         }

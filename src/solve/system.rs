@@ -75,6 +75,11 @@ pub trait Residual: Kinematics {
     /// (mixed iteration: Magisano, Leonetti and Garcea 2017).
     fn extrapolate_tensions(&self, _d: &[V3], _state: &mut State) {}
 
+    /// Whether the displacements `-d` that led to this state pass a kink of a force, where a rate of convergence says nothing of what follows.
+    fn passes_kink(&self, _d: &[V3], _state: &State) -> bool {
+        false
+    }
+
     /// The displacement \[m\] of a node along the stiffest part of the line that would change a force as much as the
     /// displacements d do at most, without inertia and drag: Newton's norm of convergence on force. The default counts all
     /// directions alike.
