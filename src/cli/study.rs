@@ -10,7 +10,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
     physics, progress, random_systems,
     signals::StopFlag,
-    study_args::{AccuracyArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    study_args::{AccuracyArgs, BarsArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     system_study, vary,
 };
 use crate::case::Case;
@@ -22,7 +22,7 @@ use crate::study::{
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
     speed::{self, SpeedError},
-    tally,
+    tally, varied,
 };
 
 /// Columns of the page.
@@ -155,13 +155,17 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-fn bars_of(args: &HardArgs) -> Result<ExitCode, CommandError> {
+fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
+    let (varied, seed, args) = (args.varied, args.seed, &args.cases);
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
     let cases = cases::of_lines(&args.cases)?;
     let stop = StopFlag::listen()?;
     let settings: Vec<BarSetting> = cases
         .iter()
-        .flat_map(|named| bars::settings(&named.name, &named.case))
+        .flat_map(|named| match varied {
+            Some(count) => varied::settings(&named.name, &named.case, seed, count),
+            None => bars::settings(&named.name, &named.case),
+        })
         .collect();
     let (line, total) = (
         Mutex::new((0, progress::ProgressLine::new())),

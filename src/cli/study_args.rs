@@ -74,7 +74,7 @@ pub(super) enum StudyArgs {
     /// Hold every estimated error against the true one, from a converged run: cases by every method at two tolerances.
     ///
     /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
-    Bars(HardArgs),
+    Bars(BarsArgs),
     /// Measure how often intervals of extremes hold the truth, and how often a verdict over seeds is false.
     ///
     /// Samples are drawn from Gumbel's and Weibull's law, and the default intervals made of each. Takes a minute.
@@ -150,6 +150,20 @@ pub(super) struct HardArgs {
 
     #[command(flatten)]
     pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct BarsArgs {
+    #[command(flatten)]
+    pub(super) cases: HardArgs,
+
+    /// Take so many variants of each case in its place, with other meshes, periods, sizes and masses, drawn at random.
+    #[arg(long, value_name = "N", value_parser = count)]
+    pub(super) varied: Option<usize>,
+
+    /// Of the random numbers: the same seed, the same variants.
+    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "varied")]
+    pub(super) seed: u64,
 }
 
 #[derive(Debug, clap::Args)]

@@ -17,6 +17,7 @@ pub mod results;
 pub mod seas;
 pub mod speed;
 pub mod sweep;
+pub mod varied;
 pub mod vary;
 mod verdict;
 mod verdict_table;

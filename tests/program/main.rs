@@ -42,6 +42,7 @@ mod statistics;
 mod store;
 mod stored_versions;
 mod stories;
+mod study_bars;
 mod study_speed;
 mod sweep;
 mod sweep_checks;
