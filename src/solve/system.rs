@@ -75,7 +75,8 @@ pub trait Residual: Kinematics {
     /// (mixed iteration: Magisano, Leonetti and Garcea 2017).
     fn extrapolate_tensions(&self, _d: &[V3], _state: &mut State) {}
 
-    /// Whether the displacements `-d` that led to this state pass a kink of a force, where a rate of convergence says nothing of what follows.
+    /// Whether the displacements `-d` that led to this state pass a kink of a force: what was linear so far says nothing of what
+    /// follows.
     fn passes_kink(&self, _d: &[V3], _state: &State) -> bool {
         false
     }
