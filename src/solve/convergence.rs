@@ -117,7 +117,7 @@ impl Convergence {
         self.idle
     }
 
-    /// The measured rate.
+    /// The rate measured, or its bound.
     #[must_use]
     pub fn rate(&self) -> Option<ConvergenceRate> {
         self.rate

@@ -51,6 +51,7 @@ pub fn varied(case: &Case, seed: u64, number: u64) -> Case {
         end.period_s = end.period_s.map(|period| period * slower);
     }
     if let Some(waves) = &mut case.waves {
+        // Waves are lower at most: higher ones may break, or wet what is written to hang in air.
         waves.height_m = waves.height_m.map(|height| height * larger.min(1.0));
         waves.period_s = waves.period_s.map(|period| period * slower);
     }
