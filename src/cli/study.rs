@@ -156,7 +156,8 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
 }
 
 fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
-    let (varied, seed, args) = (args.varied, args.seed, &args.cases);
+    let (varied, seed, by_result) = (args.varied, args.seed, args.results);
+    let args = &args.cases;
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
     let cases = cases::of_lines(&args.cases)?;
     let stop = StopFlag::listen()?;
@@ -186,10 +187,14 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
         output::message("Stopped before all settings were computed; nothing was judged.");
         return Ok(status);
     }
-    let table = bars::table(&checks);
+    let (table, below) = if by_result {
+        (bars::results_table(&checks), String::new())
+    } else {
+        let outside = bars::outside_table(&checks).to_text(WIDTH);
+        (bars::table(&checks), format!("\n{outside}"))
+    };
     write_csv(&table, file.as_ref())?;
-    let outside = bars::outside_table(&checks).to_text(WIDTH);
-    print(&table, &format!("\n{outside}"), "bars", &args.table)?;
+    print(&table, &below, "bars", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -164,6 +164,10 @@ pub(super) struct BarsArgs {
     /// Of the random numbers: the same seed, the same variants.
     #[arg(long, value_name = "SEED", default_value_t = 1, requires = "varied")]
     pub(super) seed: u64,
+
+    /// A row for every result, in the place of one for every setting.
+    #[arg(long)]
+    pub(super) results: bool,
 }
 
 #[derive(Debug, clap::Args)]

@@ -35,6 +35,8 @@ pub struct BarResult {
     pub value: f64,
     /// Estimated error.
     pub bar: f64,
+    /// Its part from the time step, and that from the mesh.
+    pub parts: [Option<f64>; 2],
     /// The converged value.
     pub converged: f64,
     /// The range that is given in the place of a bar where the result is not settled.
@@ -185,6 +187,7 @@ fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, 
             unit: q.unit(),
             value: q.value,
             bar: q.error_estimate()?,
+            parts: [q.time_error, q.mesh_error],
             converged: exact.value,
             unsettled: q.unsettled,
         };
@@ -286,13 +289,18 @@ pub fn table(checks: &[BarCheck]) -> Table {
         .build()
 }
 
+/// The results of all settings that came to their end, each with its setting.
+fn rows(checks: &[BarCheck]) -> impl Iterator<Item = (&BarSetting, &BarResult)> {
+    let done = checks
+        .iter()
+        .filter_map(|check| Some((&check.setting, check.results.as_ref().ok()?)));
+    done.flat_map(|(setting, results)| results.iter().map(move |result| (setting, result)))
+}
+
 /// The table of the results that lie outside their bars.
 #[must_use]
 pub fn outside_table(checks: &[BarCheck]) -> Table {
-    let rows: Vec<(&BarSetting, &BarResult)> = checks
-        .iter()
-        .filter_map(|check| Some((&check.setting, check.results.as_ref().ok()?)))
-        .flat_map(|(setting, results)| results.iter().map(move |result| (setting, result)))
+    let rows: Vec<_> = rows(checks)
         .filter(|(_, result)| !result.is_inside())
         .collect();
     Table::of("Results outside their bars", &rows)
@@ -303,5 +311,32 @@ pub fn outside_table(checks: &[BarCheck]) -> Table {
         .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
         .number("bar", NumberFormat::Digits(2, ""), |row| row.1.bar)
         .number("error", NumberFormat::Digits(2, ""), |row| row.1.error())
+        .build()
+}
+
+/// The table of all results, a row each.
+#[must_use]
+pub fn results_table(checks: &[BarCheck]) -> Table {
+    let rows: Vec<_> = rows(checks).collect();
+    let range = |end: usize| move |row: &(&BarSetting, &BarResult)| Some(row.1.unsettled?[end]);
+    let part = |of: usize| move |row: &(&BarSetting, &BarResult)| row.1.parts[of];
+    Table::of("Results and their bars", &rows)
+        .text("case", |row| row.0.name.clone())
+        .text("method", |row| row.0.setting.clone())
+        .text("result", |row| row.1.name.clone())
+        .text("unit", |row| row.1.unit.clone())
+        .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
+        .number("converged", NumberFormat::Digits(6, ""), |row| {
+            row.1.converged
+        })
+        .number("error", NumberFormat::Digits(2, ""), |row| row.1.error())
+        .number("bar", NumberFormat::Digits(2, ""), |row| row.1.bar)
+        .number("by time step", NumberFormat::Digits(2, ""), part(0))
+        .number("by mesh", NumberFormat::Digits(2, ""), part(1))
+        .number("not settled from", NumberFormat::Digits(4, ""), range(0))
+        .number("to", NumberFormat::Digits(4, ""), range(1))
+        .text("inside", |row| {
+            if row.1.is_inside() { "yes" } else { "no" }.to_owned()
+        })
         .build()
 }
