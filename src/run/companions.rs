@@ -43,12 +43,12 @@ pub(super) struct Evidence<'a> {
 }
 
 impl Evidence<'_> {
-    /// Error of a value by the nearest pair alone, where the order is not observed.
-    pub(super) fn presumed(&self, fine: f64, coarse: f64) -> f64 {
+    /// Error of a value by its difference in the nearest pair alone, where the order is not observed.
+    pub(super) fn presumed(&self, difference: f64) -> f64 {
         // Of the coarser of the two results: `r^p / (r^p - 1)` of the difference.
         let by = self.refinement.ratio.powf(self.refinement.order);
         let share = if self.is_finer { by } else { 1.0 };
-        share * self.refinement.presumed(fine, coarse)
+        share * self.refinement.presumed(difference, 0.0)
     }
 
     /// Whether the run is a single step, and its companion has two.

@@ -162,7 +162,7 @@ impl<'a> EvidentNumbers<'a> {
             return Some(self.evidence.refinement.observed(differences, self.usual));
         }
         let [fine, coarse] = self.near(q)?;
-        Some(self.evidence.presumed(fine, coarse))
+        Some(self.evidence.presumed((fine - coarse).abs()))
     }
 
     /// The values of the companions where they do not approach each other.
@@ -237,7 +237,7 @@ fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2]) -> Vec<f64> {
                 let profile = &run.record.profile;
                 linear_clamped(&profile.arc, &profile.rms, *s)
             });
-            by.presumed(fine, coarse)
+            by.presumed((fine - coarse).abs())
         });
         each.sum()
     };
