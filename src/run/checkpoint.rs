@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::channel_statistics::ChannelSummary;
 use super::energy_balance::EnergyBalance;
+use super::late_samples::LateSamples;
 use super::response::ResponseSums;
 use super::step_interval::LatestSteps;
 use super::touchdown_speed::TouchdownSpeed;
@@ -60,6 +61,9 @@ pub struct Checkpoint {
     /// Cycles counted along the line so far, where checks count them.
     #[serde(default)]
     pub fatigue: Vec<SpotCounter>,
+    /// The channels shortly before the end, as far as it is reached.
+    #[serde(default)]
+    pub late: LateSamples,
     /// Energy balance so far, where one is stated.
     #[serde(default)]
     pub energy: Option<EnergyBalance>,
@@ -175,6 +179,7 @@ impl Checkpoint {
                 "touchdown",
                 self.touchdown.as_ref().is_none_or(|t| t.fits(nodes)),
             ),
+            ("last samples", self.late.fits(channels)),
             (
                 "response",
                 self.response.as_ref().is_none_or(|r| r.fits(nodes)),

@@ -153,16 +153,23 @@ impl<'a> EvidentNumbers<'a> {
 
     /// The differences of a number in the nearest pair and in the next, where both have it.
     fn differences(&self, q: &Quantity) -> Option<[f64; 2]> {
-        let pairs = [self.near(q)?, self.far(q)?];
-        Some(pairs.map(|[fine, coarse]| (fine - coarse).abs()))
+        Some([self.near_difference(q)?, self.far_difference(q)?])
+    }
+
+    fn near_difference(&self, q: &Quantity) -> Option<f64> {
+        Some(difference(q, self.near(q)?, self.evidence.near))
+    }
+
+    fn far_difference(&self, q: &Quantity) -> Option<f64> {
+        Some(difference(q, self.far(q)?, self.evidence.far?))
     }
 
     fn error(&self, q: &Quantity) -> Option<f64> {
-        if let Some(differences) = self.differences(q) {
-            return Some(self.evidence.refinement.observed(differences, self.usual));
-        }
-        let [fine, coarse] = self.near(q)?;
-        Some(self.evidence.presumed((fine - coarse).abs()))
+        let near = self.near_difference(q)?;
+        Some(match self.far_difference(q) {
+            Some(far) => self.evidence.refinement.observed([near, far], self.usual),
+            None => self.evidence.presumed(near),
+        })
     }
 
     /// The values of the companions where they do not approach each other.
@@ -182,6 +189,37 @@ fn pair([fine, coarse]: &[Vec<Quantity>; 2], q: &Quantity) -> Option<[f64; 2]> {
 
 fn value(list: &[Quantity], id: &QuantityId) -> Option<f64> {
     list.iter().find(|q| q.id == *id).map(|q| q.value)
+}
+
+/// Difference of a number between two runs; of the last value of a channel the root of the mean square with those shortly before: of a
+/// channel that swings the last ones alone may agree by chance.
+fn difference(q: &Quantity, [fine, coarse]: [f64; 2], runs: [&Computed; 2]) -> f64 {
+    let last = (fine - coarse).abs();
+    let Some([fine, coarse]) = late_samples(q, runs) else {
+        return last;
+    };
+    let squares = fine.zip(coarse).map(|(fine, coarse)| (fine - coarse).powi(2));
+    let (sum, count) = squares.fold((last * last, 1), |(sum, count), s| (sum + s, count + 1));
+    (sum / f64::from(count)).sqrt()
+}
+
+/// The channel of a last value in two runs shortly before their end; none of another number.
+fn late_samples<'a>(
+    q: &Quantity,
+    runs: [&'a Computed; 2],
+) -> Option<[impl Iterator<Item = f64> + 'a; 2]> {
+    let QuantityId::Statistic {
+        of: Subject::Channel(id),
+        statistic: Statistic::Final,
+        within: None,
+        ..
+    } = &q.id
+    else {
+        return None;
+    };
+    let channels = &runs[0].record.history.channels;
+    let number = channels.iter().position(|channel| channel.id == *id)?;
+    Some(runs.map(|run| run.record.late.channel(number, channels.len())))
 }
 
 /// The numbers of a run with their errors, by the same numbers of the runs that show them.

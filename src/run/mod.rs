@@ -21,6 +21,7 @@ pub mod index;
 mod initial_equilibrium;
 pub mod job;
 pub mod limits;
+mod late_samples;
 mod line_statistics;
 pub mod model;
 mod natural_modes;

@@ -1,6 +1,7 @@
 //! What records something of a run: the trait that the time march drives, and what it is given.
 
 use super::along::FatigueSpot;
+use super::late_samples::LateSamples;
 use super::requested_statistics::RequestedStatistic;
 use super::step_interval::StepInterval;
 use super::{Checkpoint, History, LineShape, Profile, Quantity};
@@ -64,6 +65,8 @@ pub(super) struct RunRecord {
     pub(super) profile: Profile,
     /// The statistics asked for; `None` where one cannot be taken.
     pub(super) statistics: Vec<(RequestedStatistic, Option<f64>)>,
+    /// The channels shortly before the end.
+    pub(super) late: LateSamples,
     /// The energy balance, without errors; empty where none is stated.
     pub(super) energy: Vec<Quantity>,
     /// The damage along the line, where checks count it.

@@ -4,6 +4,7 @@ use super::along::AlongCount;
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
 use super::energy_balance::EnergyBalance;
+use super::late_samples::LateSamples;
 use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
 use super::recorder::OutputTimes;
 use super::requested_statistics::requested;
@@ -34,6 +35,7 @@ pub(super) fn observers(
         Box::new(ResponseSums::of(case)),
         Box::new(WaveDecomposition),
         Box::new(energy_balance::is_stated(case).then(EnergyBalance::default)),
+        Box::new(LateSamples::of(case.solver.duration_s, channels.len())),
         Box::new(DecimatedRecord::new(ids).with_room_for(rows)),
         Box::new(ChannelStatistics::new(requested(case, channels))),
     ]
@@ -157,6 +159,24 @@ impl Observer for Option<EnergyBalance> {
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
         let balance = self.map_or_else(Vec::new, |balance| balance.quantities());
         record.energy = balance;
+    }
+}
+
+impl Observer for LateSamples {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+        self.update(between);
+    }
+
+    fn save(&self, checkpoint: &mut Checkpoint) {
+        checkpoint.late.clone_from(self);
+    }
+
+    fn restore(&mut self, checkpoint: &Checkpoint) {
+        self.restore(&checkpoint.late);
+    }
+
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
+        record.late = *self;
     }
 }
 

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
+use super::late_samples::LateSamples;
 use super::recorder::Recorder;
 use super::step_interval::LatestSteps;
 use super::store::StoreError;
@@ -277,6 +278,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
             profile: Profile::default(),
             response: None,
             fatigue: Vec::new(),
+            late: LateSamples::default(),
             energy: None,
         });
     }
