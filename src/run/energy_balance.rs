@@ -16,6 +16,8 @@ use crate::case::{Case, EnergyQuantity, Method};
 const ALLOWED: f64 = 0.02;
 /// The most that its error from the time step adds to that.
 const OF_TIME_ERROR: f64 = 0.01;
+/// Share of all that passes through from which on a drift is held against its own estimate.
+const NOTABLE: f64 = 0.01;
 /// Share of the energy itself that counts as passed through: in a line at rest rounding is all that does.
 const AT_REST: f64 = 1e-6;
 
@@ -95,17 +97,45 @@ impl EnergyBalance {
     }
 }
 
+/// By how many times the errors in time are larger than companions show, which are damped alike and agree. The drift of the energy is
+/// the one result whose exact value is known: where it is notable and exceeds its own estimate, the others exceed theirs as well.
+pub(super) fn time_error_growth(energy: &[Quantity]) -> f64 {
+    let growth = |[drift, share]: [&Quantity; 2]| {
+        let stated = drift.time_error.filter(|stated| *stated > 0.0)?;
+        let is_notable = share.value.abs() > 100.0 * NOTABLE;
+        is_notable.then_some(drift.value.abs() / stated)
+    };
+    drift_and_share(energy)
+        .and_then(growth)
+        .map_or(1.0, |growth| growth.max(1.0))
+}
+
+/// The drift and its share of all that passed through.
+fn drift_and_share(list: &[Quantity]) -> Option<[&Quantity; 2]> {
+    let find = |wanted| {
+        let is = |q: &&Quantity| q.id == QuantityId::single(Subject::Energy(wanted));
+        list.iter().find(is)
+    };
+    Some([
+        find(EnergyQuantity::Drift)?,
+        find(EnergyQuantity::DriftShare)?,
+    ])
+}
+
+/// That errors in time are stated larger than companions show.
+pub(super) fn growth_warning(growth: f64) -> Option<String> {
+    (growth > 1.0).then(|| {
+        format!(
+            "the errors from the time step are stated {growth:.2} times as large as other steps show them, since the energy drifts by so \
+             many times more than they show; try a smaller time_step_s or step_tolerance"
+        )
+    })
+}
+
 /// The warning where the drift exceeds what is stated of it: a share of all that passed through, and its error from the time
 /// step. Of that a part counts only: at second order it is as large as any drift.
 pub(super) fn warning(summary: &[Quantity]) -> Option<String> {
-    let find = |wanted| {
-        let is = |q: &&Quantity| q.id == QuantityId::single(Subject::Energy(wanted));
-        summary.iter().find(is)
-    };
-    let (drift, share) = (
-        find(EnergyQuantity::Drift)?,
-        find(EnergyQuantity::DriftShare)?,
-    );
+    let [drift, share] = drift_and_share(summary)?;
     let (percent, allowed) = (share.value.abs(), 100.0 * ALLOWED);
     let by_time = share.time_error.unwrap_or(0.0);
     let stated = allowed + by_time.min(100.0 * OF_TIME_ERROR);

@@ -5,11 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::companions::{self, Companions, Evidence};
 use super::compute::Computed;
-use super::line_statistics;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::unsettled_range::unsettled_range;
 use super::{Quantity, QuantityId, Subject};
-use crate::case::{Case, ChannelQuantity, LineQuantity, Method, Section, Statistic};
+use super::{energy_balance, line_statistics};
+use crate::case::{Case, ChannelId, ChannelQuantity, LineQuantity, Method, Section, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 use crate::numerics::richardson::{self, OBSERVED, PRESUMED, UNLIKE};
 
@@ -85,17 +85,21 @@ fn estimates_by(
     warnings: Vec<String>,
 ) -> ErrorEstimates {
     let [time, mesh] = evidence;
-    let mut statistics = with_errors(time, mesh, run, statistics);
+    let energy = |growth| with_errors(evidence, growth, run, |c| c.record.energy.clone());
+    let growth = energy_balance::time_error_growth(&energy(1.0));
+    let mut statistics = with_errors(evidence, growth, run, statistics);
     limit_resolution(&mut statistics, case, run);
     let lists = [
         statistics,
-        with_errors(time, mesh, run, |c| c.curves.clone()),
-        with_errors(None, mesh, run, |c| c.modes.clone()),
-        with_errors(time, mesh, run, |c| c.record.energy.clone()),
+        with_errors(evidence, growth, run, |c| c.curves.clone()),
+        with_errors([None, mesh], growth, run, |c| c.modes.clone()),
+        energy(growth),
     ];
+    let mut warnings = warnings;
+    warnings.extend(energy_balance::growth_warning(growth));
     ErrorEstimates {
         summary: lists.concat(),
-        rms: rms_error(run, evidence),
+        rms: rms_error(run, evidence, growth),
         method: describe(case, time, mesh),
         warnings,
     }
@@ -115,12 +119,16 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
     run.record.statistics.iter().filter_map(quantity).collect()
 }
 
+/// Share of the largest number in the same unit below which a difference is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// What reads numbers from a computation.
 type Numbers = fn(&Computed) -> Vec<Quantity>;
 
 /// The same numbers of the runs that show an error.
 struct EvidentNumbers<'a> {
     evidence: &'a Evidence<'a>,
+    run: &'a [Quantity],
     near: [Vec<Quantity>; 2],
     far: Option<[Vec<Quantity>; 2]>,
     /// The quotient of differences that is usual among them.
@@ -128,9 +136,10 @@ struct EvidentNumbers<'a> {
 }
 
 impl<'a> EvidentNumbers<'a> {
-    fn read(evidence: &'a Evidence<'a>, run: &[Quantity], of: Numbers) -> Self {
+    fn read(evidence: &'a Evidence<'a>, run: &'a [Quantity], of: Numbers) -> Self {
         let mut numbers = Self {
             evidence,
+            run,
             near: evidence.near.map(of),
             far: evidence.far.map(|far| far.map(of)),
             usual: 0.0,
@@ -172,9 +181,16 @@ impl<'a> EvidentNumbers<'a> {
         })
     }
 
-    /// The values of the companions where they do not approach each other.
+    /// The values of the companions where they do not approach each other by more than rounding.
     fn unsettled(&self, q: &Quantity) -> Option<[f64; 4]> {
-        if !richardson::is_unsettled(q.value, self.differences(q)?) {
+        let differences = self.differences(q)?;
+        if !richardson::is_unsettled(q.value, differences) {
+            return None;
+        }
+        let unit = q.unit();
+        let same_unit = self.run.iter().filter(|other| other.unit() == unit);
+        let largest = same_unit.map(|other| other.value.abs()).fold(0.0, f64::max);
+        if differences[0] <= ROUNDING * largest {
             return None;
         }
         let ([a, b], [c, d]) = (self.near(q)?, self.far(q)?);
@@ -195,48 +211,51 @@ fn value(list: &[Quantity], id: &QuantityId) -> Option<f64> {
 /// channel that swings the last ones alone may agree by chance.
 fn difference(q: &Quantity, [fine, coarse]: [f64; 2], runs: [&Computed; 2]) -> f64 {
     let last = (fine - coarse).abs();
-    let Some([fine, coarse]) = late_samples(q, runs) else {
+    let Some(id) = last_value_of(&q.id) else {
         return last;
     };
-    let squares = fine.zip(coarse).map(|(fine, coarse)| (fine - coarse).powi(2));
-    let (sum, count) = squares.fold((last * last, 1), |(sum, count), s| (sum + s, count + 1));
-    (sum / f64::from(count)).sqrt()
-}
-
-/// The channel of a last value in two runs shortly before their end; none of another number.
-fn late_samples<'a>(
-    q: &Quantity,
-    runs: [&'a Computed; 2],
-) -> Option<[impl Iterator<Item = f64> + 'a; 2]> {
-    let QuantityId::Statistic {
-        of: Subject::Channel(id),
-        statistic: Statistic::Final,
-        within: None,
-        ..
-    } = &q.id
-    else {
-        return None;
+    let [fine, coarse] = runs.map(|run| &run.record);
+    let mut channels = fine.history.channels.iter();
+    let Some(number) = channels.position(|channel| channel.id == *id) else {
+        return last;
     };
-    let channels = &runs[0].record.history.channels;
-    let number = channels.iter().position(|channel| channel.id == *id)?;
-    Some(runs.map(|run| run.record.late.channel(number, channels.len())))
+    let (mut sum, mut count) = (last * last, 1.0);
+    for difference in fine.late.differences(&coarse.late, number) {
+        sum += difference * difference;
+        count += 1.0;
+    }
+    f64::sqrt(sum / count)
 }
 
-/// The numbers of a run with their errors, by the same numbers of the runs that show them.
+/// The channel that a number is the last value of.
+fn last_value_of(id: &QuantityId) -> Option<&ChannelId> {
+    match id {
+        QuantityId::Statistic {
+            of: Subject::Channel(channel),
+            statistic: Statistic::Final,
+            within: None,
+            ..
+        } => Some(channel),
+        _ => None,
+    }
+}
+
+/// The numbers of a run with their errors, by the same numbers of the runs that show them; those in time `growth` times what those show.
 fn with_errors(
-    time: Option<&Evidence<'_>>,
-    mesh: Option<&Evidence<'_>>,
+    evidence: [Option<&Evidence<'_>>; 2],
+    growth: f64,
     run: &Computed,
     of: Numbers,
 ) -> Vec<Quantity> {
-    let mut list = of(run);
-    let time = time.map(|evidence| EvidentNumbers::read(evidence, &list, of));
-    let mesh = mesh.map(|evidence| EvidentNumbers::read(evidence, &list, of));
+    let own = of(run);
+    let numbers = evidence.map(|by| Some(EvidentNumbers::read(by?, &own, of)));
+    let [time, mesh] = &numbers;
+    let mut list = own.clone();
     for q in &mut list {
-        q.time_error = time.as_ref().and_then(|time| time.error(q));
+        q.time_error = time.as_ref().and_then(|time| Some(growth * time.error(q)?));
         q.mesh_error = mesh.as_ref().and_then(|mesh| mesh.error(q));
         let unsettled = |by: &Option<EvidentNumbers<'_>>| by.as_ref()?.unsettled(q);
-        let others = [unsettled(&time), unsettled(&mesh)];
+        let others = [unsettled(time), unsettled(mesh)];
         let others: Vec<f64> = others.into_iter().flatten().flatten().collect();
         q.unsettled = unsettled_range(q, &others, run);
     }
@@ -259,23 +278,25 @@ fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
 }
 
 /// Errors of the root mean square displacements: sums of the differences in the nearest pairs, each times its factor.
-fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2]) -> Vec<f64> {
+fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) -> Vec<f64> {
     let profile = &run.record.profile;
     let recorded = |evidence: &&Evidence<'_>| {
         let mut profiles = evidence.near.iter().map(|run| &run.record.profile);
         profiles.all(|profile| profile.rms.len() == profile.arc.len() && profile.arc.len() > 1)
     };
-    let evidence: Vec<_> = evidence.into_iter().flatten().filter(recorded).collect();
+    let evidence = evidence.into_iter().zip([growth, 1.0]);
+    let evidence = evidence.filter_map(|(by, growth)| Some((by.filter(recorded)?, growth)));
+    let evidence: Vec<_> = evidence.collect();
     if evidence.is_empty() {
         return Vec::new();
     }
     let error = |s: &f64| {
-        let each = evidence.iter().map(|by| {
+        let each = evidence.iter().map(|(by, growth)| {
             let [fine, coarse] = by.near.map(|run| {
                 let profile = &run.record.profile;
                 linear_clamped(&profile.arc, &profile.rms, *s)
             });
-            by.presumed((fine - coarse).abs())
+            growth * by.presumed((fine - coarse).abs())
         });
         each.sum()
     };

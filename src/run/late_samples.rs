@@ -8,12 +8,15 @@ use super::step_interval::StepInterval;
 /// Times of the samples by the duration: near enough to the end to have the same error, and apart by a part of a period.
 const PLACES: [f64; 2] = [0.98, 0.99];
 
-/// Samples of all channels at fixed times, one row after the other.
+/// Samples of all channels at fixed times.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct LateSamples {
-    /// The times \[s\].
+    /// When samples are due \[s\].
     #[serde(skip)]
-    times: [f64; PLACES.len()],
+    due: [f64; PLACES.len()],
+    /// When they were taken \[s\].
+    times: Vec<f64>,
+    /// Those of each time, one after the other.
     values: Vec<f64>,
 }
 
@@ -21,40 +24,54 @@ impl LateSamples {
     /// Of a run of this duration \[s\], without samples yet and with room for all of them.
     pub(super) fn of(duration: f64, channels: usize) -> Self {
         Self {
-            times: PLACES.map(|place| place * duration),
+            due: PLACES.map(|place| place * duration),
+            times: Vec::with_capacity(PLACES.len()),
             values: Vec::with_capacity(PLACES.len() * channels),
         }
     }
 
-    /// Takes those in between two steps.
+    /// Takes those due between two steps.
     pub(super) fn update(&mut self, between: &StepInterval<'_>) {
         let channels = between.channels();
         let [from, until] = between.time();
-        for time in self.times {
+        for time in self.due {
             if time > from && time <= until {
                 let taken = self.values.len();
                 self.values.resize(taken + channels, 0.0);
                 between.sample_channels(time, &mut self.values[taken..]);
+                self.times.push(time);
             }
         }
     }
 
     /// Whether they may be of so many channels, as of a checkpoint.
     pub(super) fn fits(&self, channels: usize) -> bool {
-        self.values.len() <= PLACES.len() * channels
-            && self.values.len().checked_rem(channels).unwrap_or(0) == 0
+        self.times.len() <= PLACES.len()
+            && self.values.len() == self.times.len() * channels
             && self.values.iter().all(|value| value.is_finite())
     }
 
-    /// Continues from a checkpoint.
+    /// Continues from a checkpoint, of which those count that this run takes as well: it may go on for longer.
     pub(super) fn restore(&mut self, known: &Self) {
-        self.values.clone_from(&known.values);
+        for (time, row) in known.rows().filter(|(time, _)| self.due.contains(time)) {
+            self.times.push(time);
+            self.values.extend(row);
+        }
     }
 
-    /// The samples of a channel among so many, from the first to the last.
-    pub(super) fn channel(&self, number: usize, channels: usize) -> impl Iterator<Item = f64> {
-        let rows = self.values.chunks_exact(channels.max(1));
-        rows.filter_map(move |row| row.get(number).copied())
+    /// Differences of a channel from the samples of another run at the same times.
+    pub(super) fn differences(&self, other: &Self, channel: usize) -> impl Iterator<Item = f64> {
+        self.rows().filter_map(move |(time, row)| {
+            let (_, same) = other.rows().find(|(other, _)| *other == time)?;
+            Some(row.get(channel)? - same.get(channel)?)
+        })
+    }
+
+    /// The times with their samples.
+    fn rows(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        let channels = self.values.len() / self.times.len().max(1);
+        let rows = self.values.chunks(channels.max(1));
+        self.times.iter().copied().zip(rows)
     }
 }
 
@@ -84,14 +101,28 @@ mod tests {
     #[test]
     fn channels_are_sampled_once_at_each_time() {
         let late = samples(100);
-        assert_eq!(late.channel(0, 2).collect::<Vec<_>>(), [98.0, 99.0]);
-        assert_eq!(late.channel(1, 2).collect::<Vec<_>>(), [196.0, 198.0]);
-        assert_eq!(samples(97).channel(0, 2).count(), 0);
+        assert_eq!(late.times, [98.0, 99.0]);
+        assert_eq!(late.values, [98.0, 196.0, 99.0, 198.0]);
+        assert_eq!(samples(97).times, [0.0; 0]);
+    }
+
+    #[test]
+    fn samples_of_the_same_time_are_compared() {
+        let mut other = samples(100);
+        other.values[3] = 200.5;
+        let differences = |of: &LateSamples, channel| -> Vec<f64> {
+            samples(100).differences(of, channel).collect()
+        };
+        assert_eq!(differences(&other, 1), [0.0, -2.5]);
+        // One that was resumed from a checkpoint without the first of them.
+        (other.times, other.values) = (vec![99.0], vec![99.25, 198.0]);
+        assert_eq!(differences(&other, 0), [-0.25]);
+        assert_eq!(differences(&LateSamples::default(), 0), [0.0; 0]);
     }
 
     #[test]
     fn a_checkpoint_of_other_channels_does_not_fit() {
-        assert!(samples(98).fits(2) && samples(0).fits(0));
+        assert!(samples(98).fits(2) && samples(97).fits(3));
         assert!(!samples(98).fits(1) && !samples(98).fits(3));
         let mut damaged = samples(98);
         damaged.values[0] = f64::NAN;
@@ -99,9 +130,13 @@ mod tests {
     }
 
     #[test]
-    fn what_a_checkpoint_holds_is_continued() {
-        let mut late = LateSamples::of(100.0, 2);
-        late.restore(&samples(98));
-        assert_eq!(late, samples(98));
+    fn what_a_checkpoint_holds_is_continued_by_a_run_of_the_same_duration() {
+        let continued = |duration| {
+            let mut late = LateSamples::of(duration, 2);
+            late.restore(&samples(98));
+            late
+        };
+        assert_eq!(continued(100.0), samples(98));
+        assert_eq!(continued(120.0).times, [0.0; 0]);
     }
 }
