@@ -186,6 +186,9 @@ pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
 
 /// The text with these files carried in it.
 pub(crate) fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Cow<'t, str> {
+    if files.is_empty() {
+        return Cow::Borrowed(text);
+    }
     let root = TomlNode::parse(text).ok();
     let held = |name: &str| {
         let root = root.as_ref();

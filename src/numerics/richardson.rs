@@ -8,7 +8,7 @@
 
 /// Factor of safety of an observed order that is that of the method, of one that is not, and of one that is presumed.
 pub(crate) const OBSERVED: f64 = 1.25;
-pub(crate) const UNLIKE: f64 = 1.8;
+pub(crate) const UNLIKE: f64 = 1.7;
 pub(crate) const PRESUMED: f64 = 3.0;
 /// The share of itself by which an order differs from that of the method where it is no longer like it: with what is usual among
 /// the results of the run, and of a single result so near to it that it cannot be by chance.

@@ -284,12 +284,17 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Wall time that a level finer in this would take \[s\].
+    /// Wall time that a level finer in this would take \[s\]: as much more as the last one took more than that before it, where that is
+    /// more than its size lets expect, as of statics that Newton alone does not find.
     fn cost_of(&self, next: Coarsening) -> f64 {
-        let last = self.levels.last().map_or(0.0, |level| level.wall_s);
         // Explicit steps are as short as the segments.
         let by_both = self.own.solver.method == Method::Rk4 && next == Coarsening::Mesh;
-        if by_both { 4.0 * last } else { 2.0 * last }
+        let by_size: f64 = if by_both { 4.0 } else { 2.0 };
+        match self.levels.as_slice() {
+            [] => 0.0,
+            [only] => by_size * only.wall_s,
+            [.., before, last] => by_size.max(last.wall_s / before.wall_s) * last.wall_s,
+        }
     }
 }
 

@@ -149,3 +149,38 @@ pub(super) fn warning(summary: &[Quantity]) -> Option<String> {
         drift.value.abs()
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A drift and its share, with the errors in time that companions show.
+    fn drifts(drift: f64, stated: Option<f64>, percent: f64) -> Vec<Quantity> {
+        let quantity = |quantity, value, time_error| Quantity {
+            time_error,
+            ..Quantity::new(QuantityId::single(Subject::Energy(quantity)), value)
+        };
+        vec![
+            quantity(EnergyQuantity::Drift, drift, stated),
+            quantity(EnergyQuantity::DriftShare, percent, None),
+        ]
+    }
+
+    #[test]
+    fn errors_in_time_grow_by_what_the_drift_exceeds_its_own() {
+        let growth = |drift, stated, percent| time_error_growth(&drifts(drift, stated, percent));
+        assert_eq!(growth(-700.0, Some(100.0), -1.8), 7.0);
+        // Within its error, too small to matter, and without an error.
+        assert_eq!(growth(-700.0, Some(900.0), -1.8), 1.0);
+        assert_eq!(growth(-700.0, Some(100.0), -0.9), 1.0);
+        assert_eq!(growth(-700.0, Some(0.0), -1.8), 1.0);
+        assert_eq!(growth(-700.0, None, -1.8), 1.0);
+        assert_eq!(time_error_growth(&[]), 1.0);
+    }
+
+    #[test]
+    fn a_growth_is_told() {
+        assert_eq!(growth_warning(1.0), None);
+        assert!(growth_warning(7.0).unwrap().contains("7.00 times"));
+    }
+}

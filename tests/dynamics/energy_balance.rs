@@ -158,3 +158,43 @@ fn a_line_at_rest_does_not_drift() {
         assert!(percent.abs() < 0.1 && !warned(&run), "{name}: {percent}");
     }
 }
+
+/// A bob let go on an unstretched rope bounces for ever, `T = W (1 - cos omega t)`, and long steps of the run and of its companions
+/// damp it alike: they agree, and only the energy tells. It ends where the tension is greatest, after 81.5 bounces.
+#[test]
+fn steps_that_damp_a_bounce_have_errors_that_hold_it() {
+    let (mass, length, ea) = (200.0, 50.0, 2e6);
+    let bounce = |step: f64| {
+        run(format!(
+            r#"
+            case.title = "bounce"
+            environment.water_density_kg_per_m3 = 0.0
+            materials.rope = {{ diameter_m = 0.02, mass_kg_per_m = 0.001, ea_n = {ea:?} }}
+            line = [{{ name = "rope", material = "rope", length_m = {length:?}, segments = 2 }}]
+            ends.a = {{ name = "top", kind = "fixed", position_m = [0.0, 0.0, 0.0] }}
+            ends.b = {{ name = "bob", kind = "payload" }}
+            payload = {{ dry_mass_kg = {mass:?}, volume_m3 = 0.0, drag_area_m2 = 0.0, added_mass_kg = 0.0 }}
+            start = {{ shape = "straight", elevation_deg = -90.0 }}
+            solver = {{ method = "alpha", duration_s = 36.21, time_step_s = {step:?}, error_estimate = true }}
+            output.interval_s = 1.0
+            "#
+        ))
+    };
+    let omega = f64::sqrt(ea / (length * mass));
+    let exact = mass * 9.80665 * (1.0 - f64::cos(omega * 36.21));
+    let tells = |run: &Run| {
+        let mut warnings = run.info.warnings.iter();
+        warnings.any(|warning| warning.contains("times as large as other steps show"))
+    };
+    let long = bounce(0.05);
+    let last = long.quantity("tension_n[top|rope].final").unwrap();
+    let off = (last.value - exact).abs();
+    assert!(off > 0.2 * exact, "{} {exact}", last.value);
+    assert!(tells(&long), "{:?}", long.info.warnings);
+    assert!(last.error_estimate().unwrap() > off, "{last:?} {exact}");
+    let short = bounce(0.001);
+    assert!(!tells(&short), "{:?}", short.info.warnings);
+    let last = short.quantity("tension_n[top|rope].final").unwrap();
+    let (bar, off) = (last.error_estimate().unwrap(), (last.value - exact).abs());
+    assert!(off < bar && bar < 0.25 * exact, "{last:?} {exact}");
+}
