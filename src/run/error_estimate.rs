@@ -86,7 +86,7 @@ fn estimates_by(
 ) -> ErrorEstimates {
     let [time, mesh] = evidence;
     let energy = |growth| with_errors(evidence, growth, run, |c| c.record.energy.clone());
-    // What drifts as a traveller begins and ends its way no step makes smaller.
+    // The drive that stops a traveller at once takes its kinetic energy along, which is a drift that no step makes smaller.
     let growth = match case.traveller {
         Some(_) => 1.0,
         None => energy_balance::time_error_growth(&energy(1.0)),
