@@ -82,7 +82,7 @@ fn estimates_by(
     case: &Case,
     run: &Computed,
     evidence: [Option<&Evidence<'_>>; 2],
-    warnings: Vec<String>,
+    mut warnings: Vec<String>,
 ) -> ErrorEstimates {
     let [time, mesh] = evidence;
     let energy = |growth| with_errors(evidence, growth, run, |c| c.record.energy.clone());
@@ -99,7 +99,6 @@ fn estimates_by(
         with_errors([None, mesh], growth, run, |c| c.modes.clone()),
         energy(growth),
     ];
-    let mut warnings = warnings;
     warnings.extend(energy_balance::growth_warning(growth));
     ErrorEstimates {
         summary: lists.concat(),

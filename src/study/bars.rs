@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 
 use crate::case::{Case, Method};
-use crate::report::table::{NumberFormat, Table};
+use crate::report::table::{Columns, NumberFormat, Table};
 use crate::run::job::{self, Request};
 use crate::run::{Quantity, Run, RunState};
 use crate::scene;
@@ -289,8 +289,11 @@ pub fn table(checks: &[BarCheck]) -> Table {
         .build()
 }
 
-/// The results of all settings that came to their end, each with its setting.
-fn rows(checks: &[BarCheck]) -> impl Iterator<Item = (&BarSetting, &BarResult)> {
+/// A result with its setting.
+type BarRow<'a> = (&'a BarSetting, &'a BarResult);
+
+/// The results of all settings that came to their end.
+fn rows(checks: &[BarCheck]) -> impl Iterator<Item = BarRow<'_>> {
     let done = checks
         .iter()
         .filter_map(|check| Some((&check.setting, check.results.as_ref().ok()?)));
@@ -300,15 +303,9 @@ fn rows(checks: &[BarCheck]) -> impl Iterator<Item = (&BarSetting, &BarResult)> 
 /// The table of the results that lie outside their bars.
 #[must_use]
 pub fn outside_table(checks: &[BarCheck]) -> Table {
-    let rows: Vec<_> = rows(checks)
-        .filter(|(_, result)| !result.is_inside())
-        .collect();
-    Table::of("Results outside their bars", &rows)
-        .text("case", |row| row.0.name.clone())
-        .text("method", |row| row.0.setting.clone())
-        .text("result", |row| row.1.name.clone())
-        .text("unit", |row| row.1.unit.clone())
-        .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
+    let outside = rows(checks).filter(|(_, result)| !result.is_inside());
+    let rows: Vec<_> = outside.collect();
+    named("Results outside their bars", &rows)
         .number("bar", NumberFormat::Digits(2, ""), |row| row.1.bar)
         .number("error", NumberFormat::Digits(2, ""), |row| row.1.error())
         .build()
@@ -318,14 +315,9 @@ pub fn outside_table(checks: &[BarCheck]) -> Table {
 #[must_use]
 pub fn results_table(checks: &[BarCheck]) -> Table {
     let rows: Vec<_> = rows(checks).collect();
-    let range = |end: usize| move |row: &(&BarSetting, &BarResult)| Some(row.1.unsettled?[end]);
-    let part = |of: usize| move |row: &(&BarSetting, &BarResult)| row.1.parts[of];
-    Table::of("Results and their bars", &rows)
-        .text("case", |row| row.0.name.clone())
-        .text("method", |row| row.0.setting.clone())
-        .text("result", |row| row.1.name.clone())
-        .text("unit", |row| row.1.unit.clone())
-        .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
+    let range = |end: usize| move |row: &BarRow<'_>| Some(row.1.unsettled?[end]);
+    let part = |of: usize| move |row: &BarRow<'_>| row.1.parts[of];
+    named("Results and their bars", &rows)
         .number("converged", NumberFormat::Digits(6, ""), |row| {
             row.1.converged
         })
@@ -339,4 +331,14 @@ pub fn results_table(checks: &[BarCheck]) -> Table {
             if row.1.is_inside() { "yes" } else { "no" }.to_owned()
         })
         .build()
+}
+
+/// The columns of what a result is.
+fn named<'r, 'a>(title: &str, rows: &'r [BarRow<'a>]) -> Columns<'r, BarRow<'a>> {
+    Table::of(title, rows)
+        .text("case", |row| row.0.name.clone())
+        .text("method", |row| row.0.setting.clone())
+        .text("result", |row| row.1.name.clone())
+        .text("unit", |row| row.1.unit.clone())
+        .number("value", NumberFormat::Digits(6, ""), |row| row.1.value)
 }
