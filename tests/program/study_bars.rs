@@ -34,3 +34,21 @@ fn a_seed_without_variants_and_no_variants_are_refused() {
         assert!(!done && text.contains("--varied"), "{text}");
     }
 }
+
+#[test]
+fn every_result_has_a_row_with_its_bar() {
+    let case = "cases/basics/mooring_static.toml";
+    let (done, text) = bars(&[case, "--results", "--json"]);
+    assert!(done, "{text}");
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let rows = json["rows"].as_array().unwrap();
+    let (_, total) = bars(&[case]);
+    assert!(total.contains(&format!(" {} ", rows.len())), "{total}");
+    for row in rows {
+        // At rest the mesh alone has an error.
+        assert_eq!(row["bar"], row["by mesh"], "{row}");
+        assert_eq!(row["by time step"], "-", "{row}");
+        let [bar, error] = ["bar", "error"].map(|key| row[key].as_f64().unwrap());
+        assert_eq!(row["inside"] == "yes", error <= bar, "{row}");
+    }
+}
