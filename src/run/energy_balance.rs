@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn a_growth_is_told() {
+    fn a_growth_gives_a_warning() {
         assert_eq!(growth_warning(1.0), None);
         assert!(growth_warning(7.0).unwrap().contains("7.0 times"));
     }

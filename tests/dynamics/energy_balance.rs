@@ -160,7 +160,7 @@ fn a_line_at_rest_does_not_drift() {
 }
 
 /// A bob let go on an unstretched rope bounces for ever, `T = W (1 - cos omega t)`, and long steps of the run and of its companions
-/// damp it alike: they agree, and only the energy tells. It ends where the tension is greatest, after 81.5 bounces.
+/// damp it alike: they agree, and only the energy shows it. It ends where the tension is greatest, after 81.5 bounces.
 #[test]
 fn steps_that_damp_a_bounce_have_errors_that_hold_it() {
     let (mass, length, ea) = (200.0, 50.0, 2e6);
@@ -182,7 +182,7 @@ fn steps_that_damp_a_bounce_have_errors_that_hold_it() {
     };
     let omega = f64::sqrt(ea / (length * mass));
     let exact = mass * 9.80665 * (1.0 - f64::cos(omega * 36.21));
-    let tells = |run: &Run| {
+    let warns = |run: &Run| {
         let mut warnings = run.info.warnings.iter();
         warnings.any(|warning| warning.contains("times as large as other steps show"))
     };
@@ -190,10 +190,10 @@ fn steps_that_damp_a_bounce_have_errors_that_hold_it() {
     let last = long.quantity("tension_n[top|rope].final").unwrap();
     let off = (last.value - exact).abs();
     assert!(off > 0.2 * exact, "{} {exact}", last.value);
-    assert!(tells(&long), "{:?}", long.info.warnings);
+    assert!(warns(&long), "{:?}", long.info.warnings);
     assert!(last.error_estimate().unwrap() > off, "{last:?} {exact}");
     let short = bounce(0.001);
-    assert!(!tells(&short), "{:?}", short.info.warnings);
+    assert!(!warns(&short), "{:?}", short.info.warnings);
     let last = short.quantity("tension_n[top|rope].final").unwrap();
     let (bar, off) = (last.error_estimate().unwrap(), (last.value - exact).abs());
     assert!(off < bar && bar < 0.25 * exact, "{last:?} {exact}");
