@@ -30,6 +30,7 @@ mod labels;
 pub mod line;
 pub mod mesh;
 mod mixed_iteration;
+mod node_tensions;
 pub mod outputs;
 mod placed_ends;
 pub mod rope;
