@@ -73,7 +73,7 @@ impl Elements {
                 .seabed
                 .as_ref()
                 .map(|bed| BedContact::new((bed, &case.files), &line.segments)),
-            flexure: Flexure::of_case(case, &line.segments),
+            flexure: Flexure::of_case(case, line),
             mass_damping: MassDamping::of_case(case, coarsening),
             traveller: TravellingBody::of_case(case),
             rigid_payload,

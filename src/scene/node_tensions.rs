@@ -1,7 +1,13 @@
 //! Effective tension at the nodes of the line.
+//!
+//! By a segment alone, tension is the force at a node along the chord. In a line that bends, that chord is turned from the tangent at the
+//! node by half of what the line turns over the segment, so that it takes in a part of the shear `Q`: `Q k l / 2` for a curvature `k` and a
+//! length `l`, of first order, with one sign in the segment before and the other in the segment after. The difference of both at a node gives
+//! `Q k`, and so the tension to second order. It is known where nothing but the line is at the node, as neither `Q` nor `k` jumps there; at
+//! ends, bodies and changes of stiffness it is taken from the next node.
 
 use super::Scene;
-use super::elements::HalfSegment;
+use super::elements::{Flexure, HalfSegment};
 use crate::numerics::V3;
 use crate::physics::tension::Chord;
 use crate::solve::State;
@@ -18,7 +24,7 @@ impl Scene {
     /// Effective tension of the line at a node \[N\]: that of the segment after it (before it at the last node), with the
     /// weight, drag and inertia of the half segment between the node and the middle of the segment. The top tension of a
     /// hanging line is so its whole weight on any mesh. Of the bed's reaction on the node it contains the part that bears
-    /// the line itself: what bears a body or an end is no tension.
+    /// the line itself: what bears a body or an end is no tension. In a line that bends, the part of shear in it is taken out.
     #[must_use]
     pub fn tension_at(&self, node: usize, state: &State) -> f64 {
         let last = self.line_nodes() - 1;
@@ -27,6 +33,25 @@ impl Scene {
 
     /// The same by segment i, which begins or ends at the node.
     fn tension_beside(&self, i: usize, node: usize, state: &State) -> f64 {
+        let own = self.tension_along(i, node, state);
+        let Some(flexure) = &self.elements.flexure else {
+            return own;
+        };
+        let by_shear = |at: usize| {
+            let [before, after] = [at - 1, at].map(|j| match (j, at) == (i, node) {
+                true => own,
+                false => self.tension_along(j, at, state),
+            });
+            flexure.shear_in_tension(at, before, after)
+        };
+        let nodes = [node, 2 * i + 1 - node].into_iter();
+        let known = nodes.filter(|at| flexure.is_even(*at)).find_map(by_shear);
+        let part = known.unwrap_or(0.0) * self.line.segments[i].axial.length;
+        if node == i { own - part } else { own + part }
+    }
+
+    /// Force at a node along the chord of segment i, which begins or ends there \[N\].
+    fn tension_along(&self, i: usize, node: usize, state: &State) -> f64 {
         let sign = if node == i { 1.0 } else { -1.0 };
         let chord = self.line.chord(i, state);
         let pull = chord.tangent * (self.line.tension_now(i, &chord, state).value * sign);
@@ -94,5 +119,40 @@ impl Scene {
         } else {
             load
         }
+    }
+}
+
+/// The tensions at the nodes of a line that bends, as [`Scene::tension_at`], while its segments are read one after another.
+#[derive(Default)]
+pub(super) struct BothSides {
+    /// Force at the end of the segment before along its chord \[N\], and its length \[m\].
+    before: (f64, f64),
+    /// Whether the node before that is known from both of its sides.
+    known: bool,
+}
+
+impl BothSides {
+    /// Takes in segment i, of this length \[m\], by the forces at both its nodes along its chord \[N\].
+    pub(super) fn add(
+        &mut self,
+        flexure: &Flexure,
+        (i, length): (usize, f64),
+        [near, far]: [f64; 2],
+        tensions: &mut [f64],
+    ) {
+        let (before, length_before) = self.before;
+        let even = flexure.is_even(i);
+        let shear = even
+            .then(|| flexure.shear_in_tension(i, before, near))
+            .flatten();
+        let part = shear.unwrap_or(0.0);
+        if !self.known && i > 0 {
+            tensions[i - 1] -= part * length_before;
+        }
+        tensions[i] = near - part * length;
+        // Of the last node; at others the next segment has its own.
+        tensions[i + 1] = far + part * length;
+        self.before = (far, length);
+        self.known = shear.is_some();
     }
 }

@@ -6,6 +6,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::node_tensions::BothSides;
 use super::segment_block::{NodeKinematics, SegmentPass};
 use super::submergence::Submergence;
 use super::{EndCondition, Scene};
@@ -81,6 +82,7 @@ impl Scene {
         let last = self.line_nodes() - 1;
         let mut rates = EnergyRates::default();
         let mut pass = SegmentPass::<PLAIN>::new(line, state);
+        let mut both_sides = BothSides::default();
         for i in 0..line.segments.len() {
             let kinematics = pass.segment(i, line, state);
             let chord = kinematics.chord;
@@ -94,11 +96,19 @@ impl Scene {
                 added: line.added(i, wet.as_ref()),
                 nodes: kinematics.nodes,
             };
-            if let Some(tension) = tensions.get_mut(i).filter(|_| i < last) {
-                *tension = self.tension_of(&segment, 0, state);
-            }
-            if let Some(tension) = tensions.get_mut(last).filter(|_| i + 1 == last) {
-                *tension = self.tension_of(&segment, 1, state);
+            match &self.elements.flexure {
+                _ if i >= last || tensions.is_empty() => {}
+                None => {
+                    tensions[i] = self.tension_of(&segment, 0, state);
+                    if i + 1 == last {
+                        tensions[last] = self.tension_of(&segment, 1, state);
+                    }
+                }
+                Some(flexure) => {
+                    let along = [0, 1].map(|half| self.tension_of(&segment, half, state));
+                    let length = line.segments[i].axial.length;
+                    both_sides.add(flexure, (i, length), along, tensions);
+                }
             }
             if ENERGY {
                 self.add_segment(&segment, state, &mut rates);

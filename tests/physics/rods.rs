@@ -101,6 +101,97 @@ fn the_elastica_converges_with_the_square_of_the_segment() {
     }
 }
 
+/// A weightless rod along x from a clamp, of 5 m with EI = 300 N m² and 5 m with EI = 100 N m², with 4 N where these meet and 3 N at the tip.
+fn stepped_cantilever(segments: usize) -> (Scene, State) {
+    let text = format!(
+        r#"
+[case]
+title = "stepped cantilever"
+[environment]
+gravity_m_per_s2 = 10.0
+water_density_kg_per_m3 = 0.0
+[materials]
+thick = {{ diameter_m = 0.06, mass_kg_per_m = 1.0, wet_weight_kg_per_m = 0.0, ea_n = 1.0e8, ei_n_m2 = 300.0 }}
+thin = {{ diameter_m = 0.05, mass_kg_per_m = 1.0, wet_weight_kg_per_m = 0.0, ea_n = 1.0e8, ei_n_m2 = 100.0 }}
+[[line]]
+name = "thick"
+material = "thick"
+length_m = 5.0
+segments = {segments}
+[[line]]
+name = "thin"
+material = "thin"
+length_m = 5.0
+segments = {segments}
+[[clumps]]
+name = "weight"
+section = "thin"
+at_m = 0.0
+mass_kg = 0.4
+wet_mass_kg = 0.4
+added_mass_kg = 0.0
+drag_area_m2 = 0.0
+[ends.a]
+name = "wall"
+kind = "fixed"
+position_m = [0, 0, 0]
+clamp_elevation_deg = 0.0
+[ends.b]
+name = "tip"
+kind = "payload"
+[payload]
+dry_mass_kg = 0.3
+wet_mass_kg = 0.3
+added_mass_kg = 0.0
+drag_area_m2 = 0.0
+[start]
+shape = "straight"
+"#
+    );
+    let scene = scene::build(&case::parse(&text, "stepped.toml").unwrap(), 1).unwrap();
+    let mut state = scene.initial_state();
+    EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
+    (scene, state)
+}
+
+/// The tension of a weightless rod under vertical loads by the place of every node: `T + M²/2EI` is constant between loads, where `M` is
+/// known by statics, and the tension at the wall is zero. At the load in the middle it is that of the rod after it.
+#[test]
+fn tensions_of_a_rod_that_bends_are_of_second_order() {
+    let (at_middle, at_tip) = (4.0, 3.0);
+    let mut errors = [Vec::new(), Vec::new(), Vec::new(), Vec::new()];
+    for segments in [10, 20, 40, 80] {
+        let (scene, state) = stepped_cantilever(segments);
+        let x = |node: usize| state.x[node].x;
+        let [middle, tip] = [x(segments), x(2 * segments)];
+        let thick = |x: f64| (at_tip * (tip - x) + at_middle * (middle - x)).powi(2) / 600.0;
+        let thin = |x: f64| (at_tip * (tip - x)).powi(2) / 200.0;
+        let before = thick(0.0) - thick(middle);
+        let after = before * at_tip / (at_tip + at_middle);
+        let exact = |node: usize| match node < segments {
+            true => thick(0.0) - thick(x(node)),
+            false => after + thin(middle) - thin(x(node)),
+        };
+        let tensions = scene.tensions(&state);
+        let mut read = vec![0.0; tensions.len()];
+        scene.read_step(0.0, &state, true, &mut read);
+        assert_eq!(read, tensions, "in one pass and node by node");
+        let error = |node: usize| (tensions[node] - exact(node)).abs();
+        let inner = (1..2 * segments).filter(|node| *node != segments);
+        errors[0].push(error(0));
+        errors[1].push(inner.map(error).fold(0.0, f64::max));
+        errors[2].push(error(segments));
+        errors[3].push(error(2 * segments));
+    }
+    for (place, errors) in ["wall", "between", "middle", "tip"].iter().zip(errors) {
+        let order = (errors[2] / errors[3]).log2();
+        assert!(order > 1.8, "{place}: {errors:?} N, order {order:.2}");
+        assert!(errors[3] < 2e-3, "{place}: {errors:?} N");
+    }
+}
+
 #[test]
 fn euler_bernoulli_beam_under_its_weight() {
     // w = q L⁴ / (8 EI), root moment q L² / 2: so light that the deflection is a thousandth of the length.

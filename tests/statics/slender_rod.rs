@@ -207,7 +207,7 @@ fn the_papers_finite_element_agrees_with_the_lumped_line() {
             .run(&scene, 0.0, &mut state)
             .unwrap();
         let tensions = scene.tensions(&state);
-        let every = 220 / ELEMENTS;
+        let every = scene.line.segments.len() / ELEMENTS;
         // Bent aside, so that it is the element that finds the shape.
         let mut start = DVector::zeros(UNKNOWNS);
         for i in 0..=ELEMENTS {

@@ -115,7 +115,7 @@ fn the_line_is_never_folded_whatever_the_float() {
 fn a_vessel_out_of_plane_takes_the_line_along() {
     let (_, state, _) = rest(&set(&[("ends.b.position_m.y", "10.0")]), 1);
     let sideways: Vec<f64> = state.x.iter().map(|p| p.y).collect();
-    assert!((sideways[220] - 10.0).abs() < 1e-9);
+    assert!((sideways[sideways.len() - 1] - 10.0).abs() < 1e-9);
     assert!(sideways.windows(2).all(|pair| pair[1] > pair[0] - 1e-9));
 }
 
@@ -136,7 +136,10 @@ fn how_long_a_cold_start_takes() {
                 .iterations;
             fastest = fastest.min(clock.elapsed());
         }
-        println!("{name}: {fastest:?} for 220 segments, {iterations} iterations");
+        println!(
+            "{name}: {fastest:?} for {} segments, {iterations} iterations",
+            scene.line.segments.len()
+        );
     }
 }
 
@@ -182,10 +185,7 @@ fn exceeded_limits_are_reported() {
     // It lies where the floats end and the load jumps.
     assert!(radius.mesh_error.unwrap() < 0.05 * radius.value);
     assert_eq!(named("moment_nm.max").unit(), "N m");
-    assert_eq!(
-        named("tension_n.arc_of_max").value.to_bits(),
-        220f64.to_bits()
-    );
+    assert!((named("tension_n.arc_of_max").value - 220.0).abs() < 1e-9);
 }
 
 /// Volume and mass per length of floats and cable are kept (eqs 20 and 21 of Lin et al. 2016), and so is drag.
@@ -197,13 +197,17 @@ fn floats_are_spread_by_volume_and_mass() {
     let volume = std::f64::consts::FRAC_PI_4 * (od * od - dp * dp);
     let [bare, floated] = [10, 40].map(|i| scene.line.segments[i]);
     let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
-    near(2.0 * (floated.half_mass - bare.half_mass), volume * 400.0);
+    let per_metre = 2.0 / bare.axial.length;
     near(
-        2.0 * (bare.half_weight - floated.half_weight),
+        per_metre * (floated.half_mass - bare.half_mass),
+        volume * 400.0,
+    );
+    near(
+        per_metre * (bare.half_weight - floated.half_weight),
         volume * (rho - 400.0) * 9.80665,
     );
     near(
-        2.0 * (floated.added.normal - bare.added.normal),
+        per_metre * (floated.added.normal - bare.added.normal),
         volume * rho,
     );
     near(floated.drag.floats, 0.5 * rho * 1.0 * df * filled);

@@ -19,6 +19,8 @@ pub struct Flexure {
     pub spans: Vec<f64>,
     /// Clamped ends A and B: the direction of the line there, from A to B, and the stiffness of the bend \[N m\].
     pub clamps: [Option<(V3, f64)>; 2],
+    /// The inner nodes at which neither shear nor curvature jumps: without a body, and of one stiffness.
+    even: Vec<bool>,
 }
 
 impl Element for Flexure {
@@ -294,6 +296,23 @@ impl Flexure {
         Some(turned)
     }
 
+    /// Whether neither shear nor curvature jumps at a node.
+    pub(in crate::scene) fn is_even(&self, node: usize) -> bool {
+        self.even[node]
+    }
+
+    /// The part of shear in the tensions along the chords of the segments before and after an inner node, by their length \[N/m\]: `Q k / 2`
+    /// of the shear and the curvature there. Nothing beside a slack segment, along which no force is known.
+    pub(in crate::scene) fn shear_in_tension(
+        &self,
+        node: usize,
+        before: f64,
+        after: f64,
+    ) -> Option<f64> {
+        let taut = before != 0.0 && after != 0.0;
+        taut.then(|| 0.5 * (after - before) / self.spans[node])
+    }
+
     /// Energy of bending \[J\].
     #[must_use]
     pub fn energy(&self, line: &LumpedLine, state: &State) -> f64 {
@@ -334,8 +353,9 @@ fn part_way(from: &V3, to: &V3, share: f64) -> V3 {
 }
 
 impl Flexure {
-    /// The bending of a case; none if no material has a bending stiffness.
-    pub(super) fn of_case(case: &Case, segments: &[Segment]) -> Option<Self> {
+    /// The bending of a case on its line; none if no material has a bending stiffness.
+    pub(super) fn of_case(case: &Case, line: &LumpedLine) -> Option<Self> {
+        let segments = &line.segments;
         if segments.iter().all(|s| s.ei <= 0.0) {
             return None;
         }
@@ -365,7 +385,14 @@ impl Flexure {
                 bending::clamp_stiffness(ei, length),
             ))
         };
+        let even = |i: &usize| {
+            let inner = *i > 0 && *i + 1 < line.line_nodes;
+            inner
+                && segments[i - 1].ei == segments[*i].ei
+                && line.bodies.iter().all(|hung| hung.node != *i)
+        };
         Some(Self {
+            even: (0..=last).map(|i| even(&i)).collect(),
             joints: (0..=last).map(joint).collect(),
             spans: (0..=last).map(span).collect(),
             clamps: [clamp(&case.ends.a, 0), clamp(&case.ends.b, last - 1)],

@@ -59,7 +59,7 @@ fn a_line_at_rest_at_80x24() {
     });
     let (path, text) = written.unwrap();
     assert_eq!(path, PathBuf::from("steep_wave-nodes.csv"));
-    assert_eq!(text.lines().count(), 222);
+    assert_eq!(text.lines().count(), 332);
 }
 
 #[test]
