@@ -4,7 +4,7 @@
 //! node by half of what the line turns over the segment, so that it takes in a part of the shear `Q`: `Q k l / 2` for a curvature `k` and a
 //! length `l`, of first order, with one sign in the segment before and the other in the segment after. The difference of both at a node gives
 //! `Q k`, and so the tension to second order. It is known where nothing but the line is at the node, as neither `Q` nor `k` jumps there; at
-//! ends, bodies and changes of stiffness it is taken from the next node.
+//! ends, bodies and changes of stiffness it is taken from the next node. At a clamp the direction of the line is known, and all of the force.
 
 use super::Scene;
 use super::elements::{Flexure, HalfSegment};
@@ -34,7 +34,8 @@ impl Scene {
     /// The same by segment i, which begins or ends at the node.
     fn tension_beside(&self, i: usize, node: usize, state: &State) -> f64 {
         let own = self.tension_along(i, node, state);
-        let Some(flexure) = &self.elements.flexure else {
+        let flexure = self.elements.flexure.as_ref();
+        let Some(flexure) = flexure.filter(|flexure| flexure.clamp_at(node).is_none()) else {
             return own;
         };
         let by_shear = |at: usize| {
@@ -50,7 +51,7 @@ impl Scene {
         if node == i { own - part } else { own + part }
     }
 
-    /// Force at a node along the chord of segment i, which begins or ends there \[N\].
+    /// Force at a node along the chord of segment i, which begins or ends there, or along the clamp that holds it \[N\].
     fn tension_along(&self, i: usize, node: usize, state: &State) -> f64 {
         let sign = if node == i { 1.0 } else { -1.0 };
         let chord = self.line.chord(i, state);
@@ -92,12 +93,14 @@ impl Scene {
             };
             load += bed.reaction_on_half(&half, self.now(state));
         }
-        let force = pull + load;
+        let (line, node, force) = (&self.line, i + half, pull + load);
+        let Some(flexure) = &self.elements.flexure else {
+            return force.norm();
+        };
         // With bending the force at a node has a shear part; tension is the part along the line.
-        if self.elements.flexure.is_some() {
-            force.dot(&chord.tangent) * sign
-        } else {
-            force.norm()
+        match flexure.clamp_at(node) {
+            Some(along) => (force + flexure.end_force(line, node, state)).dot(&along) * sign,
+            None => force.dot(&chord.tangent) * sign,
         }
     }
 
@@ -127,7 +130,7 @@ impl Scene {
 pub(super) struct BothSides {
     /// Force at the end of the segment before along its chord \[N\], and its length \[m\].
     before: (f64, f64),
-    /// Whether the node before that is known from both of its sides.
+    /// Whether the tension at the node before that is known, from both of its sides or by a clamp.
     known: bool,
 }
 
@@ -151,8 +154,9 @@ impl BothSides {
         }
         tensions[i] = near - part * length;
         // Of the last node; at others the next segment has its own.
-        tensions[i + 1] = far + part * length;
+        let free = flexure.clamp_at(i + 1).is_none();
+        tensions[i + 1] = if free { far + part * length } else { far };
         self.before = (far, length);
-        self.known = shear.is_some();
+        self.known = shear.is_some() || flexure.clamp_at(i).is_some();
     }
 }

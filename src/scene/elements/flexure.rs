@@ -162,7 +162,7 @@ impl Flexure {
     }
 
     /// Force of bending on the first or last node \[N\].
-    fn end_force(&self, line: &LumpedLine, node: usize, state: &State) -> V3 {
+    pub(in crate::scene) fn end_force(&self, line: &LumpedLine, node: usize, state: &State) -> V3 {
         let last = line.segments.len();
         let (end, i, sign) = if node == 0 {
             (0, 0, 1.0)
@@ -187,20 +187,59 @@ impl Flexure {
         force
     }
 
-    /// Curvature \[1/m\] at node i.
-    fn curvature_at(&self, i: usize, line: &LumpedLine, state: &State) -> f64 {
+    /// Curvature \[1/m\] at node i about its axis, by the segments and clamps there; none at hinges.
+    fn curvature_by_segments(&self, i: usize, line: &LumpedLine, state: &State) -> V3 {
         let last = line.segments.len();
         let tangent = |i: usize| line.chord(i, state).tangent;
-        let at_clamp = |end: usize, i: usize| {
-            self.clamps[end].map_or(0.0, |(d, _)| {
-                curvature(&d, &tangent(i), self.spans[i + end])
-            })
+        let [first, second] = match (i, self.clamp_at(i)) {
+            (i, None) if i > 0 && i < last && self.joints[i] > 0.0 => [tangent(i - 1), tangent(i)],
+            (0, Some(clamp)) => [clamp, tangent(0)],
+            (_, Some(clamp)) => [tangent(last - 1), clamp],
+            _ => return V3::zeros(),
         };
-        match i {
-            0 => at_clamp(0, 0),
-            i if i == last => at_clamp(1, last - 1),
-            i => curvature(&tangent(i - 1), &tangent(i), self.spans[i]),
-        }
+        curvature(&first, &second, self.spans[i])
+    }
+
+    /// The same with what the segments at clamps and bodies leave out, within a part of which a line under tension bends there: see
+    /// [`bending::unresolved_at_clamp`]. At a body the line turns to both sides as at a clamp.
+    fn curvature_at(&self, i: usize, line: &LumpedLine, state: &State) -> V3 {
+        let own = self.curvature_by_segments(i, line, state);
+        let last = line.segments.len();
+        let curvature = |i: usize| self.curvature_by_segments(i, line, state);
+        let (beside, segments) = match i {
+            0 if last > 1 && self.clamp_at(0).is_some() => (curvature(1), [0, 0]),
+            i if i == last && last > 1 && self.clamp_at(last).is_some() => {
+                (curvature(last - 1), [last - 1; 2])
+            }
+            i if self.turns_at_body(i, line) => {
+                (0.5 * (curvature(i - 1) + curvature(i + 1)), [i - 1, i])
+            }
+            _ => return own,
+        };
+        let tension = segments.map(|i| line.tension_now(i, &line.chord(i, state), state).value);
+        let tension = 0.5 * (tension[0] + tension[1]).max(0.0);
+        let of = &line.segments[segments[0]];
+        let x = of.axial.length * (tension / of.ei).sqrt();
+        own + (own - beside) * bending::unresolved_at_clamp(x)
+    }
+
+    /// Whether a line of one stiffness, which is no hinge, has a body at this inner node.
+    fn turns_at_body(&self, i: usize, line: &LumpedLine) -> bool {
+        !self.even[i]
+            && i > 0
+            && i + 1 < line.line_nodes
+            && self.joints[i] > 0.0
+            && line.segments[i - 1].ei == line.segments[i].ei
+    }
+
+    /// The direction of the line at a clamped end, from A to B.
+    pub(in crate::scene) fn clamp_at(&self, node: usize) -> Option<V3> {
+        let end = match node {
+            0 => 0,
+            node if node + 1 == self.joints.len() => 1,
+            _ => return None,
+        };
+        self.clamps[end].map(|(direction, _)| direction)
     }
 
     /// Curvature \[1/m\] at every node in two planes of a frame that does not twist along the line; at rest the first is nearly vertical,
@@ -220,16 +259,8 @@ impl Flexure {
             };
             let middle = (first + second).try_normalize(1e-9).unwrap_or(second);
             axis = carried(&axis, &first, &middle);
-            let bends = match i {
-                0 => self.clamps[0].map_or(0.0, |clamp| clamp.1),
-                i if i >= last => self.clamps[1].map_or(0.0, |clamp| clamp.1),
-                i => self.joints[i],
-            };
-            *out = [0.0; 2];
-            if bends > 0.0 {
-                let curvature = first.cross(&second) / self.spans[i];
-                *out = [curvature.dot(&axis), curvature.dot(&middle.cross(&axis))];
-            }
+            let curvature = self.curvature_at(i, line, state);
+            *out = [curvature.dot(&axis), curvature.dot(&middle.cross(&axis))];
             axis = carried(&axis, &middle, &second);
             before = second;
         }
@@ -252,16 +283,13 @@ impl Flexure {
     /// The same at node i.
     #[must_use]
     pub fn bent_at(&self, i: usize, line: &LumpedLine, state: &State) -> (f64, f64) {
+        let curvature = self.curvature_at(i, line, state).norm();
         let k = match i {
             0 => self.clamps[0].map_or(0.0, |c| c.1),
             i if i == line.segments.len() => self.clamps[1].map_or(0.0, |c| c.1),
             i => self.joints[i],
         };
-        if k <= 0.0 {
-            return (0.0, 0.0);
-        }
-        let c = self.curvature_at(i, line, state);
-        (c, c * self.spans[i] * k)
+        (curvature, curvature * self.spans[i] * k)
     }
 
     /// The first node at which the line bends by a right angle or more, past which the discrete moment falls.
