@@ -6,6 +6,16 @@ use seacable::scene::{self, Scene};
 use seacable::solve::State;
 use seacable::statics::equilibrium::{EquilibriumSearch, instabilities};
 
+/// The scene of a case, and its equilibrium.
+fn at_rest(text: &str) -> (Scene, State) {
+    let scene = scene::build(&case::parse(text, "rod.toml").unwrap(), 1).unwrap();
+    let mut state = scene.initial_state();
+    EquilibriumSearch::default()
+        .run(&scene, 0.0, &mut state)
+        .unwrap();
+    (scene, state)
+}
+
 /// A rod of length 10 m along x from a clamp at the origin, in no water, with a load at its tip. EI = 100 N m².
 fn cantilever(segments: usize, tip_load_n: f64, weight_n_per_m: f64) -> (Scene, State) {
     let text = format!(
@@ -45,12 +55,7 @@ shape = "straight"
         weight = weight_n_per_m / 10.0,
         load = (tip_load_n / 10.0).max(1e-9),
     );
-    let scene = scene::build(&case::parse(&text, "cantilever.toml").unwrap(), 1).unwrap();
-    let mut state = scene.initial_state();
-    EquilibriumSearch::default()
-        .run(&scene, 0.0, &mut state)
-        .unwrap();
-    (scene, state)
+    at_rest(&text)
 }
 
 fn tip(segments: usize, load: f64) -> V3 {
@@ -148,12 +153,7 @@ drag_area_m2 = 0.0
 shape = "straight"
 "#
     );
-    let scene = scene::build(&case::parse(&text, "stepped.toml").unwrap(), 1).unwrap();
-    let mut state = scene.initial_state();
-    EquilibriumSearch::default()
-        .run(&scene, 0.0, &mut state)
-        .unwrap();
-    (scene, state)
+    at_rest(&text)
 }
 
 /// The tension of a weightless rod under vertical loads by the place of every node: `T + M²/2EI` is constant between loads, where `M` is
@@ -228,12 +228,7 @@ added_mass_kg = 0.0
 drag_area_m2 = 0.0
 "#
     );
-    let scene = scene::build(&case::parse(&text, "hung.toml").unwrap(), 1).unwrap();
-    let mut state = scene.initial_state();
-    EquilibriumSearch::default()
-        .run(&scene, 0.0, &mut state)
-        .unwrap();
-    (scene, state)
+    at_rest(&text)
 }
 
 /// The line bends within some sqrt(EI/T) = 0.32 m of the clamp: `EI k² / 2 = T (1 - cos)` of the angle. Segments of 2 m do not resolve
@@ -302,11 +297,7 @@ position_m = [{span:?}, 0, 0]
             // Longer by the stretch and by the way around the load.
             span = 20.0 * (1.0 + 20_000.0 / 1e9 - 0.5 * 0.005_f64.powi(2)),
         );
-        let scene = scene::build(&case::parse(&text, "loaded.toml").unwrap(), 1).unwrap();
-        let mut state = scene.initial_state();
-        EquilibriumSearch::default()
-            .run(&scene, 0.0, &mut state)
-            .unwrap();
+        let (scene, state) = at_rest(&text);
         let tension = scene.tension_at(segments / 4, &state);
         let flexure = scene.elements.flexure.as_ref().unwrap();
         let (_, moment) = flexure.bent_at(segments / 2, &scene.line, &state);
@@ -364,12 +355,7 @@ position_m = [{}, 0, 0]
 "#,
         10.0 - push
     );
-    let scene = scene::build(&case::parse(&text, "strut.toml").unwrap(), 1).unwrap();
-    let mut state = scene.initial_state();
-    EquilibriumSearch::default()
-        .run(&scene, 0.0, &mut state)
-        .unwrap();
-    (scene, state)
+    at_rest(&text)
 }
 
 #[test]
