@@ -65,7 +65,7 @@ const LEAST_STIFFNESS: f64 = 1e-12;
 pub struct LineBetweenEnds {
     /// Initial shape and friction springs of the cold start.
     scene: Scene,
-    search: EquilibriumSearch,
+    search: EquilibriumSearch<'static>,
     newton: Newton,
     /// The last equilibrium, if there is one, and the negative pivots of its tangent: its unstable directions in still water.
     last: State,

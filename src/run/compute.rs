@@ -1,6 +1,6 @@
 //! One computation of a case, without companions: scene, settings, simulation, and what follows from its record.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::event::{JobEvent, Listener};
@@ -9,7 +9,7 @@ use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
 use super::time_march::{MarchResult, phases};
-use super::{Cost, Profile, Quantity, ResumedRun, Settings, Work};
+use super::{Cost, Profile, Quantity, ResumedRun, RunState, Settings, Work};
 use super::{natural_modes, published_curve, steady_state};
 use crate::background::cpu_time;
 use crate::case::{self, Case, WaterSurface};
@@ -38,7 +38,7 @@ impl Computed {
 
     /// A computation that was stopped before it began.
     pub(super) fn stopped() -> Self {
-        Self::without_record(MarchResult::stopped())
+        Self::without_record(MarchResult::stopped(Work::default()))
     }
 
     fn without_record(outcome: MarchResult) -> Self {
@@ -99,10 +99,9 @@ pub(super) fn compute(
         None => None,
     };
     let (cpu, wall) = (cpu_time(), Instant::now());
-    let stop = || cancel.load(Ordering::Relaxed);
     let mut warnings = warnings(&scene, &settings);
     let phases = phases(scene);
-    let mut recorder = Recorder::new(case, &phases[0], events, &stop);
+    let mut recorder = Recorder::new(case, &phases[0], events, cancel);
     let outcome = simulate(case, &phases, &settings, &mut recorder, &mut warnings, from);
     let record = recorder.finish();
     let cost = Cost {
@@ -125,6 +124,10 @@ pub(super) fn compute(
 /// Adds what follows from the record of a computation and from the line at rest: warnings, natural modes, differences
 /// from published curves.
 fn evaluate(case: &Case, scene: &Scene, mut computed: Computed) -> Computed {
+    let outcome = &computed.outcome;
+    if outcome.state == RunState::Cancelled && computed.record.history.time.is_empty() {
+        return computed;
+    }
     let (warnings, record) = (&mut computed.warnings, &mut computed.record);
     let steps = &computed.outcome.lengths;
     set_numerical_damping(&mut computed.settings, scene, steps);

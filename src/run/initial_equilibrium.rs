@@ -1,5 +1,7 @@
 //! The initial equilibrium of a line, and warnings about it: that it is unstable, one of several, or that there is none.
 
+use std::sync::atomic::AtomicBool;
+
 use super::Work;
 use crate::case::{Case, Method};
 use crate::scene::Scene;
@@ -12,18 +14,18 @@ const SHARP: f64 = 0.8;
 /// Finds the equilibrium where the case asks for one, and warns where it is unstable or not unique.
 ///
 /// # Errors
-/// Why there is none, in words.
+/// Why there is none, in words, or that it was stopped.
 pub(super) fn find_equilibrium(
     case: &Case,
     scene: &Scene,
     state: &mut State,
-    work: &mut Work,
-    warnings: &mut Vec<String>,
+    cancel: &AtomicBool,
+    (work, warnings): (&mut Work, &mut Vec<String>),
 ) -> Result<(), String> {
     if !scene.start.in_equilibrium && case.solver.method != Method::Static {
         return Ok(());
     }
-    search(scene, state, work, warnings)?;
+    search(scene, state, cancel, (work, warnings))?;
     if let Some(node) = scene.sliding_node(state) {
         return Err(format!(
             "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
@@ -36,10 +38,14 @@ pub(super) fn find_equilibrium(
 fn search(
     scene: &Scene,
     state: &mut State,
-    work: &mut Work,
-    warnings: &mut Vec<String>,
+    cancel: &AtomicBool,
+    (work, warnings): (&mut Work, &mut Vec<String>),
 ) -> Result<(), String> {
-    match EquilibriumSearch::default().run(scene, 0.0, state) {
+    let stoppable = EquilibriumSearch {
+        stop: Some(cancel),
+        ..EquilibriumSearch::default()
+    };
+    match stoppable.run(scene, 0.0, state) {
         Ok(found) => {
             work.iterations += found.iterations;
             if found.friction_released {

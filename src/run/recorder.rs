@@ -2,6 +2,7 @@
 //! written at the output times, which change no step.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::channel_reading::ChannelReading;
 use super::event::{JobEvent, Listener};
@@ -49,7 +50,7 @@ pub(super) struct Recorder<'a> {
     progress: Progress,
     /// Receives every output time.
     events: Listener<'a>,
-    stop: &'a dyn Fn() -> bool,
+    cancel: &'a AtomicBool,
 }
 
 impl<'a> Recorder<'a> {
@@ -58,7 +59,7 @@ impl<'a> Recorder<'a> {
         case: &'a Case,
         scene: &'a Scene,
         events: Listener<'a>,
-        stop: &'a dyn Fn() -> bool,
+        cancel: &'a AtomicBool,
     ) -> Self {
         let channels = case::channels(case);
         let at_rest = case.solver.method == Method::Static;
@@ -91,8 +92,13 @@ impl<'a> Recorder<'a> {
             clock: std::time::Instant::now(),
             progress: Progress::default(),
             events,
-            stop,
+            cancel,
         }
+    }
+
+    /// The flag that stops the run.
+    pub(super) fn cancel(&self) -> &'a AtomicBool {
+        self.cancel
     }
 
     /// Completes a checkpoint by the state of the observers, and sends it.
@@ -355,7 +361,7 @@ impl Sink for Recorder<'_> {
             self.output(time);
         }
         self.take_in_interval(false);
-        if (self.stop)() {
+        if self.cancel.load(Ordering::Relaxed) {
             Progressing::Stop
         } else {
             Progressing::Continue

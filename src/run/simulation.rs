@@ -1,5 +1,7 @@
 //! A simulation: brings the line to its start, then runs the method of the case.
 
+use std::sync::atomic::Ordering;
+
 use super::initial_equilibrium::find_equilibrium;
 use super::recorder::Recorder;
 use super::settings::{motion_scale, position_tolerance};
@@ -64,11 +66,15 @@ fn simulate_from<'a>(
     if let Some(resume) = resume {
         work.iterations = resume.checkpoint.start_iterations;
         warnings.extend(resume.checkpoint.warnings.iter().cloned());
-    } else if !from_run
-        && let Err(failure) = find_equilibrium(case, scene, state, &mut work, warnings)
-    {
-        record_single(recorder, state);
-        return MarchResult::failed(failure, work);
+    } else if !from_run {
+        let (cancel, notes) = (recorder.cancel(), (&mut work, &mut *warnings));
+        if let Err(failure) = find_equilibrium(case, scene, state, cancel, notes) {
+            if cancel.load(Ordering::Relaxed) {
+                return MarchResult::stopped(work);
+            }
+            record_single(recorder, state);
+            return MarchResult::failed(failure, work);
+        }
     }
     scene.apply_start_velocity(state);
     let start = MarchStart {

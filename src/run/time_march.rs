@@ -24,12 +24,12 @@ pub(super) struct MarchResult {
 }
 
 impl MarchResult {
-    /// A computation that was stopped before it began.
-    pub(super) fn stopped() -> Self {
+    /// A computation that was stopped before its first step.
+    pub(super) fn stopped(work: Work) -> Self {
         Self {
             state: RunState::Cancelled,
             failure: None,
-            work: Work::default(),
+            work,
             lengths: Vec::new(),
         }
     }

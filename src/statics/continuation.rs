@@ -12,7 +12,7 @@ const LONGEST: f64 = 0.125;
 const SHORT: f64 = 0.02;
 const SHORTEST: f64 = 1e-3;
 
-impl EquilibriumSearch {
+impl EquilibriumSearch<'_> {
     /// Moves `state` to an equilibrium by continuation in the angle of the clamps; leaves it if there is none.
     pub(super) fn continue_clamps<S: StaticSearch>(
         &self,

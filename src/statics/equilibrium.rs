@@ -7,26 +7,31 @@
 //! every pseudo-time step converged. A state is accepted on the displacement and then on the residual force, and never with a
 //! fold in a line that bends, where forces balance but no equilibrium is stable.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use crate::numerics::{BlockBand, V3};
 use crate::solve::{Factors, Newton, NewtonError, Residual, State, StaticSearch};
 
 /// Settings of the search.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct EquilibriumSearch {
+#[derive(Debug, Clone, Copy)]
+pub struct EquilibriumSearch<'a> {
     /// Largest residual force accepted, relative to the force scale of the line \[-\].
     pub force_tolerance: f64,
     /// Greatest Newton iterations a try.
     pub max_iterations: usize,
     /// Greatest steps of pseudo-time.
     pub max_steps: usize,
+    /// Set by another thread, it ends the search.
+    pub stop: Option<&'a AtomicBool>,
 }
 
-impl Default for EquilibriumSearch {
+impl Default for EquilibriumSearch<'_> {
     fn default() -> Self {
         Self {
             force_tolerance: 1e-8,
             max_iterations: 40,
             max_steps: 400,
+            stop: None,
         }
     }
 }
@@ -58,10 +63,15 @@ pub struct EquilibriumError {
     pub kinked_node: Option<usize>,
     /// The last failure of Newton.
     pub why: Option<NewtonError>,
+    /// Whether it was stopped before its end.
+    pub stopped: bool,
 }
 
 impl EquilibriumError {
     fn reason(&self) -> String {
+        if self.stopped {
+            return "it was stopped".to_owned();
+        }
         if let Some(node) = self.kinked_node {
             return format!(
                 "the line bends by a right angle or more at node {node}, which segments of this length cannot carry; \
@@ -91,7 +101,7 @@ const SHARING: usize = 40;
 /// Relative change of such a stiffness \[-\] at which it is solved for.
 const SHARED: f64 = 1e-11;
 
-impl EquilibriumSearch {
+impl EquilibriumSearch<'_> {
     /// Moves `state` to an equilibrium at time t, at rest.
     ///
     /// # Errors
@@ -210,6 +220,11 @@ impl EquilibriumSearch {
         found
     }
 
+    /// Whether it is to end.
+    fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+    }
+
     /// Newton to the end, accepted on the residual.
     pub(super) fn finish<S: StaticSearch>(
         &self,
@@ -220,6 +235,9 @@ impl EquilibriumSearch {
         steps: u64,
     ) -> Result<Equilibrium, Option<NewtonError>> {
         for _ in 0..SHARING {
+            if self.is_stopped() {
+                return Err(None);
+            }
             newton.reset_rate();
             let solved = newton.solve(system, t, state, STATICS);
             state.extrapolated_tension.clear();
@@ -267,6 +285,9 @@ impl EquilibriumSearch {
         let mut h = 0.1 * size.sqrt();
         let mut calm = 0;
         for step in 1..=self.max_steps as u64 {
+            if self.is_stopped() {
+                return None;
+            }
             let moved = newton.iterate(system, t, state, pseudo_time(h)).ok()?.1;
             set_at_rest(state);
             h *= (0.03 * size / moved).clamp(0.3, 1.7);
@@ -307,6 +328,9 @@ impl EquilibriumSearch {
         let mut h = 0.1;
         let mut why = None;
         for step in 1..=self.max_steps as u64 {
+            if self.is_stopped() {
+                break;
+            }
             trial.copy_from(state);
             newton.reset_rate();
             match newton.solve(system, t, &mut trial, pseudo_time(h)) {
@@ -347,6 +371,7 @@ impl EquilibriumSearch {
             node,
             kinked_node: system.kinked_node(state),
             why,
+            stopped: self.is_stopped(),
         })
     }
 }

@@ -133,6 +133,30 @@ fn resumes_to_the_same_bits(method: &str, request: impl Fn(f64) -> Request) {
     }
 }
 
+/// Stopped while it looks for its equilibrium it has no rows, wrong ones least of all, and is begun anew.
+#[test]
+fn a_run_stopped_at_rest_begins_anew() {
+    for method in ["static", "alpha"] {
+        let place = tempfile::tempdir().unwrap();
+        let dir = place.path().join("stopped");
+        let request = request(method, 2.0);
+        let computed = |request, stop| job::execute(request, &AtomicBool::new(stop), &mut |_| {});
+        let whole = computed(&request, false);
+        assert_eq!(whole.info.state, RunState::Done);
+        let at = RunLocation::Exactly(dir.clone());
+        let mut writer = RunWriter::begin(&at, whole.info.clone(), &request.text).unwrap();
+        let stopped = job::execute(&request, &AtomicBool::new(true), &mut |event| {
+            writer.event(&event).unwrap();
+        });
+        assert_eq!(stopped.info.state, RunState::Cancelled);
+        assert!(stopped.info.failure.is_none() && stopped.history.time.is_empty());
+        writer.finish(&stopped).unwrap();
+        let (again, from) = resume_request(&dir, None).unwrap();
+        assert!(from.is_none());
+        assert_eq!(whole.summary, computed(&again, false).summary);
+    }
+}
+
 /// Killed after it had recorded more than its last checkpoint: everything after that is computed again.
 #[test]
 fn a_killed_run_resumes_from_its_last_checkpoint() {

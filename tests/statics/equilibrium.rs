@@ -1,5 +1,7 @@
 //! Equilibrium of the discretised line: what it reports, and what it is held against.
 
+use std::sync::atomic::AtomicBool;
+
 use crate::lines;
 use crate::lines::line;
 use seacable::numerics::V3;
@@ -149,4 +151,24 @@ fn an_unstable_equilibrium_is_distinguished_from_a_stable_one() {
         let state = at_rest(&scene);
         assert_eq!(instabilities(&scene, 0.0, &state), Some(ways), "{load}");
     }
+}
+
+/// In all that follows Newton as well: pseudo-time, and the bed without friction.
+#[test]
+fn a_search_that_is_stopped_ends_at_once() {
+    let rough = "seabed = { depth_m = 25.0, friction = 0.8 }";
+    let scene = build(&format!("{BETWEEN_POSTS}\n{rough}"));
+    let mut state = scene.initial_state();
+    let guess = state.x.clone();
+    let (stop, free) = (AtomicBool::new(true), AtomicBool::new(false));
+    let search = |stop| EquilibriumSearch {
+        stop: Some(stop),
+        ..EquilibriumSearch::default()
+    };
+    let error = search(&stop).run(&scene, 0.0, &mut state).unwrap_err();
+    assert!(error.stopped && error.iterations == 0, "{error}");
+    assert!(error.to_string().contains("it was stopped"), "{error}");
+    assert_eq!(state.x, guess);
+    search(&free).run(&scene, 0.0, &mut state).unwrap();
+    assert_eq!(state.x, at_rest(&scene).x);
 }
