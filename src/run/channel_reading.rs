@@ -48,7 +48,7 @@ impl<'a> ChannelReading<'a> {
             Q::Tilt => Some(scene.tilt(state).to_degrees()),
             Q::Roll | Q::Pitch | Q::Yaw | Q::Length => None,
             Q::PinForceX | Q::PinForceY | Q::PinForceZ | Q::Uplift => None,
-            Q::Arc => scene.traveller_arc(self.time),
+            Q::Arc => scene.traveller_arc(self.time, state),
             Q::ForceX => self.end_force(site).map(|f| f[0]),
             Q::ForceY => self.end_force(site).map(|f| f[1]),
             Q::ForceZ => self.end_force(site).map(|f| f[2]),

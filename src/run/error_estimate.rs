@@ -86,11 +86,7 @@ fn estimates_by(
 ) -> ErrorEstimates {
     let [time, mesh] = evidence;
     let energy = |growth| with_errors(evidence, growth, run, |c| c.record.energy.clone());
-    // The drive that stops a traveller at once takes its kinetic energy along, which is a drift that no step makes smaller.
-    let growth = match case.traveller {
-        Some(_) => 1.0,
-        None => energy_balance::time_error_growth(&energy(1.0)),
-    };
+    let growth = energy_balance::time_error_growth(&energy(1.0));
     let mut statistics = with_errors(evidence, growth, run, statistics);
     limit_resolution(&mut statistics, case, run);
     let lists = [

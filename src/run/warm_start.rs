@@ -54,6 +54,7 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     // Its time begins anew, and with it that of what it remembers.
     state.memory.time = 0.0;
     state.memory.motion_pieces = [0, 0];
+    state.memory.traveller_kinks = 0;
     let ends = [0, here.len() - 1];
     let mut held = state.clone();
     scene.prescribe(0.0, &mut held);

@@ -31,7 +31,7 @@ impl Kinematics for Scene {
 
     fn next_kink(&self, state: &State) -> f64 {
         let kinks = self.end_kinks(state);
-        kinks[0].min(kinks[1])
+        kinks[0].min(kinks[1]).min(self.traveller_kink(state))
     }
 
     fn pass_kink(&self, t: f64, state: &mut State) -> bool {
@@ -46,6 +46,10 @@ impl Kinematics for Scene {
                 *piece += 1;
             }
         }
+        if self.traveller_kink(state) == next {
+            state.memory.traveller_kinks += 1;
+            jumps = true;
+        }
         self.prescribe(t, state);
         jumps
     }
@@ -56,6 +60,14 @@ impl Kinematics for Scene {
 }
 
 impl Scene {
+    /// Time of the next kink of the motion of a traveller \[s\]; infinite where there is none.
+    fn traveller_kink(&self, state: &State) -> f64 {
+        let traveller = self.elements.traveller.as_ref();
+        traveller.map_or(f64::INFINITY, |traveller| {
+            traveller.next_kink(state.memory.traveller_kinks)
+        })
+    }
+
     /// Time of the next kink of the motion of end A and of end B \[s\]; infinite where there is none.
     fn end_kinks(&self, state: &State) -> [f64; 2] {
         [0, 1].map(|end| match &self.line.ends[end] {

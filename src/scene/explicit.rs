@@ -216,7 +216,7 @@ impl Scene {
         let Some(traveller) = &self.elements.traveller else {
             return;
         };
-        let point = traveller.path_point(&self.line, t);
+        let point = traveller.path_point(&self.line, t, state);
         let held = |node: usize| !self.line.free().contains(&node);
         let mut give = M3::zeros();
         for (node, by) in point.nodes().filter(|(node, _)| !held(*node)) {

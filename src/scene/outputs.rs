@@ -80,22 +80,24 @@ impl Scene {
 
     /// Unstretched arc length of the traveller at time t \[m\]; none without one.
     #[must_use]
-    pub fn traveller_arc(&self, t: f64) -> Option<f64> {
+    pub fn traveller_arc(&self, t: f64, state: &State) -> Option<f64> {
         let traveller = self.elements.traveller.as_ref();
-        traveller.map(|traveller| traveller.at(t).0)
+        traveller.map(|traveller| traveller.at(state.memory.traveller_kinks, t).0)
     }
 
     /// Position \[m\] and velocity \[m/s\] of the traveller at time t; none without one.
     #[must_use]
     pub fn traveller_at(&self, t: f64, state: &State) -> Option<(V3, V3)> {
-        let point = self.elements.traveller.as_ref()?.path_point(&self.line, t);
+        let traveller = self.elements.traveller.as_ref()?;
+        let point = traveller.path_point(&self.line, t, state);
         Some((point.place(state), point.velocity(state)))
     }
 
     /// Tension of the segment that the traveller is on \[N\]; none without one.
     #[must_use]
     pub fn traveller_tension(&self, t: f64, state: &State) -> Option<f64> {
-        let point = self.elements.traveller.as_ref()?.path_point(&self.line, t);
+        let traveller = self.elements.traveller.as_ref()?;
+        let point = traveller.path_point(&self.line, t, state);
         let chord = self.line.chord(point.segment, state);
         Some(self.line.pull(point.segment, &chord, t, state).value)
     }

@@ -32,6 +32,9 @@ pub struct HistoryVariables {
     /// Piece of the prescribed motion of end A and of end B: how many kinks of it are passed.
     #[serde(skip_serializing_if = "is_first")]
     pub motion_pieces: [usize; 2],
+    /// How many kinks of the motion of a traveller are passed.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub traveller_kinks: usize,
     /// Time of the last accepted step \[s\], where ropes have a history.
     pub time: f64,
 }
@@ -39,6 +42,10 @@ pub struct HistoryVariables {
 /// Whether no kink is passed.
 fn is_first(pieces: &[usize; 2]) -> bool {
     *pieces == [0, 0]
+}
+
+fn is_zero(count: &usize) -> bool {
+    *count == 0
 }
 
 /// Contact of a body with the bed over the accepted steps.
@@ -94,6 +101,7 @@ impl HistoryVariables {
         self.creep.clone_from(&other.creep);
         self.bodies.clone_from(&other.bodies);
         self.motion_pieces = other.motion_pieces;
+        self.traveller_kinks = other.traveller_kinks;
         self.time = other.time;
     }
 }

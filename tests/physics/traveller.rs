@@ -147,7 +147,7 @@ fn a_slow_crossing_goes_through_equilibria() {
         (82.3, 0.05),
         |_, _| (),
     );
-    let arc = scene.traveller_arc(82.3).unwrap();
+    let arc = scene.traveller_arc(82.3, &state).unwrap();
     let still = taut(20, &format!("from_m = {arc:?}, speed_m_per_s = 0.0"));
     let resting = rest::at_rest(&still);
     let (moving, _) = scene.traveller_at(82.3, &state).unwrap();

@@ -6,7 +6,7 @@
 //! `A = sum [ n_k a_k + 2 s' n_k' v_k + (s'' n_k' + s'² n_k'') x_k ]`: that of the line under it, Coriolis acceleration,
 //! acceleration along the line, and v²/R of a curved line. These are Lagrange's equations for a mass on the line, so that energy is
 //! conserved. Drag acts by its own velocity, that along the line included. The impulse of a start without ramp and of a stop acts on
-//! its drive and not on the line.
+//! its drive and not on the line: velocities of the nodes are continuous there, and steps end there.
 
 pub(in crate::scene) mod path;
 
@@ -50,37 +50,89 @@ struct TravellerDrag {
     by_place: M3,
 }
 
+/// Share of a time within which it is that of a kink.
+const SAME_TIME: f64 = 1e-9;
+
 impl TravellingBody {
-    /// Unstretched arc length \[m\], its rate \[m/s\] and the rate's \[m/s²\] at time t \[s\].
+    /// Unstretched arc length \[m\], its rate \[m/s\] and the rate's \[m/s²\] at time t \[s\], when this many kinks of the motion
+    /// are passed: at the time of a kink they say on which side of it.
     #[must_use]
-    pub fn at(&self, t: f64) -> (f64, f64, f64) {
-        let way = self.to - self.from;
-        let since = t - self.start;
-        if since <= 0.0 {
+    pub fn at(&self, passed: usize, t: f64) -> (f64, f64, f64) {
+        let is_after = |kink: usize| {
+            let time = self.next_kink(kink);
+            passed > kink || t > time * (1.0 + SAME_TIME)
+        };
+        if t < self.start || (self.is_jerked() && !is_after(0)) {
             return (self.from, 0.0, 0.0);
         }
-        let (gone, speed, gain) = if since < self.ramp {
-            // The speed rises as 3 u² - 2 u³.
+        if is_after(usize::from(self.is_jerked())) {
+            return (self.to, 0.0, 0.0);
+        }
+        let since = t - self.start;
+        let (speed, gain) = if since < self.ramp {
             let u = since / self.ramp;
             (
-                self.speed * self.ramp * u * u * u * (1.0 - 0.5 * u),
                 self.speed * u * u * (3.0 - 2.0 * u),
                 self.speed / self.ramp * 6.0 * u * (1.0 - u),
             )
         } else {
-            (self.speed * (since - 0.5 * self.ramp), self.speed, 0.0)
+            (self.speed, 0.0)
         };
-        if gone >= way.abs() {
-            return (self.to, 0.0, 0.0);
-        }
+        let way = self.to - self.from;
+        let gone = self.gone(since).min(way.abs());
         let sign = 1.0_f64.copysign(way);
         (self.from + sign * gone, sign * speed, sign * gain)
+    }
+
+    /// The way it has gone this long after its start, were there no stop \[m\]: its speed rises as `3 u² - 2 u³` along the ramp.
+    fn gone(&self, since: f64) -> f64 {
+        if since < self.ramp {
+            let u = since / self.ramp;
+            self.speed * self.ramp * u * u * u * (1.0 - 0.5 * u)
+        } else {
+            self.speed * (since - 0.5 * self.ramp)
+        }
+    }
+
+    /// Whether it starts without a ramp.
+    fn is_jerked(&self) -> bool {
+        self.ramp == 0.0
+    }
+
+    /// Time of the kink of its motion after this many others \[s\], at which its velocity jumps: a start without ramp, and the
+    /// stop. Infinite after these, and where it stays.
+    #[must_use]
+    pub fn next_kink(&self, passed: usize) -> f64 {
+        let way = (self.to - self.from).abs();
+        match passed + usize::from(!self.is_jerked()) {
+            _ if way == 0.0 || self.speed == 0.0 => f64::INFINITY,
+            0 => self.start,
+            1 => self.start + self.time_to(way),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// How long it takes for a way \[s\].
+    fn time_to(&self, way: f64) -> f64 {
+        if way >= 0.5 * self.speed * self.ramp {
+            return way / self.speed + 0.5 * self.ramp;
+        }
+        let (mut before, mut after) = (0.0, self.ramp);
+        for _ in 0..f64::MANTISSA_DIGITS {
+            let half = 0.5 * (before + after);
+            if self.gone(half) < way {
+                before = half;
+            } else {
+                after = half;
+            }
+        }
+        after
     }
 }
 
 impl Element for TravellingBody {
     fn add_residual(&self, at: At<'_>, r: &mut [V3]) {
-        let point = self.path_point(at.line, at.t);
+        let point = self.path_point(at.line, at.t, at.state);
         let load = self.load(&point, at.line, at.state);
         for (node, by) in point.nodes() {
             r[node] += load * by.share;
@@ -89,7 +141,7 @@ impl Element for TravellingBody {
 
     fn linearise(&self, at: At<'_>, c: Factors, r: &mut [V3], tangent: &mut BlockBand) {
         self.add_residual(at, r);
-        let point = self.path_point(at.line, at.t);
+        let point = self.path_point(at.line, at.t, at.state);
         let drag = self.drag_at(&point, at.line, at.state);
         for (j, by) in point.nodes() {
             let carried = c.mass * by.share
@@ -140,14 +192,20 @@ impl TravellingBody {
     }
 
     /// Its point on the path of the line at time t.
-    pub(in crate::scene) fn path_point(&self, line: &LumpedLine, t: f64) -> PathPoint {
-        PathPoint::new(&line.arc[..line.line_nodes], self.at(t))
+    pub(in crate::scene) fn path_point(
+        &self,
+        line: &LumpedLine,
+        t: f64,
+        state: &State,
+    ) -> PathPoint {
+        let at = self.at(state.memory.traveller_kinks, t);
+        PathPoint::new(&line.arc[..line.line_nodes], at)
     }
 
     /// Kinetic and potential energy \[J\], and the power that its drive and the water put into line and traveller \[W\].
     pub(in crate::scene) fn energy(&self, at: At<'_>) -> (f64, f64) {
         let At { line, t, state } = at;
-        let point = self.path_point(line, t);
+        let point = self.path_point(line, t, state);
         let (place, velocity) = (point.place(state), point.velocity(state));
         let drag = self.drag_at(&point, line, state).drag;
         let power = self
@@ -160,7 +218,7 @@ impl TravellingBody {
 
     /// Its load on a prescribed end while it is on the segment there \[N\].
     pub(in crate::scene) fn force_on(&self, node: usize, at: At<'_>) -> V3 {
-        let point = self.path_point(at.line, at.t);
+        let point = self.path_point(at.line, at.t, at.state);
         let on = point.nodes().filter(|(near, _)| *near == node);
         let share: f64 = on.map(|(_, by)| by.share).sum();
         if share == 0.0 {
@@ -211,29 +269,61 @@ impl TravellingBody {
 mod tests {
     use super::*;
 
+    fn traveller((from, to): (f64, f64), ramp: f64) -> TravellingBody {
+        TravellingBody {
+            mass: 1.0,
+            weight: 1.0,
+            drag: V3::zeros(),
+            displaced: 0.0,
+            from,
+            to,
+            speed: 1.5,
+            start: 2.0,
+            ramp,
+        }
+    }
+
     #[test]
     fn rates_are_derivatives_and_it_stays_where_it_should() {
         for (from, to) in [(3.0, 20.0), (20.0, 3.0)] {
-            let traveller = TravellingBody {
-                mass: 1.0,
-                weight: 1.0,
-                drag: V3::zeros(),
-                displaced: 0.0,
-                from,
-                to,
-                speed: 1.5,
-                start: 2.0,
-                ramp: 3.0,
-            };
+            let traveller = traveller((from, to), 3.0);
             for t in [1.0, 2.5, 4.9, 5.1, 9.0] {
                 let h = 1e-5;
-                let (before, now, after) =
-                    (traveller.at(t - h), traveller.at(t), traveller.at(t + h));
+                let (before, now, after) = (
+                    traveller.at(0, t - h),
+                    traveller.at(0, t),
+                    traveller.at(0, t + h),
+                );
                 assert!(((after.0 - before.0) / (2.0 * h) - now.1).abs() < 1e-8);
                 assert!(((after.1 - before.1) / (2.0 * h) - now.2).abs() < 1e-4);
             }
-            assert_eq!(traveller.at(100.0), (to, 0.0, 0.0));
-            assert_eq!(traveller.at(0.0), (from, 0.0, 0.0));
+            assert_eq!(traveller.at(1, 100.0), (to, 0.0, 0.0));
+            assert_eq!(traveller.at(0, 0.0), (from, 0.0, 0.0));
         }
+    }
+
+    #[test]
+    fn its_velocity_jumps_at_its_kinks_and_nowhere_else() {
+        let speed_at = |one: &TravellingBody, passed, t| one.at(passed, t).1;
+        let jerked = traveller((3.0, 18.0), 0.0);
+        assert_eq!(
+            [0, 1, 2].map(|n| jerked.next_kink(n)),
+            [2.0, 12.0, f64::INFINITY]
+        );
+        assert_eq!([0, 1].map(|n| speed_at(&jerked, n, 2.0)), [0.0, 1.5]);
+        assert_eq!([1, 2].map(|n| speed_at(&jerked, n, 12.0)), [1.5, 0.0]);
+        assert_eq!([1, 2].map(|n| jerked.at(n, 12.0).0), [18.0, 18.0]);
+        // With a ramp it has one: where it stops, on the ramp or after it.
+        for (way, ramp) in [(15.0, 3.0), (1.0, 3.0)] {
+            let one = traveller((3.0, 3.0 + way), ramp);
+            let stop = one.next_kink(0);
+            assert_eq!(one.next_kink(1), f64::INFINITY);
+            assert!((one.at(0, stop).0 - one.to).abs() < 1e-12);
+            assert!(speed_at(&one, 0, stop) > 0.5);
+            assert_eq!(one.at(1, stop), (one.to, 0.0, 0.0));
+            // A time well after it needs no counting.
+            assert_eq!(one.at(0, stop + 1e-3), (one.to, 0.0, 0.0));
+        }
+        assert_eq!(traveller((3.0, 3.0), 1.0).next_kink(0), f64::INFINITY);
     }
 }
