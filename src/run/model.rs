@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use super::along::FatigueSpot;
 use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
+use crate::numerics::richardson::OBSERVED;
 
 /// Version of the program, written into every run.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
@@ -438,6 +439,17 @@ impl Quantity {
             (None, None) => None,
             (t, m) => Some(t.unwrap_or(0.0) + m.unwrap_or(0.0)),
         }
+    }
+
+    /// The error to be expected: the bar without the factor of safety, by which nearly every single one lies inside.
+    #[must_use]
+    pub fn expected_error(&self) -> Option<f64> {
+        let safety = if self.unsettled.is_some() {
+            1.0
+        } else {
+            OBSERVED
+        };
+        Some(self.error_estimate()? / safety)
     }
 }
 

@@ -39,7 +39,7 @@ impl Shares {
     pub(super) fn of(case: &Case, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
         let counted = allowed.0.iter().filter_map(|(id, allowed)| {
             let q = summary.iter().find(|q| q.id == *id)?;
-            Some((q, *allowed, expected(q)? / allowed))
+            Some((q, *allowed, q.expected_error()? / allowed))
         });
         let counted: Vec<_> = counted.filter(|(.., share)| share.is_finite()).collect();
         let mut all: Vec<_> = counted
@@ -78,13 +78,6 @@ impl Shares {
     pub(super) fn missed(&self) -> impl Iterator<Item = &(f64, String)> {
         self.all.iter().rev().take_while(|(share, _)| *share > 1.0)
     }
-}
-
-/// The error to be expected of a result: its bar without the factor of safety, by which nearly every single one lies inside. Of all
-/// results together [`WITHIN`] are asked for.
-fn expected(q: &Quantity) -> Option<f64> {
-    let safety = if q.unsettled.is_some() { 1.0 } else { OBSERVED };
-    Some(q.error_estimate()? / safety)
 }
 
 /// The least of these sorted numbers that [`WITHIN`] of them do not exceed; zero of none.
