@@ -328,8 +328,8 @@ pub fn totals(rows: &[AccuracyRow]) -> Table {
     };
     let totals: Vec<(f64, Vec<AccuracyFinding>)> =
         asked.into_iter().map(|asked| (asked, of(asked))).collect();
-    let share = |found: &[AccuracyFinding], said: bool| {
-        let counted = || found.iter().filter(|found| found.said || !said);
+    let share = |found: &[AccuracyFinding], counts: fn(&AccuracyFinding) -> bool| {
+        let counted = || found.iter().filter(|found| counts(found));
         let results: usize = counted().map(|found| found.results).sum();
         let within: usize = counted().map(|found| found.within).sum();
         (results > 0).then(|| within as f64 / results as f64)
@@ -343,11 +343,16 @@ pub fn totals(rows: &[AccuracyRow]) -> Table {
             row.1.iter().filter(|found| found.said).count() as f64
         })
         .number("results within", NumberFormat::Percent, move |row| {
-            share(&row.1, false)
+            share(&row.1, |_| true)
         })
         .number("of those said reached", NumberFormat::Percent, move |row| {
-            share(&row.1, true)
+            share(&row.1, |found| found.said)
         })
+        .number(
+            "of those that a setting meets",
+            NumberFormat::Percent,
+            move |row| share(&row.1, |found| found.cheapest.is_some()),
+        )
         .number(
             "median of CPU by the cheapest",
             NumberFormat::Digits(2, ""),

@@ -217,6 +217,27 @@ fn one_stiffness_for_the_whole_rope_misses_the_front() {
     }
 }
 
+/// What a rope remembers at its ends is of order two in the length of its segments, though each segment has it in its middle.
+#[test]
+fn readings_at_the_ends_of_a_rope_are_of_order_two() {
+    let meshes = ["20", "40", "80"];
+    let runs = meshes.map(|mesh| run(FIXED, &[("line.polyester.segments", mesh)]));
+    for channel in [
+        "mean_load_percent[polyester.a]",
+        "mean_load_percent[polyester.b]",
+        "stiffness_k[polyester.a]",
+        "stiffness_k[polyester.b]",
+    ] {
+        let last = |run: &Run| *run.history.channel(channel).unwrap().values.last().unwrap();
+        let [coarse, middle, fine] = [0, 1, 2].map(|mesh| last(&runs[mesh]));
+        let ratio = (coarse - middle) / (middle - fine);
+        assert!(
+            (3.0..5.5).contains(&ratio),
+            "{channel}: {coarse} {middle} {fine}"
+        );
+    }
+}
+
 /// Conclusion 2: the pretension at the top is no measure of the mean tension along the rope.
 #[test]
 fn the_pretension_overstates_the_mean_load() {
@@ -320,8 +341,20 @@ fn the_lower_end_of_the_polyester_swings_more() {
         assert_eq!(ropes.arc.len(), 80);
         assert!((ropes.arc[0] - 1537.5).abs() < 1e-9);
         let last = |channel: &str| *run.history.channel(channel).unwrap().values.last().unwrap();
-        assert_eq!(ropes.mean_load[0], last("mean_load_percent[polyester.a]"));
-        assert_eq!(ropes.stiffness[79], last("stiffness_k[polyester.b]"));
+        // Along the rope there are values of the middles of segments, at its ends those of the ends.
+        let at_end = |near: f64, far: f64| near + 0.5 * (near - far);
+        for (ours, channel) in [
+            (
+                at_end(ropes.mean_load[0], ropes.mean_load[1]),
+                "mean_load_percent[polyester.a]",
+            ),
+            (
+                at_end(ropes.stiffness[79], ropes.stiffness[78]),
+                "stiffness_k[polyester.b]",
+            ),
+        ] {
+            assert!((ours / last(channel) - 1.0).abs() < 1e-12, "{channel}");
+        }
         assert!(ropes.mean_load.windows(2).all(|pair| pair[1] > pair[0]));
     }
 }
