@@ -42,6 +42,13 @@ pub struct Overshoot {
     pub share: f64,
 }
 
+/// Points a period of a harmonic of which four foretell the one in their middle to [`FORETOLD`] of what two leave:
+/// `3/16 (2 pi / 12)²`.
+pub const POINTS_A_PERIOD: f64 = 12.0;
+const FORETOLD: f64 = 0.05;
+/// Share of the range that counts as rounding of a table.
+const ROUNDING: f64 = 2.5e-4;
+
 /// A smooth path through points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
@@ -80,6 +87,52 @@ impl Spline {
         gaps.fold(f64::INFINITY, f64::min)
     }
 
+    /// The longest time between points that shows the path \[s\]: of points so far apart each is foretold by the four around it to a
+    /// twentieth of what the two beside it leave, as a harmonic is by [`POINTS_A_PERIOD`], or to what is rounding. The shortest between two
+    /// points, where these do not foretell each other.
+    #[must_use]
+    pub fn resolving(&self) -> f64 {
+        let mut longest = self.finest();
+        let mut apart = 1;
+        while let Some(interval) = self.foretold(apart) {
+            longest = longest.max(interval);
+            apart *= 2;
+        }
+        longest
+    }
+
+    /// The shortest time between points twice so many apart \[s\], if those foretell the points in their middles.
+    fn foretold(&self, apart: usize) -> Option<f64> {
+        let middles = 3 * apart..self.time.len().saturating_sub(3 * apart);
+        if middles.is_empty() {
+            return None;
+        }
+        let (mut by_two, mut by_four) = (0.0_f64, 0.0_f64);
+        for i in middles.clone() {
+            let around = [i - apart, i + apart, i - 3 * apart, i + 3 * apart];
+            let left =
+                |points: &[usize]| (self.position[i] - self.lagrange(points, self.time[i])).norm();
+            by_two = by_two.max(left(&around[..2]));
+            by_four = by_four.max(left(&around));
+        }
+        let rounding = ROUNDING * self.range().norm();
+        if by_four > rounding.max(FORETOLD * by_two) {
+            return None;
+        }
+        let intervals = middles.map(|i| self.time[i + apart] - self.time[i - apart]);
+        Some(intervals.fold(f64::INFINITY, f64::min))
+    }
+
+    /// The polynomial through some points at time t \[m\].
+    fn lagrange(&self, points: &[usize], t: f64) -> V3 {
+        let weight = |i: usize| {
+            let others = points.iter().filter(|j| **j != i);
+            let factor = |j: &usize| (t - self.time[*j]) / (self.time[i] - self.time[*j]);
+            others.map(factor).product::<f64>()
+        };
+        points.iter().map(|i| self.position[*i] * weight(*i)).sum()
+    }
+
     /// Position \[m\], velocity \[m/s\] and acceleration \[m/s²\] at time t \[s\]; beyond its ends the path continues straight.
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
@@ -98,13 +151,25 @@ impl Spline {
     /// reverse, and the two differ): the path has one there with reason.
     #[must_use]
     pub fn overshoot(&self, until: f64) -> Option<Overshoot> {
+        let range = self.range();
         let pieces = (1..self.time.len()).filter(|i| self.time[i - 1] < until);
-        let each = pieces.flat_map(|i| (0..3).filter_map(move |axis| self.overshoot_on(i, axis)));
-        each.reduce(|a, b| if b.share > a.share { b } else { a })
+        let on = |(i, axis): (usize, usize)| self.overshoot_on(i, axis, range[axis]);
+        let each = pieces.flat_map(|i| [0, 1, 2].map(|axis| (i, axis)));
+        each.filter_map(on)
+            .reduce(|a, b| if b.share > a.share { b } else { a })
     }
 
-    /// The overshoot along an axis on the piece that ends at point i.
-    fn overshoot_on(&self, i: usize, axis: usize) -> Option<Overshoot> {
+    /// The range of all points \[m\].
+    fn range(&self) -> V3 {
+        let least = |a: V3, b: &V3| a.inf(b);
+        let greatest = |a: V3, b: &V3| a.sup(b);
+        let first = self.position[0];
+        let all = || self.position.iter();
+        all().fold(first, greatest) - all().fold(first, least)
+    }
+
+    /// The overshoot along an axis of this range on the piece that ends at point i.
+    fn overshoot_on(&self, i: usize, axis: usize, range: f64) -> Option<Overshoot> {
         let x = |i: usize| self.position[i][axis];
         let rise = |i: usize| {
             if i < self.time.len() {
@@ -117,8 +182,6 @@ impl Spline {
         if before * rise(i + 1) < 0.0 && rise(i) != 0.0 {
             return None;
         }
-        let all = || self.position.iter().map(|p| p[axis]);
-        let range = all().fold(f64::MIN, f64::max) - all().fold(f64::MAX, f64::min);
         let (low, high) = (x(i - 1).min(x(i)), x(i - 1).max(x(i)));
         let out = self.turns(i, axis).into_iter().map(|time| {
             let there = self.piece(i, time).0[axis];
@@ -254,6 +317,43 @@ mod tests {
             assert!((spline.at(t).0 - x).norm() < 1e-12);
             assert!((low.1 - high.1).norm() < 1e-7 && (low.2 - high.2).norm() < 1e-6);
         }
+    }
+
+    /// A slow drift and a wave on it, rounded to millimetres: it is the wave that steps have to show. A short table, and one whose
+    /// points foretell nothing, has its own interval.
+    #[test]
+    fn the_interval_that_shows_a_path_is_that_of_its_quickest_motion() {
+        let table = |interval: f64, noise: f64| {
+            let place = |k: u32| {
+                let t = f64::from(k) * interval;
+                let x = 20.0 * (0.03 * t).sin() + 2.0 * (0.6 * t).sin();
+                let stray = noise * ((f64::from(k) * 12.9898).sin() * 43758.5453).fract();
+                (t, V3::new(((x + stray) * 1e3).round() / 1e3, 0.0, 0.0))
+            };
+            let points: Vec<(f64, V3)> = (0..8000).map(place).collect();
+            Spline::through(&points).unwrap()
+        };
+        let period = std::f64::consts::TAU / 0.6;
+        for interval in [0.05, 0.1] {
+            let shown = table(interval, 0.0).resolving();
+            assert!((period / 24.0..period / 9.0).contains(&shown), "{shown}");
+        }
+        assert!((table(0.1, 0.5).resolving() - 0.1).abs() < 1e-9);
+        let short = [0.0, 0.2, 0.3].map(|t| (t, V3::new(t, 0.0, 0.0)));
+        assert!((Spline::through(&short).unwrap().resolving() - 0.1).abs() < 1e-12);
+    }
+
+    /// Its range is found once, not once for each of its points.
+    #[test]
+    fn a_long_table_is_looked_at_in_no_time() {
+        let points = |k: u32| (f64::from(k), V3::new(f64::from(k % 2), 0.0, 0.0));
+        let points: Vec<(f64, V3)> = (0..300_000).map(points).collect();
+        let spline = Spline::through(&points).unwrap();
+        assert!(
+            spline
+                .overshoot(f64::INFINITY)
+                .is_none_or(|found| found.share < 0.5)
+        );
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::ramp::smooth_ramp;
 use super::sea::{Harmonic, Harmonics};
 use crate::numerics::V3;
 use crate::numerics::piecewise::PiecewiseCubic;
-use crate::numerics::spline::Spline;
+use crate::numerics::spline::{POINTS_A_PERIOD, Spline};
 
 /// Motion of a held end.
 #[derive(Debug, Clone, PartialEq)]
@@ -92,7 +92,10 @@ impl EndMotion {
         match &self.course {
             MotionPath::Still => None,
             MotionPath::Harmonic(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
-            MotionPath::Table(spline) => Some(2.0 * spline.finest()),
+            MotionPath::Table(spline) => {
+                let shown = POINTS_A_PERIOD * spline.resolving();
+                Some(shown.min(2.0 * (spline.span().1 - spline.span().0)))
+            }
             MotionPath::Piecewise(path) => Some(2.0 * path.finest()),
             MotionPath::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
         }
@@ -100,12 +103,12 @@ impl EndMotion {
 }
 
 impl EndMotion {
-    /// The longest step that sees its course \[s\]: `steps` a period, or the interval of a table, whose error the step control
-    /// knows; where steps end at kinks half of a usual piece, so that a companion of twice the step differs; nothing for an end that stands still.
+    /// The longest step that sees its course \[s\]: `steps` a period, or the interval that shows a table, whose error the step
+    /// control knows; where steps end at kinks half of a usual piece, so that a companion of twice the step differs; nothing for an end that stands still.
     #[must_use]
     pub fn longest_step(&self, steps: f64) -> Option<f64> {
         match &self.course {
-            MotionPath::Table(spline) => Some(spline.finest()),
+            MotionPath::Table(spline) => Some(spline.resolving()),
             MotionPath::Piecewise(path) => Some(0.5 * path.median_piece()),
             _ => self.period().map(|period| period / steps),
         }
