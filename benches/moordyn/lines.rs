@@ -261,7 +261,7 @@ impl Line {
             let displaced = 0.25 * PI * m.diameter_m.powi(2) * WATER_KG_PER_M3;
             format!(
                 "materials.{}{i} = {{ diameter_m = {:?}, mass_kg_per_m = {:?}, wet_weight_kg_per_m = {:?}, ea_n = {:?}, axial_damping_n_s = {:?}, \
-                 drag_normal = {:?}, drag_tangential = {:?}, added_mass_normal = {:?} }}\n",
+                 drag_normal = {:?}, drag_tangential = {:?}, drag_tangential_width = \"perimeter\", added_mass_normal = {:?} }}\n",
                 m.name, m.diameter_m, m.mass_kg_per_m, m.mass_kg_per_m - displaced, m.ea_n, m.axial_damping_n_s, m.drag[0], m.drag[1], m.added_mass
             )
         });

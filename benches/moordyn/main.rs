@@ -2,10 +2,10 @@
 //!
 //! Each error is the root mean square difference of the tension at both ends from the program's own history on four times as many
 //! segments in much shorter steps, by its peak: what the mesh and the steps cost, and no difference of the models. What those two
-//! histories differ by is stated too. Both begin at rest, MoorDyn by its catenaries between the ends and the places where the sections meet.
-//! It runs by RK4 in its largest stable step, from Python; runs here are written to memory where there is a disk of it. Needs Python with the package `moordyn` 2.7.2:
+//! histories differ by is stated too. Both begin at rest, MoorDyn by its catenaries between the ends and the places where the sections
+//! meet. It runs by RK4 in its largest stable step, from Python; runs here are written to memory where there is a disk of it.
 //!
-//! `MOORDYN_PYTHON=target/moordyn/bin/python cargo bench --bench moordyn`
+//! Needs Python with the package `moordyn` 2.7.2, named by `MOORDYN_PYTHON`: `cargo bench --bench moordyn`.
 #![expect(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -15,7 +15,7 @@
 mod lines;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{self, Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::AtomicBool;
 
@@ -50,7 +50,7 @@ fn main() {
 /// Where files are, and what runs MoorDyn.
 struct Place {
     folder: tempfile::TempDir,
-    python: String,
+    python: PathBuf,
 }
 
 /// Tensions at end A and end B at the times of the rows \[N\].
@@ -63,6 +63,11 @@ impl Place {
             tempfile::tempdir_in(memory)
         } else {
             tempfile::tempdir()
+        };
+        // Commands are run in the folder.
+        let python = match python.contains('/') {
+            true => path::absolute(&python).unwrap(),
+            false => PathBuf::from(python),
         };
         Self {
             folder: folder.unwrap(),

@@ -396,10 +396,13 @@ pub(super) struct OutputTimes {
 
 impl OutputTimes {
     pub(super) fn of(case: &Case) -> Self {
-        let duration = case.solver.duration_s;
-        let count = (duration / case.output.interval_s).round().max(1.0);
+        const SAME: f64 = 1e-9;
+        let (duration, interval) = (case.solver.duration_s, case.output.interval_s);
+        let count = (duration / interval).round().max(1.0);
+        // A run that is resumed to a later time goes on with the same intervals to the bit, where both are whole numbers of them.
+        let whole = (count * interval / duration - 1.0).abs() < SAME;
         Self {
-            interval: duration / count,
+            interval: if whole { interval } else { duration / count },
             count: count as u64,
             duration,
         }

@@ -80,7 +80,9 @@ pub fn resume_request(
 /// Checks that a case can be computed on from a checkpoint of a run of it.
 fn check(info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
     let times = OutputTimes::of(case);
-    if times.interval.to_bits() != checkpoint.output_interval_s.to_bits() {
+    // Older runs have intervals that are rounded otherwise.
+    const ROUNDED: f64 = 1e-12;
+    if (times.interval / checkpoint.output_interval_s - 1.0).abs() > ROUNDED {
         return Err(format!(
             "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s

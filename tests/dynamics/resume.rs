@@ -133,6 +133,27 @@ fn resumes_to_the_same_bits(method: &str, request: impl Fn(f64) -> Request) {
     }
 }
 
+/// 2.9 s are a whole number of intervals of 0.05 s but for rounding, and rows of the run go on at the times of the whole one.
+#[test]
+fn a_run_goes_on_in_its_output_intervals() {
+    let place = tempfile::tempdir().unwrap();
+    let dir = place.path().join("first");
+    let short_interval = |duration| {
+        let mut request = request("alpha", duration);
+        request.text = request
+            .text
+            .replace("interval_s = 0.5,", "interval_s = 0.05,");
+        request.case = case::parse(&request.text, "goes_on.toml").unwrap();
+        request
+    };
+    stored(&short_interval(2.9), None, &dir);
+    let (request, from) = resume_request(&dir, Some(8.0)).unwrap();
+    let (resumed, _) = run(&request, from.as_ref());
+    let (whole, _) = run(&short_interval(8.0), None);
+    assert_eq!(resumed.history.time, whole.history.time);
+    assert!(resume_request(&dir, Some(8.02)).is_err());
+}
+
 /// Stopped while it looks for its equilibrium it has no rows, wrong ones least of all, and is begun anew.
 #[test]
 fn a_run_stopped_at_rest_begins_anew() {
