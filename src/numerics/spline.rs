@@ -42,10 +42,10 @@ pub struct Overshoot {
     pub share: f64,
 }
 
-/// Points a period of a harmonic of which four foretell the one in their middle to [`FORETOLD`] of what two leave:
+/// Points a period of a harmonic of which four predict the one in their middle with [`LEFT`] of the error of two:
 /// `3/16 (2 pi / 12)²`.
 pub const POINTS_A_PERIOD: f64 = 12.0;
-const FORETOLD: f64 = 0.05;
+const LEFT: f64 = 0.05;
 /// Share of the range that counts as rounding of a table.
 const ROUNDING: f64 = 2.5e-4;
 
@@ -87,36 +87,38 @@ impl Spline {
         gaps.fold(f64::INFINITY, f64::min)
     }
 
-    /// The longest time between points that shows the path \[s\]: of points so far apart each is foretold by the four around it to a
-    /// twentieth of what the two beside it leave, as a harmonic is by [`POINTS_A_PERIOD`], or to what is rounding. The shortest between two
-    /// points, where these do not foretell each other.
+    /// The longest time between points that resolves the path \[s\]: from points so far apart, cubics predict those between them with
+    /// a twentieth of the error of straight lines, as of a harmonic with [`POINTS_A_PERIOD`], or to what is rounding. The
+    /// shortest time between two points, where even these do not predict each other.
     #[must_use]
-    pub fn resolving(&self) -> f64 {
+    pub fn resolving_interval(&self) -> f64 {
         let mut longest = self.finest();
         let mut apart = 1;
-        while let Some(interval) = self.foretold(apart) {
+        while let Some(interval) = self.predicted_from(apart) {
             longest = longest.max(interval);
             apart *= 2;
         }
         longest
     }
 
-    /// The shortest time between points twice so many apart \[s\], if those foretell the points in their middles.
-    fn foretold(&self, apart: usize) -> Option<f64> {
+    /// The shortest time between points twice so many apart \[s\], if those predict the points in their middles.
+    fn predicted_from(&self, apart: usize) -> Option<f64> {
         let middles = 3 * apart..self.time.len().saturating_sub(3 * apart);
         if middles.is_empty() {
             return None;
         }
-        let (mut by_two, mut by_four) = (0.0_f64, 0.0_f64);
+        let (mut of_lines, mut of_cubics) = (0.0_f64, 0.0_f64);
         for i in middles.clone() {
             let around = [i - apart, i + apart, i - 3 * apart, i + 3 * apart];
-            let left =
-                |points: &[usize]| (self.position[i] - self.lagrange(points, self.time[i])).norm();
-            by_two = by_two.max(left(&around[..2]));
-            by_four = by_four.max(left(&around));
+            let error = |points: &[usize]| {
+                let predicted = self.lagrange(points, self.time[i]);
+                (self.position[i] - predicted).norm()
+            };
+            of_lines = of_lines.max(error(&around[..2]));
+            of_cubics = of_cubics.max(error(&around));
         }
         let rounding = ROUNDING * self.range().norm();
-        if by_four > rounding.max(FORETOLD * by_two) {
+        if of_cubics > rounding.max(LEFT * of_lines) {
             return None;
         }
         let intervals = middles.map(|i| self.time[i + apart] - self.time[i - apart]);
@@ -319,10 +321,10 @@ mod tests {
         }
     }
 
-    /// A slow drift and a wave on it, rounded to millimetres: it is the wave that steps have to show. A short table, and one whose
-    /// points foretell nothing, has its own interval.
+    /// A slow drift and a wave on it, rounded to millimetres: it is the wave that steps have to resolve. A short table, and one whose
+    /// points predict nothing, has its own interval.
     #[test]
-    fn the_interval_that_shows_a_path_is_that_of_its_quickest_motion() {
+    fn the_interval_that_resolves_a_path_is_that_of_its_quickest_motion() {
         let table = |interval: f64, noise: f64| {
             let place = |k: u32| {
                 let t = f64::from(k) * interval;
@@ -335,12 +337,12 @@ mod tests {
         };
         let period = std::f64::consts::TAU / 0.6;
         for interval in [0.05, 0.1] {
-            let shown = table(interval, 0.0).resolving();
-            assert!((period / 24.0..period / 9.0).contains(&shown), "{shown}");
+            let found = table(interval, 0.0).resolving_interval();
+            assert!((period / 24.0..period / 9.0).contains(&found), "{found}");
         }
-        assert!((table(0.1, 0.5).resolving() - 0.1).abs() < 1e-9);
+        assert!((table(0.1, 0.5).resolving_interval() - 0.1).abs() < 1e-9);
         let short = [0.0, 0.2, 0.3].map(|t| (t, V3::new(t, 0.0, 0.0)));
-        assert!((Spline::through(&short).unwrap().resolving() - 0.1).abs() < 1e-12);
+        assert!((Spline::through(&short).unwrap().resolving_interval() - 0.1).abs() < 1e-12);
     }
 
     /// Its range is found once, not once for each of its points.

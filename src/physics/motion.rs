@@ -93,8 +93,8 @@ impl EndMotion {
             MotionPath::Still => None,
             MotionPath::Harmonic(swing) => (swing.omega > 0.0).then(|| TAU / swing.omega),
             MotionPath::Table(spline) => {
-                let shown = POINTS_A_PERIOD * spline.resolving();
-                Some(shown.min(2.0 * (spline.span().1 - spline.span().0)))
+                let period = POINTS_A_PERIOD * spline.resolving_interval();
+                Some(period.min(2.0 * (spline.span().1 - spline.span().0)))
             }
             MotionPath::Piecewise(path) => Some(2.0 * path.finest()),
             MotionPath::Sum(harmonics) => harmonics.middle_of_acceleration().map(|w| TAU / w),
@@ -103,12 +103,12 @@ impl EndMotion {
 }
 
 impl EndMotion {
-    /// The longest step that sees its course \[s\]: `steps` a period, or the interval that shows a table, whose error the step
+    /// The longest step that sees its course \[s\]: `steps` a period, or the interval that resolves a table, whose error the step
     /// control knows; where steps end at kinks half of a usual piece, so that a companion of twice the step differs; nothing for an end that stands still.
     #[must_use]
     pub fn longest_step(&self, steps: f64) -> Option<f64> {
         match &self.course {
-            MotionPath::Table(spline) => Some(spline.resolving()),
+            MotionPath::Table(spline) => Some(spline.resolving_interval()),
             MotionPath::Piecewise(path) => Some(0.5 * path.median_piece()),
             _ => self.period().map(|period| period / steps),
         }
