@@ -61,6 +61,8 @@ const GAIN: f64 = 0.8;
 const IDLE_LEVELS: usize = 6;
 /// Times that each error must be seen to fall before it is believed.
 const SEEN: usize = 2;
+/// Time of a run with error bars by that without.
+const WITH_BARS: f64 = 1.5;
 
 /// Searches mesh and steps for a request that asks for an accuracy.
 pub(super) fn search(
@@ -135,7 +137,7 @@ impl Search<'_> {
             return Err("reached".to_owned());
         }
         let next = self.next(shares.as_ref());
-        self.may_go_on(shares.is_some(), next)?;
+        self.may_go_on(shares.is_some(), next, fineness)?;
         self.coarsenings.insert(0, next);
         Ok(fineness.finer(next))
     }
@@ -266,8 +268,13 @@ impl Search<'_> {
         }
     }
 
-    /// Why there is no further level.
-    fn may_go_on(&self, is_estimated: bool, next: Coarsening) -> Result<(), String> {
+    /// Why there is no level after one as fine as this.
+    fn may_go_on(
+        &self,
+        is_estimated: bool,
+        next: Coarsening,
+        last: &Fineness,
+    ) -> Result<(), String> {
         if self.cancel.load(Ordering::Relaxed) {
             return Err("it was stopped".to_owned());
         }
@@ -278,10 +285,19 @@ impl Search<'_> {
             return Err(format!("not in {LEVELS} rounds"));
         }
         let cost = self.cost_of(next);
-        if is_estimated && self.deadline.left() < cost {
+        let may_stop = is_estimated || self.is_dearer_than_as_set(last);
+        if may_stop && self.deadline.left() < cost {
             return Err(format!("the next round needs some {}", si(cost, "s")));
         }
         Ok(())
+    }
+
+    /// Whether the levels that are left before errors are known take longer than the case as it is set, which is computed without them.
+    fn is_dearer_than_as_set(&self, last: &Fineness) -> bool {
+        // Each takes twice as long as the one before it.
+        let left = (2 * SEEN + 1).saturating_sub(self.levels.len());
+        let levels = 2.0 * (2.0_f64.powi(left as i32) - 1.0);
+        levels > WITH_BARS * Fineness::as_set(self.own).work() / last.work()
     }
 
     /// Wall time that a level finer in this would take \[s\]: as much more as the last one took more than that before it, where that is

@@ -117,6 +117,25 @@ fn what_a_budget_does_not_allow_is_said_and_the_best_is_kept() {
     assert!(run.summary.iter().any(|q| q.error_estimate().is_some()));
 }
 
+/// A clump that only the mesh of the case has at a node: all levels are as fine as that or finer, and dearer than the case as it is set.
+#[test]
+fn a_case_dearer_to_search_than_to_compute_is_computed_as_it_is_set() {
+    let mut request = request("method = \"alpha\", accuracy = 1e-6, budget_s = 1e-6");
+    request.text += "\n[[clumps]]\nname = \"c\"\nsection = \"rope\"\nat_m = 10.0\nmass_kg = 20.0\nwet_mass_kg = 15.0\n";
+    request.case = case::parse(&request.text, "test.toml").unwrap();
+    let run = computed(&request);
+    let words = run.info.settings.accuracy.clone().unwrap();
+    assert!(words.contains("(1 round, "), "{words}");
+    let warns = |what: &str| run.info.warnings.iter().any(|w| w.contains(what));
+    assert!(
+        warns("not reached") && warns("as it is set"),
+        "{:?}",
+        run.info.warnings
+    );
+    assert_eq!(run.info.settings.nodes, 7);
+    assert!(run.summary.iter().any(|q| q.error_estimate().is_some()));
+}
+
 /// The rounds are told as they come; the run that is kept is reported once, whole.
 #[test]
 fn a_search_tells_its_rounds_and_reports_one_run() {

@@ -40,6 +40,19 @@ impl Fineness {
         }
     }
 
+    /// That of the case as it is set.
+    pub(super) fn as_set(case: &Case) -> Self {
+        Self {
+            segments: case.line.iter().map(|section| section.segments).collect(),
+            steps: 1.0,
+        }
+    }
+
+    /// What a run as fine as this takes, by another of the same case \[-\].
+    pub(super) fn work(&self) -> f64 {
+        self.segments.iter().sum::<usize>() as f64 / self.steps
+    }
+
     /// Twice as fine in this.
     pub(super) fn finer(&self, what: Coarsening) -> Self {
         let mut finer = self.clone();
