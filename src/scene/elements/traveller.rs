@@ -62,13 +62,19 @@ impl TravellingBody {
             let time = self.next_kink(kink);
             passed > kink || t > time * (1.0 + SAME_TIME)
         };
-        if t < self.start || (self.is_jerked() && !is_after(0)) {
+        let is_waiting = if self.is_jerked() {
+            !is_after(0)
+        } else {
+            t < self.start
+        };
+        if is_waiting {
             return (self.from, 0.0, 0.0);
         }
         if is_after(usize::from(self.is_jerked())) {
             return (self.to, 0.0, 0.0);
         }
-        let since = t - self.start;
+        // A kink counts as passed a rounding before its time.
+        let since = (t - self.start).max(0.0);
         let (speed, gain) = if since < self.ramp {
             let u = since / self.ramp;
             (
@@ -311,6 +317,7 @@ mod tests {
             [2.0, 12.0, f64::INFINITY]
         );
         assert_eq!([0, 1].map(|n| speed_at(&jerked, n, 2.0)), [0.0, 1.5]);
+        assert_eq!(jerked.at(1, 2.0_f64.next_down()), (3.0, 1.5, 0.0));
         assert_eq!([1, 2].map(|n| speed_at(&jerked, n, 12.0)), [1.5, 0.0]);
         assert_eq!([1, 2].map(|n| jerked.at(n, 12.0).0), [18.0, 18.0]);
         // With a ramp it has one: where it stops, on the ramp or after it.
