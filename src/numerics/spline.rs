@@ -42,9 +42,10 @@ pub struct Overshoot {
     pub share: f64,
 }
 
-/// Points a period of a harmonic of which four predict the one in their middle with [`LEFT`] of the error of two:
+/// Points a period of a harmonic of which four predict the one in their middle with a twentieth of the error of two:
 /// `3/16 (2 pi / 12)²`.
 pub const POINTS_A_PERIOD: f64 = 12.0;
+/// That share.
 const LEFT: f64 = 0.05;
 /// Share of the range that counts as rounding of a table.
 const ROUNDING: f64 = 2.5e-4;
