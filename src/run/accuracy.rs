@@ -160,7 +160,7 @@ impl Search<'_> {
             compute(&case, Resolution::AS_SET, None, cancel, Some(&mut keep))
         };
         // The first ones have all the time that they take: without them nothing is known.
-        let computed = if self.levels.len() <= 2 * SEEN {
+        let computed = if self.levels.len() <= self.unknown_levels() {
             run(self.cancel)
         } else {
             self.deadline.watch(self.cancel, run)
@@ -201,14 +201,23 @@ impl Search<'_> {
         Ok(Fineness::first(self.own, finer))
     }
 
+    /// Whether steps are refined beside the mesh: at rest there are none, and explicit ones go with the segments.
+    fn has_steps(&self) -> bool {
+        match self.own.solver.method {
+            Method::Quasi | Method::Alpha | Method::Auto => true,
+            Method::Static | Method::Rk4 => false,
+        }
+    }
+
+    /// Levels before the first whose errors are known.
+    fn unknown_levels(&self) -> usize {
+        if self.has_steps() { 2 * SEEN } else { SEEN }
+    }
+
     /// The errors of the last level by those below it, once each is seen to fall; keeps it where it is the most accurate.
     fn estimate(&mut self, events: Option<Vec<JobEvent>>) -> Option<Shares> {
         let seen = |what| self.coarsenings.iter().filter(|by| **by == what).count() >= SEEN;
-        let by_steps = matches!(
-            self.own.solver.method,
-            Method::Quasi | Method::Alpha | Method::Auto
-        );
-        if !seen(Coarsening::Mesh) || (by_steps && !seen(Coarsening::Steps)) {
+        if !seen(Coarsening::Mesh) || (self.has_steps() && !seen(Coarsening::Steps)) {
             return None;
         }
         let level = self.levels.last()?;
@@ -295,9 +304,13 @@ impl Search<'_> {
     /// Whether the levels that are left before errors are known take longer than the case as it is set, which is computed without them.
     fn is_dearer_than_as_set(&self, last: &Fineness) -> bool {
         // Each takes twice as long as the one before it.
-        let left = (2 * SEEN + 1).saturating_sub(self.levels.len());
+        let left = (self.unknown_levels() + 1).saturating_sub(self.levels.len());
         let levels = 2.0 * (2.0_f64.powi(left as i32) - 1.0);
-        levels > WITH_BARS * Fineness::as_set(self.own).work() / last.work()
+        let mut as_set = Fineness::as_set(self.own);
+        if !self.has_steps() {
+            as_set.steps = last.steps;
+        }
+        levels > WITH_BARS * as_set.work() / last.work()
     }
 
     /// Wall time that a level finer in this would take \[s\]: as much more as the last one took more than that before it, where that is
