@@ -28,6 +28,11 @@ static RULES: LazyLock<Schema> = LazyLock::new(|| {
     schema_of::<RuleSet>("set of rules", least)
 });
 
+/// Names and texts of the sets that come with the program.
+pub fn shipped() -> impl Iterator<Item = (&'static str, &'static str)> {
+    NAMES.into_iter().zip(TEXTS)
+}
+
 /// Whether a set of this name comes with the program.
 #[must_use]
 pub fn is_shipped(name: &str) -> bool {

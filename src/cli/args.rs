@@ -12,6 +12,7 @@ use super::job::JobArgs;
 use super::jobs::JobsArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::model_args::{LinesArgs, ModesArgs, RopewayArgs, SectionArgs, ShipArgs};
+use super::rules::RulesArgs;
 use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, StudyArgs};
 use super::sweep_args::SweepArgs;
@@ -128,6 +129,8 @@ pub(super) enum CliCommand {
     /// Mass, stiffness, loads, drag and added mass with their formulas and sources; `--toml` prints the material of a case. Coefficients
     /// are converted to the outer diameter, by which drag, buoyancy and added mass of a material act.
     Lines(LinesArgs),
+    /// List the sets of rules of standards that `[[checks]]` may name, or the rules of one, with clauses and sources.
+    Rules(RulesArgs),
     /// Compute a ship at single-point mooring: equilibrium headings, motion in its sea, its anchor line in time, the rope
     /// that follows it.
     ///

@@ -36,6 +36,7 @@ mod random_motion;
 mod random_systems;
 mod report;
 mod ropeway;
+mod rules;
 mod run;
 mod section;
 mod ship;
@@ -58,6 +59,7 @@ mod system_args;
 mod system_study;
 mod validate;
 mod vary;
+mod verdict;
 mod words;
 mod workbench;
 
@@ -103,6 +105,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Catenary(args)) => catenary::catenary(args),
         Some(CliCommand::Section(args)) => section::section(args),
         Some(CliCommand::Lines(args)) => lines::lines(args),
+        Some(CliCommand::Rules(args)) => rules::rules(args),
         Some(CliCommand::Ship(args)) => ship::ship(args),
         Some(CliCommand::Modes(args)) => modes::modes(args),
         Some(CliCommand::Ropeway(args)) => ropeway::ropeway(args),

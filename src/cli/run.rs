@@ -9,13 +9,13 @@ use std::{
 
 use super::{
     BAD_RESULT, CommandError, args::RunArgs, cases, jobs, output, progress, signals::StopFlag,
-    system,
+    system, verdict,
 };
 use crate::{
     case,
     jobs::JobRequest,
     kinds::FileType,
-    report::{limits, run_json, text},
+    report::{limits, run_json, text, verdict::RunVerdict},
     run::{
         Run, RunInfo, RunState,
         job::{self, JobEvent, Request},
@@ -23,7 +23,9 @@ use crate::{
         store::{self, Recorder, RunLocation},
     },
     strays,
+    study::seas::SeaQuestion,
 };
+use serde_json::json;
 
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     // Before anything is read: a signal that comes meanwhile stops the run at its start, and leaves it as one that can be resumed.
@@ -45,15 +47,20 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         let request = JobRequest::Line(Box::new(request), from.map(Box::new));
         return jobs::detach(&request, case_of(args), args.out.as_deref(), args.json);
     }
+    let question = verdict::checks(SeaQuestion::of_line(&request.case))?;
     let info = request.initial_info();
     let text = case::stand_alone(&request.text, &request.case).into_owned();
     let stored = stored(args, &info, &text, &stop, &mut |cancel, events| {
         job::execute_from(&request, from.as_ref(), cancel, events)
     })?;
     let StoredRun { run, dir } = stored;
+    let found = verdict::of_run(&question, &run, &dir);
+    let found = found.as_ref();
     if args.json {
-        output::object(&run_json::run(&run, &dir))?;
-        return Ok(status(&run, &stop));
+        let mut object = run_json::run(&run, &dir);
+        object["checks"] = json!(found.map(RunVerdict::to_json));
+        output::object(&object)?;
+        return Ok(verdict::status(found, status(&run, &stop)));
     }
     let mut text = format!("{}\n\n{}", visible::path(&dir), text::summary(&run));
     if let Some(limits) = limits::of_run(&request.case, &run.profile) {
@@ -65,8 +72,9 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     if let Some(damping) = text::numerical_damping(&run.info.settings) {
         text.push_str(&format!("\nNumerical damping: {damping}\n"));
     }
+    text.push_str(&verdict::text(found));
     output::results(&text, args.ascii)?;
-    Ok(status(&run, &stop))
+    Ok(verdict::status(found, status(&run, &stop)))
 }
 
 /// The file that a run is of: the case, or that of the run resumed.

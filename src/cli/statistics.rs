@@ -3,12 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use super::{
-    CommandError,
-    output::{self, OutputFile},
-    study_args::StudyPageArgs,
-    study_page::print,
-};
+use super::{CommandError, output::OutputFile, study_args::StudyPageArgs, study_page::print};
 use crate::case::fields::{TypedNumber, nearest};
 use crate::case::{ChannelId, ChannelQuantity, QuantityId, Statistic, Subject};
 use crate::fatigue::component::Component;
@@ -259,8 +254,10 @@ fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
         .text("source", |curve| curve.source)
         .text("numbers", |curve| curve.confirmed)
         .build();
-    let width = output::page_width(args.page.width);
-    output::results(&table.to_text(width), args.page.table.ascii)?;
+    let page = &args.page;
+    let file = OutputFile::check(page.table.output.as_deref(), page.table.force, &[])?;
+    let tables = (std::slice::from_ref(&table), &table);
+    print("curves", page, file.as_ref(), tables, &[])?;
     Ok(ExitCode::SUCCESS)
 }
 

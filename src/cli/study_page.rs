@@ -10,6 +10,7 @@ use super::{
 };
 use crate::case::{self, Case, QuantityId};
 use crate::report::chart::{Chart, draw};
+use crate::report::seas::SeasView;
 use crate::report::table::Table;
 use crate::report::{plain, run_json};
 use crate::study::points::{BaseCase, PointProgress};
@@ -61,8 +62,20 @@ pub(super) fn print(
     study: &str,
     page: &StudyPageArgs,
     file: Option<&OutputFile<'_>>,
+    tables: (&[Table], &Table),
+    charts: &[Chart],
+) -> Result<(), CommandError> {
+    print_with_checks(study, page, file, tables, charts, None)
+}
+
+/// The same; JSON has the verdicts of the checks, where there are any.
+pub(super) fn print_with_checks(
+    study: &str,
+    page: &StudyPageArgs,
+    file: Option<&OutputFile<'_>>,
     (tables, csv): (&[Table], &Table),
     charts: &[Chart],
+    seas: Option<SeasView<'_>>,
 ) -> Result<(), CommandError> {
     let mut text = Vec::new();
     let written = csv.write_csv(&mut text).map_err(io::Error::other);
@@ -71,7 +84,11 @@ pub(super) fn print(
         file.write(&text, FileFormat::Text)?;
     }
     if page.table.json {
-        return output::object(&run_json::study(study, csv));
+        let mut object = run_json::study(study, csv);
+        if let Some(seas) = seas.filter(|seas| !seas.results.checks.is_empty()) {
+            object["checks"] = seas.checks_json();
+        }
+        return output::object(&object);
     }
     if page.csv {
         return output::document(&text, FileFormat::Text);

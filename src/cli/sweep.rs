@@ -11,7 +11,7 @@ use super::{
     progress::ProgressLine,
     signals::StopFlag,
     slurm_refusals,
-    study_page::print,
+    study_page::print_with_checks,
     sweep_args::SweepArgs,
     sweep_part, sweep_quick,
     sweep_slurm::{self, Watched},
@@ -176,12 +176,13 @@ fn show(
         true => Vec::new(),
         false => report.view.charts(),
     };
-    print(
+    print_with_checks(
         study(page),
         &args.page,
         file,
         (&tables, &report.view.csv_table()),
         &charts,
+        report.seas,
     )
 }
 

@@ -8,7 +8,7 @@ use super::{
     output::{self, OutputFile},
     progress::ProgressLine,
     signals::StopFlag,
-    study_page::print,
+    study_page::print_with_checks,
     sweep::{pool, words},
     sweep_args::SweepArgs,
 };
@@ -23,6 +23,9 @@ use crate::visible;
 const AT_REST: &str =
     "Quick looks in the frequency domain are of what moves; this system has no [solver].";
 
+/// What of quick looks is written.
+const NOTHING_STORED: &str = "Quick looks alone store nothing, so that --out has no folder to write: `--output FILE.csv` writes their table, `--sampled N` runs N seas in time and stores these.";
+
 /// Looks at the seas of a plan, and prints what they say.
 pub(super) fn quick(
     args: &SweepArgs,
@@ -33,6 +36,9 @@ pub(super) fn quick(
     let SweepPlan { sweep, question } = plan;
     if matches!(sweep.results, SweepResults::AtRest(_)) {
         return Err(CommandError::Usage(AT_REST.to_owned()));
+    }
+    if args.out.is_some() && args.sampled.unwrap_or(0) == 0 {
+        return Err(CommandError::Usage(NOTHING_STORED.to_owned()));
     }
     let pool = pool(args)?;
     let looks = pool.install(|| {
@@ -60,12 +66,13 @@ pub(super) fn quick(
     if let (Some(last), Some(dir)) = (tables.last_mut(), &runs.dir) {
         last.notes.push(format!("The runs stand beside {dir}; `seacable sweep --resume {dir}` runs the other load cases in time as well."));
     }
-    print(
+    print_with_checks(
         "quick",
         &args.page,
         file,
         (&tables, &view.seas().seas_table()),
         &[],
+        Some(view.seas()),
     )?;
     if let Some(status) = stop.status() {
         output::message("Stopped before all seas were looked at.");

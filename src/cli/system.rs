@@ -1,6 +1,7 @@
 //! `seacable run` on a system of lines: at rest, or in time where its file has a table `[solver]`; as a report or as JSON.
 
 use crate::visible;
+use serde_json::json;
 use std::{path::Path, process::ExitCode, sync::Arc};
 
 use super::{
@@ -9,13 +10,16 @@ use super::{
     cases, jobs, output,
     run::{StoredRun, case_of, status, stored},
     signals::StopFlag,
+    verdict,
 };
 use crate::{
     jobs::JobRequest,
     report::{
         system::{self as views, json, motion},
         text::WIDTH,
+        verdict::RunVerdict,
     },
+    study::seas::SeaQuestion,
     system::{
         SolvedSystem, SystemFile,
         analysis::analyses::Analyses,
@@ -30,15 +34,15 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
     let given = [
         (
             args.solver.is_some(),
-            "--solver: a system is solved at rest",
+            "--solver: it is computed at rest, or in time by the key solver.method, `alpha` or `rk4` (--set solver.method=rk4); the other methods are of a line between two ends",
         ),
         (
             args.accuracy.is_some(),
-            "--accuracy: lines in closed form have no mesh; give discretised ones `segments`",
+            "--accuracy, which searches mesh and steps of a line between two ends: every result states its error; more `segments` of the lines, and in time a smaller solver.step_tolerance, make it smaller",
         ),
         (
             args.budget.is_some(),
-            "--budget: it bounds the search for an accuracy",
+            "--budget: it bounds the search for an accuracy, which is of a line between two ends",
         ),
     ];
     if let Some((_, why)) = given.iter().find(|(given, _)| *given) {
@@ -69,11 +73,13 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
         output::object(&json::object(&solved, &analyses))?;
         return Ok(ExitCode::SUCCESS);
     }
+    let question = verdict::checks(SeaQuestion::of_system(&solved))?;
+    let found = RunVerdict::of_equilibrium(&question, &solved);
     let rows = validation::rows(&solved, None);
     let report = views::report(&solved, &analyses, &rows, &fields);
     let text = report.to_text(WIDTH, output::glyphs(args.ascii));
     output::results(&text, args.ascii)?;
-    Ok(ExitCode::SUCCESS)
+    Ok(verdict::status(found.as_ref(), ExitCode::SUCCESS))
 }
 
 /// The run in time, stored as it is computed: its results or JSON on standard output.
@@ -119,21 +125,26 @@ fn stored_run(
     from: Option<&ResumedSystem>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
+    let question = verdict::checks(SeaQuestion::of_system(&request.solved))?;
     let info = request.initial_info();
     let stored = stored(args, &info, &request.text, stop, &mut |cancel, events| {
         job::execute(request, from, cancel, events)
     })?;
     let StoredRun { run, dir } = &stored;
+    let found = verdict::of_run(&question, run, dir);
+    let found = found.as_ref();
     if args.json {
         let solved = &request.solved;
         let mut object = json::object(solved, &Analyses::of(solved));
         object["motion"] = motion::object(run, dir);
+        object["checks"] = json!(found.map(RunVerdict::to_json));
         output::object(&object)?;
     } else {
-        let text = format!("{}\n\n{}", visible::path(dir), motion::summary(run));
+        let checks = verdict::text(found);
+        let text = format!("{}\n\n{}{checks}", visible::path(dir), motion::summary(run));
         output::results(&text, args.ascii)?;
     }
-    Ok(status(run, stop))
+    Ok(verdict::status(found, status(run, stop)))
 }
 
 /// The run that the file with all `--set` asks for.

@@ -19,6 +19,7 @@ pub mod quick_look;
 pub mod record_statistics;
 pub mod response;
 pub mod ropeway;
+pub mod rules;
 pub mod run_json;
 pub mod sea;
 pub mod seas;
@@ -31,6 +32,7 @@ pub mod table;
 pub mod text;
 pub mod validation;
 pub mod variation;
+pub mod verdict;
 pub mod window;
 pub(crate) mod wrap;
 

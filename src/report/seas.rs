@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use serde_json::{Value, json};
+
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, Table};
 use crate::case::{CheckKind, GreatestMethod, StatisticsInputs};
@@ -80,14 +82,19 @@ impl SeasView<'_> {
         });
         let missing: Vec<String> = missing.collect();
         let percent = 100.0 * self.statistics.confidence;
-        Table::of("Verdict", &checks)
-            .text("check", |(number, check)| format!("{} [{}]", check.check.name, number + 1))
+        let table = Table::of("Verdict", &checks)
+            .text("check", |(number, check)| {
+                format!("{} [{}]", check.check.name, number + 1)
+            })
             .cell("verdict", Align::Left, |(_, check)| match check.verdict() {
                 Some(Verdict::Passes) => Cell::plain(Verdict::Passes.word()),
-                Some(verdict) => Cell::new(verdict.word(), match verdict {
-                    Verdict::Fails => CellStyle::Bad,
-                    _ => CellStyle::Warn,
-                }),
+                Some(verdict) => Cell::new(
+                    verdict.word(),
+                    match verdict {
+                        Verdict::Fails => CellStyle::Bad,
+                        _ => CellStyle::Warn,
+                    },
+                ),
                 None => Cell::none(),
             })
             .cell("used", Align::Decimal, |(_, check)| {
@@ -101,16 +108,22 @@ impl SeasView<'_> {
             })
             .cell("place", Align::Left, |(_, check)| {
                 governing(check, &|row| Cell::plain(row.place.clone()))
-            })
-            .cell("sea", Align::Right, |(_, check)| {
-                governing(check, &|row| match row.sea {
-                    Some(sea) => Cell::plain((sea + 1).to_string()),
-                    None => Cell::plain("all"),
+            });
+        let of_one = self.results.is_of_one_load_case();
+        let table = match of_one {
+            true => table,
+            false => table
+                .cell("sea", Align::Right, |(_, check)| {
+                    governing(check, &|row| match row.sea {
+                        Some(sea) => Cell::plain((sea + 1).to_string()),
+                        None => Cell::plain("all"),
+                    })
                 })
-            })
-            .cell("load case", Align::Right, |(_, check)| {
-                governing(check, &|row| number(row.load_case.map(|case| case + 1)))
-            })
+                .cell("load case", Align::Right, |(_, check)| {
+                    governing(check, &|row| number(row.load_case.map(|case| case + 1)))
+                }),
+        };
+        table
             .cell("time", Align::Right, |(_, check)| {
                 governing(check, &|row| {
                     row.time.map_or_else(Cell::none, |time| Cell::plain(duration(time)))
@@ -125,8 +138,11 @@ impl SeasView<'_> {
             ))
             .noted(clauses)
             .noted(missing)
-            .noted((!idle.is_empty()).then(|| format!("No load case is for: {}.", idle.join(", "))))
-            .noted(self.weights())
+            .noted((!idle.is_empty()).then(|| match of_one {
+                true => format!("Not for this load case: {}.", idle.join(", ")),
+                false => format!("No load case is for: {}.", idle.join(", ")),
+            }))
+            .noted(self.weights().filter(|_| !of_one))
             .noted((!self.results.checks.is_empty()).then_some("Check rules of standards against your edition."))
     }
 
@@ -405,6 +421,20 @@ impl SeasView<'_> {
     #[must_use]
     pub fn is_asked_for(&self) -> bool {
         self.has_seeds() || !self.results.checks.is_empty()
+    }
+
+    /// The worst verdict in a word, a row for each check, sea and place, and what could not be compared.
+    #[must_use]
+    pub fn checks_json(&self) -> Value {
+        let missing = self.results.checks.iter().flat_map(|check| {
+            let why = check.missing.iter();
+            why.map(|why| format!("{}: {why}", check.check.name))
+        });
+        json!({
+            "verdict": self.worst().map(Verdict::word),
+            "rows": self.checks_table().to_json(),
+            "missing": missing.collect::<Vec<_>>(),
+        })
     }
 
     /// The worst verdict of all checks; nothing where there are none with load cases.

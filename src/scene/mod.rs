@@ -62,6 +62,7 @@ pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};
 pub use rope::RopeStiffness;
 pub use scene::{InitialState, Scene};
 pub use step_reading::EnergyRates;
+pub(crate) use unused_inputs::loads_without_effect;
 pub use water::Water;
 pub use waves::records;
 pub(crate) use waves::{sea, steep_waves};

@@ -1,7 +1,9 @@
 //! Unused inputs: keys without effect in this run. They may be intended, as when a run is shortened or another method tried, and so
 //! give a remark only; certain mistakes are errors of `case/check`.
 
-use crate::case::{Case, EndKind, Method, MotionName, StartShape};
+use super::vectors::per_axis;
+use crate::case::{Case, Current, EndKind, Method, MotionName, OneOrMany, StartShape};
+use crate::numerics::V3;
 
 /// Remarks on unused inputs.
 pub(super) fn remarks(case: &Case) -> Vec<String> {
@@ -14,7 +16,41 @@ pub(super) fn remarks(case: &Case) -> Vec<String> {
     list.extend(start(case));
     list.extend(spin(case));
     list.extend(traveller(case));
+    list.extend(loads_without_effect(case));
     list
+}
+
+/// Bodies that the current does not act on, for want of a drag area.
+pub(crate) fn loads_without_effect(case: &Case) -> Option<String> {
+    let flows = |current: &Current| match &current.speed_m_per_s {
+        Some(OneOrMany::One(speed)) => *speed != 0.0,
+        Some(OneOrMany::Many(speeds)) => speeds.iter().any(|speed| *speed != 0.0),
+        None => current.file.is_some(),
+    };
+    case.current.as_ref().filter(|current| flows(current))?;
+    let without = |area: &OneOrMany| per_axis(area) == V3::zeros();
+    let payload = case.payload.as_ref().filter(|body| {
+        let area = body.drag_area_m2.as_ref();
+        body.shape.is_none() && area.is_none_or(without)
+    });
+    let payload = payload.map(|_| case.ends.b.name.as_str());
+    let clumps = case
+        .clumps
+        .iter()
+        .filter(|clump| without(&clump.drag_area_m2));
+    let traveller = case
+        .traveller
+        .as_ref()
+        .filter(|body| without(&body.drag_area_m2));
+    let names: Vec<&str> = payload
+        .into_iter()
+        .chain(clumps.map(|clump| clump.name.as_str()))
+        .chain(traveller.map(|body| body.name.as_str()))
+        .collect();
+    (!names.is_empty()).then(|| {
+        let names = names.join("`, `");
+        format!("the current does not act on `{names}`: give drag_area_m2")
+    })
 }
 
 /// Keys with the time of an event, and the event.

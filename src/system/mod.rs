@@ -25,6 +25,7 @@ pub mod freedoms;
 mod heading_loads;
 pub mod line_at_rest;
 pub mod loads;
+pub mod loads_without_effect;
 mod members;
 pub mod model;
 pub mod motion;

@@ -1,3 +1,5 @@
 //! Files that were once answered wrongly, refused or ended by a panic, each with its right answer and where that comes from.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+mod loads_without_effect;

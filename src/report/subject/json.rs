@@ -43,6 +43,13 @@ fn of_run(subject: &RunSubject<'_>) -> Result<Value, Vec<Diagnostic>> {
         object["published"] = run_json::validation(&subject.rows(&case));
         object
     };
+    object["checks"] = json!(
+        subject
+            .verdict()?
+            .ok()
+            .flatten()
+            .map(|found| found.to_json())
+    );
     object["against"] = json!(subject.against.map(|other| {
         let compared = Comparison::of(&[other, run]);
         json!({

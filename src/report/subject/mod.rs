@@ -14,8 +14,9 @@ use super::document::{Report, ReportFormat};
 use super::sweep::SweepReport;
 use super::system::motion;
 use super::text::{self, WIDTH};
+use super::verdict::{self, RunVerdict};
 use super::{comparison, ropeway, section, ship, system};
-use crate::case::{self, Case, Diagnostic, FieldRow};
+use crate::case::{self, Case, Diagnostic, FieldRow, kind};
 use crate::comparison::Comparison;
 use crate::kinds::FileType;
 use crate::reference::{self, ValidationRow};
@@ -23,8 +24,9 @@ use crate::ropeway::{ModelResults, SolvedRopeway};
 use crate::run::Run;
 use crate::section::Design;
 use crate::ship::{DynamicAnalysis, StaticAnalysis};
-use crate::system::SolvedSystem;
+use crate::study::seas::SeaQuestion;
 use crate::system::analysis::analyses::Analyses;
+use crate::system::{SolvedSystem, SystemFile};
 
 /// A run, stored or in memory.
 #[derive(Debug, Clone, Copy)]
@@ -118,11 +120,30 @@ impl RunSubject<'_> {
 
     fn report(&self) -> Result<Report, Vec<Diagnostic>> {
         let run = self.run;
-        if self.is_of_system() {
-            return motion::stored_report(run);
+        let mut report = if self.is_of_system() {
+            motion::stored_report(run)?
+        } else {
+            let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
+            text::of_run(run, &case, &self.rows(&case))
+        };
+        verdict::add(&mut report, self.verdict()?);
+        Ok(report)
+    }
+
+    /// The verdict of the checks of its file, where it is stored and has any; the reason where they cannot be used.
+    fn verdict(&self) -> Result<Result<Option<RunVerdict>, String>, Vec<Diagnostic>> {
+        let run = self.run;
+        if self.dir.as_os_str().is_empty() {
+            return Ok(Ok(None));
         }
-        let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
-        Ok(text::of_run(run, &case, &self.rows(&case)))
+        let question = if self.is_of_system() {
+            let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
+            SeaQuestion::of_system(&solved)
+        } else {
+            let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
+            SeaQuestion::of_line(&case)
+        };
+        Ok(question.map(|question| RunVerdict::of_run(&question, self.dir, &run.summary)))
     }
 
     /// The validation table.

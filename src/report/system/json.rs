@@ -4,6 +4,8 @@ use serde_json::{Value, json};
 
 use super::tables::hold_of;
 use crate::numerics::V3;
+use crate::report::verdict::RunVerdict;
+use crate::study::seas::SeaQuestion;
 use crate::system::SolvedSystem;
 use crate::system::ageing::SettledAge;
 use crate::system::analysis::analyses::Analyses;
@@ -52,7 +54,15 @@ pub fn object(solved: &SolvedSystem, analyses: &Analyses) -> Value {
         "points": (0..solved.network.points.len()).map(|k| point(solved, k)).collect::<Vec<_>>(),
         "bodies": (0..solved.network.bodies.len()).map(|k| body(solved, k)).collect::<Vec<_>>(),
         "warnings": super::tables::warnings(solved),
+        "checks": checks(solved),
     })
+}
+
+/// The verdict of the checks on the equilibrium; nothing where the file has none, or is computed in time.
+fn checks(solved: &SolvedSystem) -> Option<Value> {
+    let at_rest = solved.file.solver.is_none();
+    let question = SeaQuestion::of_system(solved).ok().filter(|_| at_rest)?;
+    RunVerdict::of_equilibrium(&question, solved).map(|verdict| verdict.to_json())
 }
 
 /// What the lines gained and lost, at most.

@@ -10,6 +10,8 @@ use crate::case::FieldRow;
 use crate::reference::ValidationRow;
 use crate::report::document::Report;
 use crate::report::text::{self, inputs};
+use crate::report::verdict::{self, RunVerdict};
+use crate::study::seas::SeaQuestion;
 use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::Analyses;
 
@@ -65,6 +67,9 @@ pub fn report(
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
     asked(&mut page, solved, analyses);
+    let question = SeaQuestion::of_system(solved);
+    let verdict = question.map(|question| RunVerdict::of_equilibrium(&question, solved));
+    verdict::add(&mut page, verdict);
     if !rows.is_empty() {
         page.heading("Published values");
         text::add_validation(&mut page, rows);

@@ -167,7 +167,9 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     page.gap();
     page.paragraph(&super::tables::summary(solved));
     let at_rest = super::tables::warnings(solved);
-    let warnings: Vec<String> = at_rest.iter().chain(&run.info.warnings).cloned().collect();
+    let own = run.info.warnings.iter();
+    let own = own.filter(|warning| !at_rest.contains(warning));
+    let warnings: Vec<String> = at_rest.iter().chain(own).cloned().collect();
     text::warnings(&mut page, &warnings);
     text::settings(&mut page, &run.info);
     inputs(&mut page, fields, !about.source.trim().is_empty());

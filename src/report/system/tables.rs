@@ -8,6 +8,7 @@ use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
 use crate::system::line_at_rest::LineNote;
 use crate::system::loads;
+use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
 use crate::system::network::{Body, Held};
 use crate::system::potential_flow::wave_loads::energy_above;
@@ -131,6 +132,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     }
     found.extend(unused_motion(solved));
     found.extend(on_waves(solved));
+    found.extend(loads_without_effect(solved));
     found.extend(afloat(solved));
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));

@@ -12,6 +12,9 @@ use crate::extremes::interval::IntervalMethod;
 use crate::extremes::target::{Statistic, Target};
 use crate::study::record_statistics::FEWEST_RUNS;
 
+/// Why a check of a system has no bend radius.
+pub(super) const NOT_OF_SYSTEMS: &str = "curvature along the lines of a system is not computed: check the line by itself, as a file with `[case]` between two ends";
+
 /// The least bend radius of a sea against its limit: in a random sea by Gumbel's law of the greatest curvatures of the runs.
 ///
 /// # Errors
@@ -27,7 +30,10 @@ pub(super) fn row(
         .filter_map(|run| Some((run, run.least_bend_radius()?)));
     let found: Vec<_> = found.collect();
     let least = found.iter().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
-    let (run, (radius, _)) = least.ok_or("no bend radius is recorded: the line does not bend")?;
+    let (run, (radius, _)) = least.ok_or(match question.scene.is_system() {
+        true => NOT_OF_SYSTEMS,
+        false => "no bend radius is recorded: the line does not bend",
+    })?;
     let errors = found.iter().filter_map(|(_, (_, error))| *error);
     let (value, sample, method) = match question.scene.is_random {
         true => most_probable(&found, *radius, question),

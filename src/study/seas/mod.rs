@@ -11,6 +11,7 @@ mod fatigue;
 mod grouping;
 mod loads;
 mod looks;
+mod one_run;
 mod question;
 mod quick;
 mod records;

@@ -18,6 +18,23 @@ pub struct SystemPoint {
     pub stability: Stability,
 }
 
+impl SystemPoint {
+    /// The results of these names of a system at rest.
+    #[must_use]
+    pub fn of(solved: &SolvedSystem, results: &[String]) -> Self {
+        let read = |name: &String| {
+            value(solved, name).map(|value| SystemResult {
+                value,
+                error: error(solved, name),
+            })
+        };
+        Self {
+            results: results.iter().map(read).collect(),
+            stability: solved.stability.clone(),
+        }
+    }
+}
+
 /// A result of a system.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SystemResult {
@@ -41,16 +58,7 @@ pub fn compute(
     let points: Vec<&Point> = variation.points.iter().collect();
     let one = |point: &Point| {
         let solved = solve(&variation.base.text, &point.settings)?;
-        let read = |name: &String| {
-            value(&solved, name).map(|value| SystemResult {
-                value,
-                error: error(&solved, name),
-            })
-        };
-        Ok(SystemPoint {
-            results: results.iter().map(read).collect(),
-            stability: solved.stability.clone(),
-        })
+        Ok(SystemPoint::of(&solved, results))
     };
     side_by_side(points, cancel, one, |done, of, _, _| told(done, of))
 }

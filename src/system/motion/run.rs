@@ -16,6 +16,7 @@ use crate::run::along::FatigueSpot;
 use crate::run::event::JobEvent;
 use crate::run::{Cost, History, RunState};
 use crate::system::SolvedSystem;
+use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::MotionInputs;
 use crate::system::rest::UnsolvedSystem;
 
@@ -150,6 +151,7 @@ pub(super) fn run_stored(
     });
     let mut notes = coarse_memory(&begun);
     notes.extend(turned_from_loads(&begun));
+    notes.extend(loads_without_effect(solved));
     notes.extend(missing);
     let mut run = compute(begun, &settings, stored, cancel, events);
     run.warnings.extend(notes);

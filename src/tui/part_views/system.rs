@@ -42,10 +42,19 @@ fn drawn(system: &SystemView) -> PartView {
             _ => views::oblique(solved),
         }),
         table: Table {
-            title: String::new(),
+            title: warning(&tables::warnings(solved)),
             ..tables::lines_beside(solved)
         },
         ..PartView::default()
+    }
+}
+
+/// The first of the warnings, and where the others are; nothing without any.
+fn warning(all: &[String]) -> String {
+    match all {
+        [] => String::new(),
+        [only] => format!("! {only}"),
+        [first, others @ ..] => format!("! {first} ({} more in the report)", others.len()),
     }
 }
 

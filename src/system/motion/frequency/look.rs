@@ -13,7 +13,9 @@ use super::spread::Spread;
 use crate::case::{Case, ChannelQuantity};
 use crate::numerics::SingularBlock;
 use crate::physics::motion::MotionPath;
+use crate::scene;
 use crate::system::SolvedSystem;
+use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::motion::border::Border;
 use crate::system::motion::channels::Channels;
 use crate::system::motion::moving_system::MovingSystem;
@@ -54,7 +56,9 @@ pub struct QuickLook {
 /// What has no quick look, or does not come to rest.
 pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
     let begun = start(solved, coarsening)?;
-    look(&begun, Channels::of(&begun.system))
+    let mut found = look(&begun, Channels::of(&begun.system))?;
+    found.warnings.extend(loads_without_effect(solved));
+    Ok(found)
 }
 
 /// Looks at a line between two ends in its waves.
@@ -63,7 +67,9 @@ pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook,
 /// What has no quick look, or does not come to rest.
 pub fn quick_look_at_line(case: &Case, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
     let begun = single_line::of_case(case, coarsening)?;
-    look(&begun, Channels::of_single_line(&begun.system))
+    let mut found = look(&begun, Channels::of_single_line(&begun.system))?;
+    found.warnings.extend(scene::loads_without_effect(case));
+    Ok(found)
 }
 
 fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> {

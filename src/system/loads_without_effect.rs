@@ -1,0 +1,207 @@
+//! Loads of the surroundings that a part of a system has no way to feel: waves, current, wind, friction of the bed.
+//!
+//! A part whose file gives no means for a load (no member, area, coefficient or response) moves as if that load were not there. That may
+//! be meant, so that each is a remark, with the names of all parts it is true of, and what would let them feel it.
+
+use super::bounds::Contact;
+use super::network::{Body, FreePoint, Held, Line, Network};
+use super::solved::SolvedSystem;
+use crate::numerics::V3;
+
+/// Names that a remark lists.
+const NAMED: usize = 4;
+
+/// Remarks on loads that parts of a system at rest or in time do not feel.
+#[must_use]
+pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
+    let network = &solved.network;
+    let mut found = Vec::new();
+    if network.sea.is_some() && solved.file.solver.is_some() {
+        found.extend(waves(network));
+    }
+    let current = network.current.as_ref();
+    if current.is_some_and(|current| current.max_speed() > 0.0) {
+        found.extend(current_of(network));
+    }
+    if network.wind != V3::zeros() {
+        found.extend(wind(network));
+    }
+    if solved
+        .file
+        .seabed
+        .as_ref()
+        .is_some_and(|bed| bed.friction > 0.0)
+    {
+        found.extend(friction(solved));
+    }
+    found
+}
+
+/// A remark on parts of a kind; nothing where there are none.
+fn remark<'n>(
+    load: &str,
+    kind: &str,
+    names: impl Iterator<Item = &'n str>,
+    remedy: &str,
+) -> Option<String> {
+    let names: Vec<&str> = names.collect();
+    let shown = names[..names.len().min(NAMED)].join(", ");
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let plural = if names.len() == 1 { "" } else { "s" };
+    (!names.is_empty()).then(|| format!("{load} {kind}{plural} {shown}{more}: {remedy}."))
+}
+
+/// Bodies whose motion is computed, rods among them.
+fn moving(network: &Network) -> impl Iterator<Item = &Body> {
+    network.bodies.iter().filter(|body| body.turns())
+}
+
+/// Free points with their names, those of a mass or a volume: others are junctions, which have nothing that a flow acts on.
+fn clumps(network: &Network) -> impl Iterator<Item = (&str, &FreePoint)> {
+    network.points.iter().filter_map(|point| match &point.held {
+        Held::Free(free) if free.weight > 0.0 || free.buoyancy > 0.0 => {
+            Some((point.name.as_str(), free))
+        }
+        _ => None,
+    })
+}
+
+/// Lines that are not said to be in still water.
+fn exposed(network: &Network) -> impl Iterator<Item = &Line> {
+    network.lines.iter().filter(|line| !line.still_water)
+}
+
+/// How waves act on a body.
+#[derive(Clone, Copy, PartialEq)]
+enum Excitation {
+    /// By what it displaces, or by its responses.
+    Whole,
+    /// By drag alone.
+    Drag,
+    /// Not at all.
+    None,
+}
+
+fn excitation(body: &Body) -> Excitation {
+    let flow = body.potential_flow.as_ref();
+    let by_flow = flow.is_some_and(|flow| flow.excitation.is_some());
+    if by_flow || body.members.iter().any(|member| !member.drag_only) {
+        return Excitation::Whole;
+    }
+    let drags = body.members.iter().any(|member| member.drag > 0.0);
+    match drags || body.drag_area != V3::zeros() {
+        true => Excitation::Drag,
+        false => Excitation::None,
+    }
+}
+
+fn waves(network: &Network) -> impl Iterator<Item = String> {
+    let of = |kind: Excitation| {
+        moving(network)
+            .filter(move |body| excitation(body) == kind)
+            .map(|body| body.name.as_str())
+    };
+    let points = clumps(network).filter(|(_, point)| {
+        point.buoyancy == 0.0 && point.added_mass == 0.0 && point.drag_area == 0.0
+    });
+    let clumped = exposed(network).filter(|line| has_clumps(line));
+    [
+        remark(
+            "The waves do not act on",
+            "body",
+            of(Excitation::None),
+            "give members, or a response_file or excitation_file",
+        ),
+        remark(
+            "The waves act by drag alone on",
+            "body",
+            of(Excitation::Drag),
+            "what lifts and pushes it comes of members, or of a response_file or excitation_file",
+        ),
+        remark(
+            "The waves do not act on",
+            "point",
+            points.map(|(name, _)| name),
+            "give volume_m3, added_mass_kg or drag_area_m2",
+        ),
+        remark(
+            "The waves do not act on the clumps of",
+            "line",
+            clumped.map(|line| line.name.as_str()),
+            "clump_kg is a weight alone; a free point has a volume and a drag area",
+        ),
+    ]
+    .into_iter()
+    .flatten()
+}
+
+fn has_clumps(line: &Line) -> bool {
+    line.sections.iter().any(|section| section.clump_n != 0.0)
+}
+
+fn current_of(network: &Network) -> impl Iterator<Item = String> {
+    let bodies = moving(network).filter(|body| {
+        let drags = body.members.iter().any(|member| member.drag > 0.0);
+        !drags && body.current_loads.is_none() && body.drag_area == V3::zeros()
+    });
+    let points = clumps(network).filter(|(_, point)| point.drag_area == 0.0);
+    [
+        remark(
+            "The current does not act on",
+            "body",
+            bodies.map(|body| body.name.as_str()),
+            "give drag_area_m2, current_loads, or members with drag_normal",
+        ),
+        remark(
+            "The current does not act on",
+            "point",
+            points.map(|(name, _)| name),
+            "give drag_area_m2",
+        ),
+    ]
+    .into_iter()
+    .flatten()
+}
+
+/// Wind acts by the loads of bodies alone.
+fn wind(network: &Network) -> Option<String> {
+    let floats = |body: &&Body| {
+        let pierces = |body: &Body| {
+            let ends = body
+                .members
+                .iter()
+                .flat_map(|member| [member.from, member.to]);
+            ends.map(|end| body.pose.origin.z + body.pose.arm(&end).z)
+                .any(|z| z > 0.0)
+        };
+        body.waterplane.amax() > 0.0 || pierces(body)
+    };
+    let still = moving(network)
+        .filter(|body| body.wind_loads.is_none())
+        .filter(floats);
+    remark(
+        "The wind does not act on",
+        "body",
+        still.map(|body| body.name.as_str()),
+        "give wind_loads",
+    )
+}
+
+/// Points on the bed whose own friction is not given, where lines beside them have some.
+fn friction(solved: &SolvedSystem) -> Option<String> {
+    let points = solved.network.points.iter().enumerate();
+    let lying = points.filter(|(index, _)| solved.rest.contact(*index) == Contact::Bed);
+    let smooth = lying.filter_map(|(_, point)| match &point.held {
+        Held::Free(free) if free.weight > 0.0 && free.friction == 0.0 => Some(point.name.as_str()),
+        _ => None,
+    });
+    remark(
+        "The friction of the bed does not act on",
+        "point",
+        smooth,
+        "give bed_friction, which holds in motion",
+    )
+}
