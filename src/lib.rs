@@ -62,6 +62,7 @@ pub mod line_types;
 pub mod modes;
 pub mod number;
 pub mod numerics;
+mod padding;
 pub mod physics;
 pub mod places;
 pub mod reference;

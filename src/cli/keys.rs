@@ -13,6 +13,7 @@ use super::{
 };
 use crate::{
     case::fields::{Field, Schema, TableSchema, json_schema},
+    padding::at_left,
     report::{document::wrap, text::WIDTH},
 };
 
@@ -97,7 +98,7 @@ fn table_text(table: &TableSchema, fields: &[&Field], width: usize) -> String {
                 text += &format!("{head}\n");
                 head = "";
             }
-            text += &format!("{head:column$}{line}\n");
+            text += &format!("{}{line}\n", at_left(head, column));
             head = "";
         }
     }

@@ -2,6 +2,7 @@
 
 use super::number::{all_written, written};
 use super::sheet::Sheet;
+use crate::padding::at_left;
 
 /// The file.
 #[must_use]
@@ -65,9 +66,7 @@ impl Text {
         let widths: Vec<usize> = (0..count).map(width).collect();
         for row in &cells {
             let padded = row.iter().zip(&widths);
-            let padded: Vec<String> = padded
-                .map(|(cell, width)| format!("{cell:<width$}"))
-                .collect();
+            let padded: Vec<String> = padded.map(|(cell, width)| at_left(cell, *width)).collect();
             self.line(&padded.join("  "));
         }
     }

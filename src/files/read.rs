@@ -181,7 +181,7 @@ fn utf8(bytes: Vec<u8>) -> io::Result<String> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use std::fs;
     use std::os::unix::fs::symlink;
     use std::os::unix::net::UnixListener;
@@ -235,14 +235,18 @@ mod tests {
     }
 
     /// Sources below a directory, without their tests.
-    fn sources(dir: &Path, found: &mut Vec<(String, String)>) {
+    pub(crate) fn sources(dir: &Path, found: &mut Vec<(String, String)>) {
         for item in fs::read_dir(dir).unwrap() {
             let path = item.unwrap().path();
             if path.is_dir() {
                 sources(&path, found);
             } else if path.file_name().is_some_and(|name| name != "tests.rs") {
                 let text = fs::read_to_string(&path).unwrap();
-                let tests = ["mod tests {", "pub(super) mod tests {"];
+                let tests = [
+                    "mod tests {",
+                    "pub(super) mod tests {",
+                    "pub(crate) mod tests {",
+                ];
                 let tests = tests.map(|begin| text.find(&format!("\n#[cfg(test)]\n{begin}")));
                 let tests = tests.into_iter().flatten().next();
                 let text = text[..tests.unwrap_or(text.len())].to_owned();

@@ -2,6 +2,7 @@
 
 use unicode_width::UnicodeWidthStr;
 
+use crate::padding::blanks;
 use crate::visible;
 
 /// What becomes of words that are wider than a line.
@@ -86,7 +87,7 @@ fn split_at(text: &str, width: usize) -> usize {
 /// The text with blanks before and after it.
 pub(crate) fn padded(text: &str, before: usize, width: usize) -> String {
     let after = width.saturating_sub(before + text.width());
-    format!("{:before$}{text}{:after$}", "", "")
+    format!("{}{text}{}", blanks(before), blanks(after))
 }
 
 #[cfg(test)]

@@ -13,6 +13,7 @@ use serde_json::json;
 
 use super::about_args::DoctorArgs;
 use super::{BAD_RESULT, CommandError, output};
+use crate::padding::{at_left, blanks};
 
 /// How much something matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -166,15 +167,11 @@ fn page(found: &[Finding]) -> String {
             text.push_str(&format!("{topic}\n"));
         }
         let word = finding.health.word();
-        text.push_str(&format!(
-            "  {word:<7}  {:<width$}  {}\n",
-            finding.name, finding.value
-        ));
+        let name = at_left(&finding.name, width);
+        text.push_str(&format!("  {word:<7}  {name}  {}\n", finding.value));
         if !finding.remedy.is_empty() {
-            text.push_str(&format!(
-                "  {:<7}  {:<width$}    {}\n",
-                "", "", finding.remedy
-            ));
+            let name = blanks(width);
+            text.push_str(&format!("  {:<7}  {name}    {}\n", "", finding.remedy));
         }
     }
     let problems = found.iter().filter(|f| f.health == Health::Problem).count();

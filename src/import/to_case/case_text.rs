@@ -7,6 +7,7 @@ use super::columns;
 use crate::import::beside::Beside;
 use crate::import::fault::line_and_column;
 use crate::import::mooring::{Mooring, Program};
+use crate::padding::at_left;
 
 /// Column at which comments begin, where the value leaves room.
 const COMMENT_COLUMN: usize = 40;
@@ -93,7 +94,7 @@ impl<'t> CaseText<'t> {
         let mut whole = line.to_owned();
         if !comment.is_empty() {
             let width = COMMENT_COLUMN.max(line.chars().count() + 2);
-            whole = format!("{line:<width$}# {comment}");
+            whole = format!("{}# {comment}", at_left(line, width));
         }
         self.line(&whole, from);
     }

@@ -7,6 +7,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::shade;
 use crate::number::{Scale, order, rounded, si, with_error};
+use crate::padding::at_right;
 use crate::study::load_case_table::{HeatCell, LoadCaseAxis, Reduction};
 use crate::tui::pane::PaneId;
 use crate::tui::state::sweeps::OpenSweep;
@@ -171,7 +172,8 @@ impl Grid {
         if self.numbers {
             let mark = if cell.failed > 0 { "!" } else { " " };
             let number = rounded(value / self.scale.factor, self.decimals);
-            let words = format!("{number:>width$}{mark}", width = usize::from(at.width) - 1);
+            let number = at_right(&number, usize::from(at.width).saturating_sub(1));
+            let words = format!("{number}{mark}");
             // In one line the number stands beside its shade, else above it.
             let from = if self.height == 1 { SHADE } else { 0 };
             let words: String = words.chars().skip(from.into()).collect();
