@@ -12,6 +12,7 @@ pub mod channels;
 mod check;
 mod current_file;
 mod current_formats;
+mod decimal;
 mod depth_file;
 mod depth_formats;
 mod diagnostic;

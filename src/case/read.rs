@@ -157,7 +157,7 @@ fn other_kind(tree: &TomlNode, schema: &Schema) -> Option<Finding> {
 }
 
 /// Greatest number of diagnostics of a file.
-const MOST_DIAGNOSTICS: usize = 50;
+pub(super) const MOST_DIAGNOSTICS: usize = 50;
 
 /// Findings with their places in the text; of very many the first ones, and how many more there are.
 pub(crate) fn diagnose(mut found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagnostic> {

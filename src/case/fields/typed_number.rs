@@ -1,6 +1,8 @@
 //! Text that stands for a number: in quotes, with a unit, with a decimal comma, as a product. What it means is proposed, not taken: a
 //! unit that is not known is not dropped.
 
+use crate::case::decimal::decimal_length;
+
 /// What the text stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum TypedNumber {
@@ -68,16 +70,13 @@ impl TypedNumber {
     }
 }
 
-/// The longest beginning that is a number, and what follows.
+/// The finite number that a text begins with, as long as it can be, and what follows.
 fn leading_number(text: &str) -> Option<(f64, &str)> {
-    let ends = text.char_indices().map(|(at, c)| at + c.len_utf8());
-    let mut numbers = ends.rev().filter_map(|end| {
-        let (number, rest) = text.split_at(end);
-        let is_written = number.starts_with(|c: char| c.is_ascii_digit() || ".+-".contains(c));
-        let value = number.parse::<f64>().ok().filter(|_| is_written)?;
-        value.is_finite().then_some((value, rest))
-    });
-    numbers.next()
+    let sign = usize::from(text.starts_with(['+', '-']));
+    let length = decimal_length(&text[sign..])?;
+    let (number, rest) = text.split_at(sign + length);
+    let value = number.parse::<f64>().ok()?;
+    value.is_finite().then_some((value, rest))
 }
 
 /// `* b / c ...` after a number.

@@ -1,190 +1,383 @@
-//! Expressions of named numbers: `1.05 * depth_m`, `sqrt(radius_m^2 + depth_m^2)`. The crate `exmex` evaluates them; what it reads otherwise
-//! than engineers do is refused.
+//! Expressions of named numbers: `1.05 * depth_m`, `sqrt(radius_m^2 + depth_m^2)`.
+//!
+//! Operators of one rank are applied from left to right: `^` first, then `*` and `/`, then `+` and `-`. What engineers read in two ways is
+//! refused. Every result on the way to the value must be finite, so that none is hidden by `min`, `max`, `atan` or a division. Reading
+//! and evaluating go through the text once, without recursion.
 
-use exmex::{
-    BinOp, Express, FlatEx, MakeOperators, MatchLiteral, Operator, literal_matcher_from_pattern,
-};
+use std::ops::Range;
 
-literal_matcher_from_pattern!(
-    DecimalNumbers,
-    r"^([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?"
-);
+use super::tokens::{Symbol, Token, tokens};
+use super::vocabulary::{Function, FunctionOfTwo};
 
 /// Longest expression \[bytes\].
 const LONGEST: usize = 200;
 
-/// A function of one number.
-type OfOne = fn(f64) -> f64;
-
-/// Functions of one number, as they are written.
-const FUNCTIONS: [(&str, OfOne); 18] = [
-    ("sqrt", f64::sqrt),
-    ("abs", f64::abs),
-    ("sin", f64::sin),
-    ("cos", f64::cos),
-    ("tan", f64::tan),
-    ("asin", f64::asin),
-    ("acos", f64::acos),
-    ("atan", f64::atan),
-    ("sinh", f64::sinh),
-    ("cosh", f64::cosh),
-    ("tanh", f64::tanh),
-    ("asinh", f64::asinh),
-    ("acosh", f64::acosh),
-    ("exp", f64::exp),
-    ("ln", f64::ln),
-    ("floor", f64::floor),
-    ("ceil", f64::ceil),
-    ("round", f64::round),
-];
-
-/// A function of two numbers.
-type OfTwo = fn(f64, f64) -> f64;
-
-/// Functions of two numbers, as they are written.
-const FUNCTIONS_OF_TWO: [(&str, OfTwo); 3] =
-    [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
-
-/// The ratio of a circle's circumference to its diameter.
-const PI: &str = "pi";
-
-/// The operators, functions and constants.
-#[derive(Debug, Clone)]
-struct Operators;
-
-impl MakeOperators<f64> for Operators {
-    fn make<'a>() -> Vec<Operator<'a, f64>> {
-        let binary = |apply: OfTwo, prio, is_commutative| BinOp {
-            apply,
-            prio,
-            is_commutative,
-        };
-        let mut all = vec![
-            Operator::make_bin("^", binary(f64::powf, 4, false)),
-            Operator::make_bin("*", binary(|a, b| a * b, 2, true)),
-            Operator::make_bin("/", binary(|a, b| a / b, 3, false)),
-            Operator::make_bin_unary("+", binary(|a, b| a + b, 0, true), |a| a),
-            Operator::make_bin_unary("-", binary(|a, b| a - b, 1, false), |a| -a),
-            Operator::make_constant(PI, std::f64::consts::PI),
-        ];
-        all.extend(FUNCTIONS.map(|(name, apply)| Operator::make_unary(name, apply)));
-        let two = FUNCTIONS_OF_TWO.map(|(name, apply)| (name, binary(apply, 0, false)));
-        all.extend(two.map(|(name, apply)| Operator::make_bin(name, apply)));
-        all
-    }
-}
-
 /// An expression that can be evaluated.
 #[derive(Debug, Clone)]
-pub(super) struct Expression(FlatEx<f64, Operators, DecimalNumbers>);
+pub(super) struct Expression {
+    text: String,
+    names: Vec<String>,
+    /// Operations in the order in which they are applied, operands first.
+    steps: Vec<Step>,
+}
+
+/// An operation, and the part of the text whose value it yields.
+#[derive(Debug, Clone)]
+struct Step {
+    operation: Operation,
+    part: Range<usize>,
+}
+
+/// What is done with the values computed last.
+#[derive(Debug, Clone, Copy)]
+enum Operation {
+    Number(f64),
+    /// The value of a name, by its place among the names.
+    Name(usize),
+    Negated,
+    Of(Function),
+    OfTwo(FunctionOfTwo),
+    Operator(char),
+}
+
+/// A part of an expression whose value is no finite number.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct NotFinite {
+    /// The part, as it is written.
+    pub(super) part: String,
+    /// Its value: infinite, or not a number.
+    pub(super) value: f64,
+}
 
 impl Expression {
     /// Reads an expression.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// What is wrong with it, and at which character.
     pub(super) fn read(text: &str) -> Result<Self, String> {
         if text.len() > LONGEST {
             return Err(format!(
                 "the expression is longer than {LONGEST} characters"
             ));
         }
-        if let Some(fault) = ambiguous_power(text) {
-            return Err(fault);
-        }
-        let read = FlatEx::parse(text).map(Self);
-        read.map_err(|error| fault(text, error.msg()))
+        let tokens = tokens(text)?;
+        let mut names: Vec<String> = tokens.iter().filter_map(Token::name).collect();
+        names.sort_unstable();
+        names.dedup();
+        let mut reading = Reading {
+            text,
+            names: &names,
+            steps: Vec::new(),
+            parts: Vec::new(),
+            waiting: Vec::new(),
+            wants_operand: true,
+        };
+        tokens.iter().try_for_each(|token| reading.take(token))?;
+        let steps = reading.finish()?;
+        Ok(Self {
+            text: text.to_owned(),
+            names,
+            steps,
+        })
     }
 
-    /// The names in it, each once.
+    /// The names in it, each once, in the order of the alphabet.
     pub(super) fn names(&self) -> &[String] {
-        self.0.var_names()
+        &self.names
     }
 
     /// Its value where its names have these values, in the order of [`names`](Self::names).
-    pub(super) fn value(&self, of_names: &[f64]) -> f64 {
-        self.0.eval(of_names).unwrap_or(f64::NAN)
-    }
-}
-
-/// What is wrong, in the words of `exmex`, and what it cannot read.
-fn fault(text: &str, words: &str) -> String {
-    let words = words.trim_end_matches('.');
-    match text.matches(',').count() > 1 {
-        // Refused by `exmex`: the second argument may hold no comma.
-        true => {
-            format!("{words}; min, max and atan2 may hold each other as their first argument only")
+    ///
+    /// # Errors
+    /// The first part of it that is no finite number.
+    pub(super) fn value(&self, of_names: &[f64]) -> Result<f64, NotFinite> {
+        let mut values: Vec<f64> = Vec::with_capacity(self.steps.len());
+        let mut last = f64::NAN;
+        for Step { operation, part } in &self.steps {
+            let mut operand = || values.pop().unwrap_or(f64::NAN);
+            last = match operation {
+                Operation::Number(value) => *value,
+                Operation::Name(at) => of_names.get(*at).copied().unwrap_or(f64::NAN),
+                Operation::Negated => -operand(),
+                Operation::Of(function) => function(operand()),
+                Operation::OfTwo(function) => {
+                    let (right, left) = (operand(), operand());
+                    function(left, right)
+                }
+                Operation::Operator(sign) => {
+                    let (right, left) = (operand(), operand());
+                    applied(*sign, left, right)
+                }
+            };
+            if !last.is_finite() {
+                return Err(NotFinite {
+                    part: self.text[part.clone()].to_owned(),
+                    value: last,
+                });
+            }
+            values.push(last);
         }
-        false => words.to_owned(),
+        Ok(last)
     }
 }
 
-/// Whether a name can stand in an expression, and is none of its functions and constants.
-pub(super) fn is_name(name: &str) -> bool {
-    let mut letters = name.chars();
-    let first = letters.next();
-    first.is_some_and(|letter| letter.is_ascii_alphabetic())
-        && letters.all(|letter| letter.is_ascii_alphanumeric() || letter == '_')
-        && !is_taken(name)
+/// The value of an operator between two numbers.
+fn applied(sign: char, left: f64, right: f64) -> f64 {
+    match sign {
+        '+' => left + right,
+        '-' => left - right,
+        '*' => left * right,
+        '/' => left / right,
+        _ => left.powf(right),
+    }
 }
 
-/// Whether a name is that of a function or of the constant.
-pub(super) fn is_taken(name: &str) -> bool {
-    let of_one = FUNCTIONS.iter().any(|(known, _)| *known == name);
-    of_one || name == PI || FUNCTIONS_OF_TWO.iter().any(|(known, _)| *known == name)
+/// How strongly an operator binds.
+const fn rank(sign: char) -> u8 {
+    match sign {
+        '+' | '-' => 1,
+        '*' | '/' => 2,
+        _ => 3,
+    }
 }
 
-/// The functions and the constant, for people.
-pub(super) fn vocabulary() -> String {
-    let of_one = FUNCTIONS.iter().map(|(name, _)| *name);
-    let names = of_one.chain(FUNCTIONS_OF_TWO.iter().map(|(name, _)| *name));
-    let names: Vec<&str> = names.chain([PI]).collect();
-    format!("+ - * / ^ and {}", names.join(" "))
+/// What waits for its operands, or for the end of its parentheses.
+#[derive(Debug, Clone, Copy)]
+enum Waiting {
+    Operator(char),
+    /// A sign before an operand, with its place.
+    Sign {
+        is_minus: bool,
+        at: usize,
+    },
+    /// Parentheses, where they begin with their function, and how many values they have so far.
+    Parentheses {
+        of: Called,
+        at: usize,
+        values: usize,
+    },
 }
 
-/// `-a^2` and `a^b^c`, which `exmex` reads as `(-a)^2` and `(a^b)^c`: the reader has to say which is meant.
-fn ambiguous_power(text: &str) -> Option<String> {
-    let bytes = text.as_bytes();
-    let powers = bytes.iter().enumerate().filter(|(_, byte)| **byte == b'^');
-    powers.into_iter().find_map(|(at, _)| {
-        let base = base_of_power(&text[..at]);
-        let before = text[..base].trim_end();
-        let sign = before.strip_suffix(['-', '+']).map(str::trim_end);
-        let is_unary = sign.is_some_and(|rest| {
-            rest.is_empty() || rest.ends_with(['(', ',', '*', '/', '^', '+', '-'])
+/// What parentheses belong to.
+#[derive(Debug, Clone, Copy)]
+enum Called {
+    Nothing,
+    One(Function),
+    Two(FunctionOfTwo),
+}
+
+/// The way through the tokens of an expression, operators waiting until both of their operands are known (Dijkstra's shunting yard).
+struct Reading<'a> {
+    text: &'a str,
+    names: &'a [String],
+    steps: Vec<Step>,
+    /// The parts of the text whose values are not used yet.
+    parts: Vec<Range<usize>>,
+    waiting: Vec<Waiting>,
+    wants_operand: bool,
+}
+
+impl Reading<'_> {
+    fn take(&mut self, token: &Token<'_>) -> Result<(), String> {
+        let part = token.place.clone();
+        match token.symbol {
+            Symbol::Sign(sign @ ('+' | '-')) if self.wants_operand => {
+                let (is_minus, at) = (sign == '-', part.start);
+                self.waiting.push(Waiting::Sign { is_minus, at });
+                Ok(())
+            }
+            Symbol::Sign(sign) => self.operator(sign, &part),
+            Symbol::Comma => self.comma(&part),
+            Symbol::Close => self.close(&part),
+            Symbol::Open => self.open(Called::Nothing, &part),
+            Symbol::Function(function) => self.open(Called::One(function), &part),
+            Symbol::FunctionOfTwo(function) => self.open(Called::Two(function), &part),
+            Symbol::Number(value) => self.operand(Operation::Number(value), part),
+            Symbol::Name(name) => {
+                let at = self
+                    .names
+                    .binary_search_by(|known| known.as_str().cmp(name));
+                self.operand(Operation::Name(at.unwrap_or(usize::MAX)), part)
+            }
+        }
+    }
+
+    fn operand(&mut self, operation: Operation, part: Range<usize>) -> Result<(), String> {
+        self.operand_fits(&part)?;
+        self.wants_operand = false;
+        self.push(operation, part);
+        Ok(())
+    }
+
+    fn operand_fits(&self, part: &Range<usize>) -> Result<(), String> {
+        match self.wants_operand {
+            true => Ok(()),
+            false => Err(format!("an operator is missing {}", self.before(part))),
+        }
+    }
+
+    fn open(&mut self, of: Called, part: &Range<usize>) -> Result<(), String> {
+        self.operand_fits(part)?;
+        let (at, values) = (part.start, 1);
+        self.waiting.push(Waiting::Parentheses { of, at, values });
+        Ok(())
+    }
+
+    fn operator(&mut self, sign: char, part: &Range<usize>) -> Result<(), String> {
+        self.operand_is_there(part)?;
+        if sign == '^' {
+            self.power_is_clear()?;
+        }
+        self.apply_while(|waiting| match waiting {
+            Waiting::Operator(before) => rank(before) >= rank(sign),
+            Waiting::Sign { .. } => true,
+            Waiting::Parentheses { .. } => false,
         });
-        let words = text[base..at].trim();
-        if is_unary {
-            return Some(format!(
-                "a sign before a power can be read in two ways: write -({words}^...) or (-{words})^..."
-            ));
-        }
-        before.ends_with('^').then(|| {
-            "a power of a power can be read in two ways: write (a^b)^c or a^(b^c)".to_owned()
-        })
-    })
-}
+        self.waiting.push(Waiting::Operator(sign));
+        self.wants_operand = true;
+        Ok(())
+    }
 
-/// Where the base of a power begins, whose text ends here: a number, a name, or what is in parentheses with its function.
-fn base_of_power(text: &str) -> usize {
-    let text = text.trim_end();
-    let mut depth = 0_usize;
-    let mut begin = text.len();
-    if text.ends_with(')') {
-        for (at, letter) in text.char_indices().rev() {
-            match letter {
-                ')' => depth += 1,
-                '(' => depth = depth.saturating_sub(1),
-                _ => {}
+    fn operand_is_there(&self, part: &Range<usize>) -> Result<(), String> {
+        match self.wants_operand {
+            false => Ok(()),
+            true => Err(format!(
+                "a number or a name is missing {}",
+                self.before(part)
+            )),
+        }
+    }
+
+    /// Whether a power is read in one way: not that of `-a^2`, which some read as `(-a)^2`, nor that of `a^b^c`, which some read as `(a^b)^c`.
+    fn power_is_clear(&self) -> Result<(), String> {
+        match self.waiting.last() {
+            Some(Waiting::Sign { .. }) => {
+                let base = self
+                    .parts
+                    .last()
+                    .map_or("", |part| &self.text[part.clone()]);
+                Err(format!(
+                    "a sign before a power can be read in two ways: write -({base}^...) or (-{base})^..."
+                ))
             }
-            begin = at;
-            if depth == 0 {
-                break;
+            Some(Waiting::Operator('^')) => Err(
+                "a power of a power can be read in two ways: write (a^b)^c or a^(b^c)".to_owned(),
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    fn comma(&mut self, part: &Range<usize>) -> Result<(), String> {
+        self.operand_is_there(part)?;
+        self.apply_all();
+        match self.waiting.last_mut() {
+            Some(Waiting::Parentheses {
+                of: Called::Two(_),
+                values,
+                ..
+            }) => {
+                *values += 1;
+                self.wants_operand = true;
+                Ok(())
+            }
+            _ => Err(format!(
+                "a comma stands between the two values of min, max and atan2 only (character {}); write a decimal point",
+                self.character(part.start)
+            )),
+        }
+    }
+
+    fn close(&mut self, part: &Range<usize>) -> Result<(), String> {
+        self.operand_is_there(part)?;
+        self.apply_all();
+        let Some(Waiting::Parentheses { of, at, values }) = self.waiting.pop() else {
+            return Err(format!(
+                "`)` closes nothing (character {})",
+                self.character(part.start)
+            ));
+        };
+        let part = at..part.end;
+        match of {
+            Called::Nothing => {
+                if let Some(inner) = self.parts.last_mut() {
+                    *inner = part;
+                }
+            }
+            Called::One(function) => self.apply(Operation::Of(function), 1, part),
+            Called::Two(function) if values == 2 => {
+                self.apply(Operation::OfTwo(function), 2, part);
+            }
+            Called::Two(_) => {
+                let call = &self.text[part];
+                return Err(format!("`{call}` has {values} of the 2 values it takes"));
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(mut self) -> Result<Vec<Step>, String> {
+        if self.steps.is_empty() && self.waiting.is_empty() {
+            return Err("it is empty".to_owned());
+        }
+        if self.wants_operand {
+            return Err("a number or a name is missing at its end".to_owned());
+        }
+        self.apply_all();
+        match self.waiting.last() {
+            Some(Waiting::Parentheses { at, .. }) => Err(format!(
+                "`)` is missing for the parentheses at character {}",
+                self.character(*at)
+            )),
+            _ => Ok(self.steps),
+        }
+    }
+
+    /// Applies what waits since the last parentheses.
+    fn apply_all(&mut self) {
+        self.apply_while(|waiting| !matches!(waiting, Waiting::Parentheses { .. }));
+    }
+
+    fn apply_while(&mut self, binds: impl Fn(Waiting) -> bool) {
+        while let Some(waiting) = self.waiting.pop_if(|waiting| binds(*waiting)) {
+            let part = self.parts.last().cloned().unwrap_or_default();
+            match waiting {
+                Waiting::Sign { is_minus: true, at } => {
+                    self.apply(Operation::Negated, 1, at..part.end);
+                }
+                Waiting::Operator(sign) => {
+                    let left = self.parts.iter().rev().nth(1);
+                    let start = left.map_or(part.start, |left| left.start);
+                    self.apply(Operation::Operator(sign), 2, start..part.end);
+                }
+                Waiting::Sign { .. } | Waiting::Parentheses { .. } => {}
             }
         }
     }
-    let word = |letter: char| letter.is_alphanumeric() || letter == '_' || letter == '.';
-    text[..begin].trim_end_matches(word).len()
+
+    /// Uses so many values for a new one.
+    fn apply(&mut self, operation: Operation, operands: usize, part: Range<usize>) {
+        self.parts
+            .truncate(self.parts.len().saturating_sub(operands));
+        self.push(operation, part);
+    }
+
+    fn push(&mut self, operation: Operation, part: Range<usize>) {
+        self.parts.push(part.clone());
+        self.steps.push(Step { operation, part });
+    }
+
+    fn before(&self, part: &Range<usize>) -> String {
+        let character = self.character(part.start);
+        format!(
+            "before `{}` (character {character})",
+            &self.text[part.clone()]
+        )
+    }
+
+    /// The character at a byte, from 1.
+    fn character(&self, at: usize) -> usize {
+        self.text[..at].chars().count() + 1
+    }
 }
 
 #[cfg(test)]
@@ -194,7 +387,7 @@ mod tests {
     fn value(text: &str) -> f64 {
         let read = Expression::read(text).unwrap();
         assert_eq!(read.names(), &[] as &[String], "{text}");
-        read.value(&[])
+        read.value(&[]).unwrap()
     }
 
     #[test]
@@ -216,11 +409,17 @@ mod tests {
             (".5 + 1.", 1.5),
             ("sqrt(3^2 + 4^2)", 5.0),
             ("max(min(5, 3), 2)", 3.0),
+            ("8 * 6 / 4 - 2 + 5", 15.0),
             ("sin(30 * pi / 180)", 0.5),
             ("atan2(1, 1) * 4", std::f64::consts::PI),
             ("sinh(asinh(2))", 2.0),
             ("round(2.6) + floor(-0.5) + ceil(0.2)", 3.0),
             ("-2 * -3", 6.0),
+            ("2^-3 * 4", 0.5),
+            ("+ - -3", 3.0),
+            ("{pi} / pi", 1.0),
+            ("min(2, max(5, min(1, 3)))", 2.0),
+            ("1e3/1E+3+5.-.5", 5.5),
         ] {
             let found = value(text);
             assert!((found - expected).abs() < 1e-12, "{text}: {found}");
@@ -250,45 +449,76 @@ mod tests {
     fn names_are_listed_and_valued() {
         let read = Expression::read("depth_m * 2 + b - depth_m").unwrap();
         assert_eq!(read.names(), ["b", "depth_m"]);
-        assert_eq!(read.value(&[1.0, 10.0]), 11.0);
+        assert_eq!(read.value(&[1.0, 10.0]), Ok(11.0));
     }
 
     #[test]
-    fn hostile_texts_are_refused_without_a_panic() {
+    fn what_is_no_expression_is_refused_at_its_place() {
         let nested = format!("{}1{}", "(".repeat(95), ")".repeat(95));
         assert_eq!(value(&nested), 1.0);
-        for text in [
-            "",
-            " ",
-            "(",
-            ")",
-            "1 +",
-            "* 2",
-            "1 2",
-            "a b",
-            "sin",
-            "sin(",
-            "max(1)",
-            "1..2",
-            "é^",
-            "^",
-            "()^2",
-            ")^(",
-            "{x}",
-            "\"a\"",
-            "1 ; 2",
-            "min(1,2,3)",
-            "25 m",
-            "ρ",
-            "x=1",
+        for (text, why) in [
+            ("", "it is empty"),
+            (" ", "it is empty"),
+            ("(", "missing at its end"),
+            (")", "missing before `)` (character 1)"),
+            ("1 +", "missing at its end"),
+            ("* 2", "missing before `*`"),
+            ("1 2", "an operator is missing before `2` (character 3)"),
+            ("a b", "an operator is missing before `b`"),
+            ("2p", "an operator is missing before `p`"),
+            ("2(p)", "an operator is missing before `(`"),
+            ("sin", "`sin` takes its values in parentheses: sin(...)"),
+            ("sin x", "in parentheses"),
+            ("sin(", "missing at its end"),
+            ("sin(1", "`)` is missing for the parentheses at character 1"),
+            ("(1))", "`)` closes nothing (character 4)"),
+            ("max(1)", "`max(1)` has 1 of the 2 values it takes"),
+            ("min(1,2,3)", "`min(1,2,3)` has 3 of the 2 values it takes"),
+            ("sin(1,2)", "a comma stands between"),
+            ("1,5 * p", "write a decimal point"),
+            ("1..2", "an operator is missing before `.2`"),
+            (".", "`.` is no part of an expression (character 1)"),
+            ("é^", "missing at its end"),
+            ("^", "missing before `^`"),
+            ("()^2", "missing before `)`"),
+            (")^(", "missing before `)`"),
+            ("{x", "`{` is not closed by `}` (character 1)"),
+            ("2 * {x", "`{` is not closed by `}` (character 5)"),
+            ("x}", "`}` is no part of an expression"),
+            ("\"a\"", "`\"` is no part"),
+            ("1 ; 2", "`;` is no part of an expression (character 3)"),
+            ("25 m", "an operator is missing before `m`"),
+            ("x=1", "`=` is no part"),
         ] {
-            if let Ok(read) = Expression::read(text) {
-                let names = vec![1.0; read.names().len()];
-                let _finite_or_not = read.value(&names);
-            }
+            let fault = Expression::read(text).unwrap_err();
+            assert!(fault.contains(why), "{text}: {fault}");
         }
         assert!(Expression::read(&"1+".repeat(200)).is_err());
-        let nested = Expression::read("max(2, min(5, 3))").unwrap_err();
-        assert!(nested.contains("as their first argument only"), "{nested}");
+        for text in ["ρ", "-".repeat(199).as_str()] {
+            drop(Expression::read(text));
+        }
+    }
+
+    #[test]
+    fn no_part_of_an_expression_hides_that_it_is_no_number() {
+        for (text, part, is_nan) in [
+            ("min(sqrt(x - 1), 9)", "sqrt(x - 1)", true),
+            ("max(9, sqrt(x - 1))", "sqrt(x - 1)", true),
+            ("atan(1 / x)", "1 / x", false),
+            ("exp(-(1 / x))", "1 / x", false),
+            ("1 / (1 / x)", "1 / x", false),
+            ("0 * ln(x)", "ln(x)", false),
+            ("1 / exp(1e3 + x)", "exp(1e3 + x)", false),
+            ("min(1e999, 2)", "1e999", false),
+            ("tanh(-1e300 * 1e300 + x)", "-1e300 * 1e300", false),
+            ("x + asin(2)", "asin(2)", true),
+            ("(x / x)^0", "x / x", true),
+            ("x^-1", "x^-1", false),
+        ] {
+            let read = Expression::read(text).unwrap();
+            let found = read.value(&[0.0]).unwrap_err();
+            assert_eq!(found.part, part, "{text}");
+            assert_eq!(found.value.is_nan(), is_nan, "{text}: {found:?}");
+        }
     }
 }

@@ -12,6 +12,9 @@
 //! Expressions are evaluated where a file is read: what checks and solvers see are numbers.
 
 mod expression;
+mod resolution;
+mod tokens;
+mod vocabulary;
 
 use std::collections::BTreeMap;
 
@@ -21,8 +24,10 @@ use super::fields::{
     AbsentValue, Field, Range, Schema, TableSchema, TableShape, TypedNumber, ValueType, join,
     nearest, number,
 };
+use super::read::MOST_DIAGNOSTICS;
 use super::tree::{TomlData, TomlNode, element_names};
-use expression::Expression;
+use expression::{Expression, NotFinite};
+use resolution::Resolution;
 
 /// The table of the parameters.
 pub(crate) const PARAMETERS: &str = "parameters";
@@ -45,6 +50,9 @@ pub(crate) fn field() -> Field {
         ..Field::new(ANY_KEY, ValueType::Number, "parameter", help).below(PARAMETERS)
     }
 }
+
+/// Greatest number of names that a message lists.
+const MOST_NAMES: usize = 20;
 
 /// The parameters of a file with their values.
 #[derive(Debug, Clone, Default)]
@@ -86,7 +94,7 @@ pub(crate) fn typed(
     };
     let (parameters, _) = Parameters::of_table(table);
     let mut evaluated = node.clone();
-    parameters.replace(field, &mut evaluated, &field.path)?;
+    parameters.replace(field, &mut evaluated, (&field.path, Names::Compared))?;
     Ok((evaluated != *node).then_some(evaluated))
 }
 
@@ -97,7 +105,14 @@ pub(crate) fn absent(root: &TomlNode, name: &str) -> (String, String) {
     let remedy = match nearest(name, known.iter().map(String::as_str)) {
         Some(near) => format!("did you mean `{near}`?"),
         None if known.is_empty() => format!("add [{PARAMETERS}] with it to the file"),
-        None => format!("[{PARAMETERS}] has {}", known.join(", ")),
+        None => {
+            let first = known.len().min(MOST_NAMES);
+            let further = match known.len() - first {
+                0 => String::new(),
+                count => format!(" and {count} more"),
+            };
+            format!("[{PARAMETERS}] has {}{further}", known[..first].join(", "))
+        }
     };
     (problem, remedy)
 }
@@ -105,20 +120,17 @@ pub(crate) fn absent(root: &TomlNode, name: &str) -> (String, String) {
 impl Parameters {
     /// The values of a table of parameters, and what is wrong with it.
     fn of_table(node: &TomlNode) -> (Self, Vec<Finding>) {
-        let mut resolution = Resolution {
-            table: node,
-            known: Self::default(),
-            begun: Vec::new(),
-            found: Vec::new(),
-        };
-        for entry in node.entries() {
-            resolution.resolve(&entry.key);
-        }
-        (resolution.known, resolution.found)
+        let (values, found) = Resolution::of(node);
+        (Self { values }, found)
     }
 
     /// Replaces a value of a field, or those of its list, where it is an expression.
-    fn replace(&self, field: &Field, node: &mut TomlNode, path: &str) -> Result<(), Finding> {
+    fn replace(
+        &self,
+        field: &Field,
+        node: &mut TomlNode,
+        (path, names): (&str, Names),
+    ) -> Result<(), Finding> {
         if !holds_numbers(field.kind) {
             return Ok(());
         }
@@ -126,10 +138,10 @@ impl Parameters {
         match &mut node.data {
             TomlData::List(items) => items
                 .iter_mut()
-                .try_for_each(|item| self.replace(field, item, path)),
+                .try_for_each(|item| self.replace(field, item, (path, names))),
             TomlData::Text(text) => {
                 let fault = |(problem, remedy)| Finding::new(&node_span, path, problem, remedy);
-                let value = self.number(field, text).map_err(fault)?;
+                let value = self.number(field, text, names).map_err(fault)?;
                 if let Some(value) = value {
                     node.data = value;
                 }
@@ -140,7 +152,12 @@ impl Parameters {
     }
 
     /// The number of an expression that names parameters; nothing where the text is something else.
-    fn number(&self, field: &Field, text: &str) -> Result<Option<TomlData>, (String, String)> {
+    fn number(
+        &self,
+        field: &Field,
+        text: &str,
+        names: Names,
+    ) -> Result<Option<TomlData>, (String, String)> {
         let is_word =
             matches!(field.kind, ValueType::NumberOrChoice(words) if words.contains(&text));
         let names_one = words_of(text).any(|word| self.values.contains_key(word));
@@ -156,35 +173,72 @@ impl Parameters {
         };
         let of_names = read.names().iter().map(|name| {
             let value = self.values.get(name).copied();
-            value.ok_or_else(|| self.unknown(name))
+            value.ok_or_else(|| unknown(name, self.values.keys().map(String::as_str), names))
         });
         let of_names: Vec<f64> = of_names.collect::<Result<_, _>>()?;
-        as_data(field, read.value(&of_names)).map(Some)
+        let value = read.value(&of_names);
+        let value = value.map_err(|found| not_finite(text, &found))?;
+        as_data(field, value).map(Some)
     }
+}
 
-    /// What is said of a name in an expression that the file does not define.
-    fn unknown(&self, name: &str) -> (String, String) {
-        let problem = format!("names `{name}`, which is no parameter of this file");
-        let known: Vec<&str> = self.values.keys().map(String::as_str).collect();
-        let remedy = match nearest(name, known.iter().copied()) {
-            Some(near) => format!("did you mean `{near}`?"),
-            None if known.is_empty() => format!("add `{name} = ...` to [{PARAMETERS}]"),
-            None => format!(
-                "add `{name} = ...` to [{PARAMETERS}], which has {}",
-                known.join(", ")
-            ),
-        };
-        (problem, remedy)
+/// Whether a name that the file lacks is compared with all that it has, which takes time by the product of both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Names {
+    Compared,
+    Listed,
+}
+
+impl Names {
+    /// As many names are compared as faults are shown.
+    fn after(faults: usize) -> Self {
+        match faults < MOST_DIAGNOSTICS {
+            true => Self::Compared,
+            false => Self::Listed,
+        }
     }
+}
+
+/// What is said of a name in an expression that the file does not define, of those that it does.
+fn unknown<'n>(
+    name: &str,
+    known: impl Iterator<Item = &'n str> + Clone,
+    names: Names,
+) -> (String, String) {
+    let problem = format!("names `{name}`, which is no parameter of this file");
+    let near = match names {
+        Names::Compared => nearest(name, known.clone()),
+        Names::Listed => None,
+    };
+    let first: Vec<&str> = known.clone().take(MOST_NAMES).collect();
+    let further = match known.skip(MOST_NAMES).count() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    let remedy = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None if first.is_empty() => format!("add `{name} = ...` to [{PARAMETERS}]"),
+        None => format!(
+            "add `{name} = ...` to [{PARAMETERS}], which has {}{further}",
+            first.join(", ")
+        ),
+    };
+    (problem, remedy)
+}
+
+/// What is said of an expression with a part that is no finite number.
+fn not_finite(text: &str, found: &NotFinite) -> (String, String) {
+    let NotFinite { part, value } = found;
+    let problem = match part == text.trim() {
+        true => format!("is {value} by its expression"),
+        false => format!("has no value by its expression: `{part}` is {value}"),
+    };
+    let remedy = "look for a division by zero or a root of a negative number";
+    (problem, remedy.to_owned())
 }
 
 /// A number as the value of a field.
 fn as_data(field: &Field, value: f64) -> Result<TomlData, (String, String)> {
-    if !value.is_finite() {
-        let problem = format!("is {value} by its expression");
-        let remedy = "look for a division by zero or a root of a negative number";
-        return Err((problem, remedy.to_owned()));
-    }
     if field.kind != ValueType::Integer {
         return Ok(TomlData::Float(value));
     }
@@ -199,7 +253,7 @@ fn as_data(field: &Field, value: f64) -> Result<TomlData, (String, String)> {
 
 fn unreadable(text: &str, fault: &str) -> (String, String) {
     let problem = format!("is no expression that can be read: \"{text}\": {fault}");
-    let remedy = format!("known are {}", expression::vocabulary());
+    let remedy = format!("known are {}", vocabulary::vocabulary());
     (problem, remedy)
 }
 
@@ -221,101 +275,6 @@ fn holds_numbers(kind: ValueType) -> bool {
             | ValueType::Pair
             | ValueType::Triple
     )
-}
-
-/// The parameters worked out one after the other, each after those that it names.
-struct Resolution<'a> {
-    table: &'a TomlNode,
-    known: Parameters,
-    /// Those begun and not known yet: one that comes up again depends on itself.
-    begun: Vec<String>,
-    found: Vec<Finding>,
-}
-
-impl Resolution<'_> {
-    /// The value of a parameter; nothing where it has none, which is reported once.
-    fn resolve(&mut self, name: &str) -> Option<f64> {
-        if let Some(value) = self.known.values.get(name) {
-            return Some(*value);
-        }
-        let node = self.table.get(name)?;
-        let already = self.found.iter().any(|finding| finding.span == node.span);
-        if already {
-            return None;
-        }
-        let value = self.value(name, node);
-        match value {
-            Ok(Some(value)) => {
-                self.known.values.insert(name.to_owned(), value);
-                Some(value)
-            }
-            // What it depends on is reported.
-            Ok(None) => None,
-            Err((problem, remedy)) => {
-                let path = join(&[PARAMETERS, name]);
-                self.found
-                    .push(Finding::new(&node.span, path, problem, remedy));
-                None
-            }
-        }
-    }
-
-    fn value(&mut self, name: &str, node: &TomlNode) -> Result<Option<f64>, (String, String)> {
-        if !expression::is_name(name) {
-            let problem = match expression::is_taken(name) {
-                true => "is the name of a function or constant",
-                false => "cannot be named in an expression",
-            };
-            let remedy = "give it a name of letters, digits and _, which begins with a letter";
-            return Err((problem.to_owned(), remedy.to_owned()));
-        }
-        let Some(text) = node.text() else {
-            let value = node.number();
-            return value.map(Some).ok_or_else(|| {
-                let problem = format!("must be a number, and is {}", node.describe());
-                (
-                    problem,
-                    "give a number, or an expression in quotes".to_owned(),
-                )
-            });
-        };
-        if self.begun.iter().any(|begun| begun == name) {
-            let round = self.begun.join(", ");
-            let problem = format!("depends on itself ({round})");
-            return Err((problem, "give one of them a number".to_owned()));
-        }
-        let read = Expression::read(text).map_err(|fault| unreadable(text, &fault))?;
-        self.begun.push(name.to_owned());
-        let of_names = self.of_names(&read);
-        self.begun.pop();
-        let Some(of_names) = of_names? else {
-            return Ok(None);
-        };
-        let data = as_data(&field(), read.value(&of_names))?;
-        Ok(match data {
-            TomlData::Float(value) => Some(value),
-            _ => None,
-        })
-    }
-
-    /// The values of the names of an expression; nothing where one of them has none for a reason that is reported.
-    fn of_names(&mut self, read: &Expression) -> Result<Option<Vec<f64>>, (String, String)> {
-        let mut values = Vec::new();
-        for name in read.names() {
-            if self.table.get(name).is_none() {
-                let all = self.table.names();
-                let known = Parameters {
-                    values: all.into_iter().map(|name| (name, 0.0)).collect(),
-                };
-                return Err(known.unknown(name));
-            }
-            match self.resolve(name) {
-                Some(value) => values.push(value),
-                None => return Ok(None),
-            }
-        }
-        Ok(Some(values))
-    }
 }
 
 /// The way through a file that replaces expressions, along its schema as the check of its keys goes.
@@ -352,7 +311,9 @@ impl Evaluation<'_> {
             }
             return;
         }
-        if let Err(fault) = self.parameters.replace(field, node, &join(path)) {
+        let names = Names::after(self.found.len());
+        let replaced = self.parameters.replace(field, node, (&join(path), names));
+        if let Err(fault) = replaced {
             self.found.push(fault);
         }
     }
