@@ -8,6 +8,8 @@ use crate::limits::TABLES;
 const LONGEST_KEY: usize = 200;
 /// Longest text \[bytes\].
 const LONGEST_TEXT: usize = 20_000;
+/// Longest number, as it is written \[bytes\].
+const LONGEST_NUMBER: usize = 400;
 
 /// The table of the files that a stored case carries, whole, by their names.
 const FILES: &str = "files";
@@ -20,7 +22,7 @@ pub(super) fn check(root: &TomlNode) -> Option<Finding> {
 
 fn entries(entries: &[&TomlEntry]) -> Option<Finding> {
     let key = entries.iter().find(|entry| entry.key.len() > LONGEST_KEY);
-    let long = key.map(|entry| too_long("key", &entry.key, LONGEST_KEY, &entry.key_span));
+    let long = key.map(|entry| too_long("key", entry.key.len(), LONGEST_KEY, &entry.key_span));
     let nodes = || entries.iter().map(|entry| &entry.node);
     long.or_else(|| too_many(nodes(), entries.len()))
         .or_else(|| nodes().find_map(value))
@@ -35,8 +37,11 @@ fn value(node: &TomlNode) -> Option<Finding> {
             many.flatten().or_else(|| items.iter().find_map(value))
         }
         TomlData::Text(text) if text.len() > LONGEST_TEXT => {
-            Some(too_long("text", text, LONGEST_TEXT, &node.span))
+            Some(too_long("text", text.len(), LONGEST_TEXT, &node.span))
         }
+        TomlData::Float(_) | TomlData::Integer(_) if node.span.len() > LONGEST_NUMBER => Some(
+            too_long("number", node.span.len(), LONGEST_NUMBER, &node.span),
+        ),
         _ => None,
     }
 }
@@ -53,8 +58,8 @@ fn too_many<'a>(mut nodes: impl Iterator<Item = &'a TomlNode>, count: usize) -> 
     Some(Finding::new(&first.span, "", problem, remedy))
 }
 
-fn too_long(what: &str, text: &str, most: usize, span: &std::ops::Range<usize>) -> Finding {
-    let problem = format!("a {what} is {} bytes long", text.len());
+fn too_long(what: &str, length: usize, most: usize, span: &std::ops::Range<usize>) -> Finding {
+    let problem = format!("a {what} is {length} bytes long");
     Finding::new(span, "", problem, format!("give at most {most}"))
 }
 
@@ -88,6 +93,12 @@ mod tests {
             found(&format!("[a.{}]", &word[..201])).unwrap(),
             "a key is 201 bytes long"
         );
+        let digits = "1".repeat(399);
+        assert_eq!(
+            found(&format!("x = [0.{digits}]")).unwrap(),
+            "a number is 401 bytes long"
+        );
+        assert_eq!(found(&format!("x = 0.{}", &digits[1..])), None);
         assert_eq!(found(&format!("[files.a]\ntext = \"{word}\"")), None);
     }
 }

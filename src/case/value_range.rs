@@ -202,6 +202,9 @@ fn at((a, b): (f64, f64), i: usize, count: usize, spacing: Spacing) -> f64 {
 /// `a,b,c`.
 fn listed(text: &str, field: &Field) -> Result<Vec<StudyValue>, RangeError> {
     let items: Vec<&str> = text.split(',').map(str::trim).collect();
+    if POINTS.is_exceeded_by(items.len() as f64) {
+        return Err(RangeError::TooMany(items.len()));
+    }
     let unit = items.last().and_then(|last| TypedNumber::unit_text(last));
     let one = |item: &&str| match word(item, field) {
         Some(word) => word.map(StudyValue::Word),

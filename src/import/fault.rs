@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::case::{Diagnostic, Excerpt};
+use crate::visible::shortened;
 
 /// One thing wrong with a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -51,9 +52,9 @@ impl Fault {
             file: file.to_owned(),
             line,
             column,
-            key: self.key.clone(),
-            problem: self.problem.clone(),
-            remedy: self.remedy.as_str().into(),
+            key: shortened(self.key.clone()),
+            problem: shortened(self.problem.clone()),
+            remedy: shortened(self.remedy.clone()).into_boxed_str(),
             span: self.span.clone(),
             excerpt: Excerpt::of(text, &self.span),
         }
