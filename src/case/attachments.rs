@@ -317,9 +317,15 @@ fn row(
     places.iter().map(number).collect()
 }
 
+/// A text behind its byte order mark, which spreadsheets write before a table, and where it begins.
+pub(crate) fn without_mark(text: &str) -> (usize, &str) {
+    let behind = text.trim_start_matches('\u{feff}');
+    (text.len() - behind.len(), behind)
+}
+
 /// The lines of a table that say something, as words between commas, each with its place in the text.
 pub(super) fn placed_lines(text: &str) -> impl Iterator<Item = Vec<PlacedWord<'_>>> {
-    let mut start = 0;
+    let (mut start, text) = without_mark(text);
     let placed = text.split_inclusive('\n').map(move |line| {
         let from = start;
         start += line.len();
@@ -355,6 +361,19 @@ mod tests {
         let text = "# a path\nx_m, time_s,y_m,z_m\n\n1, 0,0,0\n2,1.5 ,-3e1,4\n";
         let rows = numbers(text, "p.csv", &columns()).unwrap();
         assert_eq!(rows, [vec![0.0, 1.0, 0.0, 0.0], vec![1.5, 2.0, -30.0, 4.0]]);
+    }
+
+    #[test]
+    fn a_byte_order_mark_says_nothing() {
+        let text = "\u{feff}time_s,x_m,y_m,z_m\n0,1,2,x\n";
+        let fault = numbers(text, "p.csv", &columns()).unwrap_err();
+        assert_eq!((fault.line, fault.column), (2, 7));
+        let rows = numbers(
+            &text.replace('x', "3").replace("3_m", "x_m"),
+            "p.csv",
+            &columns(),
+        );
+        assert_eq!(rows.unwrap(), [vec![0.0, 1.0, 2.0, 3.0]]);
     }
 
     #[test]

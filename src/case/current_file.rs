@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::attachments::{FileSource, PlacedNumber, placed};
+use super::attachments::{FileSource, PlacedNumber, placed, without_mark};
 use super::current_formats::{CurrentRow, foreign_current};
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, Current};
@@ -79,6 +79,7 @@ pub(crate) fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagno
 
 /// The columns that the first line of a table names, in their order here; nothing where it is no table with names.
 fn head(text: &str) -> Option<Vec<String>> {
+    let (_, text) = without_mark(text);
     let mut lines = text.lines().map(str::trim);
     let first = lines.find(|line| !line.is_empty() && !line.starts_with('#'))?;
     let names: Vec<&str> = first.split(',').map(str::trim).collect();

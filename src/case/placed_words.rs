@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::attachments::PlacedNumber;
+use super::attachments::{PlacedNumber, without_mark};
 use super::diagnostic::Finding;
 
 /// A word and its bytes in the text.
@@ -32,7 +32,7 @@ pub(super) fn whole(line: &[Word<'_>]) -> Range<usize> {
 
 /// The lines, empty ones too, as words between spaces.
 pub(super) fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
-    let mut start = 0;
+    let (mut start, text) = without_mark(text);
     text.split_inclusive('\n').map(move |line| {
         let from = start;
         start += line.len();

@@ -324,6 +324,7 @@ fn layout(parts: &[Part], mooring: &Mooring, first: &[f64], count: usize) -> Opt
 fn table(text: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), String> {
     let mut heads = Vec::new();
     let mut rows: Vec<Vec<f64>> = Vec::new();
+    let text = text.trim_start_matches('\u{feff}');
     for (line, row) in text.lines().enumerate() {
         let words: Vec<&str> = row
             .split(|letter: char| letter.is_whitespace() || letter == ',' || letter == ';')

@@ -9,7 +9,7 @@
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
-use crate::case::attachments::{PlacedNumber, placed, response_columns};
+use crate::case::attachments::{PlacedNumber, placed, response_columns, without_mark};
 use crate::case::{Diagnostic, Finding};
 use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};
@@ -48,6 +48,7 @@ pub(crate) fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic
 }
 
 fn has_headings(text: &str) -> bool {
+    let (_, text) = without_mark(text);
     let mut lines = text.lines();
     let names = lines.find(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#'));
     names.is_some_and(|line| line.split(',').any(|name| name.trim() == "heading_deg"))
