@@ -100,6 +100,27 @@ fn numbers(bytes: &[u8], out: &mut String) {
     out.extend(bytes.iter().map(|byte| format!("\\{byte:03o}")));
 }
 
+/// A word as a shell of POSIX takes it for itself.
+#[must_use]
+pub fn quoted(word: &str) -> String {
+    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-_./=:,+@%".contains(&b);
+    match !word.is_empty() && word.bytes().all(plain) {
+        true => word.to_owned(),
+        false => format!("'{}'", word.replace('\'', r"'\''")),
+    }
+}
+
+/// A path as an argument of a command that is proposed: one word of a shell, and no option.
+#[must_use]
+pub fn argument(of: &Path) -> String {
+    let plain = of.to_str().filter(|plain| !plain.contains(is_invisible));
+    match plain {
+        None => path(of),
+        Some(plain) if plain.starts_with('-') => quoted(&format!("./{plain}")),
+        Some(plain) => quoted(plain),
+    }
+}
+
 /// Longest text of one message, as of a word that it quotes \[characters\].
 const LONGEST: usize = 1000;
 
@@ -176,6 +197,18 @@ mod tests {
             "$'a\\012error: b\\'s\\033[2J'"
         );
         assert_eq!(shown("a\u{202e}1".as_bytes()), "$'a\\342\\200\\2561'");
+    }
+
+    #[test]
+    fn an_argument_is_one_word_of_a_shell() {
+        use std::ffi::OsStr;
+        let shown = |bytes: &[u8]| argument(Path::new(OsStr::from_bytes(bytes)));
+        assert_eq!(shown(b"runs/a-1"), "runs/a-1");
+        assert_eq!(shown(b"my runs/a"), "'my runs/a'");
+        assert_eq!(shown(b"it's $HOME"), r"'it'\''s $HOME'");
+        assert_eq!(shown(b"~/a"), "'~/a'");
+        assert_eq!(shown(b"-x"), "./-x");
+        assert_eq!(shown(b"caf\xe9 1"), "$'caf\\351 1'");
     }
 
     #[test]

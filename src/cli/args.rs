@@ -273,8 +273,8 @@ pub(super) struct RunArgs {
     #[arg(long, value_name = "RUN_DIR", conflicts_with_all = ["case", "set", "solver"])]
     pub(super) resume: Option<PathBuf>,
 
-    /// Resume up to this time, in s; by default to the end of the case.
-    #[arg(long, value_name = "TIME", requires = "resume")]
+    /// Resume up to this time of the run, such as 600 or 10min; by default to the end of the case.
+    #[arg(long, value_name = "TIME", value_parser = super::duration::seconds, requires = "resume")]
     pub(super) until: Option<f64>,
 
     /// Set a key on top of the file, for example current.speed_m_per_s=0.4; may be repeated.

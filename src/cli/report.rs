@@ -36,9 +36,8 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let mut inputs: Vec<PathBuf> = vec![args.dir.clone()];
     inputs.extend(args.against.iter().chain(&args.study).cloned());
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let of_file = args.output.as_deref().and_then(ReportFormat::of_file);
     let order = Order {
-        format: args.format.or(of_file).unwrap_or_default(),
+        format: format(args)?,
         // A file is the same whatever the terminal shows.
         glyphs: match (&file, args.ascii) {
             (Some(_), false) => Glyphs::Braille,
@@ -63,6 +62,26 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
         }
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The format of a report: as asked for, or by the ending of its file; text where that has none.
+fn format(args: &ReportArgs) -> Result<ReportFormat, CommandError> {
+    let file = args.output.as_deref();
+    let of_file = file.and_then(ReportFormat::of_file);
+    if let Some(format) = args.format.or(of_file) {
+        return Ok(format);
+    }
+    match file.filter(|file| file.extension().is_some()) {
+        None => Ok(ReportFormat::default()),
+        Some(file) => {
+            let endings = ReportFormat::ALL.map(|format| format!(".{}", format.ending()));
+            Err(CommandError::Usage(format!(
+                "--output {}: no report is written in the format of this ending; the endings are {}, and --format gives a file with another one its format.",
+                visible::path(file),
+                endings.join(", ")
+            )))
+        }
+    }
 }
 
 /// How a report is written.
@@ -195,8 +214,8 @@ fn loaded<K: FileKind>(path: &Path) -> Result<(Vec<FieldRow>, K::Computed), Comm
 
 /// What a file that is computed in time needs.
 fn runs_first(path: &Path) -> CommandError {
-    let path = visible::path(path);
+    let (shown, path) = (visible::path(path), visible::argument(path));
     CommandError::Usage(format!(
-        "{path} is computed in a run of its own; `seacable run {path}` stores one, and `seacable report` takes its directory."
+        "{shown} is computed in a run of its own; `seacable run {path}` stores one, and `seacable report` takes its directory."
     ))
 }

@@ -3,18 +3,19 @@
 use std::path::Path;
 
 use crate::files::read;
-use crate::study::sweep::slurm::{CommandFailed, Queue, SlurmRecord, array_list, quoted};
-use crate::visible;
+use crate::study::sweep::slurm::{CommandFailed, Queue, SlurmRecord, array_list};
+use crate::visible::{self, quoted};
 
 /// Missing load cases that are named, at most.
 const MOST_NAMED: usize = 200;
 
 /// That an array computes the sweep, which therefore is not computed here.
 pub(super) fn busy(queue: &Queue, dir: &Path) -> String {
-    let (dir, jobs) = (visible::path(dir), queue.job_words());
+    let (shown, dir) = (visible::path(dir), visible::argument(dir));
+    let jobs = queue.job_words();
     let numbers: Vec<String> = queue.jobs.iter().map(u64::to_string).collect();
     format!(
-        "{dir} is being computed by Slurm's {jobs} ({}). `seacable sweep --resume {dir} --slurm` watches on; `scancel {}` ends it, and the rest can be computed here.",
+        "{shown} is being computed by Slurm's {jobs} ({}). `seacable sweep --resume {dir} --slurm` watches on; `scancel {}` ends it, and the rest can be computed here.",
         queue.words(),
         numbers.join(" ")
     )
@@ -61,7 +62,7 @@ pub(super) fn submitted(
 
 /// That the watching ended and the array did not.
 pub(super) fn left(queue: &Queue, dir: &Path) -> String {
-    let (jobs, dir) = (queue.job_words(), visible::path(dir));
+    let (jobs, dir) = (queue.job_words(), visible::argument(dir));
     format!(
         "Stopped watching; Slurm's {jobs} goes on. `seacable sweep --resume {dir} --slurm` watches on, scancel ends it."
     )
@@ -91,7 +92,7 @@ pub(super) fn given_up(
         .first()
         .map_or(0, |index| index / record.cases_per_task.max(1));
     let (numbers, said) = (array_list(&named), printed(dir, job, task));
-    let dir = visible::path(dir);
+    let dir = visible::argument(dir);
     format!(
         "After {arrays} arrays {count} of {of} load cases have no run: {numbers}{more}.{endings}{said} \
          `seacable sweep --resume {dir} --slurm` submits them again: with more time or memory (--slurm-option=--time=...), or with \

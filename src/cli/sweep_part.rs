@@ -27,7 +27,7 @@ pub(super) fn compute(args: &SweepArgs, part: Part) -> Result<ExitCode, CommandE
     let done = done.map_err(|error| CommandError::Usage(error.to_string()))?;
     output::results(&line(part, sweep.variation.points.len(), &done), false)?;
     if let Some(status) = stop.status() {
-        let dir = visible::path(folder.dir());
+        let dir = visible::argument(folder.dir());
         output::message(&format!(
             "Stopped; `seacable sweep --resume {dir} --part {}..{}` goes on.",
             part.first, part.last

@@ -131,6 +131,6 @@ fn in_time(
     Ok(SampledRuns {
         differences: differences.collect(),
         cost_s,
-        dir: Some(visible::path(folder.dir())),
+        dir: Some(visible::argument(folder.dir())),
     })
 }

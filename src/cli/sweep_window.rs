@@ -46,7 +46,7 @@ pub(super) fn window(
         let own = Sweep::new(variation, sweep.results.clone(), question);
         let outcomes = compute(args, (&own, question), Some(&of_round), stop)?;
         if let Some(status) = stop.status() {
-            let dir = visible::path(folder.dir());
+            let dir = visible::argument(folder.dir());
             output::message(&format!(
                 "Stopped before all was found; `seacable sweep --resume {dir}` goes on."
             ));
@@ -118,7 +118,7 @@ fn show(
     folder
         .write_window(&bytes, &report)
         .map_err(|error| failed(&error))?;
-    let dir = visible::path(folder.dir());
+    let dir = visible::argument(folder.dir());
     table.notes.push(format!(
         "The window is {dir}; the sweeps of its rounds stand beside it."
     ));

@@ -175,7 +175,7 @@ fn refuse_on_cluster(dir: &Path, load_cases: usize) -> Result<(), String> {
         None => Ok(()),
         Some(_) => Err(format!(
             "These load cases are computed by a cluster; `seacable sweep --resume {} --slurm` goes on.",
-            visible::path(dir)
+            visible::argument(dir)
         )),
     }
 }

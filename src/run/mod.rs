@@ -58,6 +58,7 @@ pub use line_statistics::evaluate as along_line;
 pub use model::*;
 pub(crate) use replay::replay_rows;
 pub use result_scale::result_scales;
+pub(crate) use resume::check_later;
 pub(crate) use resume::info_of_ended;
 pub use resume::resume_request;
 pub use search_progress::SearchProgress;

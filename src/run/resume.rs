@@ -42,11 +42,14 @@ pub fn resume_request(
             visible::path(dir)
         ));
     }
-    let found = match store::sealed_checkpoint(dir) {
+    let found = match store::sealed_checkpoint::<Checkpoint>(dir) {
         // Stopped before its first step, and so begun anew.
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
         found => Some(found.map_err(|e| e.to_string())?),
     };
+    if let Some((checkpoint, _)) = &found {
+        check_later(dir, &info, checkpoint.time(), until)?;
+    }
     let mut overrides = info.overrides.clone();
     let first = |all: &[Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
     if let Some(until) = until {
@@ -62,7 +65,7 @@ pub fn resume_request(
             // Which table was changed says more than that the text was.
             check_tables(dir, &case, &checkpoint)?;
             same_case.map_err(|e| e.to_string())?;
-            check(&info, &case, &checkpoint)?;
+            check(&case, &checkpoint)?;
             let dir = dir.to_owned();
             Some(ResumedRun { checkpoint, dir })
         }
@@ -77,8 +80,34 @@ pub fn resume_request(
     Ok((request, from))
 }
 
+/// Checks that a run with a checkpoint at a time \[s\] has anything left to compute up to its end, or the one asked for.
+pub(crate) fn check_later(
+    dir: &Path,
+    info: &RunInfo,
+    checkpoint_s: f64,
+    until: Option<f64>,
+) -> Result<(), String> {
+    let end = info.settings.duration_s;
+    let until = until.unwrap_or(end);
+    // A run that was stopped while its errors were estimated has only those left.
+    let is_done = info.state == RunState::Done;
+    if !(is_done && until <= end || until < checkpoint_s) {
+        return Ok(());
+    }
+    let (name, at) = (visible::path(dir), checkpoint_s);
+    Err(match is_done {
+        true => format!(
+            "{name} is complete: it is at {end} s already; a later time resumes it, `--until {}s`.",
+            2.0 * end
+        ),
+        false => format!(
+            "{name} is at {at} s already, before its end at {end} s; name a later time, or leave out --until to resume it to its end."
+        ),
+    })
+}
+
 /// Checks that a case can be computed on from a checkpoint of a run of it.
-fn check(info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
+fn check(case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
     let times = OutputTimes::of(case);
     // Older runs have intervals that are rounded otherwise.
     const ROUNDED: f64 = 1e-12;
@@ -86,15 +115,6 @@ fn check(info: &RunInfo, case: &Case, checkpoint: &Checkpoint) -> Result<(), Str
         return Err(format!(
             "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s
-        ));
-    }
-    // A run that was stopped while its errors were estimated has only those left.
-    let finished =
-        info.state == RunState::Done && case.solver.duration_s <= info.settings.duration_s;
-    if finished || case.solver.duration_s < checkpoint.time() {
-        return Err(format!(
-            "The run is at {} s already; name a later time.",
-            info.settings.duration_s.max(checkpoint.time())
         ));
     }
     Ok(())

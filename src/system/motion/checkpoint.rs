@@ -12,7 +12,7 @@ use super::system_state::SystemState;
 use crate::case::kind;
 use crate::dynamics::MarchProgress;
 use crate::run::store::{self, StoreError};
-use crate::run::{RunInfo, RunState, info_of_ended};
+use crate::run::{check_later, info_of_ended};
 use crate::system::SystemFile;
 
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
@@ -116,6 +116,9 @@ pub fn resume_request(
         Err(StoreError::NoCheckpoint(_)) if info.state.was_stopped() => None,
         found => Some(found.map_err(|e| e.to_string())?),
     };
+    if let Some(from) = &from {
+        check_later(dir, &info, from.checkpoint.time(), until)?;
+    }
     let first =
         |all: &[crate::case::Diagnostic]| all.first().map(ToString::to_string).unwrap_or_default();
     let mut overrides = info.overrides.clone();
@@ -129,21 +132,7 @@ pub fn resume_request(
         kind::parse_stored::<SystemFile>(&text, &info.case_file).map_err(|all| first(&all))?;
     let request = SystemRequest::new(solved.into(), &text, info.case_file.clone(), overrides);
     let request = request.ok_or("its case.toml has no table `[solver]`")?;
-    if let Some(from) = &from {
-        check_end(&info, request.motion.duration_s, &from.checkpoint)?;
-    }
     Ok((request, from))
-}
-
-/// Checks that there is anything left to compute.
-fn check_end(info: &RunInfo, duration: f64, checkpoint: &SystemCheckpoint) -> Result<(), String> {
-    let finished = info.state == RunState::Done && duration <= info.settings.duration_s;
-    let time = checkpoint.time();
-    if finished || duration < time {
-        let at = info.settings.duration_s.max(time);
-        return Err(format!("The run is at {at} s already; name a later time."));
-    }
-    Ok(())
 }
 
 fn read(dir: &Path) -> Result<ResumedSystem, StoreError> {

@@ -4,8 +4,7 @@ use std::ffi::{OsStr, OsString};
 use std::io;
 use std::process::{Command, Stdio};
 
-use super::script::quoted;
-use crate::visible;
+use crate::visible::{self, quoted};
 
 /// Why a command of Slurm gave no answer that is of use.
 #[derive(Debug, thiserror::Error)]

@@ -16,7 +16,7 @@ pub use division::{Division, array_list};
 pub use option::{Unfit, check_of_file, check_option};
 pub use queue::{Queue, submit};
 pub use record::{SlurmFile, SlurmRecord, Submission};
-pub use script::{Script, job_name, quoted};
+pub use script::{Script, job_name};
 
 /// The script in the folder of a sweep.
 pub const SCRIPT: &str = "array.sh";

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::{Division, SCRIPT, Unfit};
 use crate::run::VERSION;
 use crate::seal::Digest;
-use crate::visible;
+use crate::visible::{self, quoted};
 
 /// What the script says.
 #[derive(Debug, Clone, Copy)]
@@ -93,16 +93,6 @@ fn fit<'a>(what: &'static str, path: &'a Path, remedy: &'static str) -> Result<&
         word: visible::path(path),
         remedy,
     })
-}
-
-/// A word as a shell of POSIX takes it for itself.
-#[must_use]
-pub fn quoted(word: &str) -> String {
-    let plain = |b: u8| b.is_ascii_alphanumeric() || b"-_./=:,+@%".contains(&b);
-    match !word.is_empty() && word.bytes().all(plain) {
-        true => word.to_owned(),
-        false => format!("'{}'", word.replace('\'', r"'\''")),
-    }
 }
 
 /// A name of the job by which it is found in the queue again: that of the folder, and a digest of its place.
