@@ -41,6 +41,8 @@ pub(super) enum JobsCommand {
     Wait(JobArg),
     /// The same, with its progress on standard error.
     Follow(JobArg),
+    /// Begin the jobs that wait, where the processes of all before them were killed.
+    Begin,
 }
 
 #[derive(Debug, clap::Args)]
@@ -50,6 +52,9 @@ pub(super) struct JobArg {
     pub(super) number: u64,
 }
 
+/// How long the process of a job may take to take it.
+const STARTING: Duration = Duration::from_secs(10);
+
 /// Between two looks at the files of a job.
 const LOOK: Duration = Duration::from_millis(100);
 
@@ -58,6 +63,7 @@ pub(super) fn jobs(args: &JobsArgs) -> Result<ExitCode, CommandError> {
     match &args.command {
         None => list(&jobs, args),
         Some(JobsCommand::Cancel(job)) => cancel(&jobs, job.number),
+        Some(JobsCommand::Begin) => begin(&jobs),
         Some(JobsCommand::Wait(job)) => wait(&jobs, job.number, false),
         Some(JobsCommand::Follow(job)) => wait(&jobs, job.number, true),
     }
@@ -99,8 +105,6 @@ pub(super) fn detach(
 
 fn list(jobs: &JobsDir, args: &JobsArgs) -> Result<ExitCode, CommandError> {
     jobs.tidy();
-    // A queue whose processes were all killed goes on.
-    let _ = Launcher::default().begin_waiting(jobs);
     let (old, entries): (Vec<_>, Vec<_>) = JobEntry::all(jobs)
         .into_iter()
         .partition(JobEntry::is_forgotten);
@@ -118,7 +122,39 @@ fn list(jobs: &JobsDir, args: &JobsArgs) -> Result<ExitCode, CommandError> {
         return Ok(ExitCode::SUCCESS);
     }
     output::results(&table(&entries).to_text(WIDTH), args.ascii)?;
+    if is_stranded(&entries) {
+        output::message(
+            "No process is left that would begin the jobs that wait; `seacable jobs begin` does.",
+        );
+    }
     Ok(ExitCode::SUCCESS)
+}
+
+/// Begins the jobs that wait.
+fn begin(jobs: &JobsDir) -> Result<ExitCode, CommandError> {
+    let refused = Launcher::default().begin_waiting(jobs).into_iter().next();
+    match refused {
+        None => Ok(ExitCode::SUCCESS),
+        Some((number, error)) => Err(CommandError::Usage(format!(
+            "Job {number} cannot be started: {error}."
+        ))),
+    }
+}
+
+/// Whether a job of this host waits where no process is left to begin it.
+fn is_stranded(entries: &[JobEntry]) -> bool {
+    let mut here = entries.iter().filter(|entry| entry.host.is_none());
+    let is_alive = here.clone().any(|entry| entry.state == JobState::Held);
+    // A process takes a moment to take its job.
+    let is_old = |entry: &JobEntry| {
+        let made = entry
+            .folder
+            .path
+            .metadata()
+            .and_then(|found| found.modified());
+        made.is_ok_and(|made| made.elapsed().is_ok_and(|age| age > STARTING))
+    };
+    !is_alive && here.any(|entry| entry.state == JobState::NotBegun && is_old(entry))
 }
 
 fn table(entries: &[JobEntry]) -> Table {
@@ -185,6 +221,8 @@ fn cancel(jobs: &JobsDir, number: u64) -> Result<ExitCode, CommandError> {
 
 fn wait(jobs: &JobsDir, number: u64, shows: bool) -> Result<ExitCode, CommandError> {
     let mut entry = found(jobs, number)?;
+    // A queue whose processes were all killed goes on.
+    let _ = Launcher::default().begin_waiting(jobs);
     let mut line = ProgressLine::new();
     while matches!(entry.state, JobState::Held | JobState::NotBegun) {
         if !entry.folder.exists() {

@@ -113,7 +113,11 @@ impl JobsDir {
         let mut last = LockFile::wait(&numbers).map_err(JobError::io(&numbers))?;
         let known = self.numbers().into_iter().max().unwrap_or(0);
         let said = last.text().trim().parse().unwrap_or(0);
-        let number = known.max(said) + 1;
+        let last_number = known.max(said);
+        let number = last_number.checked_add(1).ok_or_else(|| JobError::Damaged {
+            path: numbers.clone(),
+            reason: format!("job {last_number} leaves no number for another; remove its folder and this file"),
+        })?;
         last.write(&number.to_string())
             .map_err(JobError::io(&numbers))?;
         let hidden = self.dir.join(hidden_name(number, Hidden::NewRun));
@@ -185,9 +189,13 @@ impl JobsDir {
             return Vec::new();
         };
         let names = inside.flatten().map(|item| item.file_name());
-        names
-            .filter_map(|name| name.to_str()?.parse().ok())
-            .collect()
+        let number = |name: OsString| {
+            let name = name.to_str()?;
+            let number = name.parse::<u64>().ok()?;
+            // Not `+7` or `007`, which are the folders of no job.
+            (number.to_string() == name).then_some(number)
+        };
+        names.filter_map(number).collect()
     }
 }
 
@@ -289,6 +297,24 @@ pub(super) mod tests {
         assert_eq!(first.spec().unwrap().name, "load cases of small.toml");
         assert_eq!(first.text().as_deref(), Some("[case]\n"));
         assert_eq!(first.path.metadata().unwrap().mode() & 0o777, 0o700);
+    }
+
+    #[test]
+    fn numbers_do_not_begin_again_after_the_greatest() {
+        let dir = tempfile::tempdir().unwrap();
+        let jobs = jobs_dir(dir.path());
+        let stray = jobs.path().join("+7");
+        fs::create_dir(&stray).unwrap();
+        assert_eq!(jobs.submit(&submission()).unwrap().number, 1);
+        let greatest = jobs.path().join(u64::MAX.to_string());
+        fs::create_dir(&greatest).unwrap();
+        let refused = jobs.submit(&submission()).unwrap_err().to_string();
+        assert!(
+            refused.contains("leaves no number for another"),
+            "{refused}"
+        );
+        fs::remove_dir(&greatest).unwrap();
+        assert_eq!(jobs.submit(&submission()).unwrap().number, 2);
     }
 
     #[test]

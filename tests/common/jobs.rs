@@ -308,7 +308,7 @@ pub(crate) fn killed_jobs(duration_s: u32, kills: usize, chance: &mut Chance) {
                 let _ = command(path, &["jobs", "wait", &folder.number.to_string()]).output();
             }
         }
-        said(path, &["jobs"]);
+        said(path, &["jobs", "begin"]);
     }
     let dir = settle(dir);
     let resumed = finish_and_compare(dir.path(), begun);
