@@ -1,24 +1,46 @@
-//! SIGINT, SIGTERM and SIGHUP stop a run, which keeps what it has computed. A second one ends the program at once.
+//! SIGINT, SIGTERM and SIGHUP stop a command. A second one ends the program at once.
+//!
+//! What computes looks at a flag, ends in order, and keeps and prints what it has. Where the program does not get there in a moment, because
+//! it reads, checks, searches an equilibrium or sorts results, and no result waits to be written
+//! ([`unsaved`]), a thread of its own ends the program: no loop has to look for signals. What is on disk is whole or marked partial
+//! then, as after a kill.
 
 use std::{
-    io,
+    io::{self, IsTerminal, Read},
+    os::unix::net::UnixStream,
     path::Path,
     process::ExitCode,
     sync::{
-        Arc,
+        Arc, Mutex,
         atomic::{AtomicBool, AtomicUsize, Ordering},
     },
+    thread,
+    time::{Duration, Instant},
 };
 
-use super::CommandError;
-use crate::files::read;
+use super::{CommandError, output};
+use crate::files::{read, unsaved};
+use rustix::time::{ClockId, clock_gettime};
 use signal_hook::{
     consts::{SIGHUP, SIGINT, SIGTERM},
     flag,
+    low_level::{exit, pipe},
 };
 
 /// Exit status of a program ended by signal `n`, less n.
 const BY_SIGNAL: i32 = 128;
+
+/// How long a program that was stopped may take to end in order.
+const GRACE: Duration = Duration::from_millis(200);
+
+/// CPU time that it may take of that, so that it gets its share where others have the cores.
+const GRACE_CPU: Duration = Duration::from_millis(150);
+
+/// How long it may wait in all, for others or for a disk.
+const LONGEST_GRACE: Duration = Duration::from_secs(1);
+
+/// Between two looks at the clocks.
+const NAP: Duration = Duration::from_millis(10);
 
 /// Whether the program was started to outlive its terminal, as by `nohup`, which a handler would undo.
 fn hang_up_is_ignored() -> bool {
@@ -33,6 +55,8 @@ fn hang_up_is_ignored() -> bool {
 pub(super) struct StopFlag {
     cancel: Arc<AtomicBool>,
     signal: Arc<AtomicUsize>,
+    /// What is said where the program does not end in order.
+    farewell: Arc<Mutex<String>>,
 }
 
 impl StopFlag {
@@ -44,6 +68,8 @@ impl StopFlag {
 
     fn register() -> io::Result<Self> {
         let stop = Self::default();
+        let (wake, waker) = UnixStream::pair()?;
+        waker.set_nonblocking(true)?;
         let hang_up = (!hang_up_is_ignored()).then_some(SIGHUP);
         for signal in [SIGINT, SIGTERM].into_iter().chain(hang_up) {
             let again = BY_SIGNAL + signal;
@@ -51,7 +77,11 @@ impl StopFlag {
             let number = usize::try_from(signal).unwrap_or_default();
             flag::register_usize(signal, Arc::clone(&stop.signal), number)?;
             flag::register(signal, Arc::clone(&stop.cancel))?;
+            pipe::register(signal, waker.try_clone()?)?;
         }
+        let watched = stop.clone();
+        let watch = thread::Builder::new().name("signals".to_owned());
+        watch.spawn(move || watched.end_after_grace(wake))?;
         Ok(stop)
     }
 
@@ -65,12 +95,71 @@ impl StopFlag {
         self.cancel.store(true, Ordering::SeqCst);
     }
 
+    /// What is said where a signal ends the program before it can say more.
+    pub(super) fn say_at_the_end(&self, words: &str) {
+        if let Ok(mut farewell) = self.farewell.lock() {
+            words.clone_into(&mut farewell);
+        }
+    }
+
     /// The exit status of the signal that was caught, if any.
     pub(super) fn status(&self) -> Option<ExitCode> {
-        let code = match i32::try_from(self.signal.load(Ordering::SeqCst)) {
-            Ok(0) | Err(_) => return None,
-            Ok(signal) => BY_SIGNAL + signal,
-        };
-        u8::try_from(code).ok().map(ExitCode::from)
+        u8::try_from(self.code()?).ok().map(ExitCode::from)
     }
+
+    fn code(&self) -> Option<i32> {
+        match i32::try_from(self.signal.load(Ordering::SeqCst)) {
+            Ok(0) | Err(_) => None,
+            Ok(signal) => Some(BY_SIGNAL + signal),
+        }
+    }
+
+    /// Waits for a signal and ends the program after it, unless that ends in order before.
+    fn end_after_grace(&self, mut wake: UnixStream) {
+        if wake.read_exact(&mut [0]).is_err() {
+            return;
+        }
+        let mut clocks = Clocks::now();
+        while unsaved::any() || !clocks.have_passed() {
+            if unsaved::any() {
+                clocks = Clocks::now();
+            }
+            thread::sleep(NAP);
+        }
+        if io::stderr().is_terminal() {
+            output::progress("");
+        }
+        let farewell = self.farewell.lock();
+        if let Some(words) = farewell.ok().filter(|words| !words.is_empty()) {
+            output::message(&words);
+        }
+        exit(self.code().unwrap_or(BY_SIGNAL));
+    }
+}
+
+/// When the time began that a program has to end in order.
+struct Clocks {
+    wall: Instant,
+    cpu: Duration,
+}
+
+impl Clocks {
+    fn now() -> Self {
+        Self {
+            wall: Instant::now(),
+            cpu: cpu_time(),
+        }
+    }
+
+    fn have_passed(&self) -> bool {
+        let waited = self.wall.elapsed();
+        let had_its_share = cpu_time().saturating_sub(self.cpu) >= GRACE_CPU;
+        waited >= LONGEST_GRACE || waited >= GRACE && had_its_share
+    }
+}
+
+/// CPU time of the program.
+fn cpu_time() -> Duration {
+    let time = clock_gettime(ClockId::ProcessCPUTime);
+    time.try_into().unwrap_or_default()
 }

@@ -78,6 +78,7 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
         Some(dir) => resumed(SweepFolder::open(dir))?,
         None => begun(args)?,
     };
+    stop.say_at_the_end(&stopped(Some(&folder), page));
     if args.slurm.slurm && (sought.is_some() || question.statistics.until_settled) {
         return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
     }
@@ -146,13 +147,7 @@ fn told(
     }
     show((args, page), file, &report)?;
     if let Some(status) = stop.status() {
-        let goes_on = folder.map_or_else(String::new, |folder| {
-            let (command, dir) = (command(page), visible::path(folder.dir()));
-            format!("; `{command} --resume {dir}` goes on")
-        });
-        output::message(&format!(
-            "Stopped before all load cases were computed{goes_on}."
-        ));
+        output::message(&stopped(folder, page));
         return Ok(status);
     }
     let worst = report.seas.and_then(|seas| seas.worst());
@@ -161,6 +156,15 @@ fn told(
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),
     })
+}
+
+/// That the sweep was stopped, and how it goes on.
+fn stopped(folder: Option<&SweepFolder>, page: SweepPage) -> String {
+    let goes_on = folder.map_or_else(String::new, |folder| {
+        let (command, dir) = (command(page), visible::argument(folder.dir()));
+        format!("; `{command} --resume {dir}` goes on")
+    });
+    format!("Stopped before all load cases were computed{goes_on}.")
 }
 
 /// Prints the verdict, the seas, the extremes, the load cases and the charts.

@@ -13,7 +13,7 @@ use super::{
     sweep::words,
     sweep_args::SweepArgs,
 };
-use crate::files::read;
+use crate::files::{read, unsaved::Unsaved};
 use crate::limits;
 use crate::study::sweep::slurm::{
     CommandFailed, Division, Queue, Script, SlurmFile, SlurmRecord, Submission, array_list,
@@ -171,6 +171,8 @@ impl<'a> Watch<'a> {
 
     /// Submits the tasks that have these load cases.
     fn submit(&mut self, missing: &[usize]) -> Result<(), CommandError> {
+        // An array that is not recorded is not found again.
+        let _unrecorded = Unsaved::begin();
         let division = self.record.division();
         let tasks = division.tasks_of(missing);
         self.record.gathered = false;
@@ -209,6 +211,8 @@ impl<'a> Watch<'a> {
 
     /// Waits until no task is left in the queue; the exit status where a signal ends it before.
     fn wait(&mut self) -> Result<Option<ExitCode>, CommandError> {
+        let left = slurm_words::left(&self.queue, self.folder.dir());
+        self.stop.say_at_the_end(&left);
         let (mut line, begun) = (ProgressLine::new(), Instant::now());
         let (mut stored, mut answered, [mut pause, longest]) = (None, begun, PAUSES);
         loop {

@@ -15,6 +15,7 @@ use super::{
     table::CsvWriter,
 };
 use crate::case::ChannelId;
+use crate::files::unsaved::Unsaved;
 use crate::run::{Checkpoint, OutputFrame, Run, RunInfo, RunState, event::JobEvent};
 use crate::seal::{Digest, Seal, sealed};
 
@@ -40,6 +41,8 @@ pub struct RunWriter {
     reserve: Reserve,
     /// What the system said when the disk was full and the reserve was given up.
     full: Option<String>,
+    /// Held from the first row on: until its end is written, a run that is stopped has results in memory.
+    unsaved: Option<Unsaved>,
     /// The lock on the directory, held while the run is written.
     _held: Option<DirectoryLock>,
 }
@@ -66,6 +69,7 @@ impl RunWriter {
             case: Digest::of(case_text.as_bytes()),
             case_due: None,
             full: None,
+            unsaved: None,
             _held: held,
         })
     }
@@ -126,6 +130,7 @@ impl RunWriter {
     /// # Errors
     /// The system refuses.
     pub fn frame(&mut self, frame: &OutputFrame) -> Result<(), StoreError> {
+        self.unsaved.get_or_insert_with(Unsaved::begin);
         if let [history, shapes] = &mut self.streams[..] {
             history.push(history_row(frame).as_bytes());
             if let Some(shape) = &frame.shape {
