@@ -441,3 +441,43 @@ fn the_users_editor_gets_the_terminal_and_gives_it_back() {
     pty.send("q");
     pty.ended(0);
 }
+
+const CHAIN_60: &str = include_str!("../trials/files/loud_chain_60.toml");
+
+/// Parameters in a chain of 60 in any file of a folder ended the workbench by an overflow of the stack.
+#[test]
+fn a_folder_with_deep_files_opens() {
+    let dir = pty::place();
+    let folder = dir.path().join("odd");
+    std::fs::create_dir(&folder).unwrap();
+    let rows = |count: usize, end: &str| {
+        let rows: String = (1..count)
+            .map(|i| format!("p{i} = \"p{}\"\n", i + 1))
+            .collect();
+        format!("\n[parameters]\n{rows}p{count} = {end}\n")
+    };
+    let small = crate::small::SMALL;
+    let deep = format!("x = {}1{}\n{small}", "[".repeat(5_000), "]".repeat(5_000));
+    for (name, text) in [
+        ("a_line.toml", small.to_owned()),
+        ("chain_60.toml", CHAIN_60.to_owned()),
+        ("chain_1900.toml", small.to_owned() + &rows(1_900, "1.0")),
+        ("circle.toml", small.to_owned() + &rows(1_900, "\"p1\"")),
+        ("deep.toml", deep),
+    ] {
+        std::fs::write(folder.join(name), text).unwrap();
+    }
+    let mut pty = Start {
+        args: &["odd"],
+        ..Start::default()
+    }
+    .go_in(dir);
+    // Those that cannot be read are listed by their names.
+    for name in ["A small pendulum", "chain_60", "circle", "deep"] {
+        pty.wait_for(name);
+    }
+    pty.send("\r");
+    pty.wait_for("solver alpha");
+    pty.send("q");
+    pty.ended(0);
+}

@@ -3,6 +3,7 @@
 
 mod cases;
 mod foreign;
+mod long;
 mod place;
 mod runs;
 mod settings;
@@ -35,7 +36,13 @@ impl Target {
 
 /// All kinds of input.
 pub(crate) fn all() -> impl Iterator<Item = &'static Target> {
-    let rooms = [cases::ALL, tables::ALL, foreign::ALL, settings::ALL];
+    let rooms = [
+        cases::ALL,
+        tables::ALL,
+        foreign::ALL,
+        settings::ALL,
+        long::ALL,
+    ];
     let rooms = rooms.into_iter().chain(stored::ALL.iter().copied());
     rooms.flatten()
 }
