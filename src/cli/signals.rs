@@ -31,13 +31,13 @@ use signal_hook::{
 const BY_SIGNAL: i32 = 128;
 
 /// How long a program that was stopped may take to end in order.
-const GRACE: Duration = Duration::from_millis(200);
+const GRACE: Duration = Duration::from_millis(150);
 
 /// CPU time that it may take of that, so that it gets its share where others have the cores.
-const GRACE_CPU: Duration = Duration::from_millis(150);
+const GRACE_CPU: Duration = Duration::from_millis(60);
 
 /// How long it may wait in all, for others or for a disk.
-const LONGEST_GRACE: Duration = Duration::from_secs(1);
+const LONGEST_GRACE: Duration = Duration::from_millis(600);
 
 /// Between two looks at the clocks.
 const NAP: Duration = Duration::from_millis(10);
