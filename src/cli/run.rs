@@ -148,10 +148,17 @@ pub(super) fn stored(
     Ok(StoredRun { run, dir })
 }
 
+/// Greatest number of warnings that are printed.
+const MOST_WARNINGS: usize = 20;
+
 /// Warnings, how the run ended, and the exit status.
 pub(super) fn status(run: &Run, stop: &StopFlag) -> ExitCode {
-    for warning in &run.info.warnings {
+    let warnings = &run.info.warnings;
+    for warning in warnings.iter().take(MOST_WARNINGS) {
         output::message(&format!("warning: {warning}"));
+    }
+    if let more @ 1.. = warnings.len().saturating_sub(MOST_WARNINGS) {
+        output::message(&format!("{more} more warnings are in run.toml."));
     }
     match run.info.state {
         RunState::Done => ExitCode::SUCCESS,
