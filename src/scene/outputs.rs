@@ -30,6 +30,31 @@ impl Scene {
     /// Force of the line on the support of its first or last node \[N\]: all forces on that node, less its inertia.
     #[must_use]
     pub fn end_force(&self, node: usize, state: &State) -> V3 {
+        let (pull, load) = self.end_loads(node, state);
+        let force = pull + load;
+        force + self.bed_on_end(node, (&pull, &load), state)
+    }
+
+    /// What the bed bears of [`Scene::end_force`] along its normal \[N\]: of the half segment at an end that lies on it.
+    #[must_use]
+    pub fn bed_reaction_on_end(&self, node: usize, state: &State) -> V3 {
+        let (pull, load) = self.end_loads(node, state);
+        let reaction = self.bed_on_end(node, (&pull, &load), state);
+        self.elements.bed.as_ref().map_or(reaction, |bed| {
+            let normal = bed.seabed.normal(&state.x[node]);
+            normal * normal.dot(&reaction)
+        })
+    }
+
+    fn bed_on_end(&self, node: usize, loads: (&V3, &V3), state: &State) -> V3 {
+        let bed = self.elements.bed.as_ref();
+        bed.map_or_else(V3::zeros, |bed| {
+            bed.force_on_end(node, loads, self.now(state))
+        })
+    }
+
+    /// The pull of its segment on the first or last node, and all else on it but the bed, less its inertia \[N\].
+    fn end_loads(&self, node: usize, state: &State) -> (V3, V3) {
         let (i, sign) = if node == 0 {
             (0, 1.0)
         } else {
@@ -48,10 +73,7 @@ impl Scene {
         for element in self.elements.iter() {
             element.add_end_force(self.now(state), node, &mut force);
         }
-        if let Some(bed) = &self.elements.bed {
-            force += bed.force_on_end(node, (&pull, &(force - pull)), self.now(state));
-        }
-        force
+        (pull, force - pull)
     }
 
     /// The greatest angle between taut neighbouring segments \[rad\] and its node, without nodes that carry a body: straight segments

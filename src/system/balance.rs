@@ -130,9 +130,10 @@ impl Balance {
 
     /// Adds a line on the unknowns that its ends follow.
     fn line(&mut self, line: &LineAtRest, followers: &[Option<Follower>; 2]) {
-        let forces = [line.force_a, line.force_b];
+        let (on_bodies, on_points) = ([line.force_a, line.force_b], line.forces_on_points());
         for (i, on) in followers.iter().enumerate() {
             let Some(on) = on else { continue };
+            let forces = if on.size == 3 { on_points } else { on_bodies };
             let load = on.by.transpose() * forces[i];
             for k in 0..on.size {
                 self.force[on.first + k] += load[k];

@@ -20,6 +20,14 @@ pub struct Bounds {
     pins: Vec<usize>,
 }
 
+/// Whether a free point comes to rest at the surface: by its own buoyancy, or at an end of a line that floats. Through any other the surface has
+/// nothing to do, as for any place within a line.
+fn floats(network: &Network, point: usize, buoyancy: f64) -> bool {
+    let mut lines = network.lines.iter();
+    buoyancy > 0.0
+        || lines.any(|line| (line.from == point || line.to == point) && line.is_buoyant())
+}
+
 /// What bears on an unknown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Contact {
@@ -43,10 +51,10 @@ impl Bounds {
             most: vec![f64::INFINITY; freedoms.count],
             pins: Vec::new(),
         };
-        for (point, first) in network.points.iter().zip(&freedoms.points) {
-            if let (Held::Free(_), Some(first)) = (&point.held, first) {
+        for (number, (point, first)) in network.points.iter().zip(&freedoms.points).enumerate() {
+            if let (Held::Free(free), Some(first)) = (&point.held, first) {
                 bounds.below[first + 2] = Some(0.0);
-                if network.density > 0.0 {
+                if network.density > 0.0 && floats(network, number, free.buoyancy) {
                     bounds.most[first + 2] = 0.0;
                 }
             }

@@ -70,6 +70,11 @@ pub enum SystemError {
 const HALVINGS: usize = 8;
 /// Steps that a search may take.
 const MOST_STEPS: usize = 400;
+/// Stiffness that holds the unknowns back where they are relaxed, by the greatest of the system: at first and at most.
+const HELD_BACK: f64 = 1e-2;
+const MOST_HELD_BACK: f64 = 1e6;
+/// By how much a relaxed step may leave more out of balance than there was.
+const WORSE: f64 = 2.0;
 /// Forces out of balance that are rounding, by the greatest tension.
 const ROUNDING: f64 = 1e-13;
 /// Forces that are none, in a system that carries nothing \[N\].
@@ -84,7 +89,7 @@ const LAST_PLACES: f64 = 8.0;
 /// # Errors
 /// [`SystemError`].
 pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, SystemError> {
-    search_within(network, start, MOST_STEPS)
+    found(network, start, MOST_STEPS, true)
 }
 
 /// The same within so many steps, for searches that need not succeed.
@@ -95,6 +100,16 @@ pub fn search_within(
     network: &Network,
     start: &Placement,
     most_steps: usize,
+) -> Result<Equilibrium, SystemError> {
+    found(network, start, most_steps, false)
+}
+
+/// The equilibrium from a placement; `relaxed`: where Newton's method does not come to it, by pseudo-transient continuation.
+fn found(
+    network: &Network,
+    start: &Placement,
+    most_steps: usize,
+    relaxed: bool,
 ) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed.is_some();
@@ -109,7 +124,10 @@ pub fn search_within(
     if rough || !level || discretised || network.flows() {
         search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
-        search.run(most_steps)?;
+        match search.run(most_steps) {
+            Err(_) if relaxed => search.relax(most_steps)?,
+            ended => ended?,
+        }
     }
     let replaced = search.here.lines.iter().enumerate();
     let mut errors = replaced.filter_map(|(line, at_rest)| Some((line, at_rest.replaced.clone()?)));
@@ -218,6 +236,60 @@ impl<'a> Search<'a> {
             return Ok(());
         }
         Err(self.not_converged(&force))
+    }
+
+    /// Pseudo-transient continuation (Kelley and Keyes 1998, doi 10.1137/S0036142996304796): steps `(K + m) d = F` of a system whose unknowns are
+    /// held back by m, which grows where a step leaves more out of balance than there was and falls with the forces out of balance. Newton's method
+    /// with a search along the step ends where the forces have a kink, at a node that touches down or a segment that slackens.
+    fn relax(&mut self, most_steps: usize) -> Result<(), SystemError> {
+        let stiffest = self.here.stiffness.diagonal().component_div(&self.lever);
+        let stiffest = stiffest.component_div(&self.lever).amax();
+        let (mut held_back, most) = (HELD_BACK * stiffest, MOST_HELD_BACK * stiffest);
+        for _ in 0..most_steps {
+            let force = self.unbalanced(&self.here, &self.placement);
+            if self.size(&force) <= self.accepted() {
+                return self.run(most_steps);
+            }
+            if held_back > most {
+                break;
+            }
+            self.steps += 1;
+            let before = force.component_div(&self.lever).norm();
+            let after = self.relaxed_step(&force, held_back);
+            held_back *= match after {
+                Some((place, balance, after)) if after <= WORSE * before => {
+                    (self.placement, self.here) = (place, balance);
+                    (after / before).clamp(0.1, 1.0)
+                }
+                _ => 10.0,
+            };
+        }
+        let force = self.unbalanced(&self.here, &self.placement);
+        Err(self.not_converged(&force))
+    }
+
+    /// Where a step of [`Self::relax`] leads, and what is out of balance there \[N\].
+    fn relaxed_step(
+        &mut self,
+        force: &DVector<f64>,
+        held_back: f64,
+    ) -> Option<(Placement, Balance, f64)> {
+        self.contacts = self
+            .bounds
+            .contacts(&self.freedoms, &self.placement, &self.here.force);
+        let contacts = self.contacts.iter();
+        let held: Vec<bool> = contacts.map(|on| *on != Contact::None).collect();
+        let mut stiffness = self.stiffness(&held);
+        for (unknown, lever) in self.lever.iter().enumerate() {
+            stiffness.add(unknown, unknown, held_back * lever * lever);
+        }
+        let step = solved(&stiffness, force)?;
+        let far = step.component_mul(&self.lever).amax();
+        let share = (self.reach / far).min(1.0);
+        let (place, _, balance) = self.probe(&step, share).ok()?;
+        let after = self.unbalanced(&balance, &place);
+        let after = after.component_div(&self.lever).norm();
+        (place != self.placement).then_some((place, balance, after))
     }
 
     fn not_converged(&self, force: &DVector<f64>) -> SystemError {

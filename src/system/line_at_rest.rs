@@ -51,6 +51,18 @@ impl LineAtRest {
         [self.force_a.norm(), self.force_b.norm()]
     }
 
+    /// The forces on ends A and B without what the bed bears of an end that lies on it \[N\]: a point there lies on the bed with all of the line
+    /// that it holds, and is lifted only by a pull that lifts that too.
+    #[must_use]
+    pub fn forces_on_points(&self) -> [V3; 2] {
+        let whole = [self.force_a, self.force_b];
+        let Some(line) = &self.discretised else {
+            return whole;
+        };
+        let borne = line.found.bed_reaction_n;
+        [whole[0] - borne[0], whole[1] - borne[1]]
+    }
+
     /// Unstretched length on the bed, or against the surface \[m\].
     #[must_use]
     pub fn on_bed(&self) -> f64 {

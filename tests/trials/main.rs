@@ -2,5 +2,6 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+mod equilibrium;
 mod loads_without_effect;
 mod loud;

@@ -186,8 +186,12 @@ fn push(bed: &Bed, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
     }
 }
 
-/// Stiffness \[N/m\] and damping \[N s/m\] of the bed under a point.
+/// Stiffness \[N/m\] and damping \[N s/m\] of the bed under a point: none of a point with neither weight nor mass, where lines bear on the bed
+/// by themselves as between their ends.
 fn springs(point: &FreePoint) -> (f64, f64) {
+    if point.weight == point.buoyancy && point.moving_mass == 0.0 {
+        return (0.0, 0.0);
+    }
     let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
     let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
     (stiffness, damping)

@@ -40,6 +40,8 @@ const BALANCED: f64 = 1e-10;
 const ACCEPTED: f64 = 1e-6;
 /// Displacement that counts as none, by the same length.
 const SETTLED: f64 = 1e-11;
+/// Units in the last place of the greatest coordinate that are no displacement at all.
+const LAST_PLACES: f64 = 8.0;
 
 /// A system ready to move.
 #[derive(Debug, Clone)]
@@ -293,6 +295,11 @@ pub(super) fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u
         if last.1 <= SETTLED * size && residual <= ACCEPTED * force {
             return Ok(made as u64);
         }
+        // No place that can be written is nearer to balance: what is left is rounding of the forces, as of a body whose weight is far above the
+        // forces of its lines.
+        if mass <= least && last.1 <= LAST_PLACES * f64::EPSILON * extent(state).max(size) {
+            return Ok(made as u64);
+        }
         kept.copy_from(state);
         before = residual;
         mass = (mass / 10.0).max(least);
@@ -312,6 +319,13 @@ pub(super) fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u
         node: last.0,
         moved: last.1,
     })
+}
+
+/// The greatest coordinate of a node or joint \[m\].
+fn extent(state: &SystemState) -> f64 {
+    let lines = state.lines.iter().flat_map(|line| &line.x);
+    let places = lines.chain(&state.joints.x).map(nalgebra::Matrix::amax);
+    places.fold(0.0, f64::max)
 }
 
 /// Turns the bases of the bodies that turn by their rotation vectors, which start anew.
