@@ -20,6 +20,7 @@ mod export;
 mod import;
 mod inputs;
 mod intervals;
+mod invariants;
 mod job;
 mod jobs;
 mod keys;

@@ -2,7 +2,9 @@
 
 use std::process::ExitCode;
 
-use super::{BAD_RESULT, CommandError, output, random_motion, system_args::SystemsArgs};
+use super::{
+    BAD_RESULT, CommandError, invariants, output, random_motion, system_args::SystemsArgs,
+};
 use crate::report::run_json;
 use crate::report::table::{NumberFormat, Table};
 use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
@@ -16,6 +18,9 @@ struct KindTally {
 }
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+    if args.invariants {
+        return invariants::systems(args);
+    }
     if args.in_motion {
         return random_motion::systems(args);
     }

@@ -95,12 +95,25 @@ pub(super) struct SystemsArgs {
     #[arg(long)]
     pub(super) in_motion: bool,
 
+    /// Hold systems of all kinds of input against themselves: lines reversed, all renamed and reordered, turned, mirrored, moved, a line
+    /// divided, twice the segments, steps half as long.
+    #[arg(long)]
+    pub(super) invariants: bool,
+
+    /// Of these, the system of this number alone, counted from 0.
+    #[arg(long, value_name = "NUMBER", requires = "invariants")]
+    pub(super) only: Option<u32>,
+
+    /// Write the files of each system that answers otherwise into this folder: as it is, and as it was asked for.
+    #[arg(long, value_name = "FOLDER", requires = "invariants")]
+    pub(super) write: Option<std::path::PathBuf>,
+
     /// Print the file of the system of this number, counted from 0.
     #[arg(
         long,
         value_name = "NUMBER",
         requires = "in_motion",
-        conflicts_with = "json"
+        conflicts_with_all = ["json", "invariants"]
     )]
     pub(super) show: Option<usize>,
 

@@ -6,6 +6,7 @@ pub mod bars;
 pub mod base_run;
 pub mod effects;
 pub mod hard_cases;
+pub mod invariants;
 pub mod lines;
 pub mod load_case_table;
 pub mod physics;

@@ -1,5 +1,6 @@
 //! A sample of random systems, at rest and in motion; `seacable study systems` and its `--in-motion` solve more.
 
+use seacable::study::invariants::{self, Held, Invariant};
 use seacable::study::random_motion::{self, MotionEnd};
 use seacable::study::random_systems::{KINDS, run};
 
@@ -49,4 +50,28 @@ fn random_systems_in_motion_run_or_say_why_not() {
         "{ran} of {} ran",
         outcomes.len()
     );
+}
+
+/// Answers do not depend on how they are asked for: renamed and in another order, turned, mirrored, moved, divided by a point without mass, and
+/// written from the other ends where no friction depends on how a line was laid. `seacable study systems --invariants` holds more.
+#[test]
+fn random_systems_answer_alike_however_they_are_asked_for() {
+    for outcome in invariants::run(24, 20_261_126, false) {
+        let kind = invariants::KINDS[outcome.kind];
+        assert_eq!(outcome.refused, None, "system {}, {kind}", outcome.index);
+        let rough = invariants::text(&outcome.file).contains("friction =");
+        for (invariant, held, variant) in outcome.violations() {
+            let known = match invariant {
+                Invariant::Refined => !matches!(held, Held::Refused(_)),
+                Invariant::Reversed => rough,
+                _ => false,
+            };
+            let (index, other) = (outcome.index, variant.text());
+            assert!(
+                known,
+                "system {index}, {kind}, {}: {held:?}\n{other}",
+                invariant.name()
+            );
+        }
+    }
 }

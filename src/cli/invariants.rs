@@ -1,0 +1,171 @@
+//! `seacable study systems --invariants`: random systems held against themselves.
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
+use crate::files::{Target, disk};
+use crate::report::run_json;
+use crate::report::table::{NumberFormat, Table};
+use crate::study::invariants::{Held, Invariant, KINDS, Outcome, one, run, text};
+
+/// What came of an invariant over all systems.
+struct Tally<'a> {
+    name: &'static str,
+    held: Vec<&'a Held>,
+}
+
+impl Tally<'_> {
+    fn count(&self, is: impl Fn(&Held) -> bool) -> f64 {
+        self.held.iter().filter(|held| is(held)).count() as f64
+    }
+}
+
+pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+    let outcomes = match args.only {
+        Some(index) => vec![one(index as usize, args.seed, args.in_motion)],
+        None => run(args.count as usize, args.seed, args.in_motion),
+    };
+    if let Some(folder) = &args.write {
+        write(folder, &outcomes, args.only.is_some())?;
+    }
+    let held = outcomes
+        .iter()
+        .any(|outcome| outcome.violations().next().is_some());
+    let status = match held {
+        true => ExitCode::from(BAD_RESULT),
+        false => ExitCode::SUCCESS,
+    };
+    let table = table(&outcomes);
+    if args.json {
+        output::object(&run_json::study("invariants of systems", &table))?;
+        return Ok(status);
+    }
+    let mut shown = table.to_text(110);
+    let answered = outcomes.iter().filter(|outcome| outcome.refused.is_none());
+    let (answered, all) = (answered.count(), outcomes.len());
+    shown.push_str(&format!("\n{answered} of {all} systems have an answer.\n"));
+    let refused = outcomes
+        .iter()
+        .filter_map(|outcome| outcome.refused.as_deref());
+    shown.push_str(&reasons("Others are refused:", refused));
+    let variants = outcomes.iter().flat_map(Outcome::violations);
+    let variants = variants.filter_map(|(_, held, _)| match held {
+        Held::Refused(why) => Some(why.as_str()),
+        _ => None,
+    });
+    shown.push_str(&reasons("Refused when asked for otherwise:", variants));
+    if args.list || args.only.is_some() {
+        for outcome in &outcomes {
+            shown.push_str(&listed(outcome));
+        }
+    }
+    output::results(&shown, args.ascii)?;
+    Ok(status)
+}
+
+fn table(outcomes: &[Outcome]) -> Table {
+    const COUNT: NumberFormat = NumberFormat::Digits(6, "");
+    let tallies: Vec<Tally<'_>> = Invariant::ALL
+        .into_iter()
+        .enumerate()
+        .map(|(number, invariant)| Tally {
+            name: invariant.name(),
+            held: outcomes
+                .iter()
+                .filter_map(|one| Some(&one.held.get(number)?.0))
+                .collect(),
+        })
+        .collect();
+    let greatest = |tally: &Tally<'_>| {
+        let apart = tally.held.iter().map(|held| match held {
+            Held::Differs(violation) => violation.excess(),
+            _ => 0.0,
+        });
+        apart.fold(0.0, f64::max)
+    };
+    Table::of("Random systems held against themselves", &tallies)
+        .text("asked for", |tally| tally.name)
+        .number("systems", COUNT, |tally| {
+            tally.count(|held| *held != Held::NotAsked)
+        })
+        .number("agree", COUNT, |tally| {
+            tally.count(|held| matches!(held, Held::Agrees(_)))
+        })
+        .number("differ", COUNT, |tally| {
+            tally.count(|held| matches!(held, Held::Differs(_)))
+        })
+        .number("refused", COUNT, |tally| {
+            tally.count(|held| matches!(held, Held::Refused(_)))
+        })
+        .number(
+            "greatest difference by what is allowed",
+            NumberFormat::Digits(3, ""),
+            greatest,
+        )
+        .build()
+}
+
+/// Reasons by how often each is given.
+fn reasons<'a>(title: &str, given: impl Iterator<Item = &'a str>) -> String {
+    let all = frequent(given);
+    if all.is_empty() {
+        return String::new();
+    }
+    let rows = all
+        .iter()
+        .map(|(reason, many)| format!("{many:6}  {reason}\n"));
+    format!("\n{title}\n{}", rows.collect::<String>())
+}
+
+/// A line for each way in which a system answers otherwise, or for its refusal.
+fn listed(outcome: &Outcome) -> String {
+    let begin = format!("{}: {}", outcome.index, KINDS[outcome.kind]);
+    if let Some(why) = &outcome.refused {
+        return format!("{begin}: refused: {why}\n");
+    }
+    let rows = outcome.violations().map(|(invariant, held, _)| {
+        let how = invariant.name();
+        match held {
+            Held::Differs(off) => format!(
+                "{begin}: {how}: {}: {:.6e} and {:.6e}, {:.3} times what is allowed\n",
+                off.name,
+                off.value,
+                off.other,
+                off.excess()
+            ),
+            Held::Refused(why) => format!("{begin}: {how}: refused: {why}\n"),
+            Held::NotAsked | Held::Agrees(_) => String::new(),
+        }
+    });
+    rows.collect()
+}
+
+/// Writes the files of the systems that answer otherwise, or of all.
+fn write(folder: &Path, outcomes: &[Outcome], all: bool) -> Result<(), CommandError> {
+    let failed = |source: crate::files::WriteError| CommandError::Write {
+        option: "--write",
+        source,
+    };
+    disk::create_dir_all(folder).map_err(CommandError::Output)?;
+    let put = |name: String, text: &str| {
+        let path = folder.join(name);
+        Target::replacing(&path)
+            .write(text.as_bytes())
+            .map_err(failed)
+    };
+    for outcome in outcomes {
+        let index = outcome.index;
+        let mut otherwise = outcome.violations().peekable();
+        if all || otherwise.peek().is_some() {
+            put(format!("{index}.toml"), &text(&outcome.file))?;
+        }
+        for (invariant, _, variant) in otherwise {
+            put(
+                format!("{index}-{}.toml", invariant.name()),
+                &variant.text(),
+            )?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,20 @@
+//! A system turned about the vertical.
+
+use toml::Table;
+
+use super::space::Space;
+use super::variant::Variant;
+
+/// The turn \[deg\].
+const TURN_DEG: f64 = 37.0;
+
+pub(super) fn turned(system: &Table) -> Variant {
+    let space = Space {
+        turn: TURN_DEG.to_radians(),
+        ..Space::default()
+    };
+    let mut variant = Variant::of(system.clone());
+    space.apply(&mut variant.file);
+    variant.space = space;
+    variant
+}

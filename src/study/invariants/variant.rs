@@ -1,0 +1,59 @@
+//! A system as it is asked for in another way, and where its results are those of the system.
+
+use std::collections::BTreeMap;
+
+use toml::Table;
+
+use super::space::Space;
+
+/// An end of a line: its name and `a` or `b`.
+pub(super) type LineEnd = (String, char);
+
+/// A system asked for in another way.
+#[derive(Debug, Clone)]
+pub struct Variant {
+    /// Its file.
+    pub file: Table,
+    /// Ends of lines that are called otherwise in it.
+    pub(super) ends: BTreeMap<LineEnd, LineEnd>,
+    /// Points and bodies that are called otherwise in it.
+    pub(super) parts: BTreeMap<String, String>,
+    /// How it lies.
+    pub(super) space: Space,
+}
+
+impl Variant {
+    /// A file with the names and places of the system.
+    pub(super) fn of(file: Table) -> Self {
+        Self {
+            file,
+            ends: BTreeMap::new(),
+            parts: BTreeMap::new(),
+            space: Space::default(),
+        }
+    }
+
+    /// What an end of a line of the system is called in it.
+    pub(super) fn end(&self, line: &str, end: char) -> LineEnd {
+        let known = (line.to_owned(), end);
+        self.ends.get(&known).cloned().unwrap_or(known)
+    }
+
+    /// What a point or body of the system is called in it.
+    pub(super) fn part<'a>(&'a self, name: &'a str) -> &'a str {
+        self.parts.get(name).map_or(name, String::as_str)
+    }
+
+    /// The file as text.
+    #[must_use]
+    pub fn text(&self) -> String {
+        text(&self.file)
+    }
+}
+
+/// A file as text.
+#[must_use]
+pub fn text(file: &Table) -> String {
+    // Tables of numbers and words have a text.
+    toml::to_string(file).unwrap_or_default()
+}
