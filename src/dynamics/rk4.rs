@@ -8,6 +8,15 @@ use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
 use crate::solve::{ExplicitRhs, NewtonError, State};
 
+/// A step \[s\] above the stability limit \[s\] that a segment sets, in words.
+#[must_use]
+pub fn above_limit(step: f64, limit: f64, at: &str) -> String {
+    format!("time step {step} s is above the stability limit of RK4, {limit:.3e} s, set by {at}")
+}
+
+/// What to do about it.
+pub const BELOW_LIMIT: &str = "choose a smaller step, leave it open, or use the solver `alpha`";
+
 /// Stability limit on the negative real axis.
 const REAL_AXIS_LIMIT: f64 = 2.785;
 

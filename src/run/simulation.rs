@@ -10,7 +10,7 @@ use super::warm_start::warm_start;
 use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::quasi_static::QuasiStatic;
-use crate::dynamics::rk4::Rk4;
+use crate::dynamics::rk4::{BELOW_LIMIT, Rk4, above_limit};
 use crate::dynamics::{ErrorLimits, generalized_alpha::GeneralizedAlpha};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, Sink, State};
@@ -169,11 +169,10 @@ fn record_single(recorder: &mut Recorder<'_>, state: &State) {
 }
 
 fn unstable(settings: &Settings) -> String {
-    format!(
-        "time step {} s is above the stability limit of RK4, {:.3e} s, set by {}; \
-         choose a smaller step, leave it open, or use the solver `alpha`",
+    let problem = above_limit(
         settings.time_step_s,
         settings.stability_limit_s.unwrap_or_default(),
         settings.stability_limit_at.as_deref().unwrap_or_default(),
-    )
+    );
+    format!("{problem}; {BELOW_LIMIT}")
 }

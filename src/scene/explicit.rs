@@ -164,18 +164,25 @@ impl Scene {
     /// ends at -2.785 too.
     #[must_use]
     pub fn explicit_limit(&self) -> (f64, usize) {
+        let ends = [0, 1].map(|end| match self.line.ends[end] {
+            EndCondition::Prescribed(_) => f64::INFINITY,
+            _ => self.line.mass[end * self.line.segments.len()],
+        });
+        self.explicit_limit_between(ends)
+    }
+
+    /// The same with these masses at the ends \[kg\], infinite where they are prescribed: with what else moves with them.
+    #[must_use]
+    pub fn explicit_limit_between(&self, ends: [f64; 2]) -> (f64, usize) {
         let mut limit = (f64::INFINITY, 0);
+        let last = self.line.segments.len();
+        let mass = |node: usize| match node {
+            0 => ends[0],
+            node if node == last => ends[1],
+            node => self.line.mass[node],
+        };
         for (i, segment) in self.line.segments.iter().enumerate() {
-            let lightness = |node: usize, held: bool| {
-                if held {
-                    0.0
-                } else {
-                    1.0 / self.line.mass[node]
-                }
-            };
-            let held = |end: usize| matches!(self.line.ends[end], EndCondition::Prescribed(_));
-            let last = self.line.segments.len();
-            let sum = lightness(i, i == 0 && held(0)) + lightness(i + 1, i + 1 == last && held(1));
+            let sum = 1.0 / mass(i) + 1.0 / mass(i + 1);
             let axial = 2.0 * segment.axial.ea / segment.axial.length;
             let own = self
                 .own_frequency_squared(i)

@@ -10,6 +10,7 @@ use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use crate::case::ChannelId;
+use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::limits::STEPS;
 use crate::numerics::richardson::Refinement;
 use crate::run::along::FatigueSpot;
@@ -140,6 +141,14 @@ pub(super) fn run_stored(
             part: None,
         });
     }
+    if let Some(problem) = settings.instability(&begun.system) {
+        return Err(UnsolvedSystem {
+            problem,
+            remedy: BELOW_LIMIT.to_owned(),
+            line: None,
+            part: None,
+        });
+    }
     let again = given.error_estimate.then(|| Start {
         along: LinesAlong::default(),
         ..begun.clone()
@@ -242,8 +251,11 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
     ];
     for (what, begun, settings) in companions {
         let other = begun
-            .map(|begun| compute(begun, &settings, None, cancel, &mut |_| {}))
             .map_err(|why| why.problem)
+            .and_then(|begun| match settings.instability(&begun.system) {
+                Some(why) => Err(why),
+                None => Ok(compute(begun, &settings, None, cancel, &mut |_| {})),
+            })
             .and_then(|other| match (other.state, &other.failure) {
                 (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {
                     Err("its lines have the least segments already".to_owned())

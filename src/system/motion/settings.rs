@@ -2,17 +2,22 @@
 
 use std::f64::consts::TAU;
 
+use nalgebra::{Matrix6, SMatrix};
+
+use super::body_equation::MovingBody;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
 use crate::dynamics::ErrorLimits;
+use crate::dynamics::rk4::above_limit;
 use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
-use crate::scene::Scene;
+use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
 use crate::system::model::{MotionInputs, MotionMethod};
-use crate::system::network::{Body, Line, Network, ReleaseCondition};
+use crate::system::network::{Body, Held, Line, Network, ReleaseCondition};
+use crate::system::pose::cross;
 
 /// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
 const STEPS_A_PERIOD: f64 = 20.0;
@@ -105,6 +110,81 @@ fn surface(system: &MovingSystem) -> Option<EndMotion> {
 
 /// Share of the stability limit of explicit methods that a step is chosen by.
 const EXPLICIT_SHARE: f64 = 0.45;
+
+impl MotionSettings {
+    /// Why a step of an explicit method is unstable on the lines as they are divided at the start; nothing where it is not.
+    #[must_use]
+    pub fn instability(&self, system: &MovingSystem) -> Option<String> {
+        let explicit = self.method == MotionMethod::Rk4;
+        let (limit, at) = explicit.then(|| stability_limit(system))??;
+        (self.time_step_s > limit).then(|| above_limit(self.time_step_s, limit, &at))
+    }
+}
+
+/// The stability limit of explicit steps \[s\], and the segment that sets it. The greatest frequency of a system is at most that of its
+/// segments each by itself, with its own share of the masses at its ends (Fried, J. Sound Vib. 22 (1972) 407): half of that of a node
+/// within a line.
+fn stability_limit(system: &MovingSystem) -> Option<(f64, String)> {
+    let lines = system.network.lines.iter().zip(&system.scenes).enumerate();
+    let limits = lines.map(|(number, (line, scene))| {
+        let ends = [0, 1].map(|end| match scene.line.ends[end] {
+            EndCondition::Prescribed(_) => f64::INFINITY,
+            EndCondition::Free => {
+                let own = scene.line.mass[end * scene.line.segments.len()];
+                2.0 * (own + share_of_mass(system, number, end))
+            }
+        });
+        let (limit, segment) = scene.explicit_limit_between(ends);
+        (limit, segment, line)
+    });
+    let (limit, segment, line) = limits.min_by(|one, other| one.0.total_cmp(&other.0))?;
+    Some((limit, format!("segment {segment} of line {}", line.name)))
+}
+
+/// The share that an end of a line has of the mass of the point or body that it is at \[kg\]; none of an end that may be let go.
+fn share_of_mass(system: &MovingSystem, line: usize, end: usize) -> f64 {
+    let network = &system.network;
+    let point_of = |line: &Line, end: usize| [line.from, line.to][end];
+    let owner = |point: usize| match network.points[point].held {
+        Held::On(body, _) => (Some(body), 0),
+        Held::At(_) | Held::Free(_) => (None, point),
+    };
+    let at = point_of(&network.lines[line], end);
+    if network.lines[line].releases[end].is_given() {
+        return 0.0;
+    }
+    let ends = network.lines.iter().flat_map(|line| [line.from, line.to]);
+    let count = ends.filter(|point| owner(*point) == owner(at)).count() as f64;
+    let mass = match &network.points[at].held {
+        Held::Free(free) => free.moving_mass,
+        Held::On(body, place) => mass_at(network, *body, place),
+        Held::At(_) => 0.0,
+    };
+    mass / count
+}
+
+/// The least mass that a body has at a place of it, as a force in any direction there finds it \[kg\].
+fn mass_at(network: &Network, number: usize, place: &V3) -> f64 {
+    let body = &network.bodies[number];
+    let mass = MovingBody::new(network, number, &body.pose).mass;
+    let mobility = match body.pinned {
+        true => {
+            let turning = mass.fixed_view::<3, 3>(3, 3).try_inverse();
+            turning.map(|turning| {
+                let mut all = Matrix6::zeros();
+                all.fixed_view_mut::<3, 3>(3, 3).copy_from(&turning);
+                all
+            })
+        }
+        false => mass.try_inverse(),
+    };
+    let Some(mobility) = mobility else { return 0.0 };
+    let mut by = SMatrix::<f64, 3, 6>::zeros();
+    by.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
+    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(place));
+    // The sum of its eigenvalues is at least the greatest.
+    1.0 / (by * mobility * by.transpose()).trace()
+}
 
 /// The longest stable step of the lines by themselves \[s\]; what is at their ends makes it longer.
 fn explicit_limit(system: &MovingSystem) -> f64 {
