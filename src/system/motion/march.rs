@@ -179,9 +179,8 @@ impl Marching {
     /// Marches to the end, from one end that is let go to the next; sends checkpoints at intervals, where it is stopped, and at the end:
     /// before the last whole step where the end cuts it short, so that a longer run resumes with a whole one.
     fn march(&mut self, cancel: &AtomicBool, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
-        let (system, state) = (&self.system, &self.state);
-        let mut events = by_time(system);
-        events.retain(|event| !system.is_released(*event, state));
+        let mut events = by_time(&self.system);
+        events.retain(|event| !self.is_over_with(*event));
         let mut events = events.into_iter().peekable();
         while !self.march.is_over(&self.place) {
             let next = (self.place.whole + 1) as f64 * self.march.step;
@@ -191,7 +190,10 @@ impl Marching {
             }
             let event = events.peek().map_or(f64::INFINITY, |event| event.time);
             match self.advance(next.min(event), cancel, rows) {
-                Ok(Some(Pause::Release(event))) => self.release(event, rows),
+                Ok(Some(Pause::Release(event))) => {
+                    self.release(event, rows);
+                    self.release_by_tension(event.time, rows);
+                }
                 Ok(Some(Pause::Mesh(end))) => self.remesh(end, rows)?,
                 Ok(None) => {}
                 Err(end) => {
@@ -203,7 +205,10 @@ impl Marching {
             }
             let (march, place) = (self.march, self.place);
             while let Some(event) = events.next_if(|event| march.is_at(&place, event.time)) {
-                self.release(event, rows);
+                match self.system.is_released(event, &self.state) {
+                    true => self.happened.push(gone_before(&self.system, event)),
+                    false => self.release(event, rows),
+                }
             }
             let due = march.is_over(&place) || rows.saved.elapsed() >= BETWEEN_CHECKPOINTS;
             if due && !cut_by_end {
@@ -249,7 +254,12 @@ impl Marching {
         Ok(())
     }
 
-    /// The accelerations at the start, and the first row.
+    /// Whether an end that is let go at a time has gone by then, at that time or before.
+    fn is_over_with(&self, event: Release) -> bool {
+        self.march.is_at(&self.place, event.time) && self.system.is_released(event, &self.state)
+    }
+
+    /// The accelerations at the start, the first row, and the ends whose tension at rest lets them go.
     fn begin(&mut self, rows: &mut RowSender<'_>) -> Result<(), String> {
         self.system.update_wave_kinematics(0.0, &mut self.state);
         let mut begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
@@ -261,7 +271,9 @@ impl Marching {
         let first = &mut |time, values: &[f64]| rows.send(0, time, values);
         self.recorder
             .accept(&self.system, &self.bodies, (0.0, &self.state), first);
-        begun.map_err(|why| in_words(&self.system, 0.0, &why))
+        begun.map_err(|why| in_words(&self.system, 0.0, &why))?;
+        self.release_by_tension(0.0, rows);
+        Ok(())
     }
 
     /// Marches to a time, to the end, or to where a tension lets an end go.
@@ -307,6 +319,13 @@ impl Marching {
         self.recorder
             .jump(&self.system, &self.bodies, (event.time, &self.state), last);
         self.happened.push(in_time(&self.system, event));
+    }
+
+    /// Lets go every end whose tension is at its limit at this time \[s\], one after the other.
+    fn release_by_tension(&mut self, time: f64, rows: &mut RowSender<'_>) {
+        while let Some(event) = by_tension(&self.system, &self.state, time) {
+            self.release(event, rows);
+        }
     }
 
     /// Parts or joins the segment of an end that is paid out.
@@ -394,16 +413,29 @@ impl Marching {
 
 /// What happened to an end, in words.
 fn in_time(system: &MovingSystem, event: Release) -> String {
-    let Release { time, line, end } = event;
+    let (what, is_end) = part_in_words(system, event);
+    let verb = if is_end { "is let go" } else { "breaks" };
+    format!("{:.6} s: {what} {verb}", event.time)
+}
+
+/// An end that is stated to be let go at a time, and was before.
+fn gone_before(system: &MovingSystem, event: Release) -> String {
+    let (what, is_end) = part_in_words(system, event);
+    let [verb, before] = match is_end {
+        true => ["be let go", "was let go"],
+        false => ["break", "broke"],
+    };
+    format!(
+        "{:.6} s: {what} is stated to {verb} here; it {before} earlier",
+        event.time
+    )
+}
+
+/// What lets go, and whether it is an end of a line as the file has it; a line breaks at the others.
+fn part_in_words(system: &MovingSystem, Release { line, end, .. }: Release) -> (String, bool) {
     match breaks::name_of_end(system, line, end) {
-        Some(name) => format!(
-            "{time:.6} s: end {} of line {name} is let go",
-            ["A", "B"][end]
-        ),
-        None => format!(
-            "{time:.6} s: line {} breaks",
-            system.network.lines[line].name
-        ),
+        Some(name) => (format!("end {} of line {name}", ["A", "B"][end]), true),
+        None => (format!("line {}", system.network.lines[line].name), false),
     }
 }
 
