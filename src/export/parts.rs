@@ -45,6 +45,11 @@ pub fn sheet(
         let step = step(solved, &sheet);
         sea::options(solved, step, &mut sheet);
     }
+    if has_own_start(solved) {
+        sheet
+            .remarks
+            .push("Offsets and velocities at the start are not in the file.".to_owned());
+    }
     if solved
         .file
         .bodies
@@ -61,6 +66,16 @@ pub fn sheet(
             .push("The file does not say how coupled parts move.".to_owned());
     }
     sheet
+}
+
+/// Whether parts begin with an offset or a velocity, or some of them where the file puts them.
+fn has_own_start(solved: &SolvedSystem) -> bool {
+    let network = &solved.network;
+    let mut points = network.free_points();
+    let mut bodies = network.initial_of_bodies();
+    solved.file.start.parts.is_some()
+        || points.any(|point| point.initial.is_pushed())
+        || bodies.any(|(_, initial)| initial.is_pushed())
 }
 
 /// A stable step of RK4 \[s\], of two digits: the fastest mode of a segment, with its damping.

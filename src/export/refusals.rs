@@ -43,6 +43,13 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         "seabed.interpolation",
         "smooth bed between the depths of a grid; its bed is bilinear",
     );
+    for part in &solved.dropped {
+        found.add(
+            true,
+            "start.placement",
+            &format!("part that nothing holds (`{part}`)"),
+        );
+    }
     for payout in &file.payouts {
         let key = format!("payouts.{}", payout.line);
         found.add(true, key, "payout of lines");

@@ -7,6 +7,7 @@ use super::sheet::Sheet;
 use crate::case::{DragLength, OneOrMany, Waves};
 use crate::numerics::DepthGrid;
 use crate::system::bed::Bed;
+use crate::system::model::StartPlacement;
 use crate::system::{SolvedSystem, SystemFile};
 
 /// Push and damping of a bed that nothing touches \[Pa/m, Pa s/m\]: the defaults of MoorDyn.
@@ -26,6 +27,10 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
         written(file.environment.water_density_kg_per_m3),
         "WtrDnsty",
     );
+    let start = &file.start;
+    if start.placement == StartPlacement::Given && start.parts.is_none() {
+        option(written(0.0), "TmaxIC");
+    }
     match &file.seabed {
         Some(bed) => {
             option(written(bed.depth_m), "WtrDpth");

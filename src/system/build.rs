@@ -3,14 +3,16 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use nalgebra::{Matrix6, Rotation3, Vector6};
+use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
 use super::bed::Bed;
 use super::discretised::{DiscretisedLine, LineForm};
+use super::initial::{BodyInitial, PointInitial};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
-    SystemFile,
+    StartPlacement, SystemFile,
 };
+use super::motion::breaks::is_between;
 use super::motion::inputs::{body_motion, point_motion};
 use super::motion::payout::payouts;
 use super::motion::responses::{responses, wave_response};
@@ -117,8 +119,10 @@ fn bodies(
     sea: Option<&Sea>,
 ) -> Vec<Body> {
     let built = file.bodies.iter().map(|(name, body)| {
-        let spins_about = given.rods.contains_key(name).then(V3::x);
+        let rod = given.rods.get(name);
+        let spins_about = rod.map(|_| V3::x());
         let built = self::body(name, body, network);
+        let [x, y, z] = rod.map_or([0.0; 3], |rod| rod.start_turn_deg.map(f64::to_radians));
         // Its files were read with the system.
         let moved = sea.filter(|_| body.kind == BodyKind::Moved);
         let response = moved.map(|sea| wave_response(file, body, sea));
@@ -127,6 +131,11 @@ fn bodies(
         let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
         let mut built = Body {
             spins_about,
+            initial: BodyInitial {
+                placed: given.places(name),
+                turn: UnitQuaternion::from_euler_angles(x, y, z),
+                ..built.initial
+            },
             motion: response.map(|found| found.motion).or(built.motion),
             added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
             ..built
@@ -180,6 +189,15 @@ pub fn sea_of(file: &SystemFile) -> Option<Sea> {
 }
 
 impl SystemFile {
+    /// Whether a part that is free or pinned begins a run in time where the file puts it.
+    #[must_use]
+    pub fn places(&self, part: &str) -> bool {
+        let named = self.start.parts.as_ref();
+        self.start.placement == StartPlacement::Given
+            && !is_between(part)
+            && named.is_none_or(|names| names.iter().any(|name| name == part))
+    }
+
     /// Whether a line ends at this point.
     #[must_use]
     pub fn names_line_end(&self, point: &str) -> bool {
@@ -229,20 +247,20 @@ impl Builder<'_> {
     }
 
     /// The copy of a point at an angle; a point on the axis is its own copy.
-    fn point(&mut self, name: &str, angle: f64, axis: V3) -> usize {
-        let given = &self.file.points[name];
+    fn point(&mut self, given_name: &str, angle: f64, axis: V3) -> usize {
+        let given = &self.file.points[given_name];
         let on_axis = turned(given, angle, axis).is_none_or(|(place, here)| place == here);
         let name = if on_axis {
-            name.to_owned()
+            given_name.to_owned()
         } else {
-            copy_name(name, angle)
+            copy_name(given_name, angle)
         };
         if let Some(number) = self.numbers.get(&name) {
             return *number;
         }
         let place = turned(given, angle, axis).map(|(place, _)| place);
         let number = self.network.points.len();
-        let held = self.held(given, place);
+        let held = self.held(given, place, self.file.places(given_name));
         let motion = (given.kind == PointKind::Moved)
             .then(|| point_motion(given, place.unwrap_or_default()));
         self.network.points.push(Point {
@@ -254,7 +272,7 @@ impl Builder<'_> {
         number
     }
 
-    fn held(&self, given: &PointInputs, place: Option<V3>) -> Held {
+    fn held(&self, given: &PointInputs, place: Option<V3>, placed: bool) -> Held {
         match given.kind {
             PointKind::Fixed | PointKind::Moved => Held::At(place.unwrap_or_default()),
             PointKind::Body => {
@@ -273,6 +291,12 @@ impl Builder<'_> {
                 load: V3::from(given.load_n),
                 friction: given.bed_friction,
                 start: place,
+                initial: PointInitial {
+                    placed,
+                    offset: V3::from(given.start_offset_m),
+                    velocity: V3::from(given.start_velocity_m_per_s),
+                    from_rest: 0.0,
+                },
             }),
         }
     }
@@ -406,10 +430,13 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         wind_loads: heading_loads(&given.wind_loads),
         current_loads: heading_loads(&given.current_loads),
         drift_loads: drift_loads(given),
-        start_offset: [
-            V3::from(given.start_offset_m),
-            V3::from(given.start_offset_deg.map(f64::to_radians)),
-        ],
+        initial: BodyInitial {
+            offset: V3::from(given.start_offset_m),
+            angles: V3::from(given.start_offset_deg.map(f64::to_radians)),
+            velocity: V3::from(given.start_velocity_m_per_s),
+            angular_velocity: V3::from(given.start_angular_velocity_deg_per_s.map(f64::to_radians)),
+            ..BodyInitial::default()
+        },
         potential_flow: None,
         spins_about: None,
     }

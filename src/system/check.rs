@@ -3,6 +3,7 @@
 use super::ageing::check::ageing;
 use super::build::{angles as angles_of, copy_name};
 use super::check_bed::{bed, below_bed};
+use super::check_start::{not_free, of_body, of_rod, parts};
 use super::file::SYSTEM;
 use super::model::{
     BodyKeys, BodyKind, LineKeys, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
@@ -26,6 +27,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     }
     for (name, body) in &keys.bodies {
         found.extend(body_alone(body));
+        found.extend(not_free(&body.kind, &of_body(body)));
         found.extend(pinned_to(keys, name, &body.kind, &body.pinned_to));
         if body.pinned_to.is_given() {
             let problem = "is not covered for a body that is pinned to another";
@@ -37,6 +39,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));
+        found.extend(not_free(&rod.kind, &of_rod(rod)));
         found.extend(pinned_to(keys, name, &rod.kind, &rod.pinned_to));
     }
     for (_, line) in &keys.lines {
@@ -66,6 +69,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(of_material(material));
     }
     found.extend(lost_line(keys));
+    found.extend(parts(keys));
     found.extend(without_unknowns(keys));
     found.extend(keys.current.iter().flat_map(of_current));
     found.extend(bed(keys));
@@ -157,6 +161,7 @@ fn pinned(body: &BodyKeys<'_>) -> Vec<Finding> {
     let problem =
         "has no effect: the origin of a pinned body is where its position and its motion have it";
     found.extend(body.start_offset_m.if_given(problem, "remove it"));
+    found.extend(body.start_velocity_m_per_s.if_given(problem, "remove it"));
     let problem = "has no effect: a pinned body is free to turn";
     let remedy = "remove it, or make the body moved";
     found.extend(body.amplitude_deg.if_given(problem, remedy));
@@ -204,10 +209,12 @@ fn without_unknowns(keys: &SystemKeys<'_>) -> Option<Finding> {
     let bodies = keys.bodies.iter().map(|(_, body)| &body.kind);
     let rods = keys.rods.iter().map(|(_, rod)| &rod.kind);
     let all_held = bodies.chain(rods).all(is_held);
-    (keys.lines.is_empty() && all_held).then(|| {
+    let mut points = keys.points.iter();
+    let no_point = !points.any(|(_, point)| point.kind.is(&PointKind::Free));
+    (keys.lines.is_empty() && all_held && no_point).then(|| {
         keys.place.finding(
             "nothing in the system moves or comes to an equilibrium",
-            "add [[lines]] with [points.<name>] and [materials.<name>], or a body or rod that is free or pinned",
+            "add [[lines]] with [points.<name>] and [materials.<name>], or a point, a body or rod that is free",
         )
     })
 }
@@ -229,6 +236,9 @@ fn rod_of(keys: &SystemKeys<'_>, name: &str, rod: &RodKeys<'_>) -> Vec<Finding> 
         let problem = "is not covered for a pinned rod";
         let remedy = "make it a body of one member, with `load_n` and `moment_n_m`";
         found.extend(rod.load_n.if_given(problem, remedy));
+        let problem = "has no effect: end A of a pinned rod is where the file puts it";
+        found.extend(rod.start_offset_m.if_given(problem, "remove it"));
+        found.extend(rod.start_velocity_m_per_s.if_given(problem, "remove it"));
     }
     for end in rods::ends(name) {
         if keys.points.iter().any(|(known, _)| *known == end) {
@@ -323,6 +333,8 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
         found.extend(point.bed_friction.if_given(problem, remedy));
+        found.extend(point.start_offset_m.if_given(problem, remedy));
+        found.extend(point.start_velocity_m_per_s.if_given(problem, remedy));
     }
     found
 }

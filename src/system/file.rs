@@ -116,6 +116,7 @@ impl FileKind for SystemFile {
         rows.extend(lister.named("offset_curves", "offset curve"));
         rows.extend(lister.named("watch_circles", "watch circle"));
         rows.extend(lister.if_given(&["damage"], "damage"));
+        rows.extend(lister.if_given(&["start"], "start"));
         rows.extend(lister.if_given(&["solver"], "solver"));
         rows.extend(lister.if_given(&["output"], "output"));
         rows.extend(lister.if_given(&["ageing"], "ageing"));

@@ -8,7 +8,10 @@ use std::collections::BTreeMap;
 
 pub use ageing::{AgeingInputs, CorrosionInputs, GrowthInputs};
 pub(crate) use ageing::{AgeingKeys, CorrosionKeys};
-pub use motion::{MotionInputs, MotionMethod, MotionOutput, PayoutInputs, SlidingInputs, WhichEnd};
+pub use motion::{
+    MotionInputs, MotionMethod, MotionOutput, PayoutInputs, SlidingInputs, StartPlacement,
+    SystemStart, WhichEnd,
+};
 pub(crate) use motion::{PayoutKeys, SlidingKeys};
 
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
@@ -65,6 +68,8 @@ table! {
         ageing: Option<AgeingInputs>;
         /// What is broken; absent leaves the system intact.
         damage: Damage, optional;
+        /// Where the run in time begins.
+        start: SystemStart, optional;
         /// The run in time; absent leaves the system at rest.
         solver: Option<MotionInputs>;
         /// What is recorded of a run in time.
@@ -187,6 +192,10 @@ table! {
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
         bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FREE;
+        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z: it is let go there.
+        start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FREE;
+        /// Velocity at time zero along x, y, z.
+        start_velocity_m_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start velocity", range of(-1e3, 1e3), matters FREE;
         /// Amplitudes of its motion along x, y, z.
         amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters MOVED;
         /// Period of its motion: one, or one along each of x, y, z.
@@ -220,6 +229,8 @@ impl PointInputs {
             drag_area_m2: 0.0,
             load_n: [0.0; 3],
             bed_friction: 0.0,
+            start_offset_m: [0.0; 3],
+            start_velocity_m_per_s: [0.0; 3],
             amplitude_m: [0.0; 3],
             period_s: None,
             phase_deg: [0.0; 3],
@@ -330,10 +341,14 @@ table! {
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters CARRIED;
         /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.
         response_file: Option<String>, "responses", absent "none", matters IN_WAVES;
-        /// Displacement at time zero from where it rests, along x, y, z of the earth: it is let go there.
+        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z of the earth: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
-        /// Roll, pitch and yaw at time zero beyond those at rest.
-        start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-90.0, 90.0), matters TURNING;
+        /// Roll, pitch and yaw at time zero beyond those there.
+        start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-360.0, 360.0), matters TURNING;
+        /// Velocity of its origin at time zero along x, y, z of the earth.
+        start_velocity_m_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start velocity", range of(-1e3, 1e3), matters FLOATING;
+        /// Angular velocity at time zero about the directions x, y, z of the earth.
+        start_angular_velocity_deg_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start angular velocity", range of(-1e5, 1e5), matters TURNING;
         /// Direction towards which the waves of its mean drift run, from +x towards +y.
         drift_towards_deg: f64 = 0.0, "drift direction", range of(-360.0, 360.0), matters FLOATING;
     }
@@ -371,6 +386,14 @@ table! {
         added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
         /// Steady load at its middle, along x, y, z; not of a rod that is pinned.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
+        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z: it is let go there.
+        start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
+        /// Turns at time zero from there about the directions x, then y, then z of the earth: about its middle, or its end A where that is pinned.
+        start_turn_deg: [f64; 3] = [0.0, 0.0, 0.0], "start turn", range of(-360.0, 360.0), matters TURNING;
+        /// Velocity of its middle at time zero along x, y, z.
+        start_velocity_m_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start velocity", range of(-1e3, 1e3), matters FLOATING;
+        /// Angular velocity at time zero about the directions x, y, z of the earth.
+        start_angular_velocity_deg_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start angular velocity", range of(-1e5, 1e5), matters TURNING;
     }
 }
 

@@ -6,6 +6,7 @@ use nalgebra::Matrix6;
 
 use super::bed::Bed;
 use super::discretised::DiscretisedLine;
+use super::initial::{BodyInitial, PointInitial};
 use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
 use super::motion::payout::Payout;
@@ -90,6 +91,8 @@ pub struct FreePoint {
     pub friction: f64,
     /// Where the search begins \[m\], if that is given.
     pub start: Option<V3>,
+    /// How it begins a run in time.
+    pub initial: PointInitial,
 }
 
 impl FreePoint {
@@ -169,8 +172,8 @@ pub struct Body {
     pub current_loads: Option<HeadingLoads>,
     /// Mean drift of waves by their heading \[N, N m\], and the direction towards which they run.
     pub drift_loads: Option<(HeadingLoads, V3)>,
-    /// Displacement at time zero from where it rests \[m\], and roll, pitch and yaw beyond those there \[rad\].
-    pub start_offset: [V3; 2],
+    /// How it begins a run in time.
+    pub initial: BodyInitial,
     /// Coefficients of potential flow around it.
     pub potential_flow: Option<Arc<PotentialFlow>>,
     /// Axis of a rod in its frame, about which it spins freely and nothing hangs on.
@@ -202,28 +205,6 @@ impl Body {
         ends.chain(centres)
             .map(|arm| arm.norm())
             .fold(0.0, f64::max)
-    }
-
-    /// Whether it is let go aside from where it rests.
-    #[must_use]
-    pub fn starts_aside(&self) -> bool {
-        self.turns() && self.start_offset != [V3::zeros(); 2]
-    }
-
-    /// Where it is let go, if it rests at this pose.
-    #[must_use]
-    pub fn aside(&self, rest: &Pose) -> Pose {
-        if !self.starts_aside() {
-            return *rest;
-        }
-        let [step, turn] = self.start_offset;
-        let [roll, pitch, yaw] = rest.angles();
-        Pose::new(
-            rest.origin + step,
-            roll + turn.x,
-            pitch + turn.y,
-            yaw + turn.z,
-        )
     }
 
     /// What holds the spin of a rod where it is \[N m\]: of the size of its other stiffness, without effect on any result.
@@ -396,6 +377,29 @@ impl Network {
         current.is_some_and(|current| current.max_speed() > 0.0)
             || self.wind != V3::zeros()
             || self.bodies.iter().any(|body| body.drift_loads.is_some())
+    }
+
+    /// The free points.
+    pub fn free_points(&self) -> impl Iterator<Item = &FreePoint> {
+        self.points.iter().filter_map(|point| match &point.held {
+            Held::Free(free) => Some(free),
+            Held::At(_) | Held::On(..) => None,
+        })
+    }
+
+    /// The initial conditions of the bodies that are free or pinned, by their numbers.
+    pub fn initial_of_bodies(&self) -> impl Iterator<Item = (usize, &BodyInitial)> {
+        let bodies = self.bodies.iter().enumerate();
+        let unknown = bodies.filter(|(_, body)| body.turns());
+        unknown.map(|(number, body)| (number, &body.initial))
+    }
+
+    /// Whether anything begins a run in time off its equilibrium.
+    #[must_use]
+    pub fn begins_off_rest(&self) -> bool {
+        let mut bodies = self.initial_of_bodies();
+        bodies.any(|(_, initial)| initial.is_off_rest())
+            || self.free_points().any(|point| point.initial.is_off_rest())
     }
 
     /// The body of this name.

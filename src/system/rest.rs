@@ -67,7 +67,7 @@ fn not_held(network: &Network, part: Loose) -> UnsolvedSystem {
         problem: format!(
             "nothing holds \"{name}\": no line joins it, directly or over others, to anything fixed"
         ),
-        remedy: "join it by a line to a fixed point or to a held body, or fix it".to_owned(),
+        remedy: "join it by a line to a fixed point or to a held body, or fix it; to let it fall or rise in motion add [start] with `placement = \"given\"`, and its place".to_owned(),
         line: None,
         part: Some((part, name)),
     }

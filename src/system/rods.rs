@@ -64,6 +64,9 @@ fn body(rod: &RodInputs) -> BodyInputs {
         centre_of_gravity_m: [centre, 0.0, 0.0],
         inertia_kg_m2: vec![0.5 * rod.mass_kg * radius2, across, across],
         load_n: rod.load_n,
+        start_offset_m: rod.start_offset_m,
+        start_velocity_m_per_s: rod.start_velocity_m_per_s,
+        start_angular_velocity_deg_per_s: rod.start_angular_velocity_deg_per_s,
         members: vec![MemberInputs {
             from_m: [from, 0.0, 0.0],
             to_m: [to, 0.0, 0.0],

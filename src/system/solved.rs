@@ -5,11 +5,12 @@ use nalgebra::Matrix6;
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
 use super::build::{AgedParts, Divided, build};
+use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
 use super::line_at_rest::LineAtRest;
 use super::model::SystemFile;
-use super::network::Network;
+use super::network::{Held, Network};
 use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
 use super::stability::{Stability, stability};
 use super::stiffness::of_bodies;
@@ -21,6 +22,8 @@ pub struct SolvedSystem {
     pub file: SystemFile,
     /// The same in SI, its lines aged.
     pub network: Network,
+    /// Points and bodies that nothing holds: at rest they are held where the file puts them, in motion they fall or rise from there.
+    pub dropped: Vec<String>,
     /// How its lines aged, if they did.
     pub age: Option<SettledAge>,
     /// At rest.
@@ -42,6 +45,33 @@ impl SolvedSystem {
     }
 }
 
+/// The network with what nothing holds, and begins a run in time where the file puts it, held there; and its names.
+fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>) {
+    let mut dropped = Vec::new();
+    while let Some(part) = loose(&network).filter(|_| !ages) {
+        match part {
+            Loose::Point(number) => {
+                let point = &mut network.points[number];
+                let Held::Free(free) = &point.held else { break };
+                let Some(place) = free.start.filter(|_| free.initial.placed) else {
+                    break;
+                };
+                point.held = Held::At(place);
+                dropped.push(point.name.clone());
+            }
+            Loose::Body(number) => {
+                let body = &mut network.bodies[number];
+                if !body.initial.placed {
+                    break;
+                }
+                body.free = false;
+                dropped.push(body.name.clone());
+            }
+        }
+    }
+    (network, dropped)
+}
+
 /// Works out a system that the checks passed.
 ///
 /// # Errors
@@ -49,6 +79,7 @@ impl SolvedSystem {
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let file = without_lost_line(file);
     let new = build(&file, &AgedParts::new(), Divided::WhereNeeded).map_err(not_divided)?;
+    let (new, dropped) = held_until_dropped(new, file.ageing.is_some());
     if let Some(buried) = below_bed(&new) {
         return Err(buried);
     }
@@ -68,6 +99,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
         stiffness,
         rest,
         network,
+        dropped,
         age,
     })
 }

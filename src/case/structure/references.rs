@@ -38,6 +38,7 @@ const OF_SYSTEMS: &[Reference] = &[
     ("ageing.growth.*.material", &["materials"]),
     ("ageing.corrosion.*.material", &["materials"]),
     ("checks.*.of", &["bodies", "lines", "points"]),
+    ("start.parts", &["bodies", "rods", "points"]),
 ];
 
 /// Of cross-sections.

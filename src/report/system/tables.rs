@@ -103,6 +103,9 @@ fn stability(solved: &SolvedSystem) -> String {
 #[must_use]
 pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     let mut found = Vec::new();
+    found.extend(solved.dropped.iter().map(|name| {
+        format!("Nothing holds {name}: it is held where the file puts it, and let go there when it is computed in motion.")
+    }));
     for (index, line) in solved.network.lines.iter().enumerate() {
         let at_rest = &solved.rest.balance.lines[index];
         match at_rest.note {

@@ -1,7 +1,7 @@
 //! How a system is computed in time, and what is recorded.
 
 use crate::case::fields::ValueType::Name;
-use crate::case::fields::{of, positive};
+use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 
 table! {
@@ -36,6 +36,31 @@ words! {
         Alpha = "alpha",
         /// Runge-Kutta of order 4, with steps below the stability limit of the stiffest segment.
         Rk4 = "rk4",
+    }
+}
+
+words! {
+    /// Where what is free begins a run in time.
+    #[derive(Default)]
+    pub enum StartPlacement {
+        /// Where it rests.
+        #[default]
+        Equilibrium = "equilibrium",
+        /// Where the file puts it: held there while everything else comes to rest, and let go at time zero.
+        Given = "given",
+    }
+}
+
+const PLACED: Conditions = &[("placement", &["given"])];
+
+table! {
+    /// Where a run in time begins. Points, bodies and rods have offsets from there and velocities of their own.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct SystemStart => SystemStartKeys {
+        /// Where free points, free and pinned bodies and rods begin.
+        placement: StartPlacement = StartPlacement::Equilibrium, "start placement";
+        /// Those that begin where the file puts them; all others begin at rest.
+        parts: Option<Vec<String>>, "parts placed", absent "all that are free or pinned", matters PLACED;
     }
 }
 

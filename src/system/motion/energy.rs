@@ -21,6 +21,9 @@ use crate::system::network::Held;
 pub struct Energy {
     /// Kinetic and potential energy \[J\].
     pub stored: f64,
+    /// The kinetic part of it \[J\].
+    #[serde(default)]
+    pub kinetic: f64,
     /// Power of prescribed points and bodies, and of the loads on free bodies \[W\].
     pub power_in: f64,
     /// Power of drag, damping and bed \[W\].
@@ -37,6 +40,7 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
     for (scene, line) in system.lines(state) {
         let rates = scene.energy_rates(t, line);
         sum.stored += rates.energy;
+        sum.kinetic += rates.kinetic;
         sum.power_in += rates.supplied + rates.growth;
         sum.lost += rates.dissipated;
     }
@@ -47,7 +51,9 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
             let around = Around::of(&state.joints, joint);
             let load = point_load(&system.network, point, (x, v), around);
-            sum.stored += 0.5 * point.moving_mass * v.norm_squared() + load.energy;
+            let kinetic = 0.5 * point.moving_mass * v.norm_squared();
+            sum.kinetic += kinetic;
+            sum.stored += kinetic + load.energy;
             sum.lost += load.lost;
         }
     }
@@ -56,11 +62,14 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
     sum.power_in -= sum.remeshed;
     for drive in drives(system, t, state) {
         sum.stored += drive.stored;
+        sum.kinetic += drive.kinetic;
         sum.power_in += drive.power_in;
         sum.lost += drive.lost;
     }
     for body in bodies {
-        sum.stored += body.kinetic_energy(&system.body(state, body.number));
+        let kinetic = body.kinetic_energy(&system.body(state, body.number));
+        sum.kinetic += kinetic;
+        sum.stored += kinetic;
         sum.power_in += power_of_loads(system, body, state);
         sum.power_in += power_of_pin(system, body, state);
     }

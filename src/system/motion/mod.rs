@@ -26,6 +26,7 @@ pub mod frequency;
 pub mod inputs;
 pub mod job;
 pub mod joints;
+mod let_go;
 mod march;
 mod mesh_of_ends;
 pub mod method;

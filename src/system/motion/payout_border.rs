@@ -170,6 +170,7 @@ pub(super) fn drives(
         };
         Energy {
             stored: 0.5 * mass * q * q,
+            kinetic: 0.5 * mass * q * q,
             // The drum and what drives it, which the equation leaves of the pull of the line.
             power_in: q * (held - drive - of_lines),
             lost: q * friction,

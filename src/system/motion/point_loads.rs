@@ -371,6 +371,7 @@ mod tests {
             load: V3::new(10.0, -20.0, 30.0),
             friction,
             start: None,
+            initial: Default::default(),
         };
         let v = V3::new(0.4, -0.9, 0.3);
         let flow = waves(&mut Random::new(1, 0));

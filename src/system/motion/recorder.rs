@@ -37,7 +37,8 @@ pub struct EnergyBalance {
     /// What of that came and went where segments at ends that are paid out were parted and joined.
     #[serde(default)]
     pub remeshed: f64,
-    /// All that passed through: work and losses without their signs, and a millionth of the greatest energy.
+    /// All that passed through: work and losses without their signs, a millionth of the greatest energy, and in a run that begins off its
+    /// equilibrium the greatest kinetic energy.
     pub passed: f64,
 }
 
@@ -78,6 +79,8 @@ pub struct RecorderState {
     pub rows: u64,
     energy_at_start: f64,
     greatest_energy: f64,
+    #[serde(default)]
+    greatest_kinetic: f64,
     passed: f64,
     sums: Vec<f64>,
     last_energy: Energy,
@@ -134,6 +137,9 @@ pub struct Recorder {
     pub balance: EnergyBalance,
     energy_at_start: f64,
     greatest_energy: f64,
+    /// Whether the run begins off its equilibrium, and the greatest kinetic energy of one that does \[J\].
+    begins_off_rest: bool,
+    greatest_kinetic: f64,
     passed: f64,
     /// The first value that is not finite, in words: what ends the run.
     fault: Option<String>,
@@ -167,6 +173,8 @@ impl Recorder {
             balance: EnergyBalance::default(),
             energy_at_start: 0.0,
             greatest_energy: 0.0,
+            begins_off_rest: system.network.begins_off_rest(),
+            greatest_kinetic: 0.0,
             passed: 0.0,
             fault: None,
         }
@@ -225,6 +233,7 @@ impl Recorder {
             rows: self.rows,
             energy_at_start: self.energy_at_start,
             greatest_energy: self.greatest_energy,
+            greatest_kinetic: self.greatest_kinetic,
             passed: self.passed,
             sums: self.sums.clone(),
             last_energy: self.last_energy,
@@ -241,6 +250,7 @@ impl Recorder {
         self.rows = stored.rows;
         self.energy_at_start = stored.energy_at_start;
         self.greatest_energy = stored.greatest_energy;
+        self.greatest_kinetic = stored.greatest_kinetic;
         self.passed = stored.passed;
         self.sums.clone_from(&stored.sums);
         self.last_energy = stored.last_energy;
@@ -404,7 +414,10 @@ impl Recorder {
             }
         }
         self.greatest_energy = self.greatest_energy.max(now.stored.abs());
-        self.balance.passed = self.passed + AT_REST * self.greatest_energy;
+        if self.begins_off_rest {
+            self.greatest_kinetic = self.greatest_kinetic.max(now.kinetic);
+        }
+        self.balance.passed = self.passed + self.greatest_kinetic + AT_REST * self.greatest_energy;
         self.last_energy = *now;
     }
 

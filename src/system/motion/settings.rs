@@ -255,7 +255,7 @@ fn bounce_period(scene: &Scene) -> f64 {
 }
 
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
-/// nothing but prescribed motion, waves and a start aside disturb a system at rest, of [`RESPONSE`] times these. It is the
+/// nothing but prescribed motion, waves and a start off the equilibrium disturb a system at rest, of [`RESPONSE`] times these. It is the
 /// same for every duration, so that a run resumed up to a later end takes the steps of one that is as long.
 fn motion_scale(system: &MovingSystem) -> (f64, f64) {
     let network = &system.network;
@@ -280,15 +280,20 @@ fn motion_scale(system: &MovingSystem) -> (f64, f64) {
     let moved = points.chain(&surface).map(|motion| scale(motion, 1.0));
     let turned =
         turns.flat_map(|(motion, arm)| [scale(&motion.place, 1.0), scale(&motion.angles, arm)]);
-    let aside = network.bodies.iter().zip(&system.arms);
-    let aside = aside.map(|(body, arm)| {
-        let [step, turn] = body.start_offset;
-        let far = step.norm() + turn.norm() * arm;
-        (far, (network.gravity * far).sqrt())
+    let bodies = network.initial_of_bodies();
+    let bodies = bodies.map(|(number, initial)| initial.scale(system.arms[number]));
+    let points = network.free_points().map(|point| point.initial.scale());
+    // A velocity goes as far as in the time of that fall, an offset as fast as it falls by itself.
+    let off_rest = bodies.chain(points).map(|(far, fast)| {
+        let fall = (network.gravity * far).sqrt();
+        (
+            far + fast * length / speed.max(f64::MIN_POSITIVE),
+            fast + fall,
+        )
     });
     let (far, fast) = moved
         .chain(turned)
-        .chain(aside)
+        .chain(off_rest)
         .fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
     if far <= 0.0 || fast <= 0.0 {
         return (length, speed);

@@ -5,6 +5,7 @@ use super::body_flow::{FlowLoad, VelocityHistory};
 use super::border::Border;
 use super::breaks;
 use super::joints::Role;
+use super::let_go::{held, let_go, measure};
 use super::moving_system::MovingSystem;
 use super::payout_border::holding;
 use super::surplus::Surplus;
@@ -22,7 +23,7 @@ use crate::system::equilibrium::{SystemError, weight_of_bodies};
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
 use crate::system::line_at_rest::{LineAtRest, LinePhysics};
 use crate::system::model::SystemFile;
-use crate::system::network::{Body, Held, Line, Network};
+use crate::system::network::{Held, Line, Network};
 use crate::system::pose::Pose;
 use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
 
@@ -69,8 +70,13 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     let file = breaks::written_out(&file);
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
-    let (network, placement, lines) = divided_at_rest(&file, parts, solved)?;
-    let (mut system, mut state) = at_rest(network, &placement, &lines);
+    let DividedAtRest {
+        network,
+        held,
+        placement,
+        lines,
+    } = divided_at_rest(&file, parts, solved)?;
+    let (mut system, mut state) = at_rest(held, &placement, &lines);
     system.prescribe(0.0, &mut state);
     still(&mut state);
     system.follow(&mut state);
@@ -81,8 +87,12 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     for (payout, force) in holding(&system, &state).into_iter().enumerate() {
         system.payouts[payout].holding = Some(force);
     }
-    if system.network.bodies.iter().any(Body::starts_aside) {
-        state = displaced(&system, &state)?;
+    if network.begins_off_rest() {
+        let held = std::mem::take(&mut system.payouts);
+        (system, state) = let_go(&network, (&system, &state))?;
+        for (payout, held) in system.payouts.iter_mut().zip(held) {
+            payout.holding = held.holding;
+        }
     }
     system.release_current(&mut state);
     Ok(Start {
@@ -93,52 +103,46 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
     })
 }
 
-/// The state in which bodies are let go aside from where they rest: lines at rest between their ends there, free points as they are.
-fn displaced(system: &MovingSystem, rest: &SystemState) -> Result<SystemState, UnsolvedSystem> {
-    let (network, joints) = (&system.network, &rest.joints);
-    let bodies = network.bodies.iter().enumerate();
-    let points = system.joints.points.iter();
-    let mut placement = Placement {
-        points: points.map(|joint| joints.x[*joint]).collect(),
-        bodies: bodies
-            .map(|(number, body)| body.aside(&system.body(rest, number).pose))
-            .collect(),
-    };
-    placement.carry(network);
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let lines = balance(network, &freedoms, &placement, LinePhysics::Full, None);
-    let lines = lines
-        .map_err(|unsolved| refused_at_rest(network, &SystemError::Line(unsolved)))?
-        .lines;
-    let (_, mut state) = at_rest(network.clone(), &placement, &lines);
-    system.prescribe(0.0, &mut state);
-    still(&mut state);
-    system.follow(&mut state);
-    state.joints.memory.grips = system.anchors(&state.joints);
-    Ok(state)
+/// A system whose lines are divided, at rest.
+struct DividedAtRest {
+    /// The system.
+    network: Network,
+    /// The same with what begins where the file puts it held there.
+    held: Network,
+    /// Where everything rests then.
+    placement: Placement,
+    /// Its lines.
+    lines: Vec<LineAtRest>,
 }
 
-/// The divided lines, each at rest between its ends where the system rests, with what is moved where it is at time zero. Friction of the bed acts
-/// by springs from where a line was laid: for these ends.
+/// The divided lines, each at rest between its ends where the system rests, with what is moved, or placed by the file, where it is at time
+/// zero. Friction of the bed acts by springs from where a line was laid: for these ends.
 fn divided_at_rest(
     file: &SystemFile,
     parts: &AgedParts,
     solved: &SolvedSystem,
-) -> Result<(Network, Placement, Vec<LineAtRest>), UnsolvedSystem> {
-    let closed = moved_to_start(file, parts, Divided::WhereNeeded)?;
+) -> Result<DividedAtRest, UnsolvedSystem> {
+    let closed = held(&moved_to_start(file, parts, Divided::WhereNeeded)?);
     let mut placement = breaks::placed(solved, &closed);
     let given = placement.clone();
     carried(&closed, &mut placement);
-    if placement != given {
+    if placement != given && Freedoms::of(&closed, UnknownBodies::Free).count > 0 {
         placement = rest_from(&closed, &placement)?.placement;
     }
-    let network = moved_to_start(file, parts, Divided::All)?;
-    let freedoms = Freedoms::of(&network, UnknownBodies::Free);
-    let lines = balance(&network, &freedoms, &placement, LinePhysics::Full, None);
+    let mut network = moved_to_start(file, parts, Divided::All)?;
+    measure(&mut network, solved, &given);
+    let held = held(&network);
+    let freedoms = Freedoms::of(&held, UnknownBodies::Free);
+    let lines = balance(&held, &freedoms, &placement, LinePhysics::Full, None);
     let lines = lines
-        .map_err(|unsolved| refused_at_rest(&network, &SystemError::Line(unsolved)))?
+        .map_err(|unsolved| refused_at_rest(&held, &SystemError::Line(unsolved)))?
         .lines;
-    Ok((network, placement, lines))
+    Ok(DividedAtRest {
+        network,
+        held,
+        placement,
+        lines,
+    })
 }
 
 /// The system with what is moved where it is at time zero.
@@ -192,7 +196,7 @@ fn longest(network: &Network) -> f64 {
 }
 
 /// The system and its state there.
-fn at_rest(
+pub(super) fn at_rest(
     network: Network,
     placement: &Placement,
     lines: &[LineAtRest],
@@ -250,7 +254,7 @@ pub(super) fn state_of(
 }
 
 /// Takes all velocities and accelerations out.
-fn still(state: &mut SystemState) {
+pub(super) fn still(state: &mut SystemState) {
     for part in state.parts_mut() {
         part.v.fill(V3::zeros());
         part.a.fill(V3::zeros());
