@@ -5,3 +5,4 @@
 mod equilibrium;
 mod loads_without_effect;
 mod loud;
+mod start;

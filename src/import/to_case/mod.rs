@@ -10,6 +10,7 @@ pub mod motion;
 pub mod names;
 pub mod points;
 pub mod sea;
+pub mod start;
 pub mod unmodelled;
 
 use self::case_text::{CaseText, text};
@@ -96,6 +97,7 @@ pub fn case_of(
     bodies::write_rods(&mut case, &context);
     points::write(&mut case, &context);
     lines::write(&mut case, &context);
+    start::write(&mut case, &context);
     context.motion.write_run(&mut case);
     sea::write_depths(&mut case, mooring);
     if let Some(file) = current_file {
@@ -170,6 +172,7 @@ fn head(
     }
     notes.extend(mooring.remarks.iter().cloned());
     notes.extend(context.motion.remarks.iter().cloned());
+    notes.extend(start::remarks(context));
     let is_pinned = |hold: &Hold| *hold == Hold::Pinned(Box::new(Hold::Fixed));
     if mooring
         .bodies

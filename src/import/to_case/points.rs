@@ -2,6 +2,7 @@
 
 use super::case_text::{CaseText, number, numbers, text};
 use super::joints::is_inside;
+use super::start::is_dropped;
 use super::{Context, is_in_air};
 use crate::import::mooring::{Attachment, Given, Hold, Point, Rod};
 
@@ -23,7 +24,8 @@ pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
         // Without lines points say where places of bodies are.
         let is_place =
             context.mooring.lines.is_empty() && matches!(point.hold.value, Hold::Body(_));
-        if is_place || context.is_used(Attachment::Point(number_of)) {
+        let is_written = is_place || is_dropped(context, number_of);
+        if is_written || context.is_used(Attachment::Point(number_of)) {
             let header = format!("[points.{}]", context.names.points[number_of]);
             case.table(&header, Some(&point.span));
             one_point(case, context, number_of, point);
