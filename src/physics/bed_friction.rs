@@ -96,9 +96,48 @@ pub struct FrictionContact<'a> {
     pub x: &'a V3,
     /// Velocity of the node \[m/s\].
     pub v: &'a V3,
+    /// How the bed turns below the node, over a grid of depths; nothing on a plane.
+    pub curved: Option<CurvedContact>,
+}
+
+/// A contact on a bed that curves: its push acts along the gradient g of the height above the bed, whose length is not 1, and the normal
+/// turns with the place.
+#[derive(Debug, Clone, Copy)]
+pub struct CurvedContact {
+    /// Force of the bed along its normal, `|g| P` \[N\].
+    pub push: f64,
+    /// Its derivative by the position \[N/m\].
+    pub push_by_position: V3,
+    /// Its derivative by the velocity \[N s/m\].
+    pub push_by_velocity: V3,
+    /// Derivative of the normal by the position \[1/m\].
+    pub normal_by_position: M3,
 }
 
 impl FrictionContact<'_> {
+    /// Force of the bed along its normal \[N\].
+    #[inline]
+    fn limit(&self) -> f64 {
+        self.curved.map_or(self.push.force, |curved| curved.push)
+    }
+
+    /// Derivatives of that force by position \[N/m\] and velocity \[N s/m\].
+    #[inline]
+    fn limit_slopes(&self) -> [V3; 2] {
+        match &self.curved {
+            Some(curved) => [curved.push_by_position, curved.push_by_velocity],
+            None => [self.push.by_height, self.push.by_speed].map(|slope| self.normal * slope),
+        }
+    }
+
+    /// What the turning of the bed below the node adds to the derivative by its position of the part of `vector` along the bed:
+    /// with the normal n and its derivative D, `-(n.w) D - n (D' w)'`.
+    fn turning(&self, vector: &V3) -> Option<M3> {
+        let by_position = self.curved?.normal_by_position;
+        let across = outer(self.normal, &(by_position.transpose() * vector));
+        Some(-(by_position * self.normal.dot(vector) + across))
+    }
+
     /// The part of a vector along the bed.
     #[inline]
     fn along_bed(&self, vector: &V3) -> V3 {
@@ -107,6 +146,15 @@ impl FrictionContact<'_> {
 
     fn projector(&self) -> M3 {
         M3::identity() - outer(self.normal, self.normal)
+    }
+
+    /// A vector along the bed, but for the direction of a line laid elsewhere on a bed that curves, without that part.
+    #[inline]
+    fn in_bed(&self, vector: V3) -> V3 {
+        match self.curved {
+            Some(_) => self.along_bed(&vector),
+            None => vector,
+        }
     }
 }
 
@@ -137,6 +185,19 @@ impl Friction {
         }
     }
 
+    /// The same with the secant of a grip that slides: see [`Friction::grip_with_secant`].
+    #[must_use]
+    pub fn with_secant(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: Option<&FrictionAnchor>,
+    ) -> Option<FrictionForce> {
+        match self.law {
+            FrictionModel::ElasticPlastic(_) => grip.map(|grip| self.grip_with_secant(c, grip)),
+            FrictionModel::Regularised(_) => self.with_tangent(c, grip),
+        }
+    }
+
     /// Force by the grip, without derivatives \[N\], and whether the node slides.
     #[inline]
     #[must_use]
@@ -150,13 +211,35 @@ impl Friction {
     #[inline]
     #[must_use]
     pub fn grip(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> FrictionForce {
+        self.linearised(c, grip, false)
+    }
+
+    /// The same with the secant of a grip that slides in the place of its derivative: `limit/s` in all directions along the bed,
+    /// also in that of the pull, in which the force itself does not change. Iterations with it do not overshoot (Kačanov's
+    /// method), but converge in proportion only.
+    #[must_use]
+    pub fn grip_with_secant(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: &FrictionAnchor,
+    ) -> FrictionForce {
+        self.linearised(c, grip, true)
+    }
+
+    #[inline(always)]
+    fn linearised(
+        &self,
+        c: &FrictionContact<'_>,
+        grip: &FrictionAnchor,
+        secant: bool,
+    ) -> FrictionForce {
         let MobilisedGrip {
             pull,
             s,
             force,
             slides,
         } = self.mobilise(c, grip);
-        let limit = c.push.force;
+        let limit = c.limit();
         if limit <= 0.0 {
             return FrictionForce {
                 force,
@@ -167,32 +250,51 @@ impl Friction {
         }
         let mut by_pull = c.projector();
         if !slides {
-            return FrictionForce {
+            let mut held = FrictionForce {
                 force,
                 by_position: by_pull * -grip.stiffness,
                 by_velocity: by_pull * -grip.damping,
                 slides,
             };
+            if let Some(turning) = c.turning(&free_pull(c, grip)) {
+                held.by_position += turning;
+            }
+            return held;
         }
+        let turned = match secant {
+            true => V3::zeros(),
+            false => self.turned(&pull, grip) / (s * s),
+        };
+        by_pull = (by_pull - outer(&pull, &c.in_bed(turned))) * (limit / s);
+        let [by_position, by_velocity] = c.limit_slopes();
+        let by_push = pull / s;
+        let mut found = FrictionForce {
+            force,
+            by_position: outer(&by_push, &by_position) - by_pull * grip.stiffness,
+            by_velocity: outer(&by_push, &by_velocity) - by_pull * grip.damping,
+            slides,
+        };
+        if let Some(turning) = c.turning(&free_pull(c, grip)) {
+            let across = outer(&pull, &(turning.transpose() * turned));
+            found.by_position += (turning - across) * (limit / s);
+        }
+        found
+    }
+
+    /// Half the derivative of `s²` by the pull.
+    #[inline]
+    fn turned(&self, pull: &V3, grip: &FrictionAnchor) -> V3 {
         let (mut a, l) = (1.0 / self.axial.max(LEAST), 1.0 / self.lateral.max(LEAST));
         if grip.laid && pull.dot(&grip.along) > 0.0 {
             a = 0.0;
         }
-        let turned = pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l));
-        by_pull = (by_pull - outer(&pull, &(turned / (s * s)))) * (limit / s);
-        let by_push = outer(&(pull / s), c.normal);
-        FrictionForce {
-            force,
-            by_position: by_push * c.push.by_height - by_pull * grip.stiffness,
-            by_velocity: by_push * c.push.by_speed - by_pull * grip.damping,
-            slides,
-        }
+        pull * (l * l) + grip.along * (pull.dot(&grip.along) * (a * a - l * l))
     }
 
     /// What of the pull of a grip friction bears.
     #[inline(always)]
     fn mobilise(&self, c: &FrictionContact<'_>, grip: &FrictionAnchor) -> MobilisedGrip {
-        let limit = c.push.force;
+        let limit = c.limit();
         if limit <= 0.0 {
             return MobilisedGrip {
                 slides: true,
@@ -263,7 +365,7 @@ impl Friction {
             ..*grip
         };
         let (force, _) = self.grip_force(c, grip);
-        self.mobilised(&force, &free) > c.push.force * (1.0 + 1e-6)
+        self.mobilised(&force, &free) > c.limit() * (1.0 + 1e-6)
     }
 
     /// Force by the regularised law, with its derivatives.
@@ -277,20 +379,36 @@ impl Friction {
         if slides {
             by_v -= v * v.transpose() / (speed * speed);
         }
-        let by_push = share * c.normal.transpose();
-        FrictionForce {
-            force: share * c.push.force,
-            by_position: by_push * c.push.by_height,
-            by_velocity: by_push * c.push.by_speed - by_v * (self.axial * c.push.force / size),
+        let limit = c.limit();
+        let [by_position, by_velocity] = c.limit_slopes();
+        let mut found = FrictionForce {
+            force: share * limit,
+            by_position: outer(&share, &by_position),
+            by_velocity: outer(&share, &by_velocity) - by_v * (self.axial * limit / size),
             slides,
+        };
+        if let Some(turning) = c.turning(c.v) {
+            let across = if slides {
+                v * (v.transpose() * turning) / (speed * speed)
+            } else {
+                M3::zeros()
+            };
+            found.by_position -= (turning - across) * (self.axial * limit / size);
         }
+        found
     }
 }
 
 /// What spring and damper of a grip would pull \[N\].
 #[inline]
 fn pull(c: &FrictionContact<'_>, grip: &FrictionAnchor) -> V3 {
-    c.along_bed(&((grip.at - c.x) * grip.stiffness - c.v * grip.damping))
+    c.along_bed(&free_pull(c, grip))
+}
+
+/// The same with its part across the bed, which does not count \[N\].
+#[inline]
+fn free_pull(c: &FrictionContact<'_>, grip: &FrictionAnchor) -> V3 {
+    (grip.at - c.x) * grip.stiffness - c.v * grip.damping
 }
 
 #[cfg(test)]
@@ -396,6 +514,7 @@ mod tests {
             push: &push,
             x: &x,
             v: &v,
+            curved: None,
         };
         let along = (V3::x() - normal * normal.x).normalize();
         for (off, slides) in [(0.01, false), (0.2, true)] {

@@ -5,7 +5,7 @@
 //! slopes: k is the bed's stiffness per area times the diameter and length of line that the node stands for. Along
 //! the bed acts [`Friction`], where there is any.
 
-use super::bed_friction::Friction;
+use super::bed_friction::{CurvedContact, Friction};
 use super::bed_reaction::BedReaction;
 use crate::numerics::lanes::outer;
 use std::sync::Arc;
@@ -90,6 +90,29 @@ impl ElasticBed {
         let gradient = self.gradient(x);
         let (size, normal) = (gradient.norm(), gradient.normalize());
         Some((M3::identity() - outer(&normal, &normal)) * curvature / size)
+    }
+
+    /// What friction needs to know of a push by the bed over a grid: with the gradient g of the height h, its curvature C and the
+    /// push P(h, g.v), the force along the normal is `|g| P`. Nothing on a plane.
+    #[inline]
+    #[must_use]
+    pub fn curved(&self, x: &V3, v: &V3, push: &BedReaction) -> Option<CurvedContact> {
+        let curvature = self.curvature(x)?;
+        let gradient = self.gradient(x);
+        let (size, normal) = (gradient.norm(), gradient.normalize());
+        let by_place = gradient * push.by_height + curvature * v * push.by_speed;
+        Some(CurvedContact {
+            push: size * push.force,
+            push_by_position: by_place * size + curvature * normal * push.force,
+            push_by_velocity: gradient * (push.by_speed * size),
+            normal_by_position: (M3::identity() - outer(&normal, &normal)) * curvature / size,
+        })
+    }
+
+    /// Whether it has depths over a grid, and no friction.
+    #[must_use]
+    pub fn is_smooth_grid(&self) -> bool {
+        self.grid.is_some() && self.friction.is_none()
     }
 
     /// The direction in which a node is put back onto the bed, a metre higher for a metre of it.

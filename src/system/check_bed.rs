@@ -4,7 +4,7 @@ use super::model::SystemKeys;
 use crate::case::schema::Key;
 use crate::case::{BedInterpolation, Finding};
 
-/// Friction is not computed over a grid of depths.
+/// Friction of points and bodies is not computed over a grid of depths.
 const FRICTION: &str = "is not computed on a bed with a grid of depths";
 
 /// Keys of a bed with a grid of depths, or without one, that have no effect or are not computed with it.
@@ -19,14 +19,9 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
         let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
         return given.filter(|_| differs).into_iter().collect();
     }
-    let own = std::iter::once(&bed.friction);
     let points = keys.points.iter().map(|(_, point)| &point.bed_friction);
     let bodies = keys.bodies.iter().map(|(_, body)| &body.bed_friction);
-    let given = own.chain(points).chain(bodies);
-    let mut found: Vec<Finding> = given.filter_map(without_friction).collect();
-    let lines = keys.lines.iter().map(|(_, line)| &line.friction);
-    found.extend(lines.filter_map(without_friction));
-    found
+    points.chain(bodies).filter_map(without_friction).collect()
 }
 
 fn without_friction(key: &Key<'_, f64>) -> Option<Finding> {

@@ -133,32 +133,48 @@ fn a_chain_up_a_slope_meets_the_closed_form() {
     );
 }
 
-/// Part of the line below hills.
+/// Part of the line below hills, without friction, held by it and sliding.
 #[test]
 fn tangent_over_hills() {
     let table = depths(|x, y| 20.0 + 8.0 * (0.02 * x).sin() * (0.015 * y).cos() - 0.1 * x);
-    let numbers = [0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9];
     for way in ["smooth", "bilinear"] {
-        let bed = format!(
-            "[seabed]\ndepth_m = 20.0\ndepth_file = \"bed.csv\"\ninterpolation = \"{way}\"\nstiffness_n_per_m3 = 1e4\ndamping_n_s_per_m3 = 500.0\n[files]\n{}\n[ends.a]",
-            table.trim_start_matches("files.")
-        );
-        let text = LINE.replace("\"NORMAL\"", "1.2").replace("[ends.a]", &bed);
-        let scene = scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap();
-        for speed in [0.05, 0.9, 5.0] {
-            let state = state(&scene, &numbers, 0.03, speed);
-            let touching = (0..state.x.len())
-                .any(|i| scene.elements.bed.as_ref().unwrap().height(&state.x[i]) < 0.0);
-            assert!(touching, "no node is below the bed");
-            for (mass, damping, stiffness) in [(0.0, 0.0, 1.0), (3.0, 0.5, 1.0)] {
-                let c = Factors {
-                    mass,
-                    damping,
-                    stiffness,
-                };
-                let off = mismatch(&scene, &state, c);
-                assert!(off < 1e-5, "{way} {speed} {c:?}: {off}");
-            }
+        for friction in [
+            "",
+            "friction = 0.5",
+            "friction = 1e-3",
+            "friction = 2e-3\nfriction_lateral = 5e-3",
+            "friction = 0.3\nfriction_law = \"zhu-2017\"\nslip_speed_m_per_s = 0.5",
+        ] {
+            let bed = format!(
+                "[seabed]\ndepth_m = 20.0\ndepth_file = \"bed.csv\"\ninterpolation = \"{way}\"\nstiffness_n_per_m3 = 1e4\ndamping_n_s_per_m3 = 500.0\n{friction}\n[files]\n{}\n[ends.a]",
+                table.trim_start_matches("files.")
+            );
+            let text = LINE.replace("\"NORMAL\"", "1.2").replace("[ends.a]", &bed);
+            let scene = scene::build(&seacable::case::parse_keys(&text).unwrap(), 1).unwrap();
+            assert_tangent_over_hills(&scene, &format!("{way} {friction}"));
+        }
+    }
+}
+
+fn assert_tangent_over_hills(scene: &Scene, what: &str) {
+    let numbers = [0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9];
+    for (laid, speed) in [(false, 0.05), (true, 0.05), (false, 0.9), (false, 5.0)] {
+        let mut state = state(scene, &numbers, 0.03, speed);
+        for grip in &mut state.memory.grips {
+            grip.laid = laid;
+            grip.at += V3::new(0.1, -0.2, 0.3);
+        }
+        let touching = (0..state.x.len())
+            .any(|i| scene.elements.bed.as_ref().unwrap().height(&state.x[i]) < 0.0);
+        assert!(touching, "no node is below the bed");
+        for (mass, damping, stiffness) in [(0.0, 0.0, 1.0), (3.0, 0.5, 1.0)] {
+            let c = Factors {
+                mass,
+                damping,
+                stiffness,
+            };
+            let off = mismatch(scene, &state, c);
+            assert!(off < 1e-5, "{what} {laid} {speed} {c:?}: {off}");
         }
     }
 }

@@ -68,11 +68,7 @@ fn grid(bed: &SeabedKeys<'_>) -> Vec<Finding> {
     }
     let problem = "has no effect: the bed has the depths of depth_file";
     let slope = bed.slope_deg.if_given(problem, "remove it, or depth_file");
-    let friction = bed.friction.if_given(
-        "is not computed on a bed with a grid of depths",
-        "remove it, or give a plane by depth_m and slope_deg",
-    );
-    slope.into_iter().chain(friction).collect()
+    slope.into_iter().collect()
 }
 
 /// Where a level bed is how deep, and which way it does not rise. Zero says no more than nothing.

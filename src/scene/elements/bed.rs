@@ -7,7 +7,9 @@ use crate::case::{self, FrictionLaw};
 use crate::numerics::lanes::outer;
 use crate::numerics::{BlockBand, V3};
 use crate::physics::ElasticBed;
-use crate::physics::bed_friction::{Friction, FrictionAnchor, FrictionContact, FrictionModel};
+use crate::physics::bed_friction::{
+    Friction, FrictionAnchor, FrictionContact, FrictionForce, FrictionModel,
+};
 use crate::physics::bed_reaction::BedReaction;
 use crate::scene::element::{At, Element};
 use crate::scene::{EndCondition, LumpedLine, Segment};
@@ -23,6 +25,8 @@ pub struct BedContact {
     pub seabed: ElasticBed,
     /// Contact area of every node, diameter times length \[m²\].
     pub footprint: Vec<f64>,
+    /// Whether iterations take the secant of friction for its derivative, as where line slides far at rest.
+    pub secant: bool,
 }
 
 /// The half of a segment at one of its nodes, and what acts on it beside the bed.
@@ -121,12 +125,7 @@ impl Element for BedContact {
                 let [by_position, by_velocity] = bed.slopes(x, v, &push);
                 *block -= by_position * c.stiffness + by_velocity * c.damping;
             }
-            if let Some(friction) = &bed.friction
-                && let Some(held) = friction.with_tangent(
-                    &contact(&normal, &push, i, state),
-                    state.memory.grips.get(i),
-                )
-            {
+            if let Some(held) = self.friction_on(i, (&normal, &push), state) {
                 force += held.force;
                 *block -= held.by_position * c.stiffness + held.by_velocity * c.damping;
             }
@@ -183,7 +182,7 @@ impl Element for BedContact {
                 continue;
             };
             let force = law.force(
-                &contact(&normal, &push, i, state),
+                &contact(bed, (&normal, &push), i, state),
                 state.memory.grips.get(i),
             );
             taken -= force.dot(v);
@@ -204,7 +203,7 @@ impl Element for BedContact {
             let along = state.x[after] - state.x[before];
             let area = self.footprint[i];
             let hold = (stiffness * area, bed.damping * area);
-            let c = contact(&normal, &push, i, state);
+            let c = contact(bed, (&normal, &push), i, state);
             let grip = friction.slide_grip(&c, &state.memory.grips[i], hold, &along);
             state.memory.grips[i] = grip;
         }
@@ -217,6 +216,7 @@ impl BedContact {
         Self {
             seabed: seabed(bed, files),
             footprint: footprint(segments),
+            secant: false,
         }
     }
 
@@ -232,6 +232,23 @@ impl BedContact {
         match friction.law {
             FrictionModel::ElasticPlastic(stiffness) => Some((friction, stiffness)),
             FrictionModel::Regularised(_) => None,
+        }
+    }
+
+    /// Friction on node i with its derivatives, or with its secant; nothing without friction, or where nothing holds.
+    #[inline]
+    pub(super) fn friction_on(
+        &self,
+        i: usize,
+        (normal, push): (&V3, &BedReaction),
+        state: &State,
+    ) -> Option<FrictionForce> {
+        let friction = self.seabed.friction.as_ref()?;
+        let contact = contact(&self.seabed, (normal, push), i, state);
+        let grip = state.memory.grips.get(i);
+        match self.secant {
+            true => friction.with_secant(&contact, grip),
+            false => friction.with_tangent(&contact, grip),
         }
     }
 
@@ -259,7 +276,7 @@ impl BedContact {
         let normal = self.seabed.normal(&state.x[i]);
         let along = self.seabed.friction.as_ref().map_or_else(V3::zeros, |law| {
             law.force(
-                &contact(&normal, &push, i, state),
+                &contact(&self.seabed, (&normal, &push), i, state),
                 state.memory.grips.get(i),
             )
         });
@@ -343,8 +360,8 @@ impl BedContact {
         let normal = self.seabed.normal(&at.state.x[node]);
         let push = normal * (-normal.dot(&(pull + load))).max(0.0);
         let beside = if end == 0 { 1 } else { last - 1 };
-        // Over a grid there is no friction, and the push on that node has another direction.
-        if beside == 0 || beside == last || self.seabed.grid.is_some() {
+        // Over a grid that node is pushed another way, which is no friction.
+        if beside == 0 || beside == last || self.seabed.is_smooth_grid() {
             return push;
         }
         let force = self.force(beside, at.state);
@@ -387,7 +404,8 @@ impl BedContact {
             let grip = state.memory.grips.get(i);
             push.force > 0.0
                 && grip.is_some_and(|grip| {
-                    friction.exceeds_friction(&contact(&normal, &push, i, state), grip)
+                    let contact = contact(&self.seabed, (&normal, &push), i, state);
+                    friction.exceeds_friction(&contact, grip)
                 })
         })
     }
@@ -399,18 +417,20 @@ impl BedContact {
     }
 }
 
-/// Contact at node i.
-pub(super) fn contact<'a>(
-    normal: &'a V3,
-    push: &'a BedReaction,
+/// Contact at node i, with the normal of the bed there and its push.
+fn contact<'a>(
+    bed: &ElasticBed,
+    (normal, push): (&'a V3, &'a BedReaction),
     i: usize,
     state: &'a State,
 ) -> FrictionContact<'a> {
+    let (x, v) = (&state.x[i], &state.v[i]);
     FrictionContact {
         normal,
         push,
-        x: &state.x[i],
-        v: &state.v[i],
+        x,
+        v,
+        curved: bed.curved(x, v, push),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The derivative of the force on an end that is held on the bed.
 
-use super::bed::{BedContact, contact};
+use super::bed::BedContact;
 use crate::numerics::lanes::outer;
 use crate::numerics::{BlockBand, M3, V3};
 use crate::scene::element::At;
@@ -31,7 +31,7 @@ impl BedContact {
         let load = -r - self.force(node, at.state);
         tangent.diag[node] += self.force_by_position(node, at.state);
         let beside = if node == 0 { 1 } else { last - 1 };
-        let rubs = beside != 0 && beside != last && self.seabed.grid.is_none();
+        let rubs = beside != 0 && beside != last && !self.seabed.is_smooth_grid();
         let by_beside = rubs.then(|| self.force(beside, at.state));
         let normal = self.seabed.normal(&at.state.x[node]);
         let slopes = slopes_of_end_force(&normal, &load, by_beside);
@@ -56,13 +56,9 @@ impl BedContact {
         let push = self.push(i, state);
         let normal = self.seabed.normal(&state.x[i]);
         let [slope, _] = self.seabed.slopes(&state.x[i], &state.v[i], &push);
-        let friction = self.seabed.friction.as_ref().filter(|_| push.force > 0.0);
-        let friction = friction.and_then(|law| {
-            law.with_tangent(
-                &contact(&normal, &push, i, state),
-                state.memory.grips.get(i),
-            )
-        });
+        let rubs = push.force > 0.0;
+        let friction = rubs.then(|| self.friction_on(i, (&normal, &push), state));
+        let friction = friction.flatten();
         friction.map_or(slope, |friction| slope + friction.by_position)
     }
 }

@@ -288,11 +288,13 @@ impl BodyContact {
         state: &State,
         law: impl FnOnce(&FrictionContact<'_>) -> T,
     ) -> T {
+        let (x, v) = (&body.bottom(&state.x), &body.motion(&state.v));
         law(&FrictionContact {
             normal: &self.normal(body, state),
             push,
-            x: &body.bottom(&state.x),
-            v: &body.motion(&state.v),
+            x,
+            v,
+            curved: self.seabed.curved(x, v, push),
         })
     }
 

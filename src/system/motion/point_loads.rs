@@ -253,6 +253,7 @@ fn contact<'a>(push: &'a BedReaction, (x, v): (&'a V3, &'a V3)) -> FrictionConta
         push,
         x,
         v,
+        curved: None,
     }
 }
 

@@ -128,6 +128,7 @@ fn friction_is_coulombs_above_the_limiting_speed_and_in_proportion_below() {
             push: &push,
             x: &V3::zeros(),
             v: &velocity,
+            curved: None,
         };
         let expected = along * (-0.7 * 2e3 * (speed / 0.01_f64).min(1.0));
         let found = law.regularised(&contact, 0.01);
