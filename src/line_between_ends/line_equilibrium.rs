@@ -1,7 +1,7 @@
 //! What is known of a line at rest between two ends.
 
 use crate::numerics::{EndBlocks, M3, V3};
-use crate::scene::Scene;
+use crate::scene::{LaidFrom, Scene};
 use crate::solve::State;
 use crate::statics::equilibrium::Equilibrium;
 
@@ -39,6 +39,8 @@ pub struct LineEquilibrium {
     pub unstable_directions: usize,
     /// Whether the equilibrium is that of a bed without friction, since none was found with it.
     pub friction_released: bool,
+    /// Where it was laid from, if it lies on the bed from end to end.
+    pub laid_from: LaidFrom,
 }
 
 impl LineEquilibrium {
@@ -62,6 +64,7 @@ impl LineEquilibrium {
             iterations: found.iterations,
             unstable_directions,
             friction_released: found.friction_released,
+            laid_from: scene.start.laid_from,
         }
     }
 

@@ -24,7 +24,9 @@ pub fn mesh_error(case: &Case, line: &LineEquilibrium) -> Result<[f64; 2], LineE
         section.segments *= 2;
     }
     let [a, b] = line.ends_m();
-    let fine = LineBetweenEnds::new(&finer)?.solve(a, b)?;
+    let mut finer = LineBetweenEnds::new(&finer)?;
+    finer.lay_from(line.laid_from);
+    let fine = finer.solve(a, b)?;
     let order = if has_crisis(case) {
         ORDER_OF_CRISIS
     } else {

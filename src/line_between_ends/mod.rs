@@ -44,7 +44,7 @@ pub use mesh_error::mesh_error;
 
 use crate::case::{Case, End, EndKind};
 use crate::numerics::{BlockBand, Condensation, EndBlocks, M3, V3};
-use crate::scene::{self, Scene};
+use crate::scene::{self, LaidFrom, Scene};
 use crate::solve::{Kinematics, Newton, Residual, State};
 use crate::statics::equilibrium::{Equilibrium, EquilibriumSearch};
 
@@ -158,6 +158,12 @@ impl LineBetweenEnds {
     pub fn lay(&mut self) {
         self.laid = false;
         self.unstable = None;
+    }
+
+    /// Where the line was laid from if it lies on the bed from end to end, the next time that it is laid. Between ends that are
+    /// held, as those of a line by itself, it has no friction.
+    pub fn lay_from(&mut self, from: LaidFrom) {
+        self.scene.start.laid_from = from;
     }
 
     /// The scene of the line with its ends held, and its last equilibrium.

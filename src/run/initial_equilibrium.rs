@@ -26,11 +26,6 @@ pub(super) fn find_equilibrium(
         return Ok(());
     }
     search(scene, state, cancel, (work, warnings))?;
-    if let Some(node) = scene.sliding_node(state) {
-        return Err(format!(
-            "the line has no equilibrium: at node {node} it slides down the slope, which friction on the bed does not bear"
-        ));
-    }
     check_equilibrium(scene, state, warnings)
 }
 

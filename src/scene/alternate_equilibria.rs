@@ -74,16 +74,16 @@ impl Scene {
 
     /// Length of those of these segments that have no tension \[m\].
     fn untensioned(&self, state: &State, among: impl Fn(usize) -> bool) -> f64 {
-        let slack = |i: usize| {
-            self.line
-                .tension_now(i, &self.line.chord(i, state), state)
-                .value
-                <= 1e-6 * self.line.force_scale
-        };
         let lengths = self.line.segments.iter().enumerate();
         lengths
-            .filter(|(i, _)| among(*i) && slack(*i))
+            .filter(|(i, _)| among(*i) && self.is_slack(*i, state))
             .map(|(_, s)| s.axial.length)
             .sum()
+    }
+
+    /// Whether segment i has no tension.
+    pub(super) fn is_slack(&self, i: usize, state: &State) -> bool {
+        let tension = self.line.tension_now(i, &self.line.chord(i, state), state);
+        tension.value <= 1e-6 * self.line.force_scale
     }
 }

@@ -9,7 +9,7 @@ use super::error::SceneError;
 use super::labels::{Joint, Labels};
 use super::line::{AttachedBody, LumpedLine, Segment};
 use super::scene::{InitialState, Scene};
-use super::{bodies, buoyancy, ends, event, initial_shape, mesh, unused_inputs, waves};
+use super::{LaidFrom, bodies, buoyancy, ends, event, initial_shape, mesh, unused_inputs, waves};
 use crate::case::{self, Attachment, Case, DragLength, DragWidth, OneOrMany, StartShape};
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
@@ -73,6 +73,7 @@ pub fn build(case: &Case, coarsening: usize) -> Result<Scene, SceneError> {
 
 /// Sets the positions, tensions and friction springs at time zero.
 fn add_start(case: &Case, scene: &mut Scene) -> Result<(), SceneError> {
+    scene.start.laid_from = LaidFrom::of_line(&scene.line);
     let guess = initial_shape::start(case, scene)?;
     scene.start.grips = if scene.start.in_equilibrium {
         let friction = scene.initial_friction(&guess.nodes, &guess.tension);

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::element::Element;
-use super::elements::BodyContact;
+use super::elements::{BedContact, BodyContact};
 use super::{EndCondition, Scene};
 use crate::numerics::{BlockBand, V3};
 use crate::solve::{
@@ -210,6 +210,50 @@ impl StaticSearch for Scene {
         scene.elements.body_contact = bodies.map(BodyContact::without_friction);
         scene.start.grips.clear();
         Some(scene)
+    }
+
+    fn sliding_node(&self, state: &State) -> Option<usize> {
+        self.elements.bed.as_ref()?.sliding_node(self.free(), state)
+    }
+
+    fn flows_over_rough_bed(&self) -> bool {
+        let holds = self.start.grips.iter().any(|grip| grip.stiffness > 0.0);
+        holds && self.line.current.max_speed() > 0.0
+    }
+
+    fn with_secant_friction(&self) -> Option<Self> {
+        let bed = self.elements.bed.as_ref()?;
+        bed.seabed.friction?;
+        let mut scene = self.clone();
+        scene.elements.bed = Some(BedContact {
+            secant: true,
+            ..bed.clone()
+        });
+        Some(scene)
+    }
+
+    fn slides_slack(&self, state: &State) -> bool {
+        let Some(bed) = self.elements.bed.as_ref() else {
+            return false;
+        };
+        let friction = bed.seabed.friction.map_or(0.0, |friction| friction.axial);
+        self.sliding_node(state).is_some_and(|node| {
+            let normal = bed.seabed.normal(&state.x[node]);
+            let steep = (1.0 - normal.z * normal.z).max(0.0).sqrt() > friction * normal.z;
+            let beside = [
+                node.saturating_sub(1),
+                node.min(self.line.segments.len() - 1),
+            ];
+            steep && beside.iter().any(|i| self.is_slack(*i, state))
+        })
+    }
+
+    fn pulls_on_bed(&self, state: &State) -> bool {
+        let Some(bed) = self.elements.bed.as_ref() else {
+            return false;
+        };
+        let mut lying = self.free().filter(|i| bed.push(*i, state).force > 0.0);
+        lying.any(|node| !self.is_slack(node.min(self.line.segments.len() - 1), state))
     }
 
     fn reset_friction(&self, state: &mut State) {

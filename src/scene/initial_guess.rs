@@ -1,7 +1,7 @@
 //! Initial guess at an equilibrium: the closed-form catenary in the resultant of weight and mean drag, or a line hanging from one
 //! end.
 
-use super::{EndCondition, Scene};
+use super::{EndCondition, LaidFrom, Scene};
 use crate::numerics::V3;
 use crate::physics::ElasticBed;
 use crate::physics::bed_friction::{Friction, FrictionModel};
@@ -112,9 +112,13 @@ impl Scene {
         };
         let up = -down;
         let bed = self.seabed().map(|bed| bed.plane_below(&from, &to));
+        let bed = bed.map(|bed| self.rubbing(bed, [&from, &to]));
         let bed = bed.as_ref();
-        let reversed =
-            bed.is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to));
+        let lying = bed.is_some() && self.lies(&from) && self.lies(&to);
+        let reversed = match self.start.laid_from {
+            LaidFrom::Share(share) if lying => share > 0.5,
+            _ => bed.is_some_and(|bed| !bed.is_plain() && bed.height(&from) > bed.height(&to)),
+        };
         let sections = self.sections(&down, &mean, of_laws, reversed);
         let (first, last) = if reversed { (to, from) } else { (from, to) };
         let chord = last - first;
@@ -142,6 +146,19 @@ impl Scene {
             nodes: self.line.arc.iter().map(place).collect(),
             tension: self.line.arc.windows(2).map(middle).collect(),
         })
+    }
+
+    /// The bed, without friction where a line that lies on it from end to end was not laid from one of them.
+    fn rubbing(&self, bed: ElasticBed, ends: [&V3; 2]) -> ElasticBed {
+        let from_end =
+            matches!(self.start.laid_from, LaidFrom::Share(share) if share <= 0.0 || share >= 1.0);
+        match from_end || !ends.iter().all(|end| self.lies(end)) {
+            true => bed,
+            false => ElasticBed {
+                friction: None,
+                ..bed
+            },
+        }
     }
 
     /// A stiffness for every law \[N\]: at the mean tension of its segments in a guess, or that of the whole law.

@@ -56,6 +56,7 @@ pub use elements::{
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;
 pub use event::{SceneChange, SceneEvent};
+pub use initial_bed_friction::LaidFrom;
 pub use irregular_record::IrregularRecord;
 pub use labels::{Joint, Labels};
 pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};

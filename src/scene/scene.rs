@@ -2,7 +2,7 @@
 
 use super::element::At;
 use super::elements::Elements;
-use super::{LumpedLine, SceneEvent, labels::Labels};
+use super::{LaidFrom, LumpedLine, SceneEvent, labels::Labels};
 use crate::numerics::V3;
 use crate::physics::{CurrentProfile, ElasticBed, FrictionAnchor, PipeWall};
 use crate::solve::{Kinematics, State};
@@ -33,6 +33,8 @@ pub struct InitialState {
     pub tension: Vec<f64>,
     /// Friction springs of the bed; empty without.
     pub grips: Vec<FrictionAnchor>,
+    /// Where it was laid from, if it lies on the bed from end to end.
+    pub laid_from: LaidFrom,
     /// Velocity of all free nodes \[m/s\].
     pub velocity: V3,
     /// Whether the line starts in equilibrium.
@@ -124,12 +126,6 @@ impl Scene {
     #[must_use]
     pub fn slip_speed(&self) -> Option<f64> {
         self.elements.bed.as_ref()?.slip_speed()
-    }
-
-    /// A node that slides on the bed in this equilibrium: it needs more than the friction there is.
-    #[must_use]
-    pub fn sliding_node(&self, state: &State) -> Option<usize> {
-        self.elements.bed.as_ref()?.sliding_node(self.free(), state)
     }
 
     /// Greatest stiffness of a segment along itself, or of a friction spring \[N/m\].

@@ -194,4 +194,29 @@ pub trait StaticSearch: Residual + Sized {
 
     /// Attaches the friction springs at the present positions, without force.
     fn reset_friction(&self, _state: &mut State) {}
+
+    /// A node on the bed that bears more than the friction there is, as one that was laid may ([`crate::physics::FrictionAnchor::laid`]): it slides.
+    fn sliding_node(&self, _state: &State) -> Option<usize> {
+        None
+    }
+
+    /// Whether that node is slack on a slope steeper than friction bears, down which it slides away.
+    fn slides_slack(&self, _state: &State) -> bool {
+        false
+    }
+
+    /// Whether line on the bed has tension, which friction there takes part in.
+    fn pulls_on_bed(&self, _state: &State) -> bool {
+        false
+    }
+
+    /// Whether a current may move line that lies on a rough bed.
+    fn flows_over_rough_bed(&self) -> bool {
+        false
+    }
+
+    /// The system with the secant of friction in the place of its derivative; none if there is no friction.
+    fn with_secant_friction(&self) -> Option<Self> {
+        None
+    }
 }

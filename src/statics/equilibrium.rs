@@ -5,7 +5,8 @@
 //! Euler from rest (`M (x - x_k) / h² = f(x)`), which dissipates all kinetic energy, with h grown while steps are short, and
 //! Newton to finish; then continuation in the angle of the clamps (`statics/continuation.rs`); last, dynamic relaxation with
 //! every pseudo-time step converged. A state is accepted on the displacement and then on the residual force, and never with a
-//! fold in a line that bends, where forces balance but no equilibrium is stable.
+//! fold in a line that bends, where forces balance but no equilibrium is stable. On a rough bed that does not hold it there, the line slides
+//! (`statics/sliding.rs`).
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -65,12 +66,39 @@ pub struct EquilibriumError {
     pub why: Option<NewtonError>,
     /// Whether it was stopped before its end.
     pub stopped: bool,
+    /// Where the best shape slides on the bed, if it does.
+    pub sliding: Option<SlidingNode>,
+}
+
+/// A node that friction on the bed does not hold.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SlidingNode {
+    /// The node.
+    pub node: usize,
+    /// Whether it is slack on a slope steeper than friction bears.
+    pub down_slope: bool,
 }
 
 impl EquilibriumError {
     fn reason(&self) -> String {
         if self.stopped {
             return "it was stopped".to_owned();
+        }
+        match self.sliding {
+            Some(SlidingNode {
+                node,
+                down_slope: true,
+            }) => {
+                return format!(
+                    "at node {node} the line slides down the slope, which friction on the bed does not bear"
+                );
+            }
+            Some(SlidingNode { node, .. }) => {
+                return format!(
+                    "at node {node} the line slides on the bed, and no place was found where friction and tension hold it"
+                );
+            }
+            None => {}
         }
         if let Some(node) = self.kinked_node {
             return format!(
@@ -112,6 +140,52 @@ impl EquilibriumSearch<'_> {
         t: f64,
         state: &mut State,
     ) -> Result<Equilibrium, EquilibriumError> {
+        let start = state.clone();
+        let found = self.find(system, t, state);
+        let sliding = found.is_ok().then(|| sliding_node(system, state)).flatten();
+        let error = match (found, sliding) {
+            (Ok(found), None) => return Ok(found),
+            (Err(error), _) if error.stopped => return Err(error),
+            (Ok(found), sliding) => EquilibriumError {
+                iterations: found.iterations,
+                residual: found.residual,
+                node: 0,
+                kinked_node: None,
+                why: None,
+                stopped: false,
+                sliding,
+            },
+            (Err(error), _) => error,
+        };
+        if sliding.is_some_and(|sliding| sliding.down_slope) {
+            return Err(error);
+        }
+        let mut slid = if sliding.is_some() {
+            state.clone()
+        } else {
+            start.clone()
+        };
+        if let Some(found) = self.slide(system, t, &mut slid, error.iterations) {
+            *state = slid;
+            return Ok(found);
+        }
+        let mut newton = self.newton(system);
+        match self.friction_released(system, t, &mut newton, start) {
+            Some((there, found)) if !system.pulls_on_bed(&there) => {
+                *state = there;
+                Ok(found)
+            }
+            _ => Err(error),
+        }
+    }
+
+    /// The search with friction that resists the pull on a line laid, and no other.
+    fn find<S: StaticSearch>(
+        &self,
+        system: &S,
+        t: f64,
+        state: &mut State,
+    ) -> Result<Equilibrium, EquilibriumError> {
         let mut newton = self.newton(system);
         let size = length(state);
         newton.max_displacement = 0.3 * size;
@@ -130,6 +204,13 @@ impl EquilibriumSearch<'_> {
             return Ok(found);
         }
         trial.copy_from(state);
+        if system.flows_over_rough_bed()
+            && let Some(found) = self.slide(system, t, &mut trial, newton.iterations)
+        {
+            *state = trial;
+            return Ok(found);
+        }
+        trial.copy_from(state);
         if let Some(found) = self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
             *state = trial;
             return Ok(found);
@@ -138,14 +219,7 @@ impl EquilibriumSearch<'_> {
             return Ok(found);
         }
         newton.max_displacement = f64::INFINITY;
-        let start = state.clone();
         self.dynamic_relaxation(system, t, &mut newton, state)
-            .or_else(|failed| {
-                let lying = self.friction_released(system, t, &mut newton, start);
-                let (there, found) = lying.ok_or(failed)?;
-                *state = there;
-                Ok(found)
-            })
     }
 
     /// Storage for [`EquilibriumSearch::refine`].
@@ -221,7 +295,7 @@ impl EquilibriumSearch<'_> {
     }
 
     /// Whether it is to end.
-    fn is_stopped(&self) -> bool {
+    pub(super) fn is_stopped(&self) -> bool {
         self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
@@ -250,7 +324,7 @@ impl EquilibriumSearch<'_> {
     }
 
     /// The state itself, if its residual is small enough.
-    fn accept<S: StaticSearch>(
+    pub(super) fn accept<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,
@@ -372,11 +446,12 @@ impl EquilibriumSearch<'_> {
             kinked_node: system.kinked_node(state),
             why,
             stopped: self.is_stopped(),
+            sliding: None,
         })
     }
 }
 
-fn pseudo_time(h: f64) -> Factors {
+pub(super) fn pseudo_time(h: f64) -> Factors {
     Factors {
         mass: 1.0 / (h * h),
         damping: 0.0,
@@ -397,8 +472,16 @@ pub fn instabilities<S: Residual>(system: &S, t: f64, state: &State) -> Option<u
     Some(tangent.negative_pivots(system.free()))
 }
 
+/// A node that friction on the bed does not hold.
+fn sliding_node<S: StaticSearch>(system: &S, state: &State) -> Option<SlidingNode> {
+    system.sliding_node(state).map(|node| SlidingNode {
+        node,
+        down_slope: system.slides_slack(state),
+    })
+}
+
 /// Whether two states are near: Newton may jump from a moving line to an unstable shape far away.
-fn nearby(from: &State, to: &State) -> bool {
+pub(super) fn nearby(from: &State, to: &State) -> bool {
     let size = from
         .x
         .iter()
@@ -411,11 +494,11 @@ fn nearby(from: &State, to: &State) -> bool {
 }
 
 /// Stretched length of the line.
-fn length(state: &State) -> f64 {
+pub(super) fn length(state: &State) -> f64 {
     state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum()
 }
 
-fn set_at_rest(state: &mut State) {
+pub(super) fn set_at_rest(state: &mut State) {
     for (v, a) in state.v.iter_mut().zip(&mut state.a) {
         *v = nalgebra::zero();
         *a = nalgebra::zero();

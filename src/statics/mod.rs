@@ -3,3 +3,4 @@
 pub mod catenary;
 mod continuation;
 pub mod equilibrium;
+mod sliding;

@@ -13,6 +13,7 @@ use nalgebra::{DVector, SMatrix};
 
 use super::body_loads::body_loads;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
+use super::laid::laid_from;
 use super::line_at_rest::{LineAtRest, LinePhysics, has_closed_form, solve};
 use super::network::{Held, Network};
 use super::pose::cross;
@@ -67,9 +68,15 @@ pub fn balance(
             Some(element)
                 if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
             {
-                element.solve((a, b), near)
+                let from = laid_from(network, placement, index).unwrap_or_default();
+                element.solve((a, b), from, near)
             }
-            _ => solve(network, line, (a, b), physics, near).map_err(|error| error.to_string()),
+            _ => {
+                let from =
+                    laid_from(network, placement, index).filter(|_| physics == LinePhysics::Full);
+                solve(network, line, (a, b), (physics, from), near)
+                    .map_err(|error| error.to_string())
+            }
         };
         let at_rest = solved.map_err(|why| UnsolvedLine { line: index, why })?;
         let followers = ends.map(|point| follower(network, freedoms, placement, point));

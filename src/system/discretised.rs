@@ -4,13 +4,13 @@
 use std::sync::Arc;
 
 use super::build::Divided;
-use super::line_at_rest::LineAtRest;
+use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
 use super::parts::Part;
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, mesh_error};
 use crate::numerics::V3;
-use crate::scene::Scene;
+use crate::scene::{LaidFrom, Scene};
 use crate::solve::State;
 
 /// Segments of a line that does not say how many.
@@ -87,9 +87,7 @@ impl DiscretisedLine {
         if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
-            // At rest a system's lines are sought between ends that move; in motion they have been laid. Friction over a grid is refused.
-            let rough = divided == Divided::All && given.depth_file.is_none();
-            bed.friction = rough.then(|| line.friction.unwrap_or(given.friction));
+            bed.friction = Some(line.friction.unwrap_or(given.friction));
         }
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
         let shares = shares(&case);
@@ -113,11 +111,17 @@ impl DiscretisedLine {
     pub fn solve(
         self: &Arc<Self>,
         (a, b): (&V3, &V3),
+        laid_from: LaidFrom,
         before: Option<&LineAtRest>,
     ) -> Result<LineAtRest, String> {
         let near = before.and_then(|before| before.discretised.as_ref());
         let mut element = near.map_or_else(|| self.element.clone(), |near| near.element.clone());
+        element.lay_from(laid_from);
         let found = element.solve(*a, *b).map_err(|error| error.to_string())?;
+        // Springs without stiffness: neither end lies, and nothing says how it was laid.
+        let grips = &element.scene_and_state().0.start.grips;
+        let left_out = !grips.is_empty() && grips.iter().all(|grip| grip.stiffness == 0.0);
+        let without_friction = left_out && found.on_bed_m > 0.0;
         Ok(LineAtRest {
             force_a: found.force_a_n,
             force_b: found.force_b_n,
@@ -126,7 +130,7 @@ impl DiscretisedLine {
             from_b: false,
             origin: *a,
             along: V3::x(),
-            note: None,
+            note: without_friction.then_some(LineNote::WithoutFriction),
             replaced: None,
             added_weight: 0.0,
             discretised: Some(Box::new(DiscretisedRest {
@@ -139,6 +143,11 @@ impl DiscretisedLine {
 }
 
 impl DiscretisedRest {
+    /// Lays the line on the bed anew where its ends are, for its next solution: see [`LineBetweenEnds::lay`].
+    pub fn lay(&mut self) {
+        self.element.lay();
+    }
+
     /// The scene of the line and its state at rest.
     #[must_use]
     pub fn scene_and_state(&self) -> (&Scene, &State) {
@@ -168,7 +177,7 @@ impl DiscretisedRest {
     }
 }
 
-/// The case of one line between held ends. On a bed it lies without friction.
+/// The case of one line between held ends.
 fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     let mut ends = Ends {
         a: End::fixed("a", [0.0; 3]),

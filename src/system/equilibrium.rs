@@ -81,6 +81,9 @@ const ROUNDING: f64 = 1e-13;
 const NOTHING: f64 = 1e-100;
 /// Residual that is accepted where it no longer falls, by the greatest tension.
 const ACCEPTED: f64 = 1e-9;
+/// How often divided lines are laid on the bed anew, and what that may leave out of balance, by the greatest tension.
+const MOST_LAYS: usize = 12;
+const LAID: f64 = 1e-8;
 /// Units in the last place of the positions, times stiffness, that are accepted as well.
 const LAST_PLACES: f64 = 8.0;
 
@@ -127,6 +130,9 @@ fn found(
         match search.run(most_steps) {
             Err(_) if relaxed => search.relax(most_steps)?,
             ended => ended?,
+        }
+        if rough && discretised {
+            search.lay_again(most_steps, relaxed)?;
         }
     }
     let replaced = search.here.lines.iter().enumerate();
@@ -290,6 +296,30 @@ impl<'a> Search<'a> {
         let after = self.unbalanced(&balance, &place);
         let after = after.component_div(&self.lever).norm();
         (place != self.placement).then_some((place, balance, after))
+    }
+
+    /// Lays the divided lines on the bed anew where the system has come to rest, and steps until the forces balance, again and again until
+    /// laying them changes nothing: friction then opposes the way from where they were laid to their places in the equilibrium.
+    fn lay_again(&mut self, most_steps: usize, relaxed: bool) -> Result<(), SystemError> {
+        if self.freedoms.count == 0 {
+            return Ok(());
+        }
+        for _ in 0..MOST_LAYS {
+            let lines = self.here.lines.iter_mut();
+            for line in lines.filter_map(|line| line.discretised.as_mut()) {
+                line.lay();
+            }
+            self.here = self.evaluate(&self.placement)?;
+            let left = self.size(&self.unbalanced(&self.here, &self.placement));
+            match self.run(most_steps) {
+                Err(_) if relaxed => self.relax(most_steps)?,
+                ended => ended?,
+            }
+            if left <= LAID * self.force_scale() {
+                break;
+            }
+        }
+        Ok(())
     }
 
     fn not_converged(&self, force: &DVector<f64>) -> SystemError {

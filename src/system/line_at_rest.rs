@@ -1,8 +1,9 @@
 //! A line between two places: its forces on both ends and their stiffness.
 
 use crate::numerics::{M3, V3};
+use crate::scene::LaidFrom;
 use crate::statics::catenary::{
-    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Solution,
+    CatenaryError, CatenaryLine, EndOffset, EndStiffness, RigidBed, SectionProperties, Solution,
 };
 
 use super::discretised::DiscretisedRest;
@@ -116,7 +117,8 @@ pub enum LinePhysics {
 /// How close to the bed an end is that lies on it, by the line's length.
 const ON_BED: f64 = 1e-12;
 
-/// The line between places `a` and `b`; `before` is a solution near by.
+/// The line between places `a` and `b`; `from` is where it was laid from if it lies on a rough bed from end to end, `before` a
+/// solution near by.
 ///
 /// # Errors
 /// As [`CatenaryLine::solve`], but for weightless slack lines, which pull on nothing.
@@ -124,17 +126,28 @@ pub fn solve(
     network: &Network,
     line: &Line,
     (a, b): (&V3, &V3),
-    physics: LinePhysics,
+    (physics, from): (LinePhysics, Option<LaidFrom>),
     before: Option<&LineAtRest>,
 ) -> Result<LineAtRest, CatenaryError> {
-    let from_b = b.z < a.z;
+    let from_b = match from {
+        Some(LaidFrom::Share(share)) => share >= 1.0,
+        _ => b.z < a.z,
+    };
     let (low, high) = if from_b { (b, a) } else { (a, b) };
     let level = level_below(network, (low, high));
     let below = level.map_or(f64::INFINITY, |z| low.z - z);
     let lies = below.abs() <= ON_BED * (line.length() + low.z.abs());
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
-    let mu = if rough && lies { line.friction } else { 0.0 };
+    let rubs = rough && lies && from != Some(LaidFrom::HeldEnds);
+    let mu = if rubs { line.friction } else { 0.0 };
     let given = closed_form(network, line, (low, high), level.map(|z| (z, mu)), from_b);
+    if let Some(LaidFrom::Share(share)) = from
+        && share > 0.0
+        && share < 1.0
+        && let Ok((solution, stiffness)) = given.solve_laid_from(share)
+    {
+        return Ok(placed(solution, (low, high), from_b, &stiffness, None));
+    }
     let seed = before.filter(|before| before.from_b == from_b);
     let near = seed.and_then(|before| before.solution.as_ref());
     let solve = |line: &CatenaryLine<'_>| match near {
@@ -171,9 +184,10 @@ pub fn solve(
     };
     let free_of_friction = unknown_friction || (rough && !lies && solution.on_bed_m > 0.0);
     let note = free_of_friction.then_some(LineNote::WithoutFriction);
+    let stiffness = solution.end_stiffness(mu);
     Ok(LineAtRest {
         added_weight,
-        ..placed(solution, (low, high), from_b, mu, note)
+        ..placed(solution, (low, high), from_b, &stiffness, note)
     })
 }
 
@@ -252,7 +266,10 @@ fn replaced(
     })
     .solve();
     let mut found = match solved {
-        Ok(solution) => placed(solution, ends, from_b, 0.0, None),
+        Ok(solution) => {
+            let stiffness = solution.end_stiffness(0.0);
+            placed(solution, ends, from_b, &stiffness, None)
+        }
         Err(CatenaryError::ShapeUndetermined) => slack(),
         Err(error) => return Err(error),
     };
@@ -291,7 +308,7 @@ fn placed(
     solution: Solution,
     (low, high): (&V3, &V3),
     from_b: bool,
-    friction: f64,
+    k: &EndStiffness,
     note: Option<LineNote>,
 ) -> LineAtRest {
     let step = V3::new(high.x - low.x, high.y - low.y, 0.0);
@@ -304,7 +321,6 @@ fn placed(
     let across = V3::new(-along.y, along.x, 0.0);
     let on_low = along * solution.h_a_n + V3::z() * solution.v_a_n;
     let on_high = -(along * solution.h_b_n) - V3::z() * solution.v_b_n;
-    let k = solution.end_stiffness(friction);
     // Out of its plane the line turns with its ends; straight above each other it resists as in its plane.
     let sideways = |h: f64, by_distance: f64| {
         if distance > 0.0 {

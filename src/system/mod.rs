@@ -25,6 +25,7 @@ mod file;
 pub mod freedoms;
 mod heading_loads;
 pub mod initial;
+mod laid;
 pub mod line_at_rest;
 pub mod loads;
 pub mod loads_without_effect;

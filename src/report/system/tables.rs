@@ -119,12 +119,6 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
             )),
             None => {}
         }
-        if line.discretised.is_some() && line.friction > 0.0 && at_rest.on_bed() > 0.0 {
-            found.push(format!(
-                "Line {} is divided into segments and lies on the bed without friction.",
-                line.name
-            ));
-        }
         if let Some(share) = greatest_share(solved, index).filter(|share| *share > 1.0) {
             found.push(format!(
                 "Line {} carries {:.0} % of its breaking load.",
@@ -133,6 +127,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
             ));
         }
     }
+    found.extend(friction_at_rest(solved));
     found.extend(unused_motion(solved));
     found.extend(on_waves(solved));
     found.extend(loads_without_effect(solved));
@@ -140,6 +135,21 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));
     found
+}
+
+/// The rule by which friction acts on lines that lie on the bed at rest, where there are any.
+fn friction_at_rest(solved: &SolvedSystem) -> Option<String> {
+    let lines = solved.network.lines.iter().zip(&solved.rest.balance.lines);
+    let mut rough = lines.filter(|(line, at_rest)| {
+        line.friction > 0.0
+            && at_rest.on_bed() > 0.0
+            && at_rest.note != Some(LineNote::WithoutFriction)
+    });
+    rough.next().map(|_| {
+        "Friction on the bed is that of lines laid straight and then pulled: it takes tension off from the end that is pulled towards \
+         the end that is held, from both towards the middle where neither is held, and not at all between two held ends."
+            .to_owned()
+    })
 }
 
 /// Keys of motion that have no effect: of a file that is not computed in time, or after its end.

@@ -54,7 +54,8 @@ impl Solution {
         for (column, (dx, dz_a, dz_b)) in motions.into_iter().enumerate() {
             let [h_a, v_a, h_b, v_b] = response.forces(dx, [dz_a, dz_b]);
             // Friction of the bed that takes all of the tension leaves end A without any, whatever moves.
-            let borne_by_bed = self.h_a_n <= 0.0 && response.beyond().is_some();
+            let lies = response.bays.is_empty() || response.beyond().is_some();
+            let borne_by_bed = self.h_a_n <= 0.0 && lies;
             out.h_a[column] = if borne_by_bed { 0.0 } else { h_a };
             out.v_a[column] = up * v_a;
             out.h_b[column] = h_b;

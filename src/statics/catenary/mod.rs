@@ -26,7 +26,7 @@
 //!
 //! Signs: `h` is the horizontal part of the tension; `v_b` pulls B down and `v_a` pulls A up when
 //! positive. The equations and their sources: the elastic catenary in `span`, the suspended line in `suspended`,
-//! touchdown on a level or sloping bed with friction in `touchdown`, a grounded length between two suspended spans in
+//! touchdown on a level or sloping bed with friction in `touchdown`, a line that lies on a level one and is pulled at both ends in `laid_within`, a grounded length between two suspended spans in
 //! `grounded_span`, several sections in `composite`, those with touchdown on a slope or with friction in
 //! `composite_touchdown`.
 //!
@@ -46,6 +46,7 @@ mod error;
 mod grounded_solution;
 mod grounded_span;
 mod laid_profile;
+mod laid_within;
 mod line;
 mod local_frame;
 mod planar_line;
