@@ -142,9 +142,7 @@ pub fn rod_without_length(hold: &str, ends: [[f64; 3]; 2], sheet: &mut Sheet) ->
         sheet.rod_types.push(RodTypeRow {
             name: JOINT.to_owned(),
             diameter: 0.1,
-            mass: 0.0,
-            drag: 0.0,
-            added_mass: 0.0,
+            ..RodTypeRow::default()
         });
     }
     sheet.rods.push(RodRow {

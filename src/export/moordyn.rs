@@ -105,7 +105,14 @@ fn types(sheet: &Sheet, text: &mut Text) {
         .rod_types
         .iter()
         .map(|of| {
-            let numbers = [of.diameter, of.mass, of.drag, of.added_mass, 0.0, 0.0];
+            let numbers = [
+                of.diameter,
+                of.mass,
+                of.drag,
+                of.added_mass,
+                of.drag_end,
+                of.added_mass_end,
+            ];
             format!("{} {}", of.name, all_written(&numbers))
         })
         .collect();

@@ -204,11 +204,14 @@ impl Writer<'_> {
     /// Members of a free body as rods without mass, which is in that of the body.
     fn members(&mut self, body: usize, inputs: &BodyInputs) {
         for member in &inputs.members {
-            let of_type = self.rod_type(
-                member.diameter_m,
-                0.0,
-                [member.drag_normal, member.added_mass_normal],
-            );
+            let of_type = self.rod_type(RodTypeRow {
+                diameter: member.diameter_m,
+                drag: member.drag_normal,
+                added_mass: member.added_mass_normal,
+                drag_end: member.drag_end,
+                added_mass_end: member.added_mass_end,
+                ..RodTypeRow::default()
+            });
             self.sheet.rods.push(RodRow {
                 of_type,
                 hold: format!("Body{body}"),
@@ -218,21 +221,21 @@ impl Writer<'_> {
         }
     }
 
-    /// The name of a rod type with these properties.
-    fn rod_type(&mut self, diameter: f64, mass: f64, [drag, added_mass]: [f64; 2]) -> String {
-        let found = self.sheet.rod_types.iter().find(|of| {
-            [of.diameter, of.mass, of.drag, of.added_mass] == [diameter, mass, drag, added_mass]
-        });
-        if let Some(found) = found {
-            return found.name.clone();
-        }
+    /// The name of a rod type with the properties of one without a name.
+    fn rod_type(&mut self, wanted: RodTypeRow) -> String {
         let name = format!("rod{}", self.sheet.rod_types.len() + 1);
+        for known in &self.sheet.rod_types {
+            let named = RodTypeRow {
+                name: known.name.clone(),
+                ..wanted.clone()
+            };
+            if *known == named {
+                return named.name;
+            }
+        }
         self.sheet.rod_types.push(RodTypeRow {
             name: name.clone(),
-            diameter,
-            mass,
-            drag,
-            added_mass,
+            ..wanted
         });
         name
     }
@@ -319,8 +322,15 @@ impl Writer<'_> {
 
     fn rod(&mut self, inputs: &RodInputs) -> RodRow {
         let long = (V3::from(inputs.end_b_m) - V3::from(inputs.end_a_m)).norm();
-        let coefficients = [inputs.drag_normal, inputs.added_mass_normal];
-        let of_type = self.rod_type(inputs.diameter_m, inputs.mass_kg / long, coefficients);
+        let of_type = self.rod_type(RodTypeRow {
+            diameter: inputs.diameter_m,
+            mass: inputs.mass_kg / long,
+            drag: inputs.drag_normal,
+            added_mass: inputs.added_mass_normal,
+            drag_end: inputs.drag_end,
+            added_mass_end: inputs.added_mass_end,
+            ..RodTypeRow::default()
+        });
         let given = [inputs.end_a_m, inputs.end_b_m];
         let (hold, ends) = match inputs.kind {
             BodyKind::Held => ("Fixed".to_owned(), given),

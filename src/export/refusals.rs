@@ -248,8 +248,15 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
         let key = key(&format!("members[{number}]"));
         found.add(
             cone || member.drag_only || !member.repeat_at_deg.is_empty(),
-            key,
+            key.clone(),
             "members that are cones, have drag alone, or are repeated",
+        );
+        let differs = |other: Option<f64>, one: f64| other.is_some_and(|other| other != one);
+        found.add(
+            differs(member.to_drag_end, member.drag_end)
+                || differs(member.to_added_mass_end, member.added_mass_end),
+            key,
+            "ends of a member with drag or added mass of their own",
         );
     }
 }

@@ -53,7 +53,7 @@ pub struct TypeRow {
 }
 
 /// A rod type.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct RodTypeRow {
     /// Its name.
     pub name: String,
@@ -65,6 +65,10 @@ pub struct RodTypeRow {
     pub drag: f64,
     /// Added mass across.
     pub added_mass: f64,
+    /// Drag of the ends, along the rod.
+    pub drag_end: f64,
+    /// Added mass of the ends, along the rod.
+    pub added_mass_end: f64,
 }
 
 /// A body.

@@ -193,6 +193,37 @@ pub fn body_loads(
     (force + by_water, stiffness + by_pose)
 }
 
+/// The members of a body that displace water, at the pose given in still water.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct MembersInWater {
+    /// Their volume in the water \[m³\].
+    pub volume: f64,
+    /// Whether the surface cuts any of them.
+    pub cut_by_surface: bool,
+    /// Whether any has added mass, across it or at its ends.
+    pub have_added_mass: bool,
+}
+
+impl MembersInWater {
+    /// Of a body.
+    #[must_use]
+    pub fn of(body: &Body) -> Self {
+        let pose = MovingPose::of(&body.pose);
+        let mut found = Self::default();
+        for member in body.members.iter().filter(|member| !member.drag_only) {
+            let volume = Placed::of(member, &pose, &[]).volume_in_water();
+            found.volume += volume;
+            found.cut_by_surface |= volume > 0.0 && volume < (1.0 - ROUNDING) * member.volume();
+            found.have_added_mass |=
+                member.added_mass > 0.0 || member.added_mass_ends.iter().any(|mass| *mass > 0.0);
+        }
+        found
+    }
+}
+
+/// Share of a volume that is rounding.
+const ROUNDING: f64 = 1e-9;
+
 /// Loads that hang on the pose and, where there is flow, on the velocity.
 pub(super) fn add_loads_by_pose(
     network: &Network,

@@ -459,6 +459,11 @@ fn members(given: &MemberInputs) -> Vec<Member> {
             radius: (radius, given.to_diameter_m.map_or(radius, |end| 0.5 * end)),
             drag: given.drag_normal,
             added_mass: given.added_mass_normal,
+            drag_ends: [given.drag_end, given.to_drag_end.unwrap_or(given.drag_end)],
+            added_mass_ends: [
+                given.added_mass_end,
+                given.to_added_mass_end.unwrap_or(given.added_mass_end),
+            ],
             drag_only: given.drag_only,
         }
     };

@@ -382,8 +382,12 @@ table! {
         diameter_m: f64, "diameter", range positive(1e2);
         /// Drag coefficient across it, on the diameter, in a current.
         drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
-        /// Added mass coefficient across it, on the displaced volume; for natural periods.
+        /// Added mass coefficient across it, on the displaced volume in the water; for natural periods and in motion.
         added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
+        /// Drag coefficient of each of its ends in the water, along it, on the area of the end.
+        drag_end: f64 = 0.0, "drag of the ends", range of(0.0, 100.0);
+        /// Added mass coefficient of each of its ends in the water, along it, on 2/3 pi r^3, the half ball over the end.
+        added_mass_end: f64 = 0.0, "added mass of the ends", range of(0.0, 100.0);
         /// Steady load at its middle, along x, y, z; not of a rod that is pinned.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
         /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z: it is let go there.
@@ -411,8 +415,16 @@ table! {
         to_diameter_m: Option<f64>, "diameter at the other end", range of(0.0, 1e3), absent "the same";
         /// Drag coefficient across it, on the diameter, in a current.
         drag_normal: f64 = 0.0, "normal drag", range of(0.0, 100.0);
-        /// Added mass coefficient across it, on the displaced volume; for natural periods and in motion.
+        /// Added mass coefficient across it, on the displaced volume in the water; for natural periods and in motion.
         added_mass_normal: f64 = 0.0, "normal added mass", range of(0.0, 100.0);
+        /// Drag coefficient of each of its ends in the water, along it, on the area of the end.
+        drag_end: f64 = 0.0, "drag of the ends", range of(0.0, 100.0);
+        /// The same of its other end, as where another member goes on there: 0.
+        to_drag_end: Option<f64>, "drag of the other end", range of(0.0, 100.0), absent "the same";
+        /// Added mass coefficient of each of its ends in the water, along it, on 2/3 pi r^3, the half ball over the end.
+        added_mass_end: f64 = 0.0, "added mass of the ends", range of(0.0, 100.0);
+        /// The same of its other end, as where another member goes on there: 0.
+        to_added_mass_end: Option<f64>, "added mass of the other end", range of(0.0, 100.0), absent "the same";
         /// It has drag alone: what it displaces is in the volume of its body, or in coefficients.
         drag_only: bool = false, "drag alone";
         /// Copies turned about the z axis of the body by these angles.

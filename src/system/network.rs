@@ -228,6 +228,10 @@ pub struct Member {
     pub drag: f64,
     /// Added mass coefficient across it, on the displaced volume \[-\].
     pub added_mass: f64,
+    /// Drag coefficients of its ends along it, on their areas \[-\].
+    pub drag_ends: [f64; 2],
+    /// Added mass coefficients of its ends along it, on the half balls over them \[-\].
+    pub added_mass_ends: [f64; 2],
     /// Whether it has drag alone, and displaces no water of its own.
     pub drag_only: bool,
 }

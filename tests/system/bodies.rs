@@ -55,6 +55,8 @@ fn cylinder(from: [f64; 3], to: [f64; 3], radius: f64) -> Member {
         radius: (radius, radius),
         drag: 1.1,
         added_mass: 1.0,
+        drag_ends: [0.9, 1.3],
+        added_mass_ends: [0.6, 0.8],
         drag_only: false,
     }
 }
@@ -153,6 +155,119 @@ fn stiffness_of_every_load_is_that_of_differences() {
             assert!(off < 2e-6, "pose {k}, block {i}, {j}: {off:.1e}");
         }
     }
+}
+
+/// Poses upright, heeled and level, with the surface along the members and over their ends.
+fn cut_poses() -> Vec<Pose> {
+    let angles = [0.0, 1e-7, 0.02, 0.4, 1.2, 1.5, 1.57, 0.5 * PI];
+    let heights = [-9.0, -3.1, -0.4, 0.0, 0.7, 2.9, 8.0];
+    let poses = angles.iter().flat_map(|pitch| {
+        heights.map(|z| Pose::new(V3::new(1.0, -2.0, z), 0.1 * pitch, *pitch, 0.3))
+    });
+    poses.collect()
+}
+
+fn in_a_current() -> Network {
+    Network {
+        current: Some(CurrentProfile::Table {
+            depth: vec![0.0, 40.0],
+            velocity: vec![V3::new(1.2, 0.4, 0.0), V3::new(0.2, -0.1, 0.0)],
+        }),
+        ..sea()
+    }
+}
+
+/// Loads and masses of a cone, and of the two that it is cut into anywhere, are the same.
+#[test]
+fn a_member_cut_in_two_has_the_same_sums() {
+    let network = in_a_current();
+    let cone = Member {
+        radius: (2.0, 1.2),
+        ..cylinder([0.0, 0.0, -6.0], [0.0, 0.0, 6.0], 2.0)
+    };
+    let parts = |share: f64| {
+        let (at, radius) = (cone.from.lerp(&cone.to, share), 2.0 - 0.8 * share);
+        let (mut one, mut two) = (cone.clone(), cone.clone());
+        (one.to, two.from) = (at, at);
+        (one.radius.1, two.radius.0) = (radius, radius);
+        for (member, inner) in [(&mut one, 1), (&mut two, 0)] {
+            member.drag_ends[inner] = 0.0;
+            member.added_mass_ends[inner] = 0.0;
+        }
+        with(vec![one, two])
+    };
+    let whole = with(vec![cone.clone()]);
+    for pose in cut_poses() {
+        let loads = load(&network, &whole, &pose);
+        let mass = mass_matrix(&network, &whole, &pose);
+        for share in [0.11, 0.5, 0.73] {
+            // Where it is cut within the length that the surface cuts, the quadrature ends beside a singularity.
+            let z = (pose.origin + pose.arm(&cone.from.lerp(&cone.to, share))).z;
+            let tolerance = if z.abs() < 2.0 { 1e-6 } else { 1e-10 };
+            let off = (load(&network, &parts(share), &pose) - loads).amax();
+            assert!(off < tolerance * WEIGHT * 100.0, "{pose:?}, {share}: {off}");
+            let off = (mass_matrix(&network, &parts(share), &pose) - mass).amax();
+            assert!(off < tolerance * 1025.0 * 5e3, "{pose:?}, {share}: {off}");
+        }
+    }
+}
+
+/// No sum jumps as a member goes through the surface, upright, heeled or level.
+#[test]
+fn the_sums_of_a_member_do_not_jump_at_the_surface() {
+    let network = in_a_current();
+    let body = with(vec![cylinder([0.0, 0.0, -3.0], [0.0, 0.0, 3.0], 1.5)]);
+    let steps = 4_000;
+    for pitch in [0.0, 1e-4, 0.3, 1.3, 0.5 * PI] {
+        let at = |k: i32| {
+            let z = -5.0 + 10.0 * f64::from(k) / f64::from(steps);
+            let pose = Pose::new(V3::new(0.0, 0.0, z), 0.0, pitch, 0.2);
+            let mass = mass_matrix(&network, &body, &pose);
+            (load(&network, &body, &pose), mass.diagonal())
+        };
+        let (first, last) = (at(0), at(steps));
+        let scale = |a: &Vector6<f64>, b: &Vector6<f64>| a.amax().max(b.amax());
+        let sizes = (scale(&first.0, &last.0), scale(&first.1, &last.1));
+        let mut before = first;
+        for k in 1..=steps {
+            let here = at(k);
+            let (force, mass) = ((here.0 - before.0).amax(), (here.1 - before.1).amax());
+            assert!(
+                force < 2e-2 * sizes.0,
+                "{pitch}, {k}: {force} of {}",
+                sizes.0
+            );
+            assert!(mass < 5e-2 * sizes.1, "{pitch}, {k}: {mass} of {}", sizes.1);
+            before = here;
+        }
+    }
+}
+
+/// The ends of a member drag along it where they are in the water.
+#[test]
+fn the_drag_of_ends_is_along_the_member() {
+    let network = Network {
+        current: Some(CurrentProfile::Uniform(V3::new(2.0, 0.0, 0.0))),
+        ..sea()
+    };
+    let mut member = cylinder([-4.0, 0.0, 0.0], [4.0, 0.0, 0.0], 0.5);
+    member.drag = 0.0;
+    let body = with(vec![member]);
+    let each = 0.5 * 1025.0 * PI * 0.25 * 4.0;
+    for (z, wet) in [(-5.0, 1.0), (0.0, 0.5), (5.0, 0.0)] {
+        let force = load(&network, &body, &Pose::new(V3::z() * z, 0.0, 0.0, 0.0));
+        let exact = wet * (0.9 + 1.3) * each;
+        assert!((force[0] - exact).abs() < 1e-9 * each, "{z}: {force}");
+    }
+    // Across the current the ends do nothing; at 60 degrees they see half of its speed.
+    let force = load(
+        &network,
+        &body,
+        &Pose::new(V3::z() * -5.0, 0.0, 0.0, PI / 3.0),
+    );
+    let along = 0.25 * (0.9 + 1.3) * each;
+    assert!((force[0] - 0.5 * along).abs() < 1e-9 * each, "{force}");
+    assert!((force[1] - 0.75_f64.sqrt() * along).abs() < 1e-9 * each);
 }
 
 /// A ship that heels has the same righting moment about its own axes at every heading.

@@ -51,7 +51,7 @@ fn spar(waves: &str, turned_deg: f64) -> String {
         "{waves}
         [bodies.spar]\nkind = \"free\"\nmass_kg = {mass:?}\ncentre_of_gravity_m = [0.0, 0.0, -25.0]
         inertia_kg_m2 = [2e8, 2e8, 1e7]\ndamping = [2e4, 2e4, 8e4, 3e7, 3e7, 1e7]
-        [[bodies.spar.members]]\nfrom_m = [0.0, 0.0, -40.0]\nto_m = [0.0, 0.0, 12.0]\ndiameter_m = 6.0\nadded_mass_normal = 1.0\ndrag_normal = 1.0
+        [[bodies.spar.members]]\nfrom_m = [0.0, 0.0, -40.0]\nto_m = [0.0, 0.0, 12.0]\ndiameter_m = 6.0\nadded_mass_normal = 1.0\ndrag_normal = 1.0\ndrag_end = 1.0\nadded_mass_end = 0.6
         {lines}"
     )
 }

@@ -291,6 +291,8 @@ fn rod_water(case: &mut CaseText<'_>, of: &RodType) {
     one("diameter_m", &of.diameter, "Diam");
     one("drag_normal", &of.drag_normal, "Cd");
     one("added_mass_normal", &of.added_mass_normal, "Ca");
+    one("drag_end", &of.drag_end, "CdEnd");
+    one("added_mass_end", &of.added_mass_end, "CaEnd");
 }
 
 /// Writes the rods that are no part of a body and no joint.

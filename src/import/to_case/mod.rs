@@ -18,7 +18,7 @@ use self::motion::Motion;
 use self::names::Names;
 use self::sea::{SeaOfCase, sea_of};
 use super::fault::Fault;
-use super::mooring::{Attachment, Hold, Mooring, RodType};
+use super::mooring::{Attachment, Hold, Mooring};
 use super::{ImportOptions, Imported};
 
 /// What the writers of the parts have in common.
@@ -180,11 +180,6 @@ fn head(
         .any(|body| is_pinned(&body.hold.value))
     {
         notes.push("MoorDyn takes a body that is `Pinned` as free; here it is pinned.".to_owned());
-    }
-    let has_ends = |of: &RodType| of.drag_end.value > 0.0 || of.added_mass_end.value > 0.0;
-    let mut rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
-    if rods.any(|rod| has_ends(&mooring.rod_types[rod.of_type.value])) {
-        notes.push("Drag and added mass of the ends of rods (CdEnd, CaEnd) do not act.".to_owned());
     }
     let sea = &mooring.sea;
     let is_left_out = |name: &str| without.iter().any(|one| one == name);

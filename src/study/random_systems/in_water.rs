@@ -14,6 +14,8 @@ impl Maker<'_> {
             radius: (radius, radius * self.between(0.5, 1.0)),
             drag: self.between(0.0, 1.5),
             added_mass: 1.0,
+            drag_ends: [1.0; 2],
+            added_mass_ends: [0.6; 2],
             drag_only: false,
         }
     }

@@ -271,6 +271,8 @@ mod tests {
                 radius: (0.8, 0.8),
                 drag: 1.1,
                 added_mass: 0.9,
+                drag_ends: [1.2, 0.7],
+                added_mass_ends: [0.6, 0.8],
                 drag_only: false,
             }],
             drag_area: V3::new(2.0, 3.0, 4.0),
