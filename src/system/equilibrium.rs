@@ -39,6 +39,8 @@ pub struct Equilibrium {
     pub steps: usize,
     /// See `steps`.
     pub evaluations: usize,
+    /// The unstable one that the search came to first, and left.
+    pub left: Option<Box<Equilibrium>>,
 }
 
 impl Equilibrium {
@@ -564,6 +566,7 @@ impl<'a> Search<'a> {
             contacts,
             steps: self.steps,
             evaluations: self.evaluations.get(),
+            left: None,
             placement: self.placement,
             freedoms: self.freedoms,
             balance: self.here,
@@ -624,6 +627,10 @@ pub(super) fn levers(network: &Network, freedoms: &Freedoms) -> DVector<f64> {
     }
     for (arm, body) in arms.iter_mut().zip(&network.bodies) {
         *arm = arm.max(size_of_pinned(body).unwrap_or(0.0));
+        // Of a body that nothing is on, that of its centres and members.
+        if *arm == 0.0 {
+            *arm = body.size();
+        }
     }
     let mut levers = DVector::from_element(freedoms.count, 1.0);
     for (first, arm) in freedoms.bodies.iter().zip(arms) {

@@ -44,6 +44,7 @@ pub mod solved;
 pub mod stability;
 pub mod start;
 pub mod stiffness;
+mod unstable;
 pub mod validation;
 mod waterplane;
 

@@ -6,6 +6,7 @@ use super::equilibrium::{Equilibrium, SystemError, search};
 use super::freedoms::Placement;
 use super::network::{Held, Network};
 use super::start::start;
+use super::unstable::leave;
 
 /// Why a system has no answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,12 +43,14 @@ pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
     rest_from(network, &start(network))
 }
 
-/// A system at rest, all of which something holds, from a placement.
+/// A system at rest, all of which something holds, from a placement. An equilibrium that is unstable is left for the one that the system comes to
+/// when it is let go near it, if there is one.
 ///
 /// # Errors
 /// As [`rest`].
 pub fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
     let rest = search(network, start).map_err(|error| refused(network, &error))?;
+    let rest = leave(network, rest);
     match out_of_water(network, &rest) {
         Some(refusal) => Err(refusal),
         None => Ok(rest),

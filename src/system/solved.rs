@@ -85,7 +85,10 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     }
     let rest_as_new = rest(&new)?;
     let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
-        Some((network, rest, age)) => (network, rest, Some(age)),
+        Some((network, mut rest, age)) => {
+            rest.left = rest.left.or(rest_as_new.left);
+            (network, rest, Some(age))
+        }
         None => (new, rest_as_new, None),
     };
     let stability = stability(&network, &rest);

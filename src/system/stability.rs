@@ -29,15 +29,77 @@ const UNSTABLE: f64 = 1e-9;
 /// The stability of an equilibrium: the least eigenvalue of the stiffness of what may move.
 #[must_use]
 pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
+    let Some(Scaled {
+        stiffness, most, ..
+    }) = scaled(network, rest)
+    else {
+        return Stability::Stable;
+    };
+    // As many positive pivots of the shifted matrix as unknowns, as many eigenvalues above the shift (Sylvester).
+    if above(&stiffness, NEUTRAL * most).is_some() {
+        return Stability::Stable;
+    }
+    let mut random = Random::new(1, 0);
+    let start = DVector::from_fn(stiffness.size(), |_, _| random.uniform() - 0.5);
+    let unknown = softest(&stiffness, most, start).iamax();
+    let name = rest.freedoms.name(network, unknown);
+    if above(&stiffness, -UNSTABLE * most).is_none() {
+        Stability::Unstable(name)
+    } else {
+        Stability::Neutral(name)
+    }
+}
+
+/// The motion along which an unstable equilibrium is left, its greatest turn 1: the part of `towards` (turns of bodies in the earth's
+/// directions, other unknowns nothing) in the eigenvectors of the least eigenvalue of the stiffness. Nothing where the equilibrium is not
+/// unstable, or where it is and nothing turns.
+#[must_use]
+pub fn unstable_motion(
+    network: &Network,
+    rest: &Equilibrium,
+    towards: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    let Scaled {
+        stiffness,
+        most,
+        by,
+        held,
+    } = scaled(network, rest)?;
+    if above(&stiffness, -UNSTABLE * most).is_some() {
+        return None;
+    }
+    let mut start = towards.component_div(&by);
+    for (unknown, _) in held.iter().enumerate().filter(|(_, held)| **held) {
+        start[unknown] = 0.0;
+    }
+    let motion = softest(&stiffness, most, start).component_mul(&by);
+    let bodies = rest.freedoms.bodies.iter().flatten();
+    let turns = bodies.map(|first| motion.rows(first + 3, 3).amax());
+    let turn = turns.fold(0.0, f64::max);
+    (turn > 0.0 && turn.is_finite()).then(|| motion / turn)
+}
+
+/// The stiffness of what may move, in lengths.
+struct Scaled {
+    stiffness: EnvelopeMatrix,
+    /// The greatest number on its diagonal.
+    most: f64,
+    /// By what the lengths are multiplied for the unknowns: turns count by the way they move a fairlead, or N m would be held against N/m.
+    by: DVector<f64>,
+    /// What does not move: `most` stands on its diagonal.
+    held: Vec<bool>,
+}
+
+/// The stiffness of what may move; nothing where nothing does.
+fn scaled(network: &Network, rest: &Equilibrium) -> Option<Scaled> {
     let held: Vec<bool> = rest
         .contacts
         .iter()
         .map(|on| *on != Contact::None)
         .collect();
     if !held.contains(&false) {
-        return Stability::Stable;
+        return None;
     }
-    // Turns count by the way they move a fairlead, or N m would be held against N/m.
     let by = levers(network, &rest.freedoms).map(|lever| 1.0 / lever);
     let mut stiffness = rest.balance.stiffness.clone();
     let bed = network.bed.as_ref();
@@ -49,17 +111,12 @@ pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
     for (unknown, _) in held.iter().enumerate().filter(|(_, held)| **held) {
         stiffness.add(unknown, unknown, most);
     }
-    // As many positive pivots of the shifted matrix as unknowns, as many eigenvalues above the shift (Sylvester).
-    if above(&stiffness, NEUTRAL * most).is_some() {
-        return Stability::Stable;
-    }
-    let unknown = softest(&stiffness, most);
-    let name = rest.freedoms.name(network, unknown);
-    if above(&stiffness, -UNSTABLE * most).is_none() {
-        Stability::Unstable(name)
-    } else {
-        Stability::Neutral(name)
-    }
+    Some(Scaled {
+        stiffness,
+        most,
+        by,
+        held,
+    })
 }
 
 /// The factors of a matrix less a multiple of the unit matrix; nothing where an eigenvalue is not above it.
@@ -72,9 +129,8 @@ fn above(stiffness: &EnvelopeMatrix, shift: f64) -> Option<EnvelopeCholesky> {
 const BISECTIONS: usize = 40;
 const SOLUTIONS: usize = 8;
 
-/// The unknown that moves most in the eigenvector of the least eigenvalue; `most` is the greatest number on the diagonal.
-fn softest(stiffness: &EnvelopeMatrix, most: f64) -> usize {
-    let n = stiffness.size();
+/// The part of a vector in the eigenvectors of the least eigenvalue; `most` is the greatest number on the diagonal.
+fn softest(stiffness: &EnvelopeMatrix, most: f64, mut vector: DVector<f64>) -> DVector<f64> {
     // Shifts below the eigenvalue and not below it.
     let mut low = -most;
     let mut factors = above(stiffness, low);
@@ -90,12 +146,10 @@ fn softest(stiffness: &EnvelopeMatrix, most: f64) -> usize {
             None => high = middle,
         }
     }
-    let mut random = Random::new(1, 0);
-    let mut vector = DVector::from_fn(n, |_, _| random.uniform() - 0.5);
     if let Some(factors) = factors {
         for _ in 0..SOLUTIONS {
             vector = factors.solve(&vector).normalize();
         }
     }
-    vector.iamax()
+    vector
 }

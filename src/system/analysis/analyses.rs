@@ -55,7 +55,7 @@ impl Analyses {
         // What is neutral and on no line rests wherever it is put.
         let drifts = network.lines.is_empty() && matches!(solved.stability, Stability::Neutral(_));
         let others = match drifts {
-            true => Vec::new(),
+            true => equilibria::left(rest),
             false => equilibria::others(network, rest),
         };
         let others = others.into_iter();

@@ -3,8 +3,9 @@
 use nalgebra::UnitQuaternion;
 
 use super::super::equilibrium::{Equilibrium, search_within};
-use super::super::network::{Line, Network};
+use super::super::network::Network;
 use super::super::start::start;
+use super::super::unstable::is_same;
 
 /// Turns \[deg\] about x, y, z from which each free body is searched in turn.
 const TURNS: [[f64; 3]; 7] = [
@@ -18,14 +19,12 @@ const TURNS: [[f64; 3]; 7] = [
 ];
 /// Steps of a search: those that find something take a few tens, and nothing is lost with one that does not.
 const MOST_STEPS: usize = 60;
-/// Turns \[rad\] and shares of the greatest length within which two equilibria are the same.
-const SAME: f64 = 1e-5;
 
-/// Equilibria that searches from turned bodies find beside the first; none where no body is free. Starts that find nothing are
-/// left out: they say nothing of the first.
+/// Equilibria beside the first: the unstable one that the search for it left, and those that searches from turned bodies find; none where no body
+/// is free. Starts that find nothing are left out: they say nothing of the first.
 #[must_use]
 pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
-    let mut found: Vec<Equilibrium> = Vec::new();
+    let mut found = left(first);
     let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].turns());
     for body in free {
         for turn in TURNS {
@@ -46,19 +45,8 @@ pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
     found
 }
 
-/// Whether two equilibria are one, spins of rods left out.
-fn is_same(network: &Network, one: &Equilibrium, two: &Equilibrium) -> bool {
-    let (one, two) = (&one.placement, &two.placement);
-    let size = network.lines.iter().map(Line::length);
-    let near = SAME * size.fold(1.0, f64::max);
-    let points = one.points.iter().zip(&two.points);
-    let bodies = one.bodies.iter().zip(&two.bodies).zip(&network.bodies);
-    points.into_iter().all(|(a, b)| (a - b).norm() <= near)
-        && bodies.into_iter().all(|((a, b), body)| {
-            let turned = match &body.spins_about {
-                Some(axis) => (a.arm(axis) - b.arm(axis)).norm(),
-                None => a.rotation.angle_to(&b.rotation),
-            };
-            turned <= SAME && (a.origin - b.origin).norm() <= near
-        })
+/// The unstable equilibrium that the search for one left.
+#[must_use]
+pub fn left(first: &Equilibrium) -> Vec<Equilibrium> {
+    first.left.iter().map(|left| (**left).clone()).collect()
 }

@@ -1,0 +1,103 @@
+//! Leaving an equilibrium that is unstable: a float that is top-heavy rests upright as long as nothing touches it.
+//!
+//! A search that begins in symmetry stays in it, and ends where the symmetric forces balance. From there the bodies are turned a little along the
+//! motion that the stiffness does not resist, and the search goes on downhill. Of motions that are resisted alike, as roll and pitch of a round
+//! float, that one is taken which is nearest to a turn fixed in the bodies: the answer turns with the system.
+
+use nalgebra::DVector;
+
+use super::equilibrium::{Equilibrium, search};
+use super::network::{Line, Network};
+use super::stability::unstable_motion;
+use crate::numerics::V3;
+
+/// Turn by which an unstable equilibrium is left \[rad\].
+const TURN: f64 = 0.02;
+/// Times that this is done: a float may lie down along one axis, then roll about the other.
+const TIMES: usize = 4;
+/// Turns \[rad\] and shares of the greatest length within which two equilibria are the same.
+const SAME: f64 = 1e-5;
+
+/// What lies off an equilibrium.
+enum Departure {
+    /// It is not unstable.
+    None,
+    /// It is unstable, and searches from beside it find no other.
+    Nowhere,
+    /// It is unstable, and the system comes to this one.
+    To(Equilibrium),
+}
+
+/// The equilibrium that a system comes to when it is let go near one that is unstable; that one where it comes to none that is not.
+#[must_use]
+pub(super) fn leave(network: &Network, found: Equilibrium) -> Equilibrium {
+    let mut here = match departure(network, &found) {
+        Departure::To(next) => next,
+        Departure::None | Departure::Nowhere => return found,
+    };
+    for _ in 1..TIMES {
+        match departure(network, &here) {
+            Departure::None => {
+                here.left = Some(Box::new(found));
+                return here;
+            }
+            Departure::Nowhere => break,
+            Departure::To(next) => here = next,
+        }
+    }
+    found
+}
+
+/// Where a system goes from an equilibrium.
+fn departure(network: &Network, rest: &Equilibrium) -> Departure {
+    let Some(motion) = unstable_motion(network, rest, &turns(network, rest)) else {
+        return Departure::None;
+    };
+    let step = motion * TURN;
+    let from = rest.placement.moved(network, &rest.freedoms, &step);
+    match search(network, &from) {
+        Ok(next) if !is_same(network, rest, &next) => Departure::To(Equilibrium {
+            steps: rest.steps + next.steps,
+            evaluations: rest.evaluations + next.evaluations,
+            ..next
+        }),
+        _ => Departure::Nowhere,
+    }
+}
+
+/// A turn of each body, fixed in its own axes and of another size than those of the others: pitch, and enough of the two others where that is
+/// resisted.
+fn turns(network: &Network, rest: &Equilibrium) -> DVector<f64> {
+    let mut towards = DVector::zeros(rest.freedoms.count);
+    let bodies = rest.freedoms.bodies.iter().zip(&rest.placement.bodies);
+    for (number, (first, pose)) in bodies.enumerate() {
+        let Some(first) = first else { continue };
+        // A rod does not spin.
+        let own = match network.bodies[number].spins_about {
+            Some(_) => V3::new(0.0, 1.0, 1e-3),
+            None => V3::new(1e-3, 1.0, 1e-4),
+        };
+        let size = 1.0 / (1.0 + 0.3 * number as f64);
+        towards
+            .rows_mut(first + 3, 3)
+            .copy_from(&(pose.arm(&own) * size));
+    }
+    towards
+}
+
+/// Whether two equilibria are one, spins of rods left out.
+pub(super) fn is_same(network: &Network, one: &Equilibrium, two: &Equilibrium) -> bool {
+    let (one, two) = (&one.placement, &two.placement);
+    let size = network.lines.iter().map(Line::length);
+    let near = SAME * size.fold(1.0, f64::max);
+    let points = one.points.iter().zip(&two.points);
+    let bodies = one.bodies.iter().zip(&two.bodies).zip(&network.bodies);
+    points.into_iter().all(|(a, b)| (a - b).norm() <= near)
+        && bodies.into_iter().all(|((a, b), body)| {
+            let turned = match &body.spins_about {
+                Some(axis) => (a.arm(axis) - b.arm(axis)).norm(),
+                None => a.rotation.angle_to(&b.rotation),
+            };
+            turned <= SAME && (a.origin - b.origin).norm() <= near
+        })
+}
