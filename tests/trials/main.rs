@@ -6,4 +6,6 @@ mod equilibrium;
 mod friction_on_bed;
 mod loads_without_effect;
 mod loud;
+mod members;
 mod start;
+mod top_heavy;

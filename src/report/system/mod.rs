@@ -1,6 +1,7 @@
 //! A system of lines in views: plan, side and oblique view, tables of lines, points and bodies, text report, JSON.
 
 pub mod analysis;
+mod displaced_twice;
 pub mod json;
 pub mod motion;
 pub mod tables;

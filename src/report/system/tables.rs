@@ -1,5 +1,6 @@
 //! A system at rest in tables: lines, points, bodies and their stiffness; what is to be noted.
 
+use super::displaced_twice::displaced_twice;
 use crate::case::WaterSurface;
 use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
@@ -12,7 +13,7 @@ use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
 use crate::system::network::{Body, Held};
 use crate::system::potential_flow::wave_loads::energy_above;
-use crate::system::stability::Stability;
+use crate::system::stability::{Stability, stability as rests};
 use crate::system::{SolvedSystem, SystemFile};
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
@@ -128,6 +129,8 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found.extend(friction_at_rest(solved));
+    found.extend(left_unstable(solved));
+    found.extend(displaced_twice(solved));
     found.extend(unused_motion(solved));
     found.extend(on_waves(solved));
     found.extend(loads_without_effect(solved));
@@ -150,6 +153,18 @@ fn friction_at_rest(solved: &SolvedSystem) -> Option<String> {
          the end that is held, from both towards the middle where neither is held, and not at all between two held ends."
             .to_owned()
     })
+}
+
+/// The unstable equilibrium that the search came to first.
+fn left_unstable(solved: &SolvedSystem) -> Option<String> {
+    let left = solved.rest.left.as_ref()?;
+    let how = match rests(&solved.network, left) {
+        Stability::Unstable(name) => format!(", in {name}"),
+        Stability::Stable | Stability::Neutral(_) => String::new(),
+    };
+    Some(format!(
+        "The equilibrium next to the poses given is unstable{how}: this one is where the system comes to when it is let go near it."
+    ))
 }
 
 /// Keys of motion that have no effect: of a file that is not computed in time, or after its end.
