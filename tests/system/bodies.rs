@@ -203,7 +203,7 @@ fn a_member_cut_in_two_has_the_same_sums() {
         for share in [0.11, 0.5, 0.73] {
             // Where it is cut within the length that the surface cuts, the quadrature ends beside a singularity.
             let z = (pose.origin + pose.arm(&cone.from.lerp(&cone.to, share))).z;
-            let tolerance = if z.abs() < 2.0 { 1e-6 } else { 1e-10 };
+            let tolerance = if z.abs() < 2.0 { 5e-6 } else { 1e-9 };
             let off = (load(&network, &parts(share), &pose) - loads).amax();
             assert!(off < tolerance * WEIGHT * 100.0, "{pose:?}, {share}: {off}");
             let off = (mass_matrix(&network, &parts(share), &pose) - mass).amax();
