@@ -38,7 +38,7 @@ impl<'s> ExactLine<'s> {
                     at_rest,
                     ends,
                     shares: if *backwards { [to, from] } else { [from, to] },
-                    error: solved.line_errors[number],
+                    error: solved.errors.lines[number],
                     on_bed: at_rest.on_bed(),
                 });
             }

@@ -35,6 +35,7 @@ mod physics;
 mod progress;
 mod random_motion;
 mod random_systems;
+mod refined_systems;
 mod report;
 mod ropeway;
 mod rules;

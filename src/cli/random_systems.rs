@@ -3,7 +3,8 @@
 use std::process::ExitCode;
 
 use super::{
-    BAD_RESULT, CommandError, invariants, output, random_motion, system_args::SystemsArgs,
+    BAD_RESULT, CommandError, invariants, output, random_motion, refined_systems,
+    system_args::SystemsArgs,
 };
 use crate::report::run_json;
 use crate::report::table::{NumberFormat, Table};
@@ -23,6 +24,9 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     }
     if args.in_motion {
         return random_motion::systems(args);
+    }
+    if let Some(by) = args.refined {
+        return refined_systems::systems(args, by as usize);
     }
     let outcomes = run(args.count as usize, args.seed);
     let tallies: Vec<KindTally> = (0..KINDS.len())

@@ -108,6 +108,10 @@ pub(super) struct SystemsArgs {
     #[arg(long, value_name = "FOLDER", requires = "invariants")]
     pub(super) write: Option<std::path::PathBuf>,
 
+    /// Hold the errors stated of other systems, with divided lines, against so many times the segments.
+    #[arg(long, value_name = "TIMES", conflicts_with_all = ["in_motion", "show", "invariants"], value_parser = clap::value_parser!(u32).range(2..=64))]
+    pub(super) refined: Option<u32>,
+
     /// Print the file of the system of this number, counted from 0.
     #[arg(
         long,

@@ -5,10 +5,43 @@ use super::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::case::{Case, DragCoefficient};
 use crate::numerics::richardson::Refinement;
 
-/// The lumped-mass line is of second order in the length of its segments, where the drag coefficient jumps with the velocity of
-/// order 1.5.
-const ORDER: f64 = 2.0;
-const ORDER_OF_CRISIS: f64 = 1.5;
+/// The order of a line's results in the length of its segments.
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct MeshOrder(f64);
+
+impl MeshOrder {
+    /// Of the lumped-mass line.
+    pub const SECOND: Self = Self(2.0);
+    /// Where the drag coefficient jumps with the velocity.
+    const OF_CRISIS: Self = Self(1.5);
+
+    /// The order of the line of a case.
+    #[must_use]
+    pub fn of(case: &Case) -> Self {
+        match has_crisis(case) {
+            true => Self::OF_CRISIS,
+            false => Self::SECOND,
+        }
+    }
+
+    /// The lower of two.
+    #[must_use]
+    pub fn lower(self, other: Self) -> Self {
+        Self(self.0.min(other.0))
+    }
+
+    /// Error of the coarser of two results by their difference (Richardson), with a factor of safety of 3 (Roache 1994, doi
+    /// 10.1115/1.2910291); `ratio` is that of their segments.
+    #[must_use]
+    pub fn share_of_coarser(self, ratio: f64) -> f64 {
+        let by_mesh = Refinement {
+            ratio,
+            order: self.0,
+        };
+        // r^p times that of the finer.
+        ratio.powf(self.0) * by_mesh.presumed(1.0, 0.0)
+    }
+}
 
 /// Estimated error of the force on either end by the mesh \[N\], A first: from the same line with segments half as long
 /// (Richardson), of the order of the method, 2 (1.5 with a drag crisis), and with a factor of safety of 3 (Roache 1994,
@@ -27,15 +60,8 @@ pub fn mesh_error(case: &Case, line: &LineEquilibrium) -> Result<[f64; 2], LineE
     let mut finer = LineBetweenEnds::new(&finer)?;
     finer.lay_from(line.laid_from);
     let fine = finer.solve(a, b)?;
-    let order = if has_crisis(case) {
-        ORDER_OF_CRISIS
-    } else {
-        ORDER
-    };
-    let by_mesh = Refinement { ratio: 2.0, order };
-    // Of the coarser of two results: r^p times that of the finer.
-    let share = by_mesh.ratio.powf(order);
-    Ok(differences(line, &fine).map(|d| share * by_mesh.presumed(d, 0.0)))
+    let share = MeshOrder::of(case).share_of_coarser(2.0);
+    Ok(differences(line, &fine).map(|d| share * d))
 }
 
 /// Whether a coefficient of drag depends on velocity.

@@ -40,7 +40,7 @@ mod mesh_error;
 
 pub use error::LineError;
 pub use line_equilibrium::LineEquilibrium;
-pub use mesh_error::mesh_error;
+pub use mesh_error::{MeshOrder, mesh_error};
 
 use crate::case::{Case, End, EndKind};
 use crate::numerics::{BlockBand, Condensation, EndBlocks, M3, V3};

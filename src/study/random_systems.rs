@@ -4,7 +4,9 @@
 //! free point between two lines in one straight line, weightless points between slack lines, clumps on the bed; buoys whose members come
 //! out of the water, and rods, with and without a current.
 
+pub mod divided;
 mod in_water;
+pub mod refined;
 
 use std::time::{Duration, Instant};
 

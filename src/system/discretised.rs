@@ -8,7 +8,7 @@ use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
 use super::parts::Part;
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
-use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, mesh_error};
+use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
 use crate::solve::State;
@@ -89,13 +89,29 @@ impl DiscretisedLine {
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
             bed.friction = Some(line.friction.unwrap_or(given.friction));
         }
+        Self::stated_by(case).map(|line| Some(Arc::new(line)))
+    }
+
+    fn stated_by(case: Case) -> Result<Self, String> {
         let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
         let shares = shares(&case);
-        Ok(Some(Arc::new(Self {
+        Ok(Self {
             element,
             case,
             shares,
-        })))
+        })
+    }
+
+    /// The same line with so many times the segments in each section.
+    ///
+    /// # Errors
+    /// What the element says of the line.
+    pub fn refined(&self, by: usize) -> Result<Self, String> {
+        let mut case = self.case.clone();
+        for section in &mut case.line {
+            section.segments *= by;
+        }
+        Self::stated_by(case)
     }
 
     /// The case that states it.
@@ -148,6 +164,14 @@ impl DiscretisedRest {
         self.element.lay();
     }
 
+    /// Unstretched length of its longest segment \[m\].
+    #[must_use]
+    pub fn longest_segment_m(&self) -> f64 {
+        let sections = self.shares.case.line.iter();
+        let segments = sections.map(|section| section.length_m / section.segments as f64);
+        segments.fold(0.0, f64::max)
+    }
+
     /// The scene of the line and its state at rest.
     #[must_use]
     pub fn scene_and_state(&self) -> (&Scene, &State) {
@@ -168,12 +192,6 @@ impl DiscretisedRest {
             place[next - 1].lerp(&place[next], part),
             tension[next - 1] + part * (tension[next] - tension[next - 1]),
         )
-    }
-
-    /// Error of the end forces by the mesh \[N\], ends A and B; nothing where the finer mesh has no equilibrium.
-    #[must_use]
-    pub fn mesh_error(&self) -> Option<[f64; 2]> {
-        mesh_error(&self.shares.case, &self.found).ok()
     }
 }
 

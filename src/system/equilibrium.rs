@@ -129,23 +129,20 @@ fn found(
     if rough || !level || discretised || network.flows() {
         search.physics = LinePhysics::Full;
         search.here = search.evaluate(&search.placement)?;
-        match search.run(most_steps) {
-            Err(_) if relaxed => search.relax(most_steps)?,
-            ended => ended?,
-        }
-        if rough && discretised {
-            search.lay_again(most_steps, relaxed)?;
-        }
+        search.run_in_full(most_steps, relaxed)?;
     }
-    let replaced = search.here.lines.iter().enumerate();
-    let mut errors = replaced.filter_map(|(line, at_rest)| Some((line, at_rest.replaced.clone()?)));
-    match errors.next() {
-        Some((line, error)) => Err(SystemError::Line(UnsolvedLine {
-            line,
-            why: error.to_string(),
-        })),
-        None => Ok(search.finish()),
-    }
+    search.result()
+}
+
+/// Finds the equilibrium near a placement that is one but for small changes, with all physics from the start.
+///
+/// # Errors
+/// [`SystemError`].
+pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, SystemError> {
+    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let mut search = Search::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
+    search.run_in_full(MOST_STEPS, true)?;
+    search.result()
 }
 
 /// A search under way.
@@ -298,6 +295,20 @@ impl<'a> Search<'a> {
         let after = self.unbalanced(&balance, &place);
         let after = after.component_div(&self.lever).norm();
         (place != self.placement).then_some((place, balance, after))
+    }
+
+    /// Steps with all physics until the forces balance, with divided lines on a rough bed laid where they come to rest.
+    fn run_in_full(&mut self, most_steps: usize, relaxed: bool) -> Result<(), SystemError> {
+        match self.run(most_steps) {
+            Err(_) if relaxed => self.relax(most_steps)?,
+            ended => ended?,
+        }
+        let lines = &self.network.lines;
+        let rough = lines.iter().any(|line| line.friction > 0.0) && self.network.bed.is_some();
+        if rough && lines.iter().any(|line| line.discretised.is_some()) {
+            self.lay_again(most_steps, relaxed)?;
+        }
+        Ok(())
     }
 
     /// Lays the divided lines on the bed anew where the system has come to rest, and steps until the forces balance, again and again until
@@ -553,6 +564,18 @@ impl<'a> Search<'a> {
             });
         }
         Ok((place, slope, balance))
+    }
+
+    /// The equilibrium; none where a line has only another in its place.
+    fn result(self) -> Result<Equilibrium, SystemError> {
+        let mut lines = self.here.lines.iter().enumerate();
+        match lines.find_map(|(line, at_rest)| Some((line, at_rest.replaced.as_ref()?))) {
+            Some((line, why)) => Err(SystemError::Line(UnsolvedLine {
+                line,
+                why: why.to_string(),
+            })),
+            None => Ok(self.finish()),
+        }
     }
 
     fn finish(self) -> Equilibrium {

@@ -73,20 +73,15 @@ impl LineAtRest {
         }
     }
 
-    /// Error of the forces on its ends \[N\]: by rounding, or by the mesh of a discretised line.
+    /// Error of the forces on its ends by rounding \[N\]: what its own solution leaves out of balance.
     #[must_use]
-    pub fn error(&self) -> Option<f64> {
-        let greatest = self.tensions().into_iter().fold(0.0, f64::max);
-        match &self.discretised {
-            Some(line) => {
-                let [a, b] = line.mesh_error()?;
-                Some(a.max(b) + line.found.residual_n)
-            }
-            None => {
-                let own = self.solution.as_ref().map_or(0.0, |line| line.residual);
-                Some((own + f64::EPSILON) * greatest + self.added_weight)
-            }
+    pub fn rounding(&self) -> f64 {
+        if let Some(line) = &self.discretised {
+            return line.found.residual_n;
         }
+        let greatest = self.tensions().into_iter().fold(0.0, f64::max);
+        let own = self.solution.as_ref().map_or(0.0, |line| line.residual);
+        (own + f64::EPSILON) * greatest + self.added_weight
     }
 
     /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.

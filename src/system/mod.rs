@@ -21,6 +21,7 @@ pub mod connected;
 mod damage;
 pub mod discretised;
 pub mod equilibrium;
+pub mod errors_at_rest;
 mod file;
 pub mod freedoms;
 mod heading_loads;

@@ -406,6 +406,22 @@ impl Network {
             || self.free_points().any(|point| point.initial.is_off_rest())
     }
 
+    /// The same system with so many times the segments in every divided line.
+    ///
+    /// # Errors
+    /// The name of a line that has no element, and why.
+    pub fn refined(&self, by: usize) -> Result<Self, (String, String)> {
+        let mut network = self.clone();
+        for line in &mut network.lines {
+            if let Some(coarse) = &line.discretised {
+                let fine = coarse.refined(by);
+                let fine = fine.map_err(|why| (line.name.clone(), why))?;
+                line.discretised = Some(Arc::new(fine));
+            }
+        }
+        Ok(network)
+    }
+
     /// The body of this name.
     #[must_use]
     pub fn body(&self, name: &str) -> Option<usize> {

@@ -2,9 +2,13 @@
 
 use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
+use super::equilibrium::{Equilibrium, SystemError};
 use super::loads;
 use super::model::SystemKeys;
+use super::network::Network;
+use super::rest::refused;
 use super::solved::SolvedSystem;
+use super::stiffness::of_body;
 use crate::case::Finding;
 use crate::case::schema::Key;
 
@@ -113,15 +117,32 @@ fn direction(place: &str) -> Option<(usize, usize)> {
 /// # Errors
 /// Why there is none, as a sentence.
 pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
+    match known_stiffness(solved, name) {
+        Some(value) => Ok(value),
+        None => value_at(&solved.network, &solved.rest, name),
+    }
+}
+
+/// A number of the stiffness on a body; nothing for other results.
+fn known_stiffness(solved: &SolvedSystem, name: &str) -> Option<f64> {
+    let (quantity, subject, place) = parts(name)?;
+    let body = (quantity.of == Subject::Stiffness).then(|| solved.network.body(subject))?;
+    Some(solved.stiffness[body?][direction(place)?])
+}
+
+/// The value of the result of this name where a system rests.
+///
+/// # Errors
+/// Why there is none, as a sentence.
+pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64, String> {
     let missing = || format!("There is no result `{name}` of this system.");
     let (quantity, subject, place) = parts(name).ok_or_else(missing)?;
-    let network = &solved.network;
     match quantity.of {
         Subject::Line | Subject::LineEnd => {
             let index = network.line(subject).ok_or_else(missing)?;
-            let line = &solved.rest.balance.lines[index];
+            let line = &rest.balance.lines[index];
             if let Some(tension) =
-                between(solved, index, place).filter(|_| quantity.name == "tension_n")
+                between((network, rest), index, place).filter(|_| quantity.name == "tension_n")
             {
                 return Ok(tension);
             }
@@ -132,7 +153,7 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
                 _ => return Err(missing()),
             };
             Ok(match quantity.name {
-                "clearance_m" => return clearance(solved, index),
+                "clearance_m" => return clearance((network, rest), index),
                 "tension_n" => force.norm(),
                 "horizontal_n" => force.xy().norm(),
                 "vertical_n" => force.z,
@@ -142,58 +163,81 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
         Subject::Point => {
             let index = network.point(subject).ok_or_else(missing)?;
             if quantity.name == "uplift_n" {
-                return Ok(loads::pull(network, &solved.rest, index).z);
+                return Ok(loads::pull(network, rest, index).z);
             }
             let axis = ["x_m", "y_m", "z_m"]
                 .iter()
                 .position(|n| *n == quantity.name);
-            Ok(solved.rest.placement.points[index][axis.unwrap_or(0)])
+            Ok(rest.placement.points[index][axis.unwrap_or(0)])
         }
         Subject::Body => {
             let index = network.body(subject).ok_or_else(missing)?;
             if let Some(axis) = PIN_FORCE.iter().position(|name| *name == quantity.name) {
-                let force = loads::of_pin(network, &solved.rest, index);
+                let force = loads::of_pin(network, rest, index);
                 return force.map(|force| force[axis]).ok_or_else(missing);
             }
-            let here = solved.rest.placement.bodies[index].origin;
+            let here = rest.placement.bodies[index].origin;
             Ok((here - network.bodies[index].pose.origin).xy().norm())
         }
-        Subject::Period => period(solved, subject, place).ok_or_else(missing)?,
+        Subject::Period => period((network, rest), subject, place).ok_or_else(missing)?,
         Subject::Stiffness => {
             let index = network.body(subject).ok_or_else(missing)?;
             let at = direction(place).ok_or_else(missing)?;
-            Ok(solved.stiffness[index][at])
+            let stiffness = of_body(network, rest, index);
+            let stiffness = stiffness
+                .map_err(|unsolved| refused(network, &SystemError::Line(unsolved)).problem)?;
+            Ok(stiffness[at])
         }
     }
 }
 
 /// The tension where two sections of a line meet, by its number from end A.
-fn between(solved: &SolvedSystem, line: usize, place: &str) -> Option<f64> {
+fn between((network, rest): AtRest<'_>, line: usize, place: &str) -> Option<f64> {
     let meeting: usize = place.parse().ok()?;
-    let given = &solved.network.lines[line];
+    let given = &network.lines[line];
     if !(1..given.sections.len()).contains(&meeting) {
         return None;
     }
     let before = given.sections[..meeting].iter();
     let arc: f64 = before.map(|section| section.length_m).sum();
-    let places = &solved.rest.placement.points;
+    let places = &rest.placement.points;
     let ends = [&places[given.from], &places[given.to]];
-    Some(
-        solved.rest.balance.lines[line]
-            .at(arc / given.length(), ends)
-            .1,
-    )
+    Some(rest.balance.lines[line].at(arc / given.length(), ends).1)
 }
 
-/// The error of the result of this name, where it is known: by rounding, or by the mesh of the line.
+/// A system and where it rests.
+type AtRest<'a> = (&'a Network, &'a Equilibrium);
+
+/// The error of the result of this name, where it is known: by the mesh of all lines, or of closed forms by rounding.
 #[must_use]
 pub fn error(solved: &SolvedSystem, name: &str) -> Option<f64> {
-    let (quantity, subject, _) = parts(name)?;
-    if quantity.of != Subject::LineEnd {
-        return None;
+    let (quantity, subject, place) = parts(name)?;
+    let (network, errors) = (&solved.network, &solved.errors);
+    let of_ends = quantity.of == Subject::LineEnd;
+    if of_ends && (errors.companion.is_none() || matches!(place, "a" | "b")) {
+        return errors.lines[network.line(subject)?];
     }
-    let line = solved.network.line(subject)?;
-    solved.line_errors.get(line).copied().flatten()
+    match (quantity.of, quantity.unit) {
+        (Subject::Point, "m") => return errors.points[network.point(subject)?],
+        (Subject::Body, "m") => return Some(errors.bodies[network.body(subject)?]?[0]),
+        _ => {}
+    }
+    let finer = errors.finer()?;
+    let fine = value_at(&finer.network, &finer.rest, name).ok()?;
+    let own = finer.error(value(solved, name).ok()? - fine);
+    let resolution = match quantity.name {
+        "on_bed_m" => bed_resolution(solved, network.line(subject)?),
+        _ => 0.0,
+    };
+    Some(own.max(resolution))
+}
+
+/// To what the length on the bed of a divided line that touches it is known \[m\]: half its longest segment.
+fn bed_resolution(solved: &SolvedSystem, line: usize) -> f64 {
+    let at_rest = &solved.rest.balance.lines[line];
+    let divided = at_rest.discretised.as_ref();
+    let touches = divided.filter(|_| at_rest.on_bed() > 0.0);
+    touches.map_or(0.0, |divided| 0.5 * divided.longest_segment_m())
 }
 
 /// The results that matter most: the tension of every line at the end where it is greater, the offsets of free bodies, the natural
@@ -222,21 +266,25 @@ pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
     names
 }
 
-fn clearance(solved: &SolvedSystem, line: usize) -> Result<f64, String> {
-    let curves = boxed(&solved.network, &solved.rest);
-    let nearest = nearest_line(&solved.network, &curves, line);
+fn clearance((network, rest): AtRest<'_>, line: usize) -> Result<f64, String> {
+    let curves = boxed(network, rest);
+    let nearest = nearest_line(network, &curves, line);
     let alone = || "Every other line shares a point with it.".to_owned();
     nearest.map(|(_, distance)| distance).ok_or_else(alone)
 }
 
 /// The period of this number, those that do not end left out, or the longest that is mostly of a part and a direction; nothing
 /// where there is no such subject.
-fn period(solved: &SolvedSystem, subject: &str, direction: &str) -> Option<Result<f64, String>> {
+fn period(
+    (network, rest): AtRest<'_>,
+    subject: &str,
+    direction: &str,
+) -> Option<Result<f64, String>> {
     let number: Option<usize> = subject.parse().ok().filter(|_| direction.is_empty());
     if number.is_none() && direction.is_empty() {
         return None;
     }
-    let modes = match periods(&solved.network, &solved.rest) {
+    let modes = match periods(network, rest) {
         Ok(modes) => modes,
         Err(why) => return Some(Err(format!("There are no natural periods: {why}."))),
     };
@@ -247,7 +295,7 @@ fn period(solved: &SolvedSystem, subject: &str, direction: &str) -> Option<Resul
         Some(number) => finite.clone().nth(number.wrapping_sub(1)),
         None => finite
             .clone()
-            .find(|mode| mode.names(&solved.network) == (subject, direction)),
+            .find(|mode| mode.names(network) == (subject, direction)),
     };
     let period = found.and_then(|mode| mode.period_s);
     Some(period.ok_or_else(|| match number {

@@ -8,7 +8,7 @@ use super::build::{AgedParts, Divided, build};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
-use super::line_at_rest::LineAtRest;
+use super::errors_at_rest::ErrorsAtRest;
 use super::model::SystemFile;
 use super::network::{Held, Network};
 use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
@@ -30,8 +30,8 @@ pub struct SolvedSystem {
     pub rest: Equilibrium,
     /// How it rests.
     pub stability: Stability,
-    /// Error of the end forces of each line \[N\]: by rounding, or by the mesh; nothing where it is not known.
-    pub line_errors: Vec<Option<f64>>,
+    /// Its numerical errors.
+    pub errors: ErrorsAtRest,
     /// Stiffness of the lines on each body about its origin \[N/m, N, N m\].
     pub stiffness: Vec<Matrix6<f64>>,
 }
@@ -94,9 +94,8 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let stability = stability(&network, &rest);
     let stiffness = of_bodies(&network, &rest);
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
-    let errors = rest.balance.lines.iter().map(LineAtRest::error);
     Ok(SolvedSystem {
-        line_errors: errors.collect(),
+        errors: ErrorsAtRest::of(&network, &rest),
         file,
         stability,
         stiffness,

@@ -1,7 +1,7 @@
 //! A system compared with its published values: rows of the validation table.
 
 use super::motion::run::MotionRun;
-use super::quantities::{unit, value};
+use super::quantities::{error, unit, value};
 use super::solved::SolvedSystem;
 use crate::reference::ValidationRow;
 use crate::run::History;
@@ -32,8 +32,11 @@ pub fn rows_of(
 ) -> Vec<ValidationRow> {
     let file = &solved.file;
     let numbers = file.published.iter().map(|printed| {
-        // Closed forms are exact to rounding; the mesh error of derived results is not estimated.
-        let error = (!solved.is_discretised()).then_some(0.0);
+        // Closed forms are exact to rounding.
+        let error = match solved.is_discretised() {
+            true => error(solved, &printed.quantity),
+            false => Some(0.0),
+        };
         let found = value(solved, &printed.quantity).map(|value| (value, error));
         printed.held(unit(&printed.quantity), found)
     });

@@ -22,7 +22,7 @@ fn without_current_they_are_the_closed_forms() {
     assert!(still.is_discretised() && !exact.is_discretised());
     for (index, line) in ["low", "high"].into_iter().enumerate() {
         let (e, s) = (tensions(&exact, line), tensions(&still, line));
-        let allowed = still.line_errors[index].unwrap();
+        let allowed = still.errors.lines[index].unwrap();
         assert!(allowed < 1e-3 * e[1], "{allowed}");
         for end in 0..2 {
             assert!(

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod equilibrium;
+mod errors_at_rest;
 mod friction_on_bed;
 mod loads_without_effect;
 mod loud;

@@ -100,7 +100,7 @@ fn line(solved: &SolvedSystem, index: usize) -> Value {
         "force_b_n": three(&at_rest.force_b),
         "on_bed_m": at_rest.on_bed(),
         "share_of_breaking_load": loads::share_of_breaking_load(network, &solved.rest, index),
-        "error_n": solved.line_errors[index].map(|own| own + solved.rest.residual),
+        "error_n": solved.errors.lines[index].map(|own| own + solved.rest.residual),
     })
 }
 
@@ -119,6 +119,7 @@ fn point(solved: &SolvedSystem, index: usize) -> Value {
         "name": point.name,
         "held": held,
         "position_m": three(&solved.rest.placement.points[index]),
+        "error_m": solved.errors.points[index],
     })
 }
 
@@ -147,5 +148,7 @@ fn body(solved: &SolvedSystem, index: usize) -> Value {
         "lines_force_n": three(&force),
         "lines_moment_n_m": three(&moment),
         "stiffness": rows,
+        "error_m": solved.errors.bodies[index].map(|[place, _]| place),
+        "error_deg": solved.errors.bodies[index].map(|[_, turn]| turn.to_degrees()),
     })
 }

@@ -19,6 +19,8 @@ use crate::system::{SolvedSystem, SystemFile};
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");
 const DEGREES: NumberFormat = NumberFormat::Decimals(2, "deg");
+const SHORT: NumberFormat = NumberFormat::Digits(2, "m");
+const SMALL_ANGLE: NumberFormat = NumberFormat::Digits(2, "deg");
 
 /// A line with its number.
 type Numbered = usize;
@@ -131,6 +133,9 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     found.extend(friction_at_rest(solved));
     found.extend(left_unstable(solved));
     found.extend(displaced_twice(solved));
+    found.extend(solved.errors.missing().map(|why| {
+        format!("The errors by the mesh are not known: with twice the segments, {why}.")
+    }));
     found.extend(unused_motion(solved));
     found.extend(on_waves(solved));
     found.extend(loads_without_effect(solved));
@@ -337,7 +342,7 @@ pub fn lines(solved: &SolvedSystem) -> Table {
         .number("tension at to", NEWTONS, |k| at_rest(k).tensions()[1])
         .number("angle", DEGREES, |k| elevation(&at_rest(k).force_b))
         .number("on the bed", METRES, |k| at_rest(k).on_bed())
-        .number("error", NEWTONS, |k| solved.line_errors[*k]);
+        .number("error", NEWTONS, |k| solved.errors.lines[*k]);
     let has_breaks = numbers.iter().any(|k| greatest_share(solved, *k).is_some());
     let table = if has_breaks {
         table.number("of breaking load", NumberFormat::Percent, |k| {
@@ -365,7 +370,7 @@ pub fn lines_beside(solved: &SolvedSystem) -> Table {
         .number("of break", NumberFormat::Percent, |k| {
             greatest_share(solved, *k)
         })
-        .number("error", NEWTONS, |k| solved.line_errors[*k])
+        .number("error", NEWTONS, |k| solved.errors.lines[*k])
         .build()
 }
 
@@ -389,7 +394,21 @@ pub fn points(solved: &SolvedSystem) -> Table {
         .number("z", METRES, |k| place(k).z)
         .number("pull of the lines", NEWTONS, |k| force(pulls[*k].norm()))
         .number("upwards", NEWTONS, |k| force(pulls[*k].z))
+        .when(solved.is_discretised(), |table| {
+            table
+                .number("error of place", SHORT, |k| solved.errors.points[*k])
+                .number("error of pull", NEWTONS, |k| {
+                    pull_error(solved, *k, &pulls[*k])
+                })
+        })
         .build()
+}
+
+/// Error of the pull of the lines on a point by the meshes \[N\].
+fn pull_error(solved: &SolvedSystem, point: usize, pull: &V3) -> Option<f64> {
+    let finer = solved.errors.finer()?;
+    let change = pull - loads::pull(&finer.network, &finer.rest, point);
+    Some(finer.error(change.norm()) + solved.rest.residual)
 }
 
 /// A force as it is shown: what the search leaves out of balance, or rounding, is nothing.
@@ -445,7 +464,17 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .number("yaw", DEGREES, |k| angle(k, 2))
         .number("lines x", NEWTONS, |k| force(loads[*k].0.x))
         .number("lines y", NEWTONS, |k| force(loads[*k].0.y))
-        .number("lines z", NEWTONS, |k| force(loads[*k].0.z));
+        .number("lines z", NEWTONS, |k| force(loads[*k].0.z))
+        .when(solved.is_discretised(), |table| {
+            let error = |k: &usize| solved.errors.bodies[*k];
+            table
+                .number("error of place", SHORT, move |k| {
+                    error(k).map(|[place, _]| place)
+                })
+                .number("error of angles", SMALL_ANGLE, move |k| {
+                    error(k).map(|[_, turn]| turn.to_degrees())
+                })
+        });
     if !network.bodies.iter().any(|body| body.pinned) {
         return table.build();
     }
