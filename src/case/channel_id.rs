@@ -118,6 +118,17 @@ impl ChannelQuantity {
     /// Quantities whose extremes checks compare: tension, uplift, force on an end, height.
     pub const CHECKED: [Self; 4] = [Self::Tension, Self::Uplift, Self::ForceZ, Self::Z];
 
+    /// Whether a value of zero is a floor, where it stays however slack the line is: a tension, and the pull of a line on its end at the
+    /// `last` moment. The extremes of a pull may be zero where it changes its direction, or hangs straight down at the start.
+    #[must_use]
+    pub const fn rests_at_zero(self, last: bool) -> bool {
+        match self {
+            Self::Tension => true,
+            Self::ForceX | Self::ForceY | Self::ForceZ | Self::Uplift => last,
+            _ => false,
+        }
+    }
+
     /// The quantity at a place.
     #[must_use]
     pub fn at(self, place: impl Into<String>) -> ChannelId {

@@ -173,11 +173,32 @@ impl<'a> EvidentNumbers<'a> {
     }
 
     fn error(&self, q: &Quantity) -> Option<f64> {
-        let near = self.near_difference(q)?;
-        Some(match self.far_difference(q) {
+        let near = self.off_floor(q, &self.near, self.evidence.near)?;
+        let (far, runs) = (self.far.as_ref(), self.evidence.far);
+        let far = far
+            .zip(runs)
+            .and_then(|(far, runs)| self.off_floor(q, far, runs));
+        Some(match far {
             Some(far) => self.evidence.refinement.observed([near, far], self.usual),
             None => self.evidence.presumed(near),
         })
+    }
+
+    /// The difference of a number between two runs. Where it or one of them rests on a floor, as the tension of a slack line on zero however
+    /// slack it is, that they agree says nothing: there the greatest difference of the same channel's other numbers counts as well.
+    fn off_floor(
+        &self,
+        q: &Quantity,
+        numbers: &[Vec<Quantity>; 2],
+        runs: [&Computed; 2],
+    ) -> Option<f64> {
+        let between = |q: &Quantity| Some(difference(q, pair(numbers, q)?, runs));
+        let own = between(q)?;
+        if !rests_at_zero(q) || !(q.value == 0.0 || pair(numbers, q)?.contains(&0.0)) {
+            return Some(own);
+        }
+        let of_channel = self.run.iter().filter(|other| is_of_same_channel(q, other));
+        Some(of_channel.filter_map(between).fold(own, f64::max))
     }
 
     /// The values of the companions where they do not approach each other by more than rounding.
@@ -300,6 +321,36 @@ fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) 
         each.sum()
     };
     profile.arc.iter().map(error).collect()
+}
+
+/// Whether zero is a floor of a number: see [`ChannelQuantity::rests_at_zero`].
+fn rests_at_zero(q: &Quantity) -> bool {
+    let QuantityId::Statistic { of, statistic, .. } = &q.id else {
+        return false;
+    };
+    let is_value = matches!(
+        statistic,
+        Statistic::Min | Statistic::Max | Statistic::Final
+    );
+    is_value
+        && match of {
+            Subject::Channel(channel) => {
+                let last = *statistic == Statistic::Final;
+                channel.quantity.rests_at_zero(last)
+            }
+            Subject::Line(quantity) => *quantity == LineQuantity::Tension,
+            _ => false,
+        }
+}
+
+/// Whether two numbers are values of the same channel, or along the same line: not times, rates or counts of one of them.
+fn is_of_same_channel(one: &Quantity, other: &Quantity) -> bool {
+    match (&one.id, &other.id) {
+        (QuantityId::Statistic { of: a, .. }, QuantityId::Statistic { of: b, .. }) => {
+            a == b && one.unit() == other.unit()
+        }
+        _ => false,
+    }
 }
 
 /// Whether it is the least tension somewhere or on the whole line.

@@ -10,3 +10,4 @@ mod loud;
 mod members;
 mod start;
 mod top_heavy;
+mod zero_bars;

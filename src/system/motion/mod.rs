@@ -20,6 +20,7 @@ pub mod channels;
 pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;
 pub mod checkpoint;
+mod differences;
 pub mod energy;
 pub mod foot;
 pub mod frequency;

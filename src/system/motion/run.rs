@@ -5,6 +5,7 @@ use std::time::Instant;
 
 use super::along::LinesAlong;
 use super::channels::Channels;
+use super::differences::differences;
 use super::march::{Stored, compute};
 use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
@@ -266,15 +267,20 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
             });
         match other {
             Ok(other) => {
-                run.companions.push(other.history);
-                for (channel, coarse) in run.channels.iter_mut().zip(&other.channels) {
-                    let (fine, coarse) = (channel.summary.numbers(), coarse.summary.numbers());
-                    let errors = std::array::from_fn(|k| second.presumed(fine[k], coarse[k]));
+                for (number, coarse) in other.channels.iter().enumerate() {
+                    let Some(channel) = run.channels.get_mut(number) else {
+                        continue;
+                    };
+                    let summaries = [&channel.summary, &coarse.summary];
+                    let histories = [&run.history, &other.history];
+                    let differences = differences(&channel.id, summaries, histories, number);
+                    let errors = differences.map(|difference| second.presumed(difference, 0.0));
                     match what {
                         "time" => channel.time_error = Some(errors),
                         _ => channel.mesh_error = Some(errors),
                     }
                 }
+                run.companions.push(other.history);
             }
             Err(why) => run
                 .warnings
