@@ -47,6 +47,7 @@ pub fn write(
             ends: [ends[0].clone(), ends[1].clone()],
             length: section.length_m,
             segments,
+            without_bed: !line.bed_contact,
         });
     }
     let ends = [attachments.first(), attachments.last()];

@@ -57,11 +57,16 @@ pub fn text(sheet: &Sheet) -> String {
     );
     let lines = sheet.lines.iter().zip(1..).map(|(line, number)| {
         format!(
-            "{number}  {}  {}  {}  {}  tension_fair  tension_anch",
+            "{number}  {}  {}  {}  {}  tension_fair  tension_anch{}",
             line.of_type,
             written(line.length),
             line.ends[0],
-            line.ends[1]
+            line.ends[1],
+            if line.without_bed {
+                "  omit_contact"
+            } else {
+                ""
+            }
         )
     });
     table(

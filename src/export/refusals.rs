@@ -275,6 +275,11 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         key("still_water"),
         "lines in still water beside others in a current or waves",
     );
+    found.add(
+        !line.bed_contact && solved.file.seabed.is_some() && target == Target::MoorDyn,
+        key("bed_contact"),
+        "lines that hang through the bed",
+    );
     let common = common_friction(&solved.file);
     found.add(
         target == Target::MoorDyn && line.friction.is_some_and(|mu| mu != common),

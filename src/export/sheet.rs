@@ -137,4 +137,6 @@ pub struct LineRow {
     pub length: f64,
     /// Segments.
     pub segments: usize,
+    /// Whether the bed does not bear it.
+    pub without_bed: bool,
 }

@@ -230,6 +230,7 @@ impl Maker<'_> {
             break_loads: vec![None; sections.len()],
             sections,
             still_water: false,
+            bed_contact: true,
             friction,
             releases: Default::default(),
             discretised: None,

@@ -335,6 +335,7 @@ impl Builder<'_> {
                 .collect(),
             friction: friction.unwrap_or(0.0),
             still_water: line.still_water,
+            bed_contact: line.bed_contact,
             releases: [
                 ReleaseCondition {
                     time: line.release_a_s,

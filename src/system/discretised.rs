@@ -208,7 +208,8 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     let mut case = Case::new(&line.name, ends);
     case.environment = file.environment.clone();
     case.current = file.current.clone().filter(|_| !line.still_water);
-    case.seabed = file.seabed.as_ref().map(|bed| Seabed {
+    let bed = file.seabed.as_ref().filter(|_| line.bed_contact);
+    case.seabed = bed.map(|bed| Seabed {
         depth_file: bed.depth_file.clone(),
         interpolation: bed.interpolation,
         ..Seabed::level(bed.depth_m)

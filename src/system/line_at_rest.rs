@@ -129,7 +129,7 @@ pub fn solve(
         _ => b.z < a.z,
     };
     let (low, high) = if from_b { (b, a) } else { (a, b) };
-    let level = level_below(network, (low, high));
+    let level = level_below(network, (low, high)).filter(|_| line.bed_contact);
     let below = level.map_or(f64::INFINITY, |z| low.z - z);
     let lies = below.abs() <= ON_BED * (line.length() + low.z.abs());
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
@@ -192,7 +192,7 @@ pub fn has_closed_form(network: &Network, line: &Line, (a, b): (&V3, &V3)) -> bo
     if line.discretised.is_none() || !line.closed_over_flat {
         return line.discretised.is_none();
     }
-    let bed = network.bed.as_ref();
+    let bed = network.bed.as_ref().filter(|_| line.bed_contact);
     floats(network, line, a.z.max(b.z)) || bed.is_none_or(|bed| bed.flat_between(a, b).is_some())
 }
 

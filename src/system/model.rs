@@ -484,6 +484,8 @@ table! {
         segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
         /// Neither current nor waves act on it: as where they matter little, which is cheaper, or in a place that is sheltered.
         still_water: bool = false, "in still water";
+        /// Whether the bed bears it; without, it hangs through the bed: as OMIT_CONTACT of MAP++.
+        bed_contact: bool = true, "contact with the bed";
         /// Angle above the horizontal of the line at its end A, towards B, where that end is clamped and the line bends.
         clamp_a_elevation_deg: Option<f64>, "clamp elevation of end A", range of(-90.0, 90.0), absent "hinged";
         /// Direction of the clamped line at its end A, from +x towards +y.

@@ -293,6 +293,8 @@ pub struct Line {
     pub friction: f64,
     /// Whether current and waves leave it alone.
     pub still_water: bool,
+    /// Whether the bed bears it.
+    pub bed_contact: bool,
     /// When its ends are let go in motion, A first.
     pub releases: [ReleaseCondition; 2],
     /// The line divided into segments, where it has no closed form.
