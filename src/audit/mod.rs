@@ -57,10 +57,7 @@ pub struct Audit {
 /// All that is wrong with the file or not modelled, each at its row and column.
 pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, Vec<Diagnostic>> {
     let imported = import::read(text, file, options)?;
-    let to_diagnostics = |faults: Vec<import::fault::Fault>| {
-        let all = faults.iter().map(|fault| fault.diagnostic(file, text));
-        all.collect::<Vec<_>>()
-    };
+    let to_diagnostics = |faults| import::fault::diagnostics(faults, file, text);
     let mooring = import::mooring(text, file)?;
     let sea = sea_of(&mooring, options).map_err(to_diagnostics)?;
     let mut audit = Audit {

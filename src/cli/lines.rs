@@ -26,6 +26,7 @@ pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
     )?;
     let library = args.library.as_deref().map(read).transpose()?;
     let Some(name) = &args.line_type else {
+        library.iter().for_each(warn_of_unread);
         let list = library.as_ref().map_or_else(tables::list, tables::library);
         study_page::print(
             "line types",
@@ -64,12 +65,27 @@ fn read(path: &Path) -> Result<Library, CommandError> {
     found.map_err(CommandError::Invalid)
 }
 
+/// Says which types of a library cannot be read, and why.
+fn warn_of_unread(library: &Library) {
+    for of in &library.not_read {
+        let why: Vec<String> = of.faults.iter().map(ToString::to_string).collect();
+        let name = &of.name;
+        let why = why.join("\n");
+        output::message(&format!(
+            "warning: the line type `{name}` is left out: {why}"
+        ));
+    }
+}
+
 /// The properties of a type of a library.
 fn of_library(
     library: &Library,
     name: &str,
     args: &LinesArgs,
 ) -> Result<LineProperties, CommandError> {
+    if let Some(unread) = library.find_unread(name) {
+        return Err(CommandError::Invalid(unread.faults.clone()));
+    }
     let Some(of) = library.find(name) else {
         let names: Vec<&str> = library.types.iter().map(|of| of.name.as_str()).collect();
         return Err(CommandError::Usage(format!(

@@ -1,5 +1,6 @@
 //! What is wrong with a file of another program, or not modelled, and where.
 
+use std::collections::HashSet;
 use std::ops::Range;
 
 use crate::case::{Diagnostic, Excerpt};
@@ -61,17 +62,38 @@ impl Fault {
     }
 }
 
+/// Greatest number of faults of a file that are shown.
+pub const GREATEST_FAULTS: usize = 100;
+
+/// Faults in the order of a file with this text as diagnostics: the first of them, and how many there are more.
+#[must_use]
+pub fn diagnostics(mut faults: Vec<Fault>, file: &str, text: &str) -> Vec<Diagnostic> {
+    let more = faults.len().saturating_sub(GREATEST_FAULTS);
+    faults.truncate(GREATEST_FAULTS);
+    let mut all: Vec<Diagnostic> = faults
+        .iter()
+        .map(|fault| fault.diagnostic(file, text))
+        .collect();
+    if let Some(last) = all.last().cloned().filter(|_| more > 0) {
+        all.push(Diagnostic::further(more, last));
+    }
+    all
+}
+
 /// Leaves out the faults of references to rows, or to tables, that have a fault themselves.
 pub fn without_followers(faults: &mut Vec<Fault>) {
-    let all = faults.clone();
-    let same = |one: &Part, other: &Part| one.0 == other.0 && one.1.eq_ignore_ascii_case(&other.1);
-    let is_at_fault = |part: &Part| {
-        all.iter().any(|fault| match &fault.row {
-            Some(row) => same(row, part),
-            None => fault.refers_to.is_none() && fault.key == part.0,
-        })
-    };
-    faults.retain(|fault| !fault.refers_to.as_deref().is_some_and(is_at_fault));
+    let folded = |part: &Part| (part.0, part.1.to_lowercase());
+    let rows: HashSet<Part> = faults
+        .iter()
+        .filter_map(|fault| fault.row.as_deref().map(folded))
+        .collect();
+    let is_of_table = |fault: &&Fault| fault.row.is_none() && fault.refers_to.is_none();
+    let tables = faults.iter().filter(is_of_table);
+    let tables: HashSet<String> = tables.map(|fault| fault.key.clone()).collect();
+    faults.retain(|fault| {
+        let follows = |part: &Part| rows.contains(&folded(part)) || tables.contains(part.0);
+        !fault.refers_to.as_deref().is_some_and(follows)
+    });
 }
 
 /// Line and column, in characters, both from 1, of a byte of a text.

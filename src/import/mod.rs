@@ -143,10 +143,7 @@ pub fn mooring(text: &str, file: &str) -> Result<Mooring, Vec<Diagnostic>> {
         true => yaml::read(text, folder),
         false => moordyn::read(text, folder),
     };
-    read.map_err(|faults| {
-        let all = faults.iter().map(|fault| fault.diagnostic(file, text));
-        all.collect()
-    })
+    read.map_err(|faults| fault::diagnostics(faults, file, text))
 }
 
 /// The case of a file of another program with this text.
@@ -154,15 +151,12 @@ pub fn mooring(text: &str, file: &str) -> Result<Mooring, Vec<Diagnostic>> {
 /// # Errors
 /// All that is wrong with it or not modelled, each at its row and column.
 pub fn read(text: &str, file: &str, options: &ImportOptions) -> Result<Imported, Vec<Diagnostic>> {
-    let diagnostics = |faults: Vec<Fault>| {
-        let all = faults.iter().map(|fault| fault.diagnostic(file, text));
-        all.collect::<Vec<_>>()
-    };
     let mooring = mooring(text, file)?;
     let path = Path::new(file);
     let name = path
         .file_name()
         .unwrap_or(path.as_os_str())
         .to_string_lossy();
-    to_case::case_of(&mooring, text, &name, options).map_err(diagnostics)
+    let case = to_case::case_of(&mooring, text, &name, options);
+    case.map_err(|faults| fault::diagnostics(faults, file, text))
 }

@@ -9,6 +9,7 @@ use std::f64::consts::PI;
 use super::law::short;
 use super::properties::{NominalDiameterError, TypeDescription, checked, wet_weight};
 use super::{LineProperties, OuterDiameter, Property};
+use crate::case::Diagnostic;
 use crate::number::digits;
 
 /// A cubic polynomial of the nominal diameter and the diameters for which it holds.
@@ -79,6 +80,17 @@ pub struct Library {
     pub file: String,
     /// Its types, in the order of the file.
     pub types: Vec<LibraryType>,
+    /// Types of the file that have a fault, in its order.
+    pub not_read: Vec<UnreadType>,
+}
+
+/// A type of a library that has a fault.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UnreadType {
+    /// Its name.
+    pub name: String,
+    /// What is wrong with it; nothing behind the first hundred of such types.
+    pub faults: Vec<Diagnostic>,
 }
 
 impl Library {
@@ -87,6 +99,13 @@ impl Library {
     pub fn find(&self, name: &str) -> Option<&LibraryType> {
         let same = |line: &&LibraryType| line.name.eq_ignore_ascii_case(name.trim());
         self.types.iter().find(same)
+    }
+
+    /// The type of this name that has a fault, in letters of either case.
+    #[must_use]
+    pub fn find_unread(&self, name: &str) -> Option<&UnreadType> {
+        let same = |line: &&UnreadType| line.name.eq_ignore_ascii_case(name.trim());
+        self.not_read.iter().find(same)
     }
 
     /// The properties of a type of it at a nominal diameter \[m\].

@@ -21,7 +21,7 @@ mod table;
 mod tests;
 
 pub use law::Law;
-pub use library::{Library, LibraryType, Polynomial};
+pub use library::{Library, LibraryType, Polynomial, UnreadType};
 pub use material_table::{material_name, material_table, with_material};
 pub use properties::{
     LineProperties, NominalDiameterError, Property, TypeDescription, nominal_diameter, properties,

@@ -1,14 +1,17 @@
-//! Libraries of line types of MoorPy: the table `lineProps`.
+//! Libraries of line types of MoorPy: the table `lineProps`. A type that has a fault is named, and the others are read.
 
 use super::load;
 use super::mapping::Mapping;
 use super::tree::{Node, in_a_row, shortened};
 use crate::case::Diagnostic;
-use crate::import::fault::Fault;
-use crate::line_types::{Library, LibraryType, OuterDiameter, Polynomial};
+use crate::import::fault::{self, Fault, GREATEST_FAULTS};
+use crate::line_types::{Library, LibraryType, OuterDiameter, Polynomial, UnreadType};
+
+/// Names of the stiffness in motion by the mean load: of `MoorPy` 1.2 and before, and of 1.3.
+const BY_MEAN_LOAD: [&str; 2] = ["EAd_MBL_Lm", "EAD_LM"];
 
 /// Coefficients that are read.
-const COEFFICIENTS: [&str; 22] = [
+const COEFFICIENTS: [&str; 23] = [
     "mass_d2",
     "EA_0",
     "EA_d",
@@ -18,7 +21,8 @@ const COEFFICIENTS: [&str; 22] = [
     "EA_dmax",
     "EA_MBL",
     "EAd_MBL",
-    "EAd_MBL_Lm",
+    BY_MEAN_LOAD[0],
+    BY_MEAN_LOAD[1],
     "MBL_0",
     "MBL_d",
     "MBL_d2",
@@ -36,39 +40,53 @@ const COEFFICIENTS: [&str; 22] = [
 /// Reads a library; `file` is its name in diagnostics and as a source.
 ///
 /// # Errors
-/// All that is wrong, each at its row and column.
+/// It is no library, or none of its types can be read: all that is wrong, each at its row and column.
 pub fn read(text: &str, file: &str) -> Result<Library, Vec<Diagnostic>> {
     let mut faults = Vec::new();
-    let types = match load::load(text) {
+    let mut library = Library {
+        file: in_a_row(file),
+        types: Vec::new(),
+        not_read: Vec::new(),
+    };
+    let shown = |mut faults: Vec<Fault>| {
+        faults.sort_by_key(|fault| fault.span.start);
+        fault::diagnostics(faults, file, text)
+    };
+    match load::load(text) {
         Ok((document, duplicates)) => {
             faults.extend(duplicates);
-            types(document.root(), &mut faults)
+            types(document.root(), &mut faults, &mut |name, read| match read {
+                Ok(of) => library.types.push(of),
+                Err(faults) => {
+                    let is_shown = library.not_read.len() < GREATEST_FAULTS;
+                    let faults = if is_shown { shown(faults) } else { Vec::new() };
+                    library.not_read.push(UnreadType { name, faults });
+                }
+            });
         }
-        Err(fault) => {
-            faults.push(fault);
-            Vec::new()
-        }
-    };
-    if faults.is_empty() {
-        return Ok(Library {
-            file: in_a_row(file),
-            types,
-        });
+        Err(fault) => faults.push(fault),
     }
-    faults.sort_by_key(|fault| fault.span.start);
-    Err(super::first(faults)
-        .iter()
-        .map(|fault| fault.diagnostic(file, text))
-        .collect())
+    if faults.is_empty() && !library.types.is_empty() {
+        return Ok(library);
+    }
+    let mut all = shown(faults);
+    all.extend(library.not_read.into_iter().flat_map(|of| of.faults));
+    all.sort_by_key(|fault| fault.span.start);
+    Err(all)
 }
 
-fn types(root: Option<Node<'_>>, faults: &mut Vec<Fault>) -> Vec<LibraryType> {
+/// Reads the types one by one; `faults` are those of the table as a whole.
+fn types(
+    root: Option<Node<'_>>,
+    faults: &mut Vec<Fault>,
+    put: &mut dyn FnMut(String, Result<LibraryType, Vec<Fault>>),
+) {
     let Some(root) = root.and_then(|root| Mapping::of(root, "", faults)) else {
-        return Vec::new();
+        return;
     };
     let remedy = "a library of MoorPy has a table `lineProps` with the coefficients of each type";
     let Some(table) = root.mapping("lineProps", remedy, faults) else {
-        return Vec::new();
+        return;
     };
     let entries = table.node.entries().unwrap_or_default();
     if entries.is_empty() {
@@ -80,23 +98,29 @@ fn types(root: Option<Node<'_>>, faults: &mut Vec<Fault>) -> Vec<LibraryType> {
             remedy,
         ));
     }
-    let mut types = Vec::new();
     for (name, node) in entries {
-        let path = table.key(&shortened(name));
-        let row = Mapping::of(node, path, faults);
-        types.extend(row.and_then(|row| line_type(name, &row, faults)));
+        let mut own = Vec::new();
+        let row = Mapping::of(node, table.key(&shortened(name)), &mut own);
+        let read = row.and_then(|row| line_type(name, &row, &mut own));
+        let read = read.filter(|_| own.is_empty());
+        put(in_a_row(name), read.ok_or(own));
     }
-    types
 }
 
 fn line_type(name: &str, row: &Mapping<'_>, faults: &mut Vec<Fault>) -> Option<LibraryType> {
     unknown(row, faults);
+    if let [Some(_), Some(second)] = BY_MEAN_LOAD.map(|key| row.get(key)) {
+        let [before, now] = BY_MEAN_LOAD;
+        let problem = format!("`{before}` and `{now}` are two names of the same coefficient");
+        let at = second.key_span();
+        faults.push(Fault::new(at, row.key(now), problem, "leave one"));
+    }
     let mut value = |key: &str| {
         let given = row.optional(key, faults).flatten();
         given.map_or(0.0, |given| given.value)
     };
     let ea_by_load = value("EA_MBL");
-    let dynamic = ["EAd_MBL", "EAd_MBL_Lm"].map(&mut value);
+    let dynamic = ["EAd_MBL", mean_load_key(row)].map(&mut value);
     let drag = ["Cd", "Cd_ax"].map(&mut value);
     let added_mass = ["Ca", "Ca_ax"].map(&mut value);
     let mass = row.positive("mass_d2", faults);
@@ -137,6 +161,15 @@ fn polynomial(of: &str, row: &Mapping<'_>, faults: &mut Vec<Fault>) -> Polynomia
         coefficients,
         least: given("dmin").filter(|limit| *limit >= 0.0),
         greatest: given("dmax").filter(|limit| *limit >= 0.0),
+    }
+}
+
+/// The name under which a type has its stiffness in motion by the mean load.
+fn mean_load_key(row: &Mapping<'_>) -> &'static str {
+    let [before, now] = BY_MEAN_LOAD;
+    match row.get(now) {
+        Some(_) => now,
+        None => before,
     }
 }
 

@@ -29,9 +29,6 @@ pub const GRAVITY: f64 = 9.81;
 /// Density \[kg/m³\] that MoorPy takes where none is given, also for RAFT and WISDEM.
 pub const DENSITY: f64 = 1025.0;
 
-/// How many faults are reported at most.
-const GREATEST_FAULTS: usize = 100;
-
 /// Top keys by which a text is known for a design.
 const TOP_KEYS: [&str; 8] = [
     "mooring",
@@ -89,20 +86,7 @@ pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
     }
     faults.sort_by_key(|fault| fault.span.start);
     faults.dedup();
-    Err(first(faults))
-}
-
-/// The first faults, and how many there are more.
-fn first(mut faults: Vec<Fault>) -> Vec<Fault> {
-    let more = faults.len().saturating_sub(GREATEST_FAULTS);
-    faults.truncate(GREATEST_FAULTS);
-    if let Some(last) = faults.last().filter(|_| more > 0) {
-        let problem = format!("{more} more faults follow");
-        let remedy = "correct those before it first";
-        let fault = Fault::new(last.span.clone(), "", problem, remedy);
-        faults.push(fault);
-    }
-    faults
+    Err(faults)
 }
 
 fn design(root: Node<'_>, text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
