@@ -140,6 +140,7 @@ fn place(mooring: &Mooring, at: Attachment) -> Option<V3> {
             let is_here = !matches!(rod.hold.value.base(), Hold::Body(_));
             is_here.then(|| V3::from(rod.end(end)))
         }
+        Attachment::Inside(_) => None,
     }
 }
 

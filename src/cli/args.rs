@@ -147,7 +147,7 @@ pub(super) enum CliCommand {
     /// Prints a drawing of the ropeway and its tables: the inextensible model of the paper, parabola theory, the exact
     /// elastic rope with the cargo on it and the discretised line side by side.
     Ropeway(RopewayArgs),
-    /// Write the case that a file of another program is: MoorDyn (both versions), MoorPy, MAP++, designs of RAFT and the IEA ontology.
+    /// Write the case that a file of another program is: MoorDyn (both versions), MoorPy, MAP++, CableDyn, designs of RAFT and the IEA ontology.
     ///
     /// Each value says from which line of the file it comes, and conventions that the file does not speak of are put down as assumed.
     /// `seacable run`, `modes`, `study` and the workbench take such files as they are. What is not modelled is refused, all at once, with line

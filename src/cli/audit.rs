@@ -43,7 +43,7 @@ pub(super) fn audit(args: &AuditArgs) -> Result<ExitCode, CommandError> {
     })?;
     if !import::is_foreign_file(&args.file, &text) {
         let what = format!(
-            "{} is not a file of MoorDyn, MoorPy or MAP++, and no design in YAML.",
+            "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, and no design in YAML.",
             visible::path(&args.file)
         );
         return Err(CommandError::Usage(what));

@@ -90,7 +90,7 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
     })?;
     if !import::is_foreign_file(path, &source) {
         let what = format!(
-            "{} is not a file of MoorDyn, MoorPy or MAP++, which have rows of dashes between their tables, nor a design in YAML.",
+            "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, which have rows of dashes between their tables, nor a design in YAML.",
             visible::path(path)
         );
         return Err(CommandError::Usage(what));

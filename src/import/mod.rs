@@ -4,10 +4,14 @@
 //! it, with a comment for each row that values come from. Computing a file is computing that text, so that both give the same bits.
 
 pub mod beside;
+pub mod cable_dyn;
 pub mod fault;
+pub mod index;
+pub mod listing;
 pub mod map_plus_plus;
 pub mod moordyn;
 pub mod mooring;
+pub mod size;
 pub mod to_case;
 pub mod words;
 pub mod yaml;

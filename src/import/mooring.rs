@@ -19,6 +19,8 @@ pub enum Program {
     Ontology,
     /// An array of `FAModel`.
     FaModel,
+    /// `CableDyn`, whose files have the tables of MoorDyn and one of the sections of lines.
+    CableDyn,
 }
 
 impl Program {
@@ -32,6 +34,7 @@ impl Program {
             Self::Raft => "RAFT",
             Self::Ontology => "the IEA ontology",
             Self::FaModel => "FAModel",
+            Self::CableDyn => "CableDyn",
         }
     }
 }
@@ -86,6 +89,10 @@ pub struct Mooring {
     pub settings: Vec<Setting>,
     /// What is stated and not modelled here.
     pub unmodelled: Vec<Unmodelled>,
+    /// Options, flags and columns that are read and have no effect here, by their names in the file.
+    pub passed_over: Vec<String>,
+    /// Options that are not known.
+    pub not_known: Vec<String>,
     /// What was put down though the file does not say it, and what it says against itself.
     pub remarks: Vec<String>,
     /// A file beside this one that it has its lines from.
@@ -112,6 +119,8 @@ impl Mooring {
             sea: Sea::default(),
             settings: Vec::new(),
             unmodelled: Vec::new(),
+            passed_over: Vec::new(),
+            not_known: Vec::new(),
             remarks: Vec::new(),
             beside: None,
         }
@@ -314,6 +323,36 @@ pub struct Body {
     pub drag_area: Given<[f64; 6]>,
     /// Added mass coefficients along its axes, on the volume.
     pub added_mass: Given<[f64; 3]>,
+    /// Water-plane stiffness in heave, roll and pitch \[N/m, N m, N m\]; zero where the file gives none.
+    pub waterplane: Given<[f64; 3]>,
+    /// Loads at its origin besides.
+    pub loads: Vec<BodyLoad>,
+}
+
+impl Body {
+    /// Whether damping along the axes of a load is damping along the axes of the body: these are meant, or the same, or it is that of all.
+    #[must_use]
+    pub fn damps_along_own_axes(&self, load: &BodyLoad) -> bool {
+        let [x, y, z] = load.linear.value;
+        let is_even = x == y && y == z && load.quadratic.value == [0.0; 3];
+        let is_level = self.angles.iter().all(|angle| angle.value == 0.0);
+        load.is_local || is_even || is_level
+    }
+}
+
+/// A steady load at the origin of a body, and damping of its velocity there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyLoad {
+    /// Its row.
+    pub span: Range<usize>,
+    /// Force \[N\].
+    pub force: Given<[f64; 3]>,
+    /// Damping along the axes \[N s/m\].
+    pub linear: Given<[f64; 3]>,
+    /// The same by the squares of the velocities, each with its sign \[N s²/m²\].
+    pub quadratic: Given<[f64; 3]>,
+    /// Whether the axes are those of the body rather than of the earth.
+    pub is_local: bool,
 }
 
 /// A rigid rod.
@@ -381,12 +420,14 @@ pub struct Point {
 }
 
 /// What an end of a line is attached to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Attachment {
     /// A point, by its place in the list.
     Point(usize),
     /// A rod, and which end of it.
     Rod(usize, usize),
+    /// A place inside a line of the file, where two of its sections meet; each has a number of its own.
+    Inside(usize),
 }
 
 /// A line.
@@ -404,6 +445,8 @@ pub struct Line {
     pub length: Given<f64>,
     /// Segments; 0 where the file has none.
     pub segments: Given<usize>,
+    /// Where the file says that the bed does not bear the line.
+    pub without_bed: Option<Range<usize>>,
 }
 
 /// Lines that come off a point.
@@ -453,14 +496,23 @@ pub struct Sea {
     pub bed_damping: Option<Given<f64>>,
     /// Friction of the bed.
     pub friction: Option<Given<f64>>,
-    /// Current by height: z, x, y \[m, m/s, m/s\].
-    pub current: Option<Given<Vec<[f64; 3]>>>,
+    /// Current by height.
+    pub current: Option<Given<CurrentProfile>>,
     /// Current by a file of times and places.
     pub current_file: Option<Given<CurrentFile>>,
     /// Waves by a history of their elevation.
     pub elevation: Option<Given<Elevation>>,
     /// Components of the waves.
     pub waves: Option<Given<Vec<WaveComponent>>>,
+}
+
+/// A steady current by height.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurrentProfile {
+    /// The file that it is from; empty where it is in the file itself.
+    pub file: String,
+    /// Rows z, x, y \[m, m/s, m/s\] from the surface down.
+    pub rows: Vec<[f64; 3]>,
 }
 
 /// A file of the current over time and place, which the case carries.

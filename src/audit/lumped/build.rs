@@ -83,10 +83,11 @@ struct EndNodes {
 }
 
 impl EndNodes {
-    fn of(&self, at: Attachment) -> usize {
+    fn of(&self, at: Attachment) -> Result<usize, String> {
         match at {
-            Attachment::Point(point) => self.points[point],
-            Attachment::Rod(rod, end) => self.rods[rod][end],
+            Attachment::Point(point) => Ok(self.points[point]),
+            Attachment::Rod(rod, end) => Ok(self.rods[rod][end]),
+            Attachment::Inside(_) => Err("it has sections".to_owned()),
         }
     }
 }
@@ -154,7 +155,7 @@ fn add_line(
         Damping::Ratio(ratio) => ratio * segment * (elasticity.initial() * mass).sqrt(),
         Damping::Two(slow, _) => slow,
     };
-    let ends = [0, 1].map(|end| nodes.of(line.ends[end].value));
+    let ends = [nodes.of(line.ends[0].value)?, nodes.of(line.ends[1].value)?];
     let inner = shape(model, of, line, ends, segments);
     let first = model.start.len();
     model.free.extend(inner.iter().map(|_| true));

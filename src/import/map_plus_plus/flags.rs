@@ -1,9 +1,10 @@
 //! Flags of a line. Outputs are all recorded anyway; contact with the bed and springs are physics.
 
+use std::ops::Range;
+
 use crate::case::nearest;
-use crate::import::fault::Fault;
 use crate::import::moordyn::table::TableRow;
-use crate::import::mooring::{Given, Hold, Mooring, Unmodelled};
+use crate::import::mooring::Unmodelled;
 use crate::import::words::Word;
 
 /// The column in which they begin.
@@ -51,17 +52,10 @@ pub struct Flags {
 }
 
 impl Flags {
-    /// Reads the flags of a row.
-    ///
-    /// # Errors
-    /// The line has no contact with the bed at its anchor.
-    pub fn read(
-        &mut self,
-        row: &TableRow<'_, '_>,
-        mooring: &Mooring,
-        ends: &[Given<usize>; 2],
-    ) -> Result<(), Fault> {
+    /// Reads the flags of a row; the place of the one by which the line has no contact with the bed.
+    pub fn read(&mut self, row: &TableRow<'_, '_>) -> Option<Range<usize>> {
         let line = row.words[0].text;
+        let mut without_bed = None;
         let mut words = row.words.iter().skip(COLUMN).peekable();
         while let Some(flag) = words.next() {
             let name = flag.text.to_lowercase();
@@ -72,9 +66,9 @@ impl Flags {
                     key: row.key(COLUMN),
                     what: "a line as a spring without weight".to_owned(),
                 }),
-                "omit_contact" => self.omit_contact(row, *flag, mooring, ends)?,
+                "omit_contact" => without_bed = Some(flag.span()),
                 "damage_time" => self.remarks.push(format!(
-                    "Line {line}: it is not cut at the time of the flag {}.",
+                    "Line {line}: the flag {} has no effect, as in MAP++: the line is not cut.",
                     flag.text
                 )),
                 name if is_known(name) => {}
@@ -84,31 +78,7 @@ impl Flags {
                 words.next_if(|word| word.number().is_some());
             }
         }
-        Ok(())
-    }
-
-    /// Without contact a line from an anchor hangs below the bed: no line here does so.
-    fn omit_contact(
-        &mut self,
-        row: &TableRow<'_, '_>,
-        flag: Word<'_>,
-        mooring: &Mooring,
-        ends: &[Given<usize>; 2],
-    ) -> Result<(), Fault> {
-        let is_anchor = |end: &Given<usize>| mooring.points[end.value].hold.value == Hold::Fixed;
-        if ends.iter().any(is_anchor) {
-            return Err(Fault::new(
-                flag.span(),
-                row.key(COLUMN),
-                "a line from an anchor that has no contact with the bed (OMIT_CONTACT) is not modelled",
-                "take the flag out: the bed then bears what lies on it, and a line that is lifted to its end is the same",
-            ));
-        }
-        self.remarks.push(format!(
-            "Line {}: {} has an effect only where the line would reach the bed; here the bed bears it there.",
-            row.words[0].text, flag.text
-        ));
-        Ok(())
+        without_bed
     }
 }
 

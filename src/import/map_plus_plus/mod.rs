@@ -8,7 +8,9 @@ pub mod options;
 
 use self::flags::Flags;
 use super::fault::{Fault, without_followers};
-use super::moordyn::holds::{missing, same};
+use super::index::{Index, TypeIndex};
+use super::listing::listed;
+use super::moordyn::holds::missing;
 use super::moordyn::line_types::unique;
 use super::moordyn::parts::type_of;
 use super::moordyn::sections::{Block, Section, Sections};
@@ -52,21 +54,53 @@ const LINE_COLUMNS: [Column; 6] = [
     ("Flags", &[]),
 ];
 
-/// Whether the sections are those of MAP++: line types with friction, lines without segments.
+/// Words of headers that MAP++ has and MoorDyn has not, and the other way round.
+const OWN_WORDS: [&str; 1] = ["CB"];
+/// See [`OWN_WORDS`].
+const MOORDYN_WORDS: [&str; 16] = [
+    "EI",
+    "BA",
+    "BA/-zeta",
+    "BA/-z",
+    "Can",
+    "Cat",
+    "Cd",
+    "CdAx",
+    "CaAx",
+    "NumSegs",
+    "NumSeg",
+    "Segs",
+    "NumNodes",
+    "Cd_n",
+    "Ca_n",
+    "LineOutputs",
+];
+
+/// Whether the sections are those of MAP++: more words of their headers are those of MAP++ alone than of MoorDyn alone. A table of lines
+/// without a column of segments is one of MAP++.
 #[must_use]
 pub fn is_map(sections: &Sections<'_>) -> bool {
-    let header_has = |section, name: &str| {
-        let block = sections.block(section);
-        let mut rows = block
+    let words = |section| {
+        let rows = sections
+            .block(section)
             .into_iter()
-            .flat_map(|block| block.rows.iter().take(2));
-        rows.any(|row| row.words().iter().any(|word| word.is(name)))
+            .flat_map(|block| &block.rows);
+        let header = rows.map(|row| row.words_with_marks());
+        header.take(2).flatten().collect::<Vec<Word<'_>>>()
     };
-    header_has(Section::LineTypes, "CB")
-        || header_has(Section::Lines, "UnstrLen")
-            && header_has(Section::Lines, "NodeAnch")
-            && !header_has(Section::Lines, "NumSegs")
+    let (types, lines) = (words(Section::LineTypes), words(Section::Lines));
+    let count = |names: &[&str]| {
+        let all = types.iter().chain(&lines);
+        all.filter(|word| names.iter().any(|name| word.is(name)))
+            .count()
+    };
+    let has = |name: &str| lines.iter().any(|word| word.is(name));
+    let is_undivided = has("UnstrLen") && has("NodeAnch") && !has("NumSegs") && !has("NumNodes");
+    count(&OWN_WORDS) + usize::from(is_undivided) > count(&MOORDYN_WORDS)
 }
+
+/// Columns of a line type that MAP++ needs.
+const NEEDED: usize = 5;
 
 /// Reads a file that was cut into sections.
 ///
@@ -108,7 +142,7 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
 }
 
 fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &TYPE_COLUMNS, 9, faults);
+    let table = Table::of(block, &TYPE_COLUMNS, NEEDED, faults);
     let mut unused = Vec::new();
     let mut found = table.read(faults, |row| {
         let mass = row.not_negative(2)?;
@@ -128,7 +162,8 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
             drag_tangential: in_motion(8)?,
             added_mass_normal: in_motion(6)?,
             added_mass_tangential: none(),
-            friction: Some(row.not_negative(4)?),
+            // Below 0 where it is not used: then a line of this type may not lie on the bed.
+            friction: Some(row.number(4)?),
             break_load: None,
         })
     });
@@ -142,28 +177,26 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
     if !unused.is_empty() {
         mooring.remarks.push(format!(
             "Coefficients that MAP++ does not use are 0 here; they matter in motion only: {}.",
-            unused.join(", ")
+            listed(&unused)
         ));
     }
 }
 
-/// Numbers by which the template and the manual of MAP++ mark coefficients that its statics do not use.
-const NOT_USED: [f64; 2] = [-999.9, -1.0];
-
-/// A coefficient of motion; 0 where it is marked as not used.
+/// A coefficient of motion, which the statics of MAP++ do not use; 0 where it is not given, or below 0 as its template has it (-999.9).
 fn of_motion(
     row: &TableRow<'_, '_>,
     column: usize,
     unused: &mut Vec<String>,
 ) -> Result<Given<f64>, Fault> {
-    let given = row.number(column)?;
-    if !NOT_USED.contains(&given.value) {
-        return row.not_negative(column);
+    let name = || format!("{} of {}", TYPE_COLUMNS[column].0, row.words[0].text);
+    let Some(given) = row.optional(column)? else {
+        unused.push(format!("{} (not given)", name()));
+        return Ok(Given::new(0.0, row.row.span()));
+    };
+    if given.value >= 0.0 {
+        return Ok(given);
     }
-    unused.push(format!(
-        "{} of {} ({})",
-        TYPE_COLUMNS[column].0, row.words[0].text, row.words[column].text
-    ));
+    unused.push(format!("{} ({})", name(), row.words[column].text));
     Ok(Given::new(0.0, given.span))
 }
 
@@ -226,18 +259,12 @@ fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
 fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::with_marks(block, &LINE_COLUMNS, 5, faults);
     let mut flags = Flags::default();
-    let types: Vec<&str> = mooring
-        .line_types
-        .iter()
-        .map(|of| of.name.as_str())
-        .collect();
+    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let nodes = Index::of(mooring.points.iter().map(|node| node.id.as_str()));
     let mut found = table.read(faults, |row| {
         let end = |column: usize| {
             let word = row.words[column];
-            let point = mooring
-                .points
-                .iter()
-                .position(|point| same(&point.id, word.text));
+            let point = nodes.find(word.text);
             let point = point.ok_or_else(|| Fault {
                 problem: format!("there is no node `{}`", word.text),
                 ..missing(row, column, Section::Points, word.text)
@@ -250,7 +277,7 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
             return Err(row.fault(4, problem, "give two nodes"));
         }
         let length = length(row)?;
-        flags.read(row, mooring, &ends)?;
+        let without_bed = flags.read(row);
         Ok(Line {
             id: row.words[0].text.to_owned(),
             span: row.row.span(),
@@ -258,6 +285,7 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
             ends: ends.map(|end| Given::new(Attachment::Point(end.value), end.span)),
             length,
             segments: Given::new(0, row.row.span()),
+            without_bed,
         })
     });
     unique(&mut found, |one| (&one.id, &one.span), "line", faults);

@@ -81,7 +81,9 @@ fn option(row: &Row<'_>, words: &[Word<'_>], mooring: &mut Mooring, faults: &mut
             "The reference position of the option ref_position is not used: stiffness is about the origin."
                 .to_owned(),
         );
-    } else if !NAMES.contains(&name.as_str()) {
+    } else if NAMES.contains(&name.as_str()) {
+        mooring.passed_over.push(first.text.to_owned());
+    } else {
         mooring.remarks.push(unknown(first.text, &name));
     }
     mooring.settings.push(Setting {

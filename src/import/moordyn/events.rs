@@ -1,9 +1,10 @@
-//! The tables FAILURE, SYROPE IC, CONTROL and EXTERNAL LOADS.
+//! The tables FAILURE, SYROPE IC and CONTROL.
 
-use super::holds::{attachment, missing, same};
+use super::holds::{Ends, attachment, missing};
 use super::sections::{Block, Section};
 use super::table::{Column, Table, TableRow};
 use crate::import::fault::Fault;
+use crate::import::index::Index;
 use crate::import::mooring::{Failure, Mooring, PastTension, Unmodelled};
 use crate::import::words::Row;
 
@@ -24,6 +25,8 @@ const PAST_COLUMNS: [Column; 3] = [
 /// Reads what comes off.
 pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::of(block, &FAILURE_COLUMNS, 5, faults);
+    let to = Ends::of(mooring);
+    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.failures = table.read(faults, |row| {
         let time = row.not_negative(3)?;
         let tension = row.not_negative(4)?;
@@ -34,8 +37,8 @@ pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<
                 "give one of them above 0",
             ));
         }
-        let from = attachment(row, 1, mooring)?;
-        let lines = lines(row, 2, mooring)?;
+        let from = attachment(row, 1, &to)?;
+        let lines = lines(row, 2, &by_id)?;
         let ends_there = |line: &usize| mooring.lines[*line].ends.iter().any(|end| end.value == from.value);
         if let Some(other) = lines.iter().find(|line| !ends_there(line)) {
             let id = &mooring.lines[*other].id;
@@ -58,6 +61,7 @@ pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<
 /// Reads the past of ropes.
 pub fn read_past(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::of(block, &PAST_COLUMNS, 3, faults);
+    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.past_tensions = table.read(faults, |row| {
         let greatest = row.not_negative(1)?;
         let mean = row.not_negative(2)?;
@@ -70,7 +74,7 @@ pub fn read_past(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Faul
         }
         Ok(PastTension {
             span: row.row.span(),
-            lines: lines(row, 0, mooring)?,
+            lines: lines(row, 0, &by_id)?,
             greatest,
             mean,
         })
@@ -93,14 +97,13 @@ pub fn read_unmodelled(block: &Block<'_>, name: &'static str, what: &str, moorin
 }
 
 /// Lines by their numbers, with commas between: `1,2` or `Line1`.
-fn lines(row: &TableRow<'_, '_>, column: usize, mooring: &Mooring) -> Result<Vec<usize>, Fault> {
+fn lines(row: &TableRow<'_, '_>, column: usize, by_id: &Index) -> Result<Vec<usize>, Fault> {
     let parts = row.words[column].parts(',');
     let named = parts.iter().filter(|part| !part.text.is_empty());
     let found = named.map(|part| {
         let lower = part.text.to_lowercase();
         let number = lower.strip_prefix("line").unwrap_or(&lower);
-        let line = mooring.lines.iter().position(|line| same(&line.id, number));
-        line.ok_or_else(|| Fault {
+        by_id.find(number).ok_or_else(|| Fault {
             span: part.span(),
             ..missing(row, column, Section::Lines, number)
         })

@@ -8,6 +8,9 @@ use crate::import::fault::Fault;
 use crate::import::mooring::{CurrentFile, WaveComponent, WorkingCurve, WorkingForm};
 use crate::import::words::{Row, Word};
 
+/// The file of a current by height.
+pub const PROFILE: &str = "current_profile.txt";
+
 /// Where files that a file names are looked for.
 #[derive(Debug, Clone)]
 pub struct Files<'p> {
@@ -146,7 +149,7 @@ impl Files<'_> {
     /// The file is not there or has no rows, or currents up or down.
     pub fn current(&self, at: Word<'_>, key: &str) -> Result<Vec<[f64; 3]>, Fault> {
         let name = Word {
-            text: "current_profile.txt",
+            text: PROFILE,
             ..at
         };
         let text = self.text(name, key).map_err(|fault| at_option(fault, at))?;

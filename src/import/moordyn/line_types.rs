@@ -1,5 +1,7 @@
 //! The tables LINE TYPES and ROD TYPES.
 
+use std::collections::HashSet;
+
 use super::files::Files;
 use super::sections::Block;
 use super::table::{Column, Table, TableRow};
@@ -11,7 +13,8 @@ use crate::import::words::{Row, Word};
 
 /// Coefficients of the water: headers have them in another order than the program reads, see [`coefficients_by_name`].
 const COEFFICIENTS: &[&str] = &[
-    "Cd", "Ca", "CdAx", "CaAx", "Can", "Cat", "Cdn", "Cdt", "Ca*", "Cd*",
+    "Cd", "Ca", "CdAx", "CaAx", "Can", "Cat", "Cdn", "Cdt", "Ca*", "Cd*", "Cd_n", "Cd_t", "Ca_n",
+    "Ca_t",
 ];
 
 /// Columns of the second version.
@@ -44,6 +47,24 @@ const COLUMNS_1: [Column; 9] = [
     ("Cdt", COEFFICIENTS),
 ];
 
+/// Columns of `CableDyn`; with four of shear and rotation before the coefficients of the water, which are not read.
+const COLUMNS_CABLE: [Column; 14] = [
+    COLUMNS[0],
+    COLUMNS[1],
+    COLUMNS[2],
+    COLUMNS[3],
+    COLUMNS[4],
+    COLUMNS[5],
+    ("GAs", &[]),
+    ("GJ", &[]),
+    ("Irt", &[]),
+    ("Irn", &[]),
+    ("Cd_n", COEFFICIENTS),
+    ("Cd_t", COEFFICIENTS),
+    ("Ca_n", COEFFICIENTS),
+    ("Ca_t", COEFFICIENTS),
+];
+
 const ROD_COLUMNS: [Column; 7] = [
     ("TypeName", &["Name", "RodType", "Type"]),
     ("Diam", &["Diameter", "D"]),
@@ -71,13 +92,20 @@ pub fn read_line_types(
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
-    let first = mooring.program == Program::MoorDyn1;
-    let (columns, required): (&[Column], _) = match first {
-        true => (&COLUMNS_1, 9),
-        false => (&COLUMNS, 10),
+    let program = mooring.program;
+    let first = program == Program::MoorDyn1;
+    let has_shear = program == Program::CableDyn && has_shear(block);
+    let (columns, required): (&[Column], _) = match (first, has_shear) {
+        (true, _) => (&COLUMNS_1, 9),
+        (_, true) => (&COLUMNS_CABLE, 14),
+        _ => (&COLUMNS, 10),
     };
-    let order = coefficients_by_name(block, first, faults);
-    if !first && order == Order::AddedMassFirst {
+    let order = coefficients_by_name(block, program, faults);
+    if has_shear {
+        let remark = "Stiffness in shear and torsion and rotary inertia of the line types (GAs, GJ, Irt, Irn) are passed over.";
+        mooring.remarks.push(remark.to_owned());
+    }
+    if program == Program::MoorDyn && order == Order::AddedMassFirst {
         mooring.remarks.push(
             "The header of the line types names Can Cat Cdn Cdt; MoorDyn 2 reads these four columns as Cd Ca CdAx CaAx, by their \
              order, and so they are read here."
@@ -87,11 +115,17 @@ pub fn read_line_types(
     let table = Table::of(block, columns, required, faults);
     let mut unmodelled = Vec::new();
     let mut found: Vec<LineType> = table.read(faults, |row| {
-        match first {
-            true => nine_columns(row)?,
-            false => vortices(row, &mut unmodelled)?,
+        match program {
+            Program::MoorDyn1 => nine_columns(row)?,
+            Program::CableDyn => {}
+            _ => vortices(row, &mut unmodelled)?,
         }
-        line_type(row, files, first, order)
+        let at = match (first, has_shear) {
+            (true, _) => 5,
+            (_, true) => 10,
+            _ => 6,
+        };
+        line_type(row, files, (first, at), order)
     });
     unique(
         &mut found,
@@ -101,6 +135,12 @@ pub fn read_line_types(
     );
     mooring.line_types = found;
     mooring.unmodelled.extend(unmodelled);
+}
+
+/// Whether the header of a block has the columns of shear and rotation of `CableDyn`.
+fn has_shear(block: &Block<'_>) -> bool {
+    let mut rows = block.rows.iter().take(2);
+    rows.any(|row| row.words().iter().any(|word| word.is("GAs")))
 }
 
 /// Reads the rod types.
@@ -129,7 +169,7 @@ pub fn unique<T>(
     what: &str,
     faults: &mut Vec<Fault>,
 ) {
-    let mut seen: Vec<String> = Vec::new();
+    let mut seen: HashSet<String> = HashSet::new();
     all.retain(|one| {
         let (name, span) = name(one);
         if seen.contains(name) {
@@ -141,7 +181,7 @@ pub fn unique<T>(
             ));
             return false;
         }
-        seen.push(name.clone());
+        seen.insert(name.clone());
         true
     });
 }
@@ -163,8 +203,16 @@ const DRAG_FIRST: [Coefficient; 4] = [DragNormal, AddedNormal, DragTangential, A
 const ADDED_MASS_FIRST: [Coefficient; 4] =
     [AddedNormal, AddedTangential, DragNormal, DragTangential];
 
+/// The order in which `CableDyn` reads them.
+const DRAG_PAIR_FIRST: [Coefficient; 4] =
+    [DragNormal, DragTangential, AddedNormal, AddedTangential];
+
 /// Names in headers.
-const NAMES: [(&str, Coefficient); 8] = [
+const NAMES: [(&str, Coefficient); 12] = [
+    ("Cd_n", DragNormal),
+    ("Cd_t", DragTangential),
+    ("Ca_n", AddedNormal),
+    ("Ca_t", AddedTangential),
     ("Cd", DragNormal),
     ("Cdn", DragNormal),
     ("Ca", AddedNormal),
@@ -180,10 +228,22 @@ const NAMES: [(&str, Coefficient); 8] = [
 enum Order {
     DragFirst,
     AddedMassFirst,
+    DragPairFirst,
+}
+
+impl Order {
+    /// The order in which a program reads them where the header does not name them.
+    fn of(program: Program) -> Self {
+        match program {
+            Program::MoorDyn1 => Self::AddedMassFirst,
+            Program::CableDyn => Self::DragPairFirst,
+            _ => Self::DragFirst,
+        }
+    }
 }
 
 /// The order that the header names; a fault where it is none of the two that files have.
-fn coefficients_by_name<'t>(block: &Block<'t>, first: bool, faults: &mut Vec<Fault>) -> Order {
+fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Vec<Fault>) -> Order {
     let coefficient = |word: &Word<'t>| {
         let known = NAMES
             .iter()
@@ -198,21 +258,21 @@ fn coefficients_by_name<'t>(block: &Block<'t>, first: bool, faults: &mut Vec<Fau
     };
     let header = block.rows.iter().map(named).find(|named| named.len() == 4);
     let Some(header) = header else {
-        return match first {
-            true => Order::AddedMassFirst,
-            false => Order::DragFirst,
-        };
+        return Order::of(program);
     };
     let order: Vec<Coefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
-    if order == ADDED_MASS_FIRST {
+    let of_cables = program == Program::CableDyn;
+    if order == DRAG_PAIR_FIRST && of_cables {
+        return Order::DragPairFirst;
+    }
+    if order == ADDED_MASS_FIRST && !of_cables {
         return Order::AddedMassFirst;
     }
     if order != DRAG_FIRST {
-        let read = if first { ADDED_MASS_FIRST } else { DRAG_FIRST };
-        let names = if first {
-            "Can Cat Cdn Cdt"
-        } else {
-            "Cd Ca CdAx CaAx"
+        let (read, names) = match program {
+            Program::MoorDyn1 => (ADDED_MASS_FIRST, "Can Cat Cdn Cdt"),
+            Program::CableDyn => (DRAG_PAIR_FIRST, "Cd_n Cd_t Ca_n Ca_t"),
+            _ => (DRAG_FIRST, "Cd Ca CdAx CaAx"),
         };
         let out_of_place = header
             .iter()
@@ -222,7 +282,10 @@ fn coefficients_by_name<'t>(block: &Block<'t>, first: bool, faults: &mut Vec<Fau
         faults.push(Fault::new(
             word.span(),
             format!("LINE TYPES, {}", word.text),
-            "the header names the coefficients of the water in an order that MoorDyn does not read",
+            format!(
+                "the header names the coefficients of the water in an order that {} does not read",
+                program.name()
+            ),
             format!("columns are read by their order: {names}"),
         ));
     }
@@ -272,7 +335,7 @@ fn vortices(row: &TableRow<'_, '_>, unmodelled: &mut Vec<Unmodelled>) -> Result<
 fn line_type(
     row: &TableRow<'_, '_>,
     files: &Files<'_>,
-    first: bool,
+    (first, at): (bool, usize),
     order: Order,
 ) -> Result<LineType, Fault> {
     let stiffness = stiffness(row, files)?;
@@ -281,7 +344,6 @@ fn line_type(
         true => Given::new(0.0, row.row.span()),
         false => bending(row)?,
     };
-    let at = if first { 5 } else { 6 };
     let [a, b, c, d] = [at, at + 1, at + 2, at + 3].map(|column| row.not_negative(column));
     let by_order = [a?, b?, c?, d?];
     let [
@@ -292,6 +354,10 @@ fn line_type(
     ] = match (first, order) {
         (true, Order::AddedMassFirst) => {
             let [can, cat, cdn, cdt] = by_order;
+            [cdn, can, cdt, cat]
+        }
+        (_, Order::DragPairFirst) => {
+            let [cdn, cdt, can, cat] = by_order;
             [cdn, can, cdt, cat]
         }
         _ => by_order,

@@ -7,19 +7,22 @@ pub mod events;
 pub mod files;
 pub mod holds;
 pub mod line_types;
+pub mod loads;
 pub mod options;
 pub mod parts;
 pub mod sections;
 pub mod table;
+pub mod water_kinematics;
 
 use std::path::Path;
 
 use self::files::Files;
 use self::sections::{Section, Sections};
 use super::fault::{Fault, without_followers};
-use super::map_plus_plus;
 use super::mooring::{Hold, Mooring, Point, Program};
+use super::size;
 use super::words::Row;
+use super::{cable_dyn, map_plus_plus};
 
 /// Reads a file. Files that it names are looked for in this folder.
 ///
@@ -45,11 +48,26 @@ pub fn read_into(
         None => (text, start),
     };
     let sections = Sections::of(text, start);
+    let too_large = size::check(&sections);
+    if !too_large.is_empty() {
+        return Err(too_large);
+    }
     if map_plus_plus::is_map(&sections) {
         return map_plus_plus::read(&sections);
     }
+    let of_cables = cable_dyn::is_cable_dyn(text, &sections);
+    let sections = match of_cables {
+        true => cable_dyn::without_remarks(sections),
+        false => sections,
+    };
     let mut faults = sections.faults.clone();
-    let mooring = assembled(mooring, &sections, folder, &mut faults);
+    let mut mooring = mooring;
+    mooring.title = title(&sections.head);
+    let files = Files { folder };
+    let mut mooring = match of_cables {
+        true => cable_dyn::assembled(mooring, &sections, &files, &mut faults),
+        false => assembled(mooring, &sections, &files, &mut faults),
+    };
     for (section, needed) in [
         (
             Section::Points,
@@ -69,6 +87,12 @@ pub fn read_into(
                 "a mooring has LINE TYPES, POINTS and LINES",
             ));
         }
+    }
+    if sections
+        .block(Section::Outputs)
+        .is_some_and(|block| !block.rows.is_empty())
+    {
+        mooring.passed_over.push("OUTPUTS".to_owned());
     }
     if faults.is_empty() && mooring.lines.is_empty() && !has_bodies(&mooring) {
         faults.push(Fault::new(
@@ -101,19 +125,17 @@ fn has_bodies(mooring: &Mooring) -> bool {
 fn assembled(
     mut mooring: Mooring,
     sections: &Sections<'_>,
-    folder: &Path,
+    files: &Files<'_>,
     faults: &mut Vec<Fault>,
 ) -> Mooring {
     let block = |section| sections.block(section);
-    let files = Files { folder };
     let first = block(Section::LineTypes).is_some_and(line_types::is_first_version);
     mooring.program = match first {
         true => Program::MoorDyn1,
         false => Program::MoorDyn,
     };
-    mooring.title = title(&sections.head);
     if let Some(types) = block(Section::LineTypes) {
-        line_types::read_line_types(types, &files, &mut mooring, faults);
+        line_types::read_line_types(types, files, &mut mooring, faults);
     }
     if let Some(types) = block(Section::RodTypes) {
         line_types::read_rod_types(types, &mut mooring, faults);
@@ -136,24 +158,15 @@ fn assembled(
     if let Some(past) = block(Section::SyropeIc) {
         events::read_past(past, &mut mooring, faults);
     }
-    for (section, name, what) in [
-        (
-            Section::Control,
-            "control",
-            "lines that another program's controller drives",
-        ),
-        (
-            Section::ExternalLoads,
-            "loads",
-            "external loads and damping of points and bodies",
-        ),
-    ] {
-        if let Some(rows) = block(section) {
-            events::read_unmodelled(rows, name, what, &mut mooring);
-        }
+    if let Some(rows) = block(Section::Control) {
+        let what = "lines that another program's controller drives";
+        events::read_unmodelled(rows, "control", what, &mut mooring);
+    }
+    if let Some(rows) = block(Section::ExternalLoads) {
+        loads::read(rows, &mut mooring, faults);
     }
     if let Some(rows) = block(Section::Options) {
-        options::read_options(rows, &files, &mut mooring, faults);
+        options::read_options(rows, files, &mut mooring, faults);
     }
     without_depth(&mut mooring);
     mooring

@@ -3,10 +3,11 @@
 use super::elevation::{STEP, elevation};
 use std::f64::consts::FRAC_PI_2;
 
-use super::files::Files;
+use super::files::{Files, PROFILE};
 use super::sections::Block;
+use super::water_kinematics;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Given, Mooring, Sea, Setting, Unmodelled};
+use crate::import::mooring::{CurrentProfile, Given, Mooring, Program, Sea, Setting, Unmodelled};
 use crate::import::words::{Row, Word};
 
 /// Names of options in small letters, the first by which it is known here, and whether its value is a number.
@@ -95,12 +96,10 @@ pub fn read_options(
                 mooring.settings.push(setting);
             }
             Ok(None) => {
-                if let Some(word) = row.words().first() {
-                    mooring.remarks.push(format!(
-                        "The option `{}` is not known and has no effect.",
-                        row.words().get(1).unwrap_or(word).text
-                    ));
-                }
+                let words = row.words();
+                let name = words.get(1).or(words.first());
+                let name = name.map(|word| word.text.to_owned());
+                mooring.not_known.extend(name);
             }
             Err(fault) => faults.push(fault),
         }
@@ -184,8 +183,17 @@ fn setting<'t>(row: &Row<'t>) -> Result<Option<(Setting, Word<'t>)>, Fault> {
     Ok(Some((setting, value)))
 }
 
+/// The name by which an option is known here.
+#[must_use]
+pub fn known_name(word: &str) -> &'static str {
+    known(word).map_or("", |(name, _)| name)
+}
+
 /// What a setting says of the sea.
-fn take(
+///
+/// # Errors
+/// Its value is none, or the file that it names has a fault.
+pub fn take(
     setting: &Setting,
     value: Word<'_>,
     files: &Files<'_>,
@@ -209,17 +217,50 @@ fn take(
         "frictioncoefficient" => sea.friction = number()?,
         "currents" => current(value, &key, files, mooring)?,
         "wavekin" => waves(value, &key, files, mooring)?,
-        "waterkin" => {
-            let is_off = value.number() == Some(0.0) || value.is("none") || value.text == "-";
-            if !is_off {
-                let what = "a file of water kinematics";
-                mooring
-                    .unmodelled
-                    .push(unmodelled(value, &key, "waves", what));
-            }
-        }
+        "waterkin" => water_kinematics(value, &key, files, mooring)?,
         _ => {}
     }
+    Ok(())
+}
+
+/// A file of rows x, y, depth over a grid, as `CableDyn` has them, which the case carries as one of its own.
+///
+/// # Errors
+/// The file is not there, or a row of it is not three numbers.
+pub fn depths_of_places(
+    value: Word<'_>,
+    name: &str,
+    files: &Files<'_>,
+    sea: &mut Sea,
+) -> Result<(), Fault> {
+    let key = format!("OPTIONS, {name}");
+    let text = files.text(value, &key)?;
+    let mut rows = String::from("x_m,y_m,depth_m\n");
+    let mut greatest = 0.0_f64;
+    for (line, row) in (1..).zip(Row::all(&text)) {
+        let words = row.words();
+        if words.is_empty() {
+            continue;
+        }
+        let numbers: Vec<f64> = words.iter().filter_map(Word::number).collect();
+        let &[x, y, depth] = numbers.as_slice() else {
+            let problem = format!(
+                "in `{}`, line {line}: the row is not x, y and depth",
+                value.text
+            );
+            return Err(Fault::new(
+                value.span(),
+                key,
+                problem,
+                "write three numbers on each row",
+            ));
+        };
+        greatest = greatest.max(depth);
+        rows.push_str(&format!("{x:?},{y:?},{depth:?}\n"));
+    }
+    sea.depth = Some(Given::new(greatest, value.span()));
+    sea.depth_text = Some(rows);
+    sea.depth_file = Some(Given::new(value.text.to_owned(), value.span()));
     Ok(())
 }
 
@@ -240,8 +281,11 @@ fn current(
     match value.number() {
         Some(0.0) => {}
         Some(1.0) => {
-            let profile = files.current(value, key)?;
-            mooring.sea.current = Some(Given::new(profile, value.span()));
+            let profile = CurrentProfile {
+                file: PROFILE.to_owned(),
+                rows: files.current(value, key)?,
+            };
+            set_current(Given::new(profile, value.span()), key, mooring)?;
         }
         Some(2.0) => {
             let file = files.current_file(value, key, "current_profile_dynamic.txt")?;
@@ -260,6 +304,61 @@ fn current(
         }
     }
     Ok(())
+}
+
+/// The current of a file, which has one alone.
+fn set_current(
+    profile: Given<CurrentProfile>,
+    key: &str,
+    mooring: &mut Mooring,
+) -> Result<(), Fault> {
+    let other = |before: &&Given<CurrentProfile>| before.value.file != profile.value.file;
+    if let Some(before) = mooring.sea.current.as_ref().filter(other) {
+        let problem = format!(
+            "there are two currents, of `{}` and of `{}`",
+            before.value.file, profile.value.file
+        );
+        return Err(Fault::new(profile.span, key, problem, "leave one"));
+    }
+    mooring.sea.current = Some(profile);
+    Ok(())
+}
+
+/// A file of water kinematics, of which a steady current is taken.
+fn water_kinematics(
+    value: Word<'_>,
+    key: &str,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+) -> Result<(), Fault> {
+    let is_off = value.number() == Some(0.0) || value.is("none") || value.text == "-";
+    if is_off {
+        return Ok(());
+    }
+    if value.is("SEASTATE") {
+        let what = "the waves and the current of the host (SEASTATE)";
+        let what = unmodelled(value, key, "waves", what);
+        mooring.unmodelled.push(what);
+        return Ok(());
+    }
+    if files.path(value.text).is_none() {
+        let what = format!(
+            "the file of water kinematics {}, which is not beside this one",
+            value.text
+        );
+        let what = unmodelled(value, key, "waves", &what);
+        mooring.unmodelled.push(what);
+        return Ok(());
+    }
+    let text = files.text(value, key)?;
+    let depths_too = mooring.program == Program::CableDyn;
+    let found = water_kinematics::read(&text, (value, key), depths_too)?;
+    mooring.unmodelled.extend(found.unmodelled);
+    mooring.remarks.extend(found.remarks);
+    match found.current {
+        Some(profile) => set_current(Given::new(profile, value.span()), key, mooring),
+        None => Ok(()),
+    }
 }
 
 /// Waves: 2 and 7 have their components in a file, 3 a history of elevation; those from outside are not modelled.

@@ -1,10 +1,12 @@
 //! The tables BODIES, RODS, POINTS, LINES.
 
-use super::holds::{attachment, hold, turbine};
+use super::holds::{Ends, attachment, hold, idle_numbers, turbine};
 use super::line_types::unique;
 use super::sections::{Block, Section};
 use super::table::{Column, Table, TableRow, is_named};
 use crate::import::fault::Fault;
+use crate::import::index::{Index, TypeIndex};
+use crate::import::listing::listed;
 use crate::import::mooring::{Body, Given, Hold, Line, Mooring, Point, Rod};
 use crate::import::words::Word;
 
@@ -39,7 +41,8 @@ const ROD_COLUMNS: [Column; 11] = [
     ("RodOutputs", &["Outputs", "Flags/Outputs"]),
 ];
 
-const POINT_COLUMNS: [Column; 9] = [
+/// Columns of a point.
+pub const POINT_COLUMNS: [Column; 9] = [
     ("ID", &["#", "Node", "Name", "Point"]),
     ("Attachment", &["Type"]),
     ("X", &[]),
@@ -66,15 +69,22 @@ const LOADED_POINT_COLUMNS: [Column; 12] = [
     POINT_COLUMNS[8],
 ];
 
-const LINE_COLUMNS: [Column; 7] = [
+/// Columns of a line.
+pub const LINE_COLUMNS: [Column; 7] = [
     ("ID", &["#", "Line", "Name"]),
     ("LineType", &["Type", "TypeName"]),
     ("AttachA", &["NodeA", "EndA", "NodeAnch", "AttachmentA"]),
     ("AttachB", &["NodeB", "EndB", "NodeFair", "AttachmentB"]),
     ("UnstrLen", &["Length", "UnstrLength"]),
-    ("NumSegs", &["Segs", "NumSeg"]),
+    ("NumSegs", &["Segs", "NumSeg", NODES]),
     ("LineOutputs", &["Flags/Outputs", "Outputs", "Flags"]),
 ];
+
+/// The column of the outputs of a line.
+const OUTPUT_FLAGS: usize = 6;
+
+/// The older name of the column for segments in the first version, which reads it as their number.
+const NODES: &str = "NumNodes";
 
 /// Lines of the first version: length and segments before the ends.
 const LINE_COLUMNS_1: [Column; 7] = [
@@ -90,7 +100,9 @@ const LINE_COLUMNS_1: [Column; 7] = [
 /// Reads the bodies.
 pub fn read_bodies(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::of(block, &BODY_COLUMNS, 14, faults);
-    let mut found = table.read(faults, |row| body(row, mooring));
+    let none = Index::default();
+    let mut found = table.read(faults, |row| body(row, (mooring, &none)));
+    mooring.remarks.extend(idle_numbers(table.words(1)));
     unique(&mut found, |one| (&one.id, &one.span), "body", faults);
     if mooring.turbines == 0 {
         mooring.bodies = found;
@@ -104,11 +116,11 @@ pub fn read_bodies(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
     }
 }
 
-fn body(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Body, Fault> {
+fn body(row: &TableRow<'_, '_>, on: (&Mooring, &Index)) -> Result<Body, Fault> {
     Ok(Body {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        hold: hold(row, 1, mooring)?,
+        hold: hold(row, 1, on)?,
         place: row.triple(2)?,
         angles: row.triple(5)?,
         mass: row.not_negative(8)?,
@@ -155,6 +167,8 @@ fn body(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Body, Fault> {
                 _ => None,
             },
         )?,
+        waterplane: Given::new([0.0; 3], row.row.span()),
+        loads: Vec::new(),
     })
 }
 
@@ -179,22 +193,28 @@ fn counts<const N: usize>(
 /// Reads the rods.
 pub fn read_rods(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = Table::of(block, &ROD_COLUMNS, 10, faults);
-    let mut found = table.read(faults, |row| rod(row, mooring));
+    let bodies = bodies_of(mooring);
+    let types = TypeIndex::of(mooring.rod_types.iter().map(|of| of.name.as_str()));
+    let mut found = table.read(faults, |row| rod(row, (mooring, &bodies), &types));
+    mooring.remarks.extend(idle_numbers(table.words(2)));
     unique(&mut found, |one| (&one.id, &one.span), "rod", faults);
     mooring.rods = found;
 }
 
-fn rod(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Rod, Fault> {
-    let types: Vec<&str> = mooring
-        .rod_types
-        .iter()
-        .map(|of| of.name.as_str())
-        .collect();
+fn bodies_of(mooring: &Mooring) -> Index {
+    Index::of(mooring.bodies.iter().map(|body| body.id.as_str()))
+}
+
+fn rod(
+    row: &TableRow<'_, '_>,
+    on: (&Mooring, &Index),
+    types: &TypeIndex<'_>,
+) -> Result<Rod, Fault> {
     Ok(Rod {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, &types, Section::RodTypes)?,
-        hold: hold(row, 2, mooring)?,
+        of_type: type_of(row, 1, types, Section::RodTypes)?,
+        hold: hold(row, 2, on)?,
         ends: [row.triple(3)?, row.triple(6)?],
         segments: whole(row, 9)?,
     })
@@ -213,15 +233,17 @@ pub fn read_points(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
     };
     let table = Table::of(block, columns, required, faults);
     let mut turbines: Vec<String> = Vec::new();
+    let bodies = bodies_of(mooring);
     let mut found = table.read(faults, |row| {
         one_turbine(row, mooring, &mut turbines)?;
-        point(row, mooring, has_loads)
+        point(row, (mooring, &bodies), has_loads)
     });
+    mooring.remarks.extend(idle_numbers(table.words(1)));
     unique(&mut found, |one| (&one.id, &one.span), "point", faults);
     mooring.points = found;
 }
 
-fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<Point, Fault> {
+fn point(row: &TableRow<'_, '_>, on: (&Mooring, &Index), has_loads: bool) -> Result<Point, Fault> {
     let numbers = row.words.iter().skip(2).map_while(Word::number).count();
     if !has_loads && numbers >= 10 {
         return Err(row.fault(
@@ -238,7 +260,7 @@ fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<P
     Ok(Point {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        hold: hold_of_point(row, mooring)?,
+        hold: hold_of_point(row, on)?,
         place: row.triple(2)?,
         mass: row.not_negative(5)?,
         volume: row.not_negative(6)?,
@@ -249,7 +271,10 @@ fn point(row: &TableRow<'_, '_>, mooring: &Mooring, has_loads: bool) -> Result<P
 }
 
 /// Refuses points of a second turbine where no array says the places of the turbines: those of the points are about them.
-fn one_turbine(
+///
+/// # Errors
+/// The point is of another turbine than those before.
+pub fn one_turbine(
     row: &TableRow<'_, '_>,
     mooring: &Mooring,
     seen: &mut Vec<String>,
@@ -273,8 +298,8 @@ fn one_turbine(
 }
 
 /// What holds a point, which has no directions that could be free: on a body it is there, and else it is not pinned.
-fn hold_of_point(row: &TableRow<'_, '_>, mooring: &Mooring) -> Result<Given<Hold>, Fault> {
-    let given = hold(row, 1, mooring)?;
+fn hold_of_point(row: &TableRow<'_, '_>, on: (&Mooring, &Index)) -> Result<Given<Hold>, Fault> {
+    let given = hold(row, 1, on)?;
     match given.value {
         Hold::Pinned(held) if matches!(*held, Hold::Body(_)) => Ok(Given::new(*held, given.span)),
         Hold::Pinned(_) => Err(row.fault(
@@ -297,22 +322,40 @@ pub fn read_lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fau
         false => (&LINE_COLUMNS, [2, 3, 4, 5]),
     };
     let table = Table::of(block, columns, 6, faults);
-    let mut found = table.read(faults, |row| line(row, mooring, at));
+    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let to = Ends::of(mooring);
+    let mut found = table.read(faults, |row| line(row, (&to, &types), at));
+    let asks = |word: Word<'_>| word.text != "-" && word.text != "0";
+    if table.words(OUTPUT_FLAGS).any(asks) {
+        mooring
+            .passed_over
+            .push("the flags of outputs of lines".to_owned());
+    }
+    mooring.remarks.extend(numbers_of_nodes(block));
     unique(&mut found, |one| (&one.id, &one.span), "line", faults);
     mooring.lines = found;
 }
 
-fn line(
+/// What is said where the header names nodes for segments.
+fn numbers_of_nodes(block: &Block<'_>) -> Option<String> {
+    let mut rows = block.rows.iter().take(2);
+    let is_named = rows.any(|row| row.words().iter().any(|word| word.is(NODES)));
+    is_named.then(|| {
+        "NumNodes is the number of segments, as which the first version of MoorDyn reads it."
+            .to_owned()
+    })
+}
+
+/// A line by a row whose ends, length and segments are in these columns.
+///
+/// # Errors
+/// What is wrong with the row.
+pub fn line(
     row: &TableRow<'_, '_>,
-    mooring: &Mooring,
+    (to, types): (&Ends, &TypeIndex<'_>),
     [a, b, length, segments]: [usize; 4],
 ) -> Result<Line, Fault> {
-    let types: Vec<&str> = mooring
-        .line_types
-        .iter()
-        .map(|of| of.name.as_str())
-        .collect();
-    let ends = [attachment(row, a, mooring)?, attachment(row, b, mooring)?];
+    let ends = [attachment(row, a, to)?, attachment(row, b, to)?];
     if ends[0].value == ends[1].value {
         return Err(row.fault(
             b,
@@ -327,39 +370,42 @@ fn line(
     Ok(Line {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, &types, Section::LineTypes)?,
+        of_type: type_of(row, 1, types, Section::LineTypes)?,
         ends,
         length: row.positive(length)?,
         segments: divided,
+        without_bed: None,
     })
 }
 
-fn whole(row: &TableRow<'_, '_>, column: usize) -> Result<Given<usize>, Fault> {
+/// The whole number in a column.
+///
+/// # Errors
+/// It is none.
+pub fn whole(row: &TableRow<'_, '_>, column: usize) -> Result<Given<usize>, Fault> {
     let word = row.words[column];
     Ok(Given::new(word.whole(&row.key(column))?, word.span()))
 }
 
 /// A type by its name.
+///
+/// # Errors
+/// There is none of this name.
 pub fn type_of(
     row: &TableRow<'_, '_>,
     column: usize,
-    types: &[&str],
+    types: &TypeIndex<'_>,
     section: Section,
 ) -> Result<Given<usize>, Fault> {
     let word = row.words[column];
-    let exact = types.iter().position(|name| *name == word.text);
-    let found = exact.or_else(|| {
-        types
-            .iter()
-            .position(|name| name.eq_ignore_ascii_case(word.text))
-    });
-    found
+    types
+        .find(word.text)
         .map(|number| Given::new(number, word.span()))
         .ok_or_else(|| {
             let what = section.of_one();
-            let remedy = match types {
+            let remedy = match types.names() {
                 [] => format!("give a table of {what}s"),
-                names => format!("{what}s are {}", names.join(", ")),
+                names => format!("{what}s are {}", listed(names)),
             };
             let problem = format!("there is no {what} `{}`", word.text);
             Fault {

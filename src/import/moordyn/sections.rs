@@ -32,10 +32,20 @@ pub enum Section {
     Options,
     /// Outputs.
     Outputs,
+    /// Sections of lines, of `CableDyn`.
+    LineSections,
+    /// Stiffness of the ends of lines, of `CableDyn`.
+    EndConnections,
+    /// Buoyancy along lines, of `CableDyn`.
+    EquivalentBuoyancy,
+    /// Clumps and floats on lines, of `CableDyn`.
+    LineAttachments,
+    /// Places of turbines, of `CableDyn`.
+    Turbines,
 }
 
 /// Titles by which a section is known, in the order in which they are looked for.
-const TITLES: [(&str, Section); 24] = [
+const TITLES: [(&str, Section); 34] = [
     ("LINE TYPES", Section::LineTypes),
     ("LINE DICTIONARY", Section::LineTypes),
     ("ROD TYPES", Section::RodTypes),
@@ -51,6 +61,13 @@ const TITLES: [(&str, Section); 24] = [
     ("POINT PROPERTIES", Section::Points),
     ("POINT LIST", Section::Points),
     ("POINTS", Section::Points),
+    ("LINETYPES", Section::LineTypes),
+    ("RODTYPES", Section::RodTypes),
+    ("END CONNECTION", Section::EndConnections),
+    ("EQUIVALENT BUOYANCY", Section::EquivalentBuoyancy),
+    ("EQUIVALENT SECTIONS", Section::EquivalentBuoyancy),
+    ("BUOYANCY SECTIONS", Section::EquivalentBuoyancy),
+    ("ATTACHMENTS", Section::LineAttachments),
     ("LINE PROPERTIES", Section::Lines),
     ("LINE LIST", Section::Lines),
     ("LINES", Section::Lines),
@@ -60,6 +77,9 @@ const TITLES: [(&str, Section); 24] = [
     ("EXTERNAL LOADS", Section::ExternalLoads),
     ("OPTIONS", Section::Options),
     ("OUTPUT", Section::Outputs),
+    ("SECTIONS", Section::LineSections),
+    ("TURBINES", Section::Turbines),
+    ("CONNECTS", Section::Points),
 ];
 
 /// Titles of rows of dashes that begin no section.
@@ -82,6 +102,11 @@ impl Section {
             Self::ExternalLoads => "EXTERNAL LOADS",
             Self::Options => "OPTIONS",
             Self::Outputs => "OUTPUTS",
+            Self::LineSections => "SECTIONS",
+            Self::EndConnections => "END CONNECTIONS",
+            Self::EquivalentBuoyancy => "EQUIVALENT BUOYANCY",
+            Self::LineAttachments => "ATTACHMENTS",
+            Self::Turbines => "TURBINES",
         }
     }
 

@@ -33,32 +33,36 @@ impl<'t> Table<'t> {
         faults: &mut Vec<Fault>,
     ) -> Self {
         let title = block.section.title();
-        let mut rows = block.rows.as_slice();
+        let all = block.rows.iter().filter(|row| !row.is_blank());
+        let all: Vec<Row<'t>> = all.copied().collect();
+        let mut rows = all.as_slice();
         while let [first, rest @ ..] = rows
             && is_count(first)
         {
             rows = rest;
         }
-        let header = rows.first().filter(|row| is_header(row, columns));
+        let header = rows.first().filter(|row| is_header(&row.words(), columns));
         match header {
             Some(header) => {
                 rows = &rows[1..];
-                check_order(header, columns, title, faults);
+                check_order(&header.words(), columns, title, faults);
             }
             None if rows.is_empty() => {}
-            None => faults.push(no_header(block, columns, rows.first())),
+            None => match behind_mark(block, rows.first(), columns) {
+                Some(header) => check_order(&header, columns, title, faults),
+                None => faults.push(no_header(block, columns, rows.first())),
+            },
         }
         if let [first, rest @ ..] = rows
             && is_units(first)
         {
             rows = rest;
         }
-        let rows = rows.iter().filter(|row| !row.is_blank()).copied();
         Self {
             title,
             columns: columns.to_vec(),
             required,
-            rows: rows.collect(),
+            rows: rows.to_vec(),
             marks: false,
         }
     }
@@ -74,6 +78,25 @@ impl<'t> Table<'t> {
             marks: true,
             ..Self::of(block, columns, required, faults)
         }
+    }
+
+    /// The words of a column.
+    pub fn words(&self, column: usize) -> impl Iterator<Item = Word<'t>> {
+        self.rows
+            .iter()
+            .filter_map(move |row| row.words().get(column).copied())
+    }
+
+    /// How many rows it has.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether it has no rows.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
     }
 
     /// Its rows, each as the reader of one makes it; faults are gathered, and rows with any left out.
@@ -262,13 +285,28 @@ fn is_units(row: &Row<'_>) -> bool {
 }
 
 /// Whether a row names columns: two of its words at least are among their names, and one in three.
-fn is_header(row: &Row<'_>, columns: &[Column]) -> bool {
-    let words = row.words();
+fn is_header(words: &[Word<'_>], columns: &[Column]) -> bool {
     let known = words
         .iter()
         .filter(|word| columns.iter().any(|column| is_named(column, word.text)))
         .count();
     known >= 2 && 3 * known >= words.len()
+}
+
+/// The names of the columns in a remark right before the rows: `# Node Type X Y Z`.
+fn behind_mark<'t>(
+    block: &Block<'t>,
+    first: Option<&Row<'t>>,
+    columns: &[Column],
+) -> Option<Vec<Word<'t>>> {
+    let before = block.rows.iter().take_while(|row| Some(*row) != first);
+    let mut remarks = before.map(Row::words_with_marks);
+    let found = remarks.find(|words| is_header(words, columns))?;
+    // `# Node` names the first column behind its mark, `# Type` by its mark.
+    let marked = found.first().filter(|word| word.text == "#");
+    let named = found.get(1).filter(|word| is_named(&columns[0], word.text));
+    let from = usize::from(marked.is_some() && named.is_some());
+    Some(found[from..].to_vec())
 }
 
 /// Whether a header names a column so.
@@ -279,8 +317,7 @@ pub fn is_named((name, others): &Column, word: &str) -> bool {
 }
 
 /// Names that stand where the program reads another column.
-fn check_order(header: &Row<'_>, columns: &[Column], title: &str, faults: &mut Vec<Fault>) {
-    let words = header.words();
+fn check_order(words: &[Word<'_>], columns: &[Column], title: &str, faults: &mut Vec<Fault>) {
     for (word, column) in words.iter().zip(columns) {
         let elsewhere = || {
             columns

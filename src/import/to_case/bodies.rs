@@ -2,7 +2,7 @@
 
 use super::Context;
 use super::case_text::{CaseText, number, numbers, text};
-use crate::import::mooring::{Body, Given, Hold, Point, Program, Rod, RodType};
+use crate::import::mooring::{Body, BodyLoad, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
 use crate::system::pose::Pose;
 
@@ -102,16 +102,16 @@ fn yaw_first(body: &Body) -> [f64; 3] {
 
 /// The rods on a body that have a length.
 fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
-    let rods = context.mooring.rods.iter().enumerate();
-    rods.filter(|(_, rod)| rod.hold.value == Hold::Body(body) && !rod.is_joint())
+    let rods = context.on_bodies[body].rods.iter();
+    rods.map(|rod| (*rod, &context.mooring.rods[*rod]))
         .collect()
 }
 
 /// The points on a body, whose mass and volume MoorDyn adds to those of the body.
 fn points_on<'m>(context: &Context<'m>, body: usize) -> Vec<&'m Point> {
-    let points = context.mooring.points.iter();
+    let points = context.on_bodies[body].points.iter();
     points
-        .filter(|point| point.hold.value == Hold::Body(body))
+        .map(|point| &context.mooring.points[*point])
         .collect()
 }
 
@@ -259,15 +259,56 @@ fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, points: &[
             "CdA",
         );
     }
-    if area[3..] != [0.0; 3] {
-        let about = |axis: usize| 0.5 * context.sea.density * area[3 + axis];
-        let six = [0.0, 0.0, 0.0, about(0), about(1), about(2)];
-        case.given(
-            "quadratic_damping",
-            &numbers(&six),
-            &body.drag_area.span,
-            "CdA about its axes",
-        );
+    if body.waterplane.value != [0.0; 3] {
+        let [heave, roll, pitch] = body.waterplane.value;
+        let six = numbers(&[0.0, 0.0, heave, roll, pitch, 0.0]);
+        let span = &body.waterplane.span;
+        case.given("waterplane_stiffness", &six, span, "C33 C44 C55");
+    }
+    loads(case, context, body);
+}
+
+/// Loads at the origin of a body, and its damping.
+fn loads(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
+    let sum = |of: &dyn Fn(&BodyLoad) -> [f64; 3]| {
+        let mut all = [0.0; 3];
+        for load in &body.loads {
+            let one = of(load);
+            (0..3).for_each(|axis| all[axis] += one[axis]);
+        }
+        all
+    };
+    let row = || {
+        body.loads
+            .first()
+            .map_or_else(|| body.span.clone(), |load| load.span.clone())
+    };
+    let force = sum(&|load| match load.is_local {
+        true => [0.0; 3],
+        false => load.force.value,
+    });
+    if force != [0.0; 3] {
+        case.given("load_n", &numbers(&force), &row(), "Fext");
+    }
+    let damping = |load: &BodyLoad, value: [f64; 3]| match body.damps_along_own_axes(load) {
+        true => value,
+        false => [0.0; 3],
+    };
+    let [x, y, z] = sum(&|load| damping(load, load.linear.value));
+    if [x, y, z] != [0.0; 3] {
+        let six = numbers(&[x, y, z, 0.0, 0.0, 0.0]);
+        case.given("damping", &six, &row(), "Blin");
+    }
+    let area = body.drag_area.value;
+    let about = |axis: usize| 0.5 * context.sea.density * area[3 + axis];
+    let [x, y, z] = sum(&|load| damping(load, load.quadratic.value));
+    let six = [x, y, z, about(0), about(1), about(2)];
+    if six != [0.0; 6] {
+        let (span, what) = match [x, y, z] == [0.0; 3] {
+            true => (body.drag_area.span.clone(), "CdA about its axes"),
+            false => (row(), "Bquad, and CdA about its axes"),
+        };
+        case.given("quadratic_damping", &numbers(&six), &span, what);
     }
 }
 

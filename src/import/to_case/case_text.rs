@@ -5,7 +5,6 @@ use std::ops::Range;
 
 use super::columns;
 use crate::import::beside::Beside;
-use crate::import::fault::line_and_column;
 use crate::import::mooring::{Mooring, Program};
 use crate::padding::at_left;
 
@@ -15,9 +14,9 @@ const COMMENT_COLUMN: usize = 40;
 /// The text of a case.
 #[derive(Debug, Clone)]
 pub struct CaseText<'t> {
-    source: &'t str,
+    source: LineStarts,
     program: Program,
-    beside: Option<&'t Beside>,
+    beside: Option<(&'t Beside, LineStarts)>,
     /// What is written.
     pub text: String,
     /// Of each of its lines, the bytes of the source that it comes from.
@@ -27,11 +26,12 @@ pub struct CaseText<'t> {
 impl<'t> CaseText<'t> {
     /// An empty case of a mooring that was read from a source.
     #[must_use]
-    pub fn of(source: &'t str, mooring: &'t Mooring) -> Self {
+    pub fn of(source: &str, mooring: &'t Mooring) -> Self {
+        let beside = mooring.beside.as_ref();
         Self {
-            source,
+            source: LineStarts::of(source),
             program: mooring.program,
-            beside: mooring.beside.as_ref(),
+            beside: beside.map(|beside| (beside, LineStarts::of(&beside.text))),
             text: String::new(),
             from: Vec::new(),
         }
@@ -73,21 +73,19 @@ impl<'t> CaseText<'t> {
     }
 
     /// The file beside the source that bytes are of.
-    fn beside_of(&self, span: &Range<usize>) -> Option<&'t Beside> {
-        self.beside.filter(|beside| beside.holds(span))
+    fn beside_of(&self, span: &Range<usize>) -> Option<&(&'t Beside, LineStarts)> {
+        let beside = self.beside.as_ref();
+        beside.filter(|(beside, _)| beside.holds(span))
     }
 
     /// The row of the source at these bytes: `line 12`.
     #[must_use]
     pub fn row_of(&self, span: &Range<usize>) -> String {
-        if let Some(beside) = self.beside_of(span) {
-            return format!(
-                "{} line {}",
-                beside.name,
-                beside.line_and_column(span.start).0
-            );
+        if let Some((beside, lines)) = self.beside_of(span) {
+            let line = lines.line(span.start.saturating_sub(beside.start));
+            return format!("{} line {line}", beside.name);
         }
-        format!("line {}", line_and_column(self.source, span.start).0)
+        format!("line {}", self.source.line(span.start))
     }
 
     fn commented(&mut self, line: &str, comment: &str, from: Option<&Range<usize>>) {
@@ -97,6 +95,27 @@ impl<'t> CaseText<'t> {
             whole = format!("{}# {comment}", at_left(line, width));
         }
         self.line(&whole, from);
+    }
+}
+
+/// Where the lines of a text begin, so that a line is found without counting from the first.
+#[derive(Debug, Clone)]
+struct LineStarts {
+    ends: Vec<usize>,
+}
+
+impl LineStarts {
+    fn of(text: &str) -> Self {
+        let bytes = text.bytes().enumerate();
+        let ends = bytes.filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at);
+        Self {
+            ends: ends.collect(),
+        }
+    }
+
+    /// The line of a byte, from 1.
+    fn line(&self, at: usize) -> usize {
+        self.ends.partition_point(|end| *end < at) + 1
     }
 }
 

@@ -1,10 +1,13 @@
 //! Lines, and what comes off them.
 
+use std::collections::HashMap;
+
 use super::case_text::{CaseText, number, numbers, text};
 use super::joints::{Chain, chains};
+use super::materials::Pasts;
 use super::points::name_of;
 use super::{Context, materials};
-use crate::import::mooring::{Attachment, Failure, Hold};
+use crate::import::mooring::{Attachment, Hold, Mooring};
 use crate::numerics::V3;
 
 /// The fewest segments of a line here.
@@ -12,12 +15,34 @@ const FEWEST: usize = 2;
 
 /// Writes the lines.
 pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
-    for chain in chains(context.mooring) {
-        one_line(case, context, &chain);
+    let mooring = context.mooring;
+    let ways = Ways {
+        pasts: Pasts::of(mooring),
+        failures: failures_by_line(mooring),
+    };
+    for chain in chains(mooring, &context.joints) {
+        one_line(case, context, &chain, &ways);
     }
 }
 
-fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+/// What lines are looked up by.
+struct Ways {
+    pasts: Pasts,
+    /// Of each line that comes off alone, the rows that say so.
+    failures: HashMap<usize, Vec<usize>>,
+}
+
+fn failures_by_line(mooring: &Mooring) -> HashMap<usize, Vec<usize>> {
+    let mut by_line: HashMap<usize, Vec<usize>> = HashMap::new();
+    for (number, failure) in mooring.failures.iter().enumerate() {
+        if let [line] = failure.lines.as_slice() {
+            by_line.entry(*line).or_default().push(number);
+        }
+    }
+    by_line
+}
+
+fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, ways: &Ways) {
     let mooring = context.mooring;
     let first = &mooring.lines[chain.pieces[0].0];
     case.table("[[lines]]", Some(&first.span));
@@ -29,7 +54,12 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     }
     if let [(only, _)] = chain.pieces.as_slice() {
         let line = &mooring.lines[*only];
-        let material = text(&materials::name_of(mooring, &context.names, *only));
+        let material = text(&materials::name_of(
+            mooring,
+            &context.names,
+            &ways.pasts,
+            *only,
+        ));
         case.given("material", &material, &line.of_type.span, "LineType");
         case.given(
             "length_m",
@@ -51,7 +81,12 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
         };
         case.given("segments", &value, &first.segments.span, what);
     }
-    if let Some(friction) = &mooring.line_types[first.of_type.value].friction {
+    if let Some(flag) = &first.without_bed {
+        case.given("bed_contact", "false", flag, "OMIT_CONTACT");
+    }
+    // Below 0 it is not used: where it would act it is refused.
+    let friction = &mooring.line_types[first.of_type.value].friction;
+    if let Some(friction) = friction.as_ref().filter(|given| given.value >= 0.0) {
         case.given("friction", &number(friction.value), &friction.span, "CB");
     }
     if !mooring.repeats.is_empty() {
@@ -67,9 +102,9 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
         case.given("repeat_at_deg", &numbers(&angles), span, "repeat");
     }
     clamps(case, context, chain);
-    releases(case, context, chain);
+    releases(case, context, chain, ways);
     if chain.pieces.len() > 1 {
-        sections(case, context, chain);
+        sections(case, context, chain, &ways.pasts);
     }
 }
 
@@ -118,13 +153,14 @@ fn clamps(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     }
 }
 
-fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
+fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, pasts: &Pasts) {
     for (number_of, _) in &chain.pieces {
         let line = &context.mooring.lines[*number_of];
         case.table("[[lines.sections]]", Some(&line.span));
         let material = text(&materials::name_of(
             context.mooring,
             &context.names,
+            pasts,
             *number_of,
         ));
         case.given("material", &material, &line.of_type.span, "LineType");
@@ -138,15 +174,16 @@ fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
 }
 
 /// Ends that come off in motion.
-fn releases(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
-    let alone = |failure: &&Failure| failure.lines.len() == 1;
-    for failure in context.mooring.failures.iter().filter(alone) {
-        let mine = chain
-            .pieces
-            .iter()
-            .any(|(line, _)| failure.lines.contains(line));
-        let end = (0..2).find(|end| chain.ends[*end] == failure.from.value);
-        let Some(end) = end.filter(|_| mine) else {
+fn releases(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, ways: &Ways) {
+    let pieces = chain.pieces.iter();
+    let mut rows: Vec<usize> = pieces
+        .filter_map(|(line, _)| ways.failures.get(line))
+        .flatten()
+        .copied()
+        .collect();
+    rows.sort_unstable();
+    for failure in rows.into_iter().map(|row| &context.mooring.failures[row]) {
+        let Some(end) = (0..2).find(|end| chain.ends[*end] == failure.from.value) else {
             continue;
         };
         let letter = ["a", "b"][end];

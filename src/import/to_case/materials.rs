@@ -1,5 +1,6 @@
 //! Line types as materials.
 
+use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 
 use super::case_text::{CaseText, number as number_of, numbers, text};
@@ -11,17 +12,18 @@ use crate::import::mooring::{
 
 /// Writes the materials that lines are made of. Ropes whose strain depends on their past are one for each past.
 pub fn write(case: &mut CaseText<'_>, mooring: &Mooring, names: &Names) {
-    let mut written = Vec::new();
+    let pasts = Pasts::of(mooring);
+    let mut written = HashSet::new();
     for (number, line) in mooring.lines.iter().enumerate() {
-        let name = name_of(mooring, names, number);
-        if written.contains(&name) {
+        let name = name_of(mooring, names, &pasts, number);
+        if !written.insert(name.clone()) {
             continue;
         }
         let of_type = &mooring.line_types[line.of_type.value];
         case.table(&format!("[materials.{name}]"), Some(&of_type.span));
         material(case, of_type, mooring.program);
         if let (Stiffness::Syrope(_), Some(past)) =
-            (&of_type.stiffness.value, past_of(mooring, number))
+            (&of_type.stiffness.value, pasts.of_line(mooring, number))
         {
             let greatest = number_of(past.greatest.value);
             case.given("past_tension_n", &greatest, &past.greatest.span, "Tmax0");
@@ -30,33 +32,59 @@ pub fn write(case: &mut CaseText<'_>, mooring: &Mooring, names: &Names) {
                 case.given("initial_mean_tension_n", &mean, &past.mean.span, "Tmean0");
             }
         }
-        written.push(name);
+    }
+}
+
+/// The past of each line, and of which types of line there are different ones.
+#[derive(Debug, Clone, Default)]
+pub struct Pasts {
+    by_line: HashMap<usize, usize>,
+    differ: HashSet<usize>,
+}
+
+impl Pasts {
+    /// Those of a mooring; of a line that is named twice the first counts.
+    #[must_use]
+    pub fn of(mooring: &Mooring) -> Self {
+        let mut pasts = Self::default();
+        for (number, past) in mooring.past_tensions.iter().enumerate() {
+            for line in &past.lines {
+                pasts.by_line.entry(*line).or_insert(number);
+            }
+        }
+        let mut first: HashMap<usize, Option<[f64; 2]>> = HashMap::new();
+        for (number, line) in mooring.lines.iter().enumerate() {
+            let of_type = line.of_type.value;
+            let is_syrope = |of: &LineType| matches!(of.stiffness.value, Stiffness::Syrope(_));
+            if !is_syrope(&mooring.line_types[of_type]) {
+                continue;
+            }
+            let past = pasts.of_line(mooring, number);
+            let values = past.map(|past| [past.greatest.value, past.mean.value]);
+            if *first.entry(of_type).or_insert(values) != values {
+                pasts.differ.insert(of_type);
+            }
+        }
+        pasts
+    }
+
+    /// The past of a line.
+    #[must_use]
+    pub fn of_line<'m>(&self, mooring: &'m Mooring, line: usize) -> Option<&'m PastTension> {
+        let number = self.by_line.get(&line)?;
+        mooring.past_tensions.get(*number)
     }
 }
 
 /// The material of a line: its type, with the line where others of the type have another past.
 #[must_use]
-pub fn name_of(mooring: &Mooring, names: &Names, line: usize) -> String {
+pub fn name_of(mooring: &Mooring, names: &Names, pasts: &Pasts, line: usize) -> String {
     let of_type = mooring.lines[line].of_type.value;
     let name = &names.materials[of_type];
-    let is_syrope = matches!(
-        mooring.line_types[of_type].stiffness.value,
-        Stiffness::Syrope(_)
-    );
-    let values =
-        |line: usize| past_of(mooring, line).map(|past| [past.greatest.value, past.mean.value]);
-    let mut others = mooring.lines.iter().enumerate();
-    let differs =
-        others.any(|(other, keys)| keys.of_type.value == of_type && values(other) != values(line));
-    match is_syrope && differs {
+    match pasts.differ.contains(&of_type) {
         true => format!("{name}-{}", names.lines[line]),
         false => name.clone(),
     }
-}
-
-fn past_of(mooring: &Mooring, line: usize) -> Option<&PastTension> {
-    let mut all = mooring.past_tensions.iter();
-    all.find(|past| past.lines.contains(&line))
 }
 
 fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {

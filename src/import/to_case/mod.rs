@@ -8,12 +8,14 @@ pub mod lines;
 pub mod materials;
 pub mod motion;
 pub mod names;
+pub mod passed_over;
 pub mod points;
 pub mod sea;
 pub mod start;
 pub mod unmodelled;
 
 use self::case_text::{CaseText, text};
+use self::joints::Joints;
 use self::motion::Motion;
 use self::names::Names;
 use self::sea::{SeaOfCase, sea_of};
@@ -34,20 +36,62 @@ pub struct Context<'m> {
     pub motion: Motion,
     /// Whether coupled points are on one body.
     pub has_vessel: bool,
+    /// The ends of its lines.
+    pub joints: Joints,
+    /// The points and rods on each body.
+    pub on_bodies: Vec<OnBody>,
+}
+
+/// Points, and rods with a length, on a body, by their places in the lists.
+#[derive(Debug, Clone, Default)]
+pub struct OnBody {
+    /// The points.
+    pub points: Vec<usize>,
+    /// The rods.
+    pub rods: Vec<usize>,
+}
+
+impl OnBody {
+    /// Those on each body of a mooring.
+    #[must_use]
+    pub fn all(mooring: &Mooring) -> Vec<Self> {
+        let mut all = vec![Self::default(); mooring.bodies.len()];
+        for (number, point) in mooring.points.iter().enumerate() {
+            if let Hold::Body(body) = point.hold.value {
+                all[body].points.push(number);
+            }
+        }
+        for (number, rod) in mooring.rods.iter().enumerate() {
+            if let Hold::Body(body) = rod.hold.value
+                && !rod.is_joint()
+            {
+                all[body].rods.push(number);
+            }
+        }
+        all
+    }
 }
 
 impl Context<'_> {
     /// Whether a line ends there.
     #[must_use]
     pub fn is_used(&self, at: Attachment) -> bool {
-        let mut ends = self.mooring.lines.iter().flat_map(|line| &line.ends);
-        ends.any(|end| end.value == at)
+        match at {
+            Attachment::Point(point) => self.joints.is_used_point(point),
+            Attachment::Rod(rod, end) => {
+                let ends = self.joints.at_rod(rod).iter();
+                ends.into_iter().any(|(line, of)| {
+                    self.mooring.lines[*line].ends[*of].value == Attachment::Rod(rod, end)
+                })
+            }
+            Attachment::Inside(_) => true,
+        }
     }
 
     /// Whether a line ends at a rod.
     #[must_use]
     pub fn is_used_rod(&self, rod: usize) -> bool {
-        self.is_used(Attachment::Rod(rod, 0)) || self.is_used(Attachment::Rod(rod, 1))
+        !self.joints.at_rod(rod).is_empty()
     }
 }
 
@@ -67,6 +111,8 @@ pub fn case_of(
     let context = Context {
         has_vessel: coupled > 1 && !motion.is_of_each() || coupled > 0 && motion.is_of_one_body(),
         names: Names::of(mooring),
+        joints: Joints::of(mooring),
+        on_bodies: OnBody::all(mooring),
         mooring,
         sea,
         motion,
@@ -200,6 +246,7 @@ fn head(
                 .to_owned(),
         );
     }
+    notes.extend(passed_over::notes(context));
     if !notes.is_empty() {
         case.line(&format!("notes = {}", text(&notes.join(" "))), None);
     }

@@ -1,6 +1,8 @@
 //! Names of the parts of a case, by the identifiers of a file.
 
 use super::case_text::name;
+use std::collections::{HashMap, HashSet};
+
 use crate::import::mooring::Mooring;
 
 /// Names of all parts, each once.
@@ -68,15 +70,17 @@ fn prefixed(prefix: &str, id: &str) -> String {
 
 /// Names that differ from each other and from those taken.
 fn distinct(names: impl Iterator<Item = String>, taken: &[String]) -> Vec<String> {
-    let mut all: Vec<String> = Vec::new();
-    for name in names {
+    let mut used: HashSet<String> = taken.iter().cloned().collect();
+    // Copies of a name so far.
+    let mut copies: HashMap<String, usize> = HashMap::new();
+    let unique = names.map(|name| {
         let mut unique = name.clone();
-        let mut copy = 2;
-        while all.contains(&unique) || taken.contains(&unique) {
+        while !used.insert(unique.clone()) {
+            let copy = copies.entry(name.clone()).or_insert(1);
+            *copy += 1;
             unique = format!("{name}-{copy}");
-            copy += 1;
         }
-        all.push(unique);
-    }
-    all
+        unique
+    });
+    unique.collect()
 }

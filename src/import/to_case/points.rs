@@ -1,7 +1,6 @@
 //! Points, and the ends of rods that lines are attached to.
 
 use super::case_text::{CaseText, number, numbers, text};
-use super::joints::is_inside;
 use super::start::is_dropped;
 use super::{Context, is_in_air};
 use crate::import::mooring::{Attachment, Given, Hold, Point, Rod};
@@ -15,6 +14,8 @@ pub fn name_of(context: &Context<'_>, end: Attachment) -> String {
             context.names.rods[rod].clone()
         }
         Attachment::Rod(rod, end) => context.names.rod_end(rod, end),
+        // Its lines are one, which does not end here.
+        Attachment::Inside(_) => String::new(),
     }
 }
 
@@ -32,7 +33,7 @@ pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
         }
     }
     for (number_of, rod) in context.mooring.rods.iter().enumerate() {
-        let is_point = rod.is_joint() && !is_inside(context.mooring, number_of);
+        let is_point = rod.is_joint() && !context.joints.is_inside(context.mooring, number_of);
         if is_point && context.is_used_rod(number_of) {
             let header = format!("[points.{}]", context.names.rods[number_of]);
             case.table(&header, Some(&rod.span));

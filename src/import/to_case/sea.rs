@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 
 use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{
-    CurrentFile, Elevation, Given, Hold, Mooring, Program, WaveComponent,
+    CurrentFile, CurrentProfile, Elevation, Given, Hold, Mooring, Program, WaveComponent,
 };
 use crate::import::{ImportOptions, fault::Fault, yaml};
 
@@ -16,7 +16,7 @@ pub const GRAVITY: f64 = 9.80665;
 const fn gravity_of(program: Program) -> f64 {
     match program {
         Program::Raft | Program::Ontology | Program::FaModel => yaml::GRAVITY,
-        Program::MoorDyn | Program::MoorDyn1 | Program::MapPlusPlus => GRAVITY,
+        Program::MoorDyn | Program::MoorDyn1 | Program::MapPlusPlus | Program::CableDyn => GRAVITY,
     }
 }
 
@@ -35,14 +35,18 @@ const fn bed_of(program: Program) -> &'static str {
     match program {
         Program::Raft | Program::Ontology | Program::FaModel => "MoorPy",
         Program::MoorDyn | Program::MoorDyn1 | Program::MapPlusPlus => "MoorDyn",
+        Program::CableDyn => "CableDyn",
     }
 }
 /// Density \[kg/m³\] where none is given: that of MoorDyn.
 pub const DENSITY: f64 = 1025.0;
-/// Push of the bed \[Pa/m\] where none is given: that of MoorDyn.
-const BED_STIFFNESS: f64 = 3.0e6;
-/// Damping of the bed \[Pa s/m\] where none is given: that of MoorDyn.
-const BED_DAMPING: f64 = 3.0e5;
+/// Push \[Pa/m\] and damping \[Pa s/m\] of the bed where none is given: those of MoorDyn, and of CableDyn.
+const fn bed_springs(program: Program) -> [f64; 2] {
+    match program {
+        Program::CableDyn => [1.0e5, 1.0e4],
+        _ => [3.0e6, 3.0e5],
+    }
+}
 
 /// What the sea of a case is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,6 +100,10 @@ pub fn sea_of(mooring: &Mooring, options: &ImportOptions) -> Result<SeaOfCase, V
 
 /// The depth of the deepest fixed point, which MoorDyn takes for that of the bed.
 fn deepest(mooring: &Mooring) -> Option<f64> {
+    if mooring.program == Program::CableDyn {
+        // Without a depth it has no bed.
+        return None;
+    }
     let points = mooring.points.iter();
     let fixed = points.filter(|point| point.hold.value == Hold::Fixed);
     let depths = fixed.map(|point| -point.place[2].value);
@@ -178,14 +186,10 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
             "as MoorDyn takes it; waves feel depth_m, in MoorDyn the mean of the grid",
         );
     }
+    let springs = bed_springs(mooring.program);
     let rows = [
-        (
-            "stiffness_n_per_m3",
-            &sea.bed_stiffness,
-            BED_STIFFNESS,
-            "kBot",
-        ),
-        ("damping_n_s_per_m3", &sea.bed_damping, BED_DAMPING, "cBot"),
+        ("stiffness_n_per_m3", &sea.bed_stiffness, springs[0], "kBot"),
+        ("damping_n_s_per_m3", &sea.bed_damping, springs[1], "cBot"),
     ];
     for (key, given, default, column) in rows {
         match given {
@@ -228,12 +232,13 @@ pub fn write_depths(case: &mut CaseText<'_>, mooring: &Mooring) {
 }
 
 /// Writes the current by height.
-pub fn write_current(case: &mut CaseText<'_>, profile: &Given<Vec<[f64; 3]>>) {
+pub fn write_current(case: &mut CaseText<'_>, profile: &Given<CurrentProfile>) {
     case.table("[current]", Some(&profile.span));
     // The profile runs from above; heights above the water have no water.
-    let wet: Vec<&[f64; 3]> = profile.value.iter().filter(|row| row[0] <= 0.0).collect();
+    let (file, all) = (&profile.value.file, &profile.value.rows);
+    let wet: Vec<&[f64; 3]> = all.iter().filter(|row| row[0] <= 0.0).collect();
     let rows = match wet.is_empty() {
-        true => profile.value.iter().collect(),
+        true => all.iter().collect(),
         false => wet,
     };
     let of = |take: &dyn Fn(&[f64; 3]) -> f64| {
@@ -243,18 +248,13 @@ pub fn write_current(case: &mut CaseText<'_>, profile: &Given<Vec<[f64; 3]>>) {
     let directions = of(&|row| row[2].atan2(row[1]).to_degrees());
     if let [one] = rows.as_slice() {
         let speed = number(f64::hypot(one[1], one[2]));
-        case.given(
-            "speed_m_per_s",
-            &speed,
-            &profile.span,
-            "current_profile.txt",
-        );
+        case.given("speed_m_per_s", &speed, &profile.span, file);
         let direction = number(one[2].atan2(one[1]).to_degrees());
         case.given("direction_deg", &direction, &profile.span, "");
         return;
     }
     let depths = of(&|row| (-row[0]).max(0.0));
-    case.given("depth_m", &depths, &profile.span, "current_profile.txt");
+    case.given("depth_m", &depths, &profile.span, file);
     case.given("speed_m_per_s", &speeds, &profile.span, "");
     case.given("direction_deg", &directions, &profile.span, "");
 }

@@ -1,13 +1,15 @@
 //! What a file states and is not modelled: named all at once, or left out where that is asked for.
 
+use std::f64::consts::PI;
+
 use super::Context;
-use super::joints::is_inside;
 use crate::import::ImportOptions;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Hold, Unmodelled};
+use crate::import::mooring::{Attachment, Given, Hold, Line, Mass, Stiffness, Unmodelled};
+use crate::statics::catenary::{CatenaryLine, EndOffset, SectionProperties};
 
 /// Names by which `--without` leaves out what is not modelled.
-pub const NAMES: [&str; 8] = [
+pub const NAMES: [&str; 9] = [
     "viv",
     "waves",
     "currents",
@@ -16,6 +18,7 @@ pub const NAMES: [&str; 8] = [
     "clamps",
     "failure",
     "linear-spring",
+    "friction",
 ];
 
 /// What is left out, in words.
@@ -43,6 +46,8 @@ pub fn leave_out(
     all.extend(loads(context));
     all.extend(failures(context));
     all.extend(clamps(context));
+    all.extend(body_loads(context));
+    all.extend(negative_friction(context));
     all.sort_by_key(|one| one.span.start);
     let is_left_out = |one: &Unmodelled| options.without.iter().any(|name| name == one.name);
     let (left_out, faults): (Vec<Unmodelled>, Vec<Unmodelled>) =
@@ -121,6 +126,96 @@ fn loads(context: &Context<'_>) -> Vec<Unmodelled> {
         .collect()
 }
 
+/// Loads of bodies along axes that turn with them, and damping along those of the earth.
+fn body_loads(context: &Context<'_>) -> Vec<Unmodelled> {
+    let bodies = context.mooring.bodies.iter();
+    let free = bodies.filter(|body| body.hold.value.turns());
+    let all = free.flat_map(|body| body.loads.iter().map(move |load| (body, load)));
+    let found = all.flat_map(|(body, load)| {
+        let turning = load.is_local && load.force.value != [0.0; 3];
+        let force = turning.then(|| (&load.force, "a force that turns with its body"));
+        let across = !body.damps_along_own_axes(load);
+        let damping = across.then(|| {
+            let what = "damping along the axes of the earth of a body that is turned";
+            (&load.linear, what)
+        });
+        [force, damping]
+    });
+    let found = found.flatten();
+    found
+        .map(|(given, what)| Unmodelled {
+            name: "loads",
+            span: given.span.clone(),
+            key: "EXTERNAL LOADS".to_owned(),
+            what: what.to_owned(),
+        })
+        .collect()
+}
+
+/// Lines on the bed whose friction is below 0, by which MAP++ has none where nothing lies on the bed.
+fn negative_friction(context: &Context<'_>) -> Vec<Unmodelled> {
+    let mooring = context.mooring;
+    let mut found: Vec<Unmodelled> = Vec::new();
+    let types: Vec<Option<&Given<f64>>> = mooring
+        .line_types
+        .iter()
+        .map(|of| of.friction.as_ref().filter(|given| given.value < 0.0))
+        .collect();
+    for line in &mooring.lines {
+        let Some(given) = types[line.of_type.value].filter(|_| line.without_bed.is_none()) else {
+            continue;
+        };
+        let what = match hangs_clear(context, line) {
+            Some(true) => continue,
+            Some(false) => "friction below 0 of a line that lies on the bed",
+            None => "friction below 0 of a line to a free node, which may lie on the bed",
+        };
+        if found.iter().all(|one| one.span != given.span) {
+            found.push(Unmodelled {
+                name: "friction",
+                span: given.span.clone(),
+                key: "LINE TYPES, CB".to_owned(),
+                what: what.to_owned(),
+            });
+        }
+    }
+    found
+}
+
+/// Whether a line hangs clear of the bed, by its catenary; nothing where an end of it is free.
+fn hangs_clear(context: &Context<'_>, line: &Line) -> Option<bool> {
+    let mooring = context.mooring;
+    let depth = context.sea.depth.unwrap_or(0.0);
+    let place = |end: usize| {
+        let Attachment::Point(point) = line.ends[end].value else {
+            return None;
+        };
+        let point = &mooring.points[point];
+        let [x, y, z] = point.place.each_ref().map(|given| given.value);
+        let held = matches!(point.hold.value, Hold::Fixed | Hold::Coupled);
+        // On the bed, by the word `depth`.
+        held.then_some([x, y, z.max(-depth)])
+    };
+    let (a, b) = (place(0)?, place(1)?);
+    let (low, high) = if b[2] < a[2] { (b, a) } else { (a, b) };
+    let of = &mooring.line_types[line.of_type.value];
+    let (Mass::InAir(mass), Stiffness::Constant(ea)) = (of.mass.value, &of.stiffness.value) else {
+        return None;
+    };
+    let area = 0.25 * PI * of.diameter.value.powi(2);
+    let weight = (mass - context.sea.density * area) * context.sea.gravity;
+    let section = [SectionProperties::new(line.length.value, weight, *ea)];
+    let hanging = CatenaryLine {
+        ends: EndOffset::between(low, high),
+        sections: &section,
+        bed: None,
+        surface_above_a_m: None,
+    };
+    let solution = hanging.solve().ok()?;
+    // The bed of MAP++ is at the lower end: a line lies where it would go on downwards from there.
+    Some(weight <= 0.0 || solution.v_a_n >= 0.0)
+}
+
 /// Several lines that come off together, as one joint.
 fn failures(context: &Context<'_>) -> Vec<Unmodelled> {
     let failures = context.mooring.failures.iter();
@@ -147,7 +242,7 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
             };
             let hold = &mooring.rods[rod].hold.value;
             let holds = !hold.turns() && !matches!(hold, Hold::Body(_));
-            if is_inside(mooring, rod)
+            if context.joints.is_inside(mooring, rod)
                 || is_hinge(context, rod)
                 || holds && !context.motion.is_of_one_body()
             {
@@ -168,11 +263,10 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
 /// A joint at which a line ends that nothing but other lines hold the direction of: a free one, or a pinned one of a single line.
 fn is_hinge(context: &Context<'_>, rod: usize) -> bool {
     let joint = &context.mooring.rods[rod];
-    let ends = context.mooring.lines.iter().flat_map(|line| &line.ends);
-    let here = ends.filter(|end| matches!(end.value, Attachment::Rod(at, _) if at == rod));
+    let here = context.joints.at_rod(rod);
     let is_free = match joint.hold.value {
         Hold::Free => true,
-        Hold::Pinned(_) => here.count() == 1,
+        Hold::Pinned(_) => here.len() == 1,
         _ => false,
     };
     joint.is_joint() && is_free

@@ -180,6 +180,8 @@ fn body(turbine: &Turbine) -> Body {
         volume: none(),
         drag_area: Given::new([0.0; 6], span.clone()),
         added_mass: Given::new([0.0; 3], span.clone()),
+        waterplane: Given::new([0.0; 3], span.clone()),
+        loads: Vec::new(),
     }
 }
 
@@ -294,7 +296,7 @@ fn place(turbine: &Turbine, system: &RaftMooring, mooring: &mut Mooring) {
     for line in &system.lines {
         let ends = line.ends.clone().map(|end| match end.value {
             Attachment::Point(point) => Given::new(Attachment::Point(first + point), end.span),
-            Attachment::Rod(..) => end,
+            Attachment::Rod(..) | Attachment::Inside(_) => end,
         });
         mooring.lines.push(Line {
             id: prefix(&line.id),

@@ -352,6 +352,7 @@ fn add(
             ends: [attached(number), attached(number + 1)],
             length: section.length.clone(),
             segments: Given::new(0, section.span.clone()),
+            without_bed: None,
         });
     }
 }
@@ -372,5 +373,7 @@ fn body_of(platform: &Platform<'_>) -> Body {
         volume: none(),
         drag_area: Given::new([0.0; 6], span.clone()),
         added_mass: Given::new([0.0; 3], span.clone()),
+        waterplane: Given::new([0.0; 3], span.clone()),
+        loads: Vec::new(),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::mapping::{Mapping, find, listed};
+use super::mapping::{Lookup, Mapping, find, listed};
 use super::system::Named;
 use super::tree::shortened;
 use crate::import::fault::Fault;
@@ -82,7 +82,13 @@ impl Parts {
         {
             return None;
         }
-        let found = find(name, &self.configs.names, "configuration", key, faults)?;
+        let found = find(
+            name,
+            &Lookup::of(&self.configs.names),
+            "configuration",
+            key,
+            faults,
+        )?;
         self.configs.entries.get(found.value)?.as_ref()
     }
 
@@ -200,7 +206,13 @@ fn config(
         if item.get("connectorType").is_some() {
             let name = item.word("connectorType", REMEDY, faults)?;
             let key = item.key("connectorType");
-            let connector = find(&name, connectors, "connector type", key, faults);
+            let connector = find(
+                &name,
+                &Lookup::of(connectors),
+                "connector type",
+                key,
+                faults,
+            );
             is_valid &= connector.is_some();
             // One before the first section is at the anchor, which holds it.
             if let Some(section) = sections.last_mut() {
@@ -234,7 +246,15 @@ fn config(
 
 fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Option<Section> {
     let name = item.word("type", "name a line type", faults);
-    let of_type = name.and_then(|name| find(&name, types, "line type", item.key("type"), faults));
+    let of_type = name.and_then(|name| {
+        find(
+            &name,
+            &Lookup::of(types),
+            "line type",
+            item.key("type"),
+            faults,
+        )
+    });
     let length = item.positive("length", faults);
     Some(Section {
         span: item.node.span(),

@@ -2,14 +2,13 @@
 //!
 //! Each function puts down what is wrong and returns nothing then, so that all faults of a file are found at once.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
 use super::tree::{Node, shortened};
 use crate::import::fault::Fault;
 use crate::import::mooring::Given;
-
-/// Names that a message lists at most.
-const LISTED: usize = 12;
+use crate::import::size;
 
 /// A mapping and the path of keys to it.
 #[derive(Debug, Clone)]
@@ -110,6 +109,11 @@ impl<'d> Mapping<'d> {
             let span = list.key_span();
             let problem = format!("there is no {what} in this list");
             faults.push(Fault::new(span, self.key(key), problem, remedy));
+        }
+        if size::too_many(items.len()) {
+            let at = items.get(size::most()).map_or(list.span(), Node::span);
+            faults.push(size::fault(&self.key(key), items.len(), at));
+            return Vec::new();
         }
         let numbered = items.into_iter().enumerate();
         let named = numbered.filter_map(|(number, node)| {
@@ -263,23 +267,42 @@ impl<'d> Mapping<'d> {
     }
 }
 
+/// A list of names, and the place of each.
+#[derive(Debug, Clone)]
+pub struct Lookup<'n> {
+    names: &'n [String],
+    places: HashMap<&'n str, usize>,
+}
+
+impl<'n> Lookup<'n> {
+    /// Of a list; of two names that are the same the first counts.
+    #[must_use]
+    pub fn of(names: &'n [String]) -> Self {
+        let mut places = HashMap::new();
+        for (place, name) in names.iter().enumerate() {
+            places.entry(name.as_str()).or_insert(place);
+        }
+        Self { names, places }
+    }
+}
+
 /// The place of a name in a list; nothing, with a fault that lists the names, if it is not there.
 pub fn find(
     name: &Given<String>,
-    names: &[String],
+    lookup: &Lookup<'_>,
     what: &str,
     key: String,
     faults: &mut Vec<Fault>,
 ) -> Option<Given<usize>> {
-    if let Some(number) = names.iter().position(|one| *one == name.value) {
-        return Some(Given::new(number, name.span.clone()));
+    if let Some(number) = lookup.places.get(name.value.as_str()) {
+        return Some(Given::new(*number, name.span.clone()));
     }
     let problem = format!("there is no {what} `{}`", shortened(&name.value));
     faults.push(Fault::new(
         name.span.clone(),
         key,
         problem,
-        listed(what, names),
+        listed(what, lookup.names),
     ));
     None
 }
@@ -290,16 +313,7 @@ pub fn listed(what: &str, names: &[String]) -> String {
     if names.is_empty() {
         return format!("give a list of {what}s with their names");
     }
-    let some: Vec<String> = names
-        .iter()
-        .take(LISTED)
-        .map(|one| shortened(one))
-        .collect();
-    let more = match names.len() > LISTED {
-        true => format!(" and {} more", names.len() - LISTED),
-        false => String::new(),
-    };
-    format!("{what}s are {}{more}", some.join(", "))
+    format!("{what}s are {}", crate::import::listing::listed(names))
 }
 
 /// Faults for names that occur twice.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::mapping::{Mapping, find, unique};
+use super::mapping::{Lookup, Mapping, find, unique};
 use super::tree::shortened;
 use crate::import::fault::Fault;
 use crate::import::mooring::{Attachment, Given, Hold, Line, LineType, Point};
@@ -144,16 +144,17 @@ pub fn lines(
 ) -> Vec<Line> {
     let rows = table.mappings("lines", LINE, faults);
     let path = table.key("lines");
+    let [by_point, by_type] = [&points.names, &types.names].map(|names| Lookup::of(names));
     let read = |row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>| {
         let what = dialect.points.1;
         let ends = dialect.ends.map(|key| {
             let word = row.word(key, &format!("name the {what} at this end"), faults)?;
-            find(&word, &points.names, what, row.key(key), faults)
+            find(&word, &by_point, what, row.key(key), faults)
         });
         let word = row.word(dialect.line_type, "name its line type", faults);
         let of_type = word.and_then(|word| {
             let key = row.key(dialect.line_type);
-            find(&word, &types.names, "line type", key, faults)
+            find(&word, &by_type, "line type", key, faults)
         });
         let length = row.positive(dialect.length, faults);
         let [Some(a), Some(b)] = ends else {
@@ -178,6 +179,7 @@ pub fn lines(
             ends: [at(a), at(b)],
             length: length?,
             segments: Given::new(0, row.node.span()),
+            without_bed: None,
         })
     };
     Named::read(&rows, LINE, &path, faults, read).valid()

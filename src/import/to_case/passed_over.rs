@@ -1,0 +1,160 @@
+//! What of a file is read and has no effect here: said once, by the names of the file.
+
+use super::Context;
+use crate::import::listing::listed;
+use crate::import::mooring::{Attachment, Hold, Mooring, Program};
+
+/// Options that are taken, by their names here; all others are passed over.
+const TAKEN: [&str; 10] = [
+    "g",
+    "wtrdnsty",
+    "wtrdpth",
+    "kbot",
+    "cbot",
+    "wavekin",
+    "currents",
+    "waterkin",
+    "frictioncoefficient",
+    "seafloorfile",
+];
+
+/// Options by which `MoorDyn` has other forces.
+const PHYSICS: [&str; 9] = [
+    "mu_ka",
+    "fricdamp",
+    "statdynfricscale",
+    "unifycurrentgrid",
+    "inertialf",
+    "inertialf_rampt",
+    "visco_mod",
+    "rampt",
+    "wavedirection",
+];
+
+/// What is said of it, in sentences.
+#[must_use]
+pub fn notes(context: &Context<'_>) -> Vec<String> {
+    let mooring = context.mooring;
+    let mut notes = Vec::new();
+    let (physics, others) = options(mooring);
+    let mut put = |what: &str, names: &[String]| {
+        if !names.is_empty() {
+            notes.push(format!("{what}: {}.", names.join(", ")));
+        }
+    };
+    let program = mooring.program.name();
+    put(
+        &format!("Passed over, though {program} has other forces by it"),
+        &physics,
+    );
+    put("Passed over, as of a solver or of outputs", &others);
+    if !mooring.not_known.is_empty() {
+        let names = listed(&mooring.not_known);
+        notes.push(format!(
+            "Options that are not known have no effect: {names}."
+        ));
+    }
+    notes.extend(parts(context));
+    notes
+}
+
+/// Names of the options, flags and columns that are passed over: those of forces, and others.
+fn options(mooring: &Mooring) -> (Vec<String>, Vec<String>) {
+    let wave_step = mooring.sea.elevation.is_some();
+    let is_taken = |name: &str| TAKEN.contains(&name) || name == "dtwave" && wave_step;
+    let settings: Vec<_> = match mooring.program {
+        Program::MoorDyn | Program::MoorDyn1 => mooring.settings.iter().collect(),
+        _ => Vec::new(),
+    };
+    let settings = settings.into_iter().filter(|one| !is_taken(&one.name));
+    let (physics, others): (Vec<_>, Vec<_>) =
+        settings.partition(|one| PHYSICS.contains(&one.name.as_str()));
+    let names = |all: Vec<&crate::import::mooring::Setting>| -> Vec<String> {
+        all.iter().map(|one| one.written.clone()).collect()
+    };
+    let mut others = names(others);
+    others.extend(mooring.passed_over.iter().cloned());
+    (unrepeated(names(physics)), unrepeated(others))
+}
+
+/// Names without those that were before.
+fn unrepeated(names: Vec<String>) -> Vec<String> {
+    let mut seen = std::collections::HashSet::new();
+    let is_new = |name: &String| seen.insert(name.to_lowercase());
+    names.into_iter().filter(is_new).collect()
+}
+
+/// Columns of parts that act on nothing, and parts that nothing is attached to.
+fn parts(context: &Context<'_>) -> Vec<String> {
+    let mooring = context.mooring;
+    let turns = |body: usize| mooring.bodies[body].hold.value.turns();
+    let points = || mooring.points.iter().enumerate();
+    let is_held = |hold: &Hold| match hold.base() {
+        Hold::Body(body) => !turns(*body),
+        hold => *hold != Hold::Free,
+    };
+    let mut notes = Vec::new();
+    let mut put = |what: &str, ids: &[&str], why: &str| {
+        if !ids.is_empty() {
+            notes.push(format!("{what} {}: {why}.", listed(ids)));
+        }
+    };
+    let held = points().filter(|(_, point)| is_held(&point.hold.value));
+    let with_columns = held.filter(|(_, point)| {
+        let all = [
+            &point.mass,
+            &point.volume,
+            &point.drag_area,
+            &point.added_mass,
+        ];
+        all.into_iter()
+            .chain(&point.load)
+            .any(|given| given.value != 0.0)
+    });
+    let ids: Vec<&str> = with_columns.map(|(_, point)| point.id.as_str()).collect();
+    put(
+        "Mass, volume, drag, added mass and loads act on nothing at the points",
+        &ids,
+        "they are held",
+    );
+    let bodies = mooring
+        .bodies
+        .iter()
+        .filter(|body| is_held(&body.hold.value));
+    let loaded = bodies.filter(|body| !body.loads.is_empty());
+    let ids: Vec<&str> = loaded.map(|body| body.id.as_str()).collect();
+    put(
+        "EXTERNAL LOADS act on nothing at the bodies",
+        &ids,
+        "they are held",
+    );
+    let along = mooring.bodies.iter().filter(|body| {
+        let damps = |one: &crate::import::mooring::BodyLoad| {
+            !one.is_local && (one.linear.value != [0.0; 3] || one.quadratic.value != [0.0; 3])
+        };
+        body.hold.value.turns() && body.loads.iter().any(damps)
+    });
+    let ids: Vec<&str> = along.map(|body| body.id.as_str()).collect();
+    put(
+        "Damping acts along the axes of the bodies",
+        &ids,
+        "along those of the earth in MoorDyn, the same while they are not turned",
+    );
+    let is_dropped = |(number, point): &(usize, &crate::import::mooring::Point)| {
+        let on_body = matches!(point.hold.value, Hold::Body(_));
+        !on_body && !context.is_used(Attachment::Point(*number))
+    };
+    let dropped = points().filter(is_dropped);
+    let ids: Vec<&str> = dropped.map(|(_, point)| point.id.as_str()).collect();
+    put("Left out are the points", &ids, "no line ends there");
+    let used: std::collections::HashSet<usize> = mooring
+        .lines
+        .iter()
+        .map(|line| line.of_type.value)
+        .collect();
+    let types = mooring.line_types.iter().enumerate();
+    let unused = types.filter(|(number, _)| !used.contains(number));
+    let ids: Vec<&str> = unused.map(|(_, of)| of.name.as_str()).collect();
+    put("Left out are the line types", &ids, "no line is of them");
+    notes
+}
