@@ -5,6 +5,7 @@
 mod equilibrium;
 mod errors_at_rest;
 mod friction_on_bed;
+mod importers;
 mod loads_without_effect;
 mod loud;
 mod members;

@@ -14,19 +14,34 @@ use super::place::{contained, file, path, put};
 const MOORDYN: &str = include_str!("../../data/corpus/moordyn/oc3_2.txt");
 const MOORDYN_1: &str = include_str!("../../data/corpus/moordyn/oc3_1.txt");
 const PARTS: &str = include_str!("../../data/corpus/moordyn/parts.txt");
+/// Words that are odd but clear, and the tables of other dialects.
+const ODD: [&str; 5] = [
+    include_str!("../../trials/files/importers/coupled1.txt"),
+    include_str!("../../trials/files/importers/v1_numnodes.txt"),
+    include_str!("../../trials/files/importers/external_loads.txt"),
+    include_str!("../../trials/files/importers/waterkin_current.txt"),
+    include_str!("../../trials/files/importers/rigid6_buoy.dat"),
+];
 const MAP: &str = include_str!("../../data/corpus/map_plus_plus/oc3.txt");
 
 pub(super) const ALL: &[Target] = &[
     Target {
         name: "moordyn",
         run: |data| imported(data, "file.dat", &ImportOptions::default()),
-        seeds: || texts(&[MOORDYN, MOORDYN_1, PARTS]),
+        seeds: || texts(&[&[MOORDYN, MOORDYN_1, PARTS], &ODD[..]].concat()),
         share: 20,
     },
     Target {
         name: "map_plus_plus",
         run: |data| imported(data, "file.map", &of_map_plus_plus()),
-        seeds: || texts(&[MAP, MOORDYN_1]),
+        seeds: || {
+            texts(&[
+                MAP,
+                MOORDYN_1,
+                include_str!("../../trials/files/importers/map_five_columns.map"),
+                include_str!("../../trials/files/importers/omit_contact.map"),
+            ])
+        },
         share: 50,
     },
     Target {
@@ -44,8 +59,19 @@ pub(super) const ALL: &[Target] = &[
     Target {
         name: "line_types",
         run: line_types,
-        seeds: || texts(&[include_str!("../../system/foreign/library.yaml")]),
+        seeds: || {
+            texts(&[
+                include_str!("../../system/foreign/library.yaml"),
+                include_str!("../../trials/files/importers/library_eadlm.yaml"),
+            ])
+        },
         share: 100,
+    },
+    Target {
+        name: "water_kinematics",
+        run: water_kinematics,
+        seeds: || texts(&[include_str!("../../trials/files/importers/WaterKin.dat")]),
+        share: 20,
     },
     Target {
         name: "import_motion",
@@ -108,6 +134,13 @@ fn line_types(data: &[u8]) -> bool {
         assert!(!of.ea_formula().is_empty());
     }
     true
+}
+
+/// A file of water kinematics beside a file of MoorDyn.
+fn water_kinematics(data: &[u8]) -> bool {
+    put(&path("WaterKin.dat"), contained(data).as_bytes());
+    let read = import::read(ODD[3], &file("file.dat"), &ImportOptions::default());
+    read.map_or_else(|faults| shown(&faults), |_| true)
 }
 
 /// A table of the motion of coupled parts, beside a file of MoorDyn.
