@@ -538,7 +538,7 @@ fn options_and_flags_that_map_does_not_know_are_named() {
     let text = OC3_MAP.replace("gx_pos", "GX_POS seg_size 10 damage_time 5 h_fair");
     let text = map_note(
         &text,
-        "Line 1: it is not cut at the time of the flag damage_time.",
+        "Line 1: the flag damage_time has no effect, as in MAP++: the line is not cut.",
     );
     assert!(!text.contains("not known"), "{text}");
 }
@@ -574,13 +574,9 @@ fn a_length_that_map_solves_for_is_refused_at_its_column() {
 }
 
 #[test]
-fn a_line_of_map_without_contact_at_its_anchor_is_refused() {
-    let all = map(&OC3_MAP.replace("plot gx_pos", "plot omit_contact")).unwrap_err();
-    let [one] = all.as_slice() else {
-        panic!("{all:#?}")
-    };
-    assert_eq!((one.line, one.key.as_str()), (13, "LINES, Flags"));
-    assert!(one.problem.contains("OMIT_CONTACT"), "{one:?}");
+fn a_line_of_map_without_contact_hangs_through_the_bed() {
+    let text = OC3_MAP.replace("plot gx_pos", "plot omit_contact");
+    map_note(&text, "bed_contact = false");
     let joined = "1    main     500.0    1        3        plot\n2    main     402.2    3        2        omit_contact\n";
     let text = OC3_MAP
         .replace(
@@ -591,8 +587,6 @@ fn a_line_of_map_without_contact_at_its_anchor_is_refused() {
             "1    main     902.2    1        2        plot gx_pos\n",
             joined,
         );
-    map_note(
-        &text,
-        "Line 2: omit_contact has an effect only where the line would reach the bed",
-    );
+    let text = map_note(&text, "bed_contact = false");
+    assert_eq!(text.matches("bed_contact").count(), 1, "{text}");
 }

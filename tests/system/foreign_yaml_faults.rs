@@ -325,9 +325,12 @@ fn faults_of_a_library_are_at_their_rows() {
     ];
     for (of, by, line, key) in faults {
         assert!(LIBRARY.contains(of), "{of}");
-        let all = library::read(&LIBRARY.replacen(of, by, 1), "library.yaml").expect_err(by);
-        let found = all.iter().find(|fault| fault.key == key);
-        assert_eq!(found.map(|fault| fault.line), Some(line), "{by}: {all:#?}");
+        let read = library::read(&LIBRARY.replacen(of, by, 1), "library.yaml").expect(by);
+        let mut all = read.not_read.iter().flat_map(|of| &of.faults);
+        let found = all.find(|fault| fault.key == key);
+        assert_eq!(found.map(|fault| fault.line), Some(line), "{by}: {read:#?}");
+        // The other type is read.
+        assert_eq!((read.types.len(), read.not_read.len()), (1, 1), "{by}");
     }
     for text in [
         "",

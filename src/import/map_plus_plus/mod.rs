@@ -182,7 +182,10 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
     }
 }
 
-/// A coefficient of motion, which the statics of MAP++ do not use; 0 where it is not given, or below 0 as its template has it (-999.9).
+/// Numbers by which the template and the manual of MAP++ mark coefficients that its statics do not use.
+const NOT_USED: [f64; 2] = [-999.9, -1.0];
+
+/// A coefficient of motion; 0 where it is not given, or marked as not used.
 fn of_motion(
     row: &TableRow<'_, '_>,
     column: usize,
@@ -193,8 +196,8 @@ fn of_motion(
         unused.push(format!("{} (not given)", name()));
         return Ok(Given::new(0.0, row.row.span()));
     };
-    if given.value >= 0.0 {
-        return Ok(given);
+    if !NOT_USED.contains(&given.value) {
+        return row.not_negative(column);
     }
     unused.push(format!("{} ({})", name(), row.words[column].text));
     Ok(Given::new(0.0, given.span))
