@@ -7,7 +7,9 @@ use crate::import::fault::Fault;
 use crate::import::index::{Index, TypeIndex};
 use crate::import::moordyn::holds::{Ends, attachment, hold, missing};
 use crate::import::moordyn::line_types::unique;
-use crate::import::moordyn::parts::{LINE_COLUMNS, POINT_COLUMNS, line, one_turbine, type_of, whole};
+use crate::import::moordyn::parts::{
+    LINE_COLUMNS, POINT_COLUMNS, line, one_turbine, type_of, whole,
+};
 use crate::import::moordyn::sections::{Block, Section};
 use crate::import::moordyn::table::{Column, Table, TableRow};
 use crate::import::mooring::{Attachment, Given, Hold, Line, Mooring, Point};
