@@ -232,15 +232,12 @@ fn external_loads_act_on_points() {
         52_970.77,
         1e-7,
     );
-    let points = found
+    let mut points = found
         .network
         .points
         .iter()
         .zip(&found.rest.placement.points);
-    let (_, place) = points
-        .into_iter()
-        .find(|(point, _)| point.name == "p2")
-        .unwrap();
+    let (_, place) = points.find(|(point, _)| point.name == "p2").unwrap();
     assert!(
         (place - V3::new(18.928, 0.0, -56.422)).norm() < 1e-3,
         "{place}"

@@ -13,6 +13,7 @@ use crate::import::moordyn::parts::{
 use crate::import::moordyn::sections::{Block, Section};
 use crate::import::moordyn::table::{Column, Table, TableRow};
 use crate::import::mooring::{Attachment, Given, Hold, Line, Mooring, Point};
+use crate::import::words::Row;
 
 /// Columns of a point without masses.
 const PLAIN_POINT: usize = 5;
@@ -124,7 +125,7 @@ pub fn read_lines(
     faults: &mut Vec<Fault>,
 ) {
     let mut rows = block.rows.iter().filter(|row| !row.is_blank());
-    let header = rows.next().map(|row| row.words()).unwrap_or_default();
+    let header = rows.next().map(Row::words).unwrap_or_default();
     let is_short = !header.iter().any(|word| word.is("LineType"));
     let table = match is_short {
         true => Table::of(block, &SHORT_LINE, SHORT_NEEDED, faults),

@@ -18,7 +18,7 @@ use super::moordyn::table::{Column, Table, TableRow};
 use super::mooring::{
     Attachment, Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Stiffness,
 };
-use super::words::Word;
+use super::words::{Row, Word};
 
 const TYPE_COLUMNS: [Column; 9] = [
     ("LineType", &["Name", "TypeName"]),
@@ -85,7 +85,7 @@ pub fn is_map(sections: &Sections<'_>) -> bool {
             .block(section)
             .into_iter()
             .flat_map(|block| &block.rows);
-        let header = rows.map(|row| row.words_with_marks());
+        let header = rows.map(Row::words_with_marks);
         header.take(2).flatten().collect::<Vec<Word<'_>>>()
     };
     let (types, lines) = (words(Section::LineTypes), words(Section::Lines));

@@ -79,8 +79,8 @@ impl Context<'_> {
         match at {
             Attachment::Point(point) => self.joints.is_used_point(point),
             Attachment::Rod(rod, end) => {
-                let ends = self.joints.at_rod(rod).iter();
-                ends.into_iter().any(|(line, of)| {
+                let mut ends = self.joints.at_rod(rod).iter();
+                ends.any(|(line, of)| {
                     self.mooring.lines[*line].ends[*of].value == Attachment::Rod(rod, end)
                 })
             }
