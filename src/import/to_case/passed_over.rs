@@ -1,6 +1,7 @@
 //! What of a file is read and has no effect here: said once, by the names of the file.
 
 use super::Context;
+use super::start::is_given;
 use crate::import::listing::listed;
 use crate::import::mooring::{Attachment, Hold, Mooring, Program};
 
@@ -36,7 +37,7 @@ const PHYSICS: [&str; 9] = [
 pub fn notes(context: &Context<'_>) -> Vec<String> {
     let mooring = context.mooring;
     let mut notes = Vec::new();
-    let (physics, others) = options(mooring);
+    let (physics, others) = options(mooring, is_given(context));
     let mut put = |what: &str, names: &[String]| {
         if !names.is_empty() {
             notes.push(format!("{what}: {}.", names.join(", ")));
@@ -59,9 +60,13 @@ pub fn notes(context: &Context<'_>) -> Vec<String> {
 }
 
 /// Names of the options, flags and columns that are passed over: those of forces, and others.
-fn options(mooring: &Mooring) -> (Vec<String>, Vec<String>) {
+fn options(mooring: &Mooring, is_started: bool) -> (Vec<String>, Vec<String>) {
     let wave_step = mooring.sea.elevation.is_some();
-    let is_taken = |name: &str| TAKEN.contains(&name) || name == "dtwave" && wave_step;
+    let is_taken = |name: &str| match name {
+        "dtwave" => wave_step,
+        "tmaxic" => is_started,
+        name => TAKEN.contains(&name),
+    };
     let settings: Vec<_> = match mooring.program {
         Program::MoorDyn | Program::MoorDyn1 => mooring.settings.iter().collect(),
         _ => Vec::new(),
@@ -141,8 +146,9 @@ fn parts(context: &Context<'_>) -> Vec<String> {
         "along those of the earth in MoorDyn, the same while they are not turned",
     );
     let is_dropped = |(number, point): &(usize, &crate::import::mooring::Point)| {
-        let on_body = matches!(point.hold.value, Hold::Body(_));
-        !on_body && !context.is_used(Attachment::Point(*number))
+        // Of free ones it is said where they are left out or fall.
+        let is_elsewhere = matches!(point.hold.value, Hold::Body(_) | Hold::Free);
+        !is_elsewhere && !context.is_used(Attachment::Point(*number))
     };
     let dropped = points().filter(is_dropped);
     let ids: Vec<&str> = dropped.map(|(_, point)| point.id.as_str()).collect();

@@ -11,6 +11,12 @@ fn without_rest(mooring: &Mooring) -> Option<&Setting> {
     setting.filter(|setting| setting.number() == Some(0.0))
 }
 
+/// Whether a run begins where the file puts what is free, by an option of `MoorDyn`.
+#[must_use]
+pub fn is_given(context: &Context<'_>) -> bool {
+    without_rest(context.mooring).is_some() && has_unknowns(context)
+}
+
 /// Whether a point is free and no line ends at it.
 fn is_loose(context: &Context<'_>, point: usize) -> bool {
     let is_free = context.mooring.points[point].hold.value == Hold::Free;
