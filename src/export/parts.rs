@@ -222,21 +222,16 @@ impl Writer<'_> {
     }
 
     /// The name of a rod type with the properties of one without a name.
-    fn rod_type(&mut self, wanted: RodTypeRow) -> String {
-        let name = format!("rod{}", self.sheet.rod_types.len() + 1);
+    fn rod_type(&mut self, mut wanted: RodTypeRow) -> String {
         for known in &self.sheet.rod_types {
-            let named = RodTypeRow {
-                name: known.name.clone(),
-                ..wanted.clone()
-            };
-            if *known == named {
-                return named.name;
+            wanted.name.clone_from(&known.name);
+            if *known == wanted {
+                return wanted.name;
             }
         }
-        self.sheet.rod_types.push(RodTypeRow {
-            name: name.clone(),
-            ..wanted
-        });
+        wanted.name = format!("rod{}", self.sheet.rod_types.len() + 1);
+        let name = wanted.name.clone();
+        self.sheet.rod_types.push(wanted);
         name
     }
 

@@ -475,6 +475,7 @@ mod tests {
                     let contact = FrictionContact {
                         normal: &normal,
                         push: &push,
+                        curved: None,
                         x,
                         v,
                     };
@@ -487,6 +488,7 @@ mod tests {
                     let contact = FrictionContact {
                         normal: &normal,
                         push: &push,
+                        curved: None,
                         x,
                         v,
                     };

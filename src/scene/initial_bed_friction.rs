@@ -458,7 +458,7 @@ impl Scene {
         let Some(least) = again.next() else {
             return false;
         };
-        let most = again.last().unwrap_or(least);
+        let most = again.next_back().unwrap_or(least);
         let least = if on_bed[0] { least } else { 0 };
         let most = if on_bed[1] { most } else { guess.len() - 1 };
         for grip in &mut grips[least..=most] {

@@ -25,14 +25,14 @@ enum Departure {
     /// It is unstable, and searches from beside it find no other.
     Nowhere,
     /// It is unstable, and the system comes to this one.
-    To(Equilibrium),
+    To(Box<Equilibrium>),
 }
 
 /// The equilibrium that a system comes to when it is let go near one that is unstable; that one where it comes to none that is not.
 #[must_use]
 pub(super) fn leave(network: &Network, found: Equilibrium) -> Equilibrium {
     let mut here = match departure(network, &found) {
-        Departure::To(next) => next,
+        Departure::To(next) => *next,
         Departure::None | Departure::Nowhere => return found,
     };
     for _ in 1..TIMES {
@@ -42,7 +42,7 @@ pub(super) fn leave(network: &Network, found: Equilibrium) -> Equilibrium {
                 return here;
             }
             Departure::Nowhere => break,
-            Departure::To(next) => here = next,
+            Departure::To(next) => here = *next,
         }
     }
     found
@@ -56,11 +56,11 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
     let step = motion * TURN;
     let from = rest.placement.moved(network, &rest.freedoms, &step);
     match search(network, &from) {
-        Ok(next) if !is_same(network, rest, &next) => Departure::To(Equilibrium {
+        Ok(next) if !is_same(network, rest, &next) => Departure::To(Box::new(Equilibrium {
             steps: rest.steps + next.steps,
             evaluations: rest.evaluations + next.evaluations,
             ..next
-        }),
+        })),
         _ => Departure::Nowhere,
     }
 }

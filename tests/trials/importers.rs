@@ -39,7 +39,9 @@ fn tension(text: &str, options: &ImportOptions, end: &str) -> f64 {
 }
 
 fn refused(text: &str, options: &ImportOptions) -> Diagnostic {
-    let all = read(text, options).expect_err(text);
+    let Err(all) = read(text, options) else {
+        panic!("read: {text}");
+    };
     all.into_iter().next().unwrap()
 }
 

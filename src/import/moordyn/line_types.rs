@@ -105,7 +105,7 @@ pub fn read_line_types(
         let remark = "Stiffness in shear and torsion and rotary inertia of the line types (GAs, GJ, Irt, Irn) are passed over.";
         mooring.remarks.push(remark.to_owned());
     }
-    if program == Program::MoorDyn && order == Order::AddedMassFirst {
+    if program == Program::MoorDyn && order == Order::AddedMass {
         mooring.remarks.push(
             "The header of the line types names Can Cat Cdn Cdt; MoorDyn 2 reads these four columns as Cd Ca CdAx CaAx, by their \
              order, and so they are read here."
@@ -226,18 +226,18 @@ const NAMES: [(&str, Coefficient); 12] = [
 /// Which of the four coefficients come first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Order {
-    DragFirst,
-    AddedMassFirst,
-    DragPairFirst,
+    Drag,
+    AddedMass,
+    DragPair,
 }
 
 impl Order {
     /// The order in which a program reads them where the header does not name them.
     fn of(program: Program) -> Self {
         match program {
-            Program::MoorDyn1 => Self::AddedMassFirst,
-            Program::CableDyn => Self::DragPairFirst,
-            _ => Self::DragFirst,
+            Program::MoorDyn1 => Self::AddedMass,
+            Program::CableDyn => Self::DragPair,
+            _ => Self::Drag,
         }
     }
 }
@@ -263,10 +263,10 @@ fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Ve
     let order: Vec<Coefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
     let of_cables = program == Program::CableDyn;
     if order == DRAG_PAIR_FIRST && of_cables {
-        return Order::DragPairFirst;
+        return Order::DragPair;
     }
     if order == ADDED_MASS_FIRST && !of_cables {
-        return Order::AddedMassFirst;
+        return Order::AddedMass;
     }
     if order != DRAG_FIRST {
         let (read, names) = match program {
@@ -289,7 +289,7 @@ fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Ve
             format!("columns are read by their order: {names}"),
         ));
     }
-    Order::DragFirst
+    Order::Drag
 }
 
 /// Refuses a row with more numbers than the header has names: which of the columns the header leaves out is not known.
@@ -352,11 +352,11 @@ fn line_type(
         drag_tangential,
         added_mass_tangential,
     ] = match (first, order) {
-        (true, Order::AddedMassFirst) => {
+        (true, Order::AddedMass) => {
             let [can, cat, cdn, cdt] = by_order;
             [cdn, can, cdt, cat]
         }
-        (_, Order::DragPairFirst) => {
+        (_, Order::DragPair) => {
             let [cdn, cdt, can, cat] = by_order;
             [cdn, can, cdt, cat]
         }

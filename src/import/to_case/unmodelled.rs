@@ -133,7 +133,7 @@ fn body_loads(context: &Context<'_>) -> Vec<Unmodelled> {
     let all = free.flat_map(|body| body.loads.iter().map(move |load| (body, load)));
     let found = all.flat_map(|(body, load)| {
         let turning = load.is_local && load.force.value != [0.0; 3];
-        let force = turning.then(|| (&load.force, "a force that turns with its body"));
+        let force = turning.then_some((&load.force, "a force that turns with its body"));
         let across = !body.damps_along_own_axes(load);
         let damping = across.then(|| {
             let what = "damping along the axes of the earth of a body that is turned";

@@ -208,7 +208,6 @@ impl Space {
             depth: plane.depth - down.x * x - down.y * y,
             by_x: down.x,
             by_y: down.y,
-            ..plane
         };
         put(grid, "text", moved.text());
     }
