@@ -33,7 +33,7 @@ pub use ends::{
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub use line::{
     Bore, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats,
-    Material, Modules, Section, StiffnessScope, Traveller, WorkingCurveShape,
+    Material, Modules, Section, StiffnessScope, TensionInterpolation, Traveller, WorkingCurveShape,
 };
 pub(crate) use line::{BoreKeys, MaterialKeys};
 pub use load_cases::LoadCaseInputs;

@@ -5,9 +5,13 @@ use std::f64::consts::PI;
 use super::number::written;
 use super::sheet::{Sheet, TypeRow};
 use super::{Target, Unsayable};
-use crate::case::{CreepModel, DragCoefficient, DragWidth, Material, WorkingCurveShape};
+use crate::case::{
+    CreepModel, DragCoefficient, DragWidth, Material, TensionInterpolation, WorkingCurveShape,
+};
+use crate::number::percent;
+use crate::physics::rope::TensionTable;
 
-/// Difference of a wet weight from that of the displaced water, by the mass, which is none.
+/// Difference of a wet weight from that of the displaced water, by the mass, or of a tension by the tension, which is none.
 const SAME: f64 = 1e-9;
 
 /// The line type of a material, with this friction where types have it.
@@ -147,32 +151,81 @@ fn stiffness(name: &str, material: &Material, sheet: &mut Sheet) -> (String, Str
 
 /// EA, or the file of a table.
 fn constant(name: &str, material: &Material, sheet: &mut Sheet) -> String {
-    let table = material.strain.as_ref().zip(material.tension_n.as_ref());
-    match (table, material.ea_n) {
-        (Some((strain, tension)), _) => {
-            curve(&format!("{name}_stiffness.txt"), strain, tension, sheet)
+    match (material.tension_table(), material.ea_n) {
+        (Some(table), _) => {
+            let file = format!("{name}_stiffness.txt");
+            curve((name, &file), material, &table, sheet)
         }
         (None, Some(ea)) => written(ea),
         (None, None) => String::new(),
     }
 }
 
-/// Writes a table of tension over strain beside the file; its name.
-fn curve(file: &str, strain: &[f64], tension: &[f64], sheet: &mut Sheet) -> String {
+/// Rows that a table of MoorDyn has at most (`nCoef`).
+const MOST_ROWS: usize = 30;
+
+/// Writes a table of tension over strain beside the file; the name of that. MoorDyn goes straight from row to row: of a curve that is
+/// smooth as many rows are written as it reads.
+fn curve(
+    (name, file): (&str, &str),
+    material: &Material,
+    table: &TensionTable,
+    sheet: &mut Sheet,
+) -> String {
+    let given = material.strain.as_deref().unwrap_or_default();
+    let strains = match material.tension_interpolation {
+        TensionInterpolation::Linear => given.to_vec(),
+        TensionInterpolation::Smooth => divided(given),
+    };
+    if let Some(off) = beside(table, &strains) {
+        sheet.remarks.push(format!(
+            "{name}: its table is smooth, that of MoorDyn straight between {} rows: tensions differ by up to {}.",
+            strains.len(),
+            percent(off)
+        ));
+    }
     let mut text = "strain  tension\n(-)  (N)\n".to_owned();
-    for (strain, tension) in strain.iter().zip(tension) {
-        text += &format!("{}  {}\n", written(*strain), written(*tension));
+    for strain in &strains {
+        let tension = table.at(*strain).tension;
+        text += &format!("{}  {}\n", written(*strain), written(tension));
     }
     sheet.files.push((file.to_owned(), text));
     file.to_owned()
 }
 
+/// The strains of a table with others between them, equally far apart, as many as MoorDyn reads.
+fn divided(strains: &[f64]) -> Vec<f64> {
+    let stretches = strains.len().saturating_sub(1).max(1);
+    let pieces = ((MOST_ROWS - 1) / stretches).max(1);
+    let mut all = Vec::with_capacity(stretches * pieces + 1);
+    for pair in strains.windows(2) {
+        for k in 0..pieces {
+            all.push(pair[0] + (pair[1] - pair[0]) * k as f64 / pieces as f64);
+        }
+    }
+    all.extend(strains.last());
+    all
+}
+
+/// The greatest difference between a table and straight lines between these strains, by the tension of the table half way between two of
+/// them; nothing where there is none.
+fn beside(table: &TensionTable, strains: &[f64]) -> Option<f64> {
+    let differences = strains.windows(2).map(|pair| {
+        let [from, middle, to] =
+            [pair[0], 0.5 * (pair[0] + pair[1]), pair[1]].map(|strain| table.at(strain).tension);
+        (0.5 * (from + to) / middle - 1.0).abs()
+    });
+    let greatest = differences.fold(0.0, f64::max);
+    (greatest > SAME).then_some(greatest)
+}
+
 /// Writes the curves of a Syrope rope beside the file; its name.
 fn syrope(name: &str, material: &Material, sheet: &mut Sheet) -> String {
-    let none = Vec::new();
-    let strain = material.strain.as_ref().unwrap_or(&none);
-    let tension = material.tension_n.as_ref().unwrap_or(&none);
-    let first = curve(&format!("{name}_first_loading.txt"), strain, tension, sheet);
+    let file = format!("{name}_first_loading.txt");
+    let table = material.tension_table();
+    let first = table.map_or_else(String::new, |table| {
+        curve((name, &file), material, &table, sheet)
+    });
     let form = match material.working_curve {
         WorkingCurveShape::Linear => "LINEAR",
         WorkingCurveShape::Quadratic => "QUADRATIC",

@@ -102,14 +102,15 @@ fn dynamic(
 
 /// The tension-strain table of a material, if it has one.
 fn table(name: &str, material: &Material) -> Result<Option<TensionTable>, SceneError> {
-    let Some(strain) = &material.strain else {
+    if material.strain.is_none() {
         return Ok(None);
-    };
-    let tension = material.tension_n.as_deref().unwrap_or_default();
-    let table = TensionTable::new(strain, tension).ok_or_else(|| SceneError::Impossible {
-        key: format!("materials.{name}.strain"),
-        why: "strains and tensions must be equally many, and rise from 0",
-    })?;
+    }
+    let table = material
+        .tension_table()
+        .ok_or_else(|| SceneError::Impossible {
+            key: format!("materials.{name}.strain"),
+            why: "strains and tensions must be equally many, and rise from 0",
+        })?;
     Ok(Some(table))
 }
 

@@ -30,8 +30,7 @@ fn polyester(changes: &[(&str, &str)]) -> MotionRun {
 fn original() -> TensionTable {
     let system = solved(POLYESTER);
     let material = &system.file.materials["polyester"];
-    let (strain, tension) = (material.strain.as_ref(), material.tension_n.as_ref());
-    TensionTable::new(strain.unwrap(), tension.unwrap()).unwrap()
+    material.tension_table().unwrap()
 }
 
 /// The shapes of the source's three tests with their parameters, and the tension by the greatest one of each at a place from 0 to 1.

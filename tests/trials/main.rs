@@ -12,3 +12,5 @@ mod members;
 mod start;
 mod top_heavy;
 mod zero_bars;
+mod stiffness_tables;
+mod trial;

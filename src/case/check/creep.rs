@@ -204,7 +204,8 @@ fn curve(material: &MaterialKeys<'_>, model: CreepModel) -> Option<(MeanCurve, f
         return Some((MeanCurve::Linear(ea), ea));
     }
     let (strain, tension) = (material.strain.get()?, material.tension_n.get()?);
-    let table = TensionTable::new(strain, tension)?;
+    let between = material.tension_interpolation.value()?.into();
+    let table = TensionTable::interpolated(strain, tension, between)?;
     let greatest = *tension.last()?;
     if model == CreepModel::Viscoelastic {
         return Some((MeanCurve::Table(table), greatest));

@@ -21,8 +21,9 @@ use std::fmt::Write;
 
 use super::{
     Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
-    Traveller, WaveKind, Waves,
+    TensionInterpolation, Traveller, WaveKind, Waves,
 };
+use crate::physics::rope::{Between, TensionTable};
 
 impl Case {
     /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
@@ -40,7 +41,23 @@ impl Case {
     }
 }
 
+impl From<TensionInterpolation> for Between {
+    fn from(given: TensionInterpolation) -> Self {
+        match given {
+            TensionInterpolation::Smooth => Self::Smooth,
+            TensionInterpolation::Linear => Self::Straight,
+        }
+    }
+}
+
 impl Material {
+    /// Its tension-strain table; nothing where it has none, or one that does not rise from zero.
+    #[must_use]
+    pub fn tension_table(&self) -> Option<TensionTable> {
+        let (strain, tension) = (self.strain.as_ref()?, self.tension_n.as_ref()?);
+        TensionTable::interpolated(strain, tension, self.tension_interpolation.into())
+    }
+
     /// Its stiffness EA \[N\], or of a table the tension by strain at its end; nothing where it has neither.
     #[must_use]
     pub fn representative_ea_n(&self) -> Option<f64> {

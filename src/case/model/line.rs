@@ -21,10 +21,12 @@ table! {
         wet_weight_kg_per_m: Option<f64>, "wet weight", range of(-1e6, 1e6), absent "mass less displaced water";
         /// Tension per strain.
         ea_n: Option<f64>, "axial stiffness EA", range positive(1e13), unless strain;
-        /// Strains of a table in the place of ea_n, rising from 0; smooth in between, straight on beyond the last.
+        /// Strains of a table in the place of ea_n, rising from 0; straight on beyond the last.
         strain: Option<Vec<f64>>, "table of strains", range of(0.0, 10.0), absent "tension is EA times strain";
         /// Tensions at those strains, rising from 0.
         tension_n: Option<Vec<f64>>, "table of tensions", range of(0.0, 1e13), absent "tension is EA times strain";
+        /// How the tension goes between the rows of the table.
+        tension_interpolation: TensionInterpolation = TensionInterpolation::Smooth, "interpolation of the table";
         /// Stiffness of a fibre rope that goes with its past tension: through the origin, or about the mean state.
         dynamic_stiffness: DynamicStiffness = DynamicStiffness::None, "dynamic stiffness";
         /// alpha of EA by breaking load = alpha + beta Lm - gamma La, in motion.
@@ -100,6 +102,18 @@ table! {
         pressure_pa: f64 = 0.0, "inner pressure", range of(-1e5, 1e9);
         /// Height above still water at which the inner pressure is given, such as that of the top end.
         pressure_height_m: f64 = 0.0, "height of the pressure", range of(-2e4, 2e4);
+    }
+}
+
+words! {
+    /// How the tension goes between the rows of a table of strains and tensions.
+    #[derive(Default)]
+    pub enum TensionInterpolation {
+        /// By a curve without kinks that rises everywhere.
+        #[default]
+        Smooth = "smooth",
+        /// Straight, as MoorDyn reads its tables.
+        Linear = "linear",
     }
 }
 

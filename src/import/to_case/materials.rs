@@ -156,6 +156,7 @@ fn elasticity(case: &mut CaseText<'_>, of: &LineType) {
         let column = |k: usize| numbers(&curve.iter().map(|row| row[k]).collect::<Vec<f64>>());
         case.given("strain", &column(0), span, "strains of its curve");
         case.given("tension_n", &column(1), span, "tensions of its curve");
+        case.assumed("tension_interpolation", "\"linear\"", "as MoorDyn reads it");
     }
     let (model, fast, per_tension) = match &of.stiffness.value {
         Stiffness::Viscoelastic {

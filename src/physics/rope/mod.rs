@@ -8,7 +8,7 @@ pub mod working_curve;
 
 pub use creep::CreepingRope;
 pub use dynamic::{FibreRope, MeanState, RopeAverage, StaticElasticity, StiffnessForm};
-pub use table::TensionTable;
+pub use table::{Between, TensionTable};
 
 /// Elastic tension of a rope, and its slope.
 #[derive(Debug, Clone, Copy, PartialEq)]

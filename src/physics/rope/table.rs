@@ -1,27 +1,43 @@
-//! A tension-strain table: a monotone cubic through its points, straight beyond the last.
+//! A tension-strain table: a monotone cubic through its points or straight between them, straight beyond the last.
 //!
-//! Slopes at the points are harmonic means of those of the stretches at either side (Fritsch and Butland 1984,
+//! Slopes of the cubic at the points are harmonic means of those of the stretches at either side (Fritsch and Butland 1984,
 //! doi 10.1137/0905021, their simple formula), at both ends that of the stretch there. Tension then rises
-//! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none.
+//! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none. A table that is
+//! straight between its points has a jump of its slope at each: there the slope is that of the stretch beyond.
 
 use super::ElasticTension;
 use crate::numerics::roots::Bracket;
+
+/// How the tension runs between the points of a table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Between {
+    /// By a monotone cubic without jumps of its slope.
+    Smooth,
+    /// Straight.
+    Straight,
+}
 
 /// Tension of a rope over its strain.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TensionTable {
     strain: Vec<f64>,
     tension: Vec<f64>,
-    /// Slope at the points \[N\].
-    slope: Vec<f64>,
+    /// Slopes at both ends of each stretch between two points \[N\].
+    slopes: Vec<[f64; 2]>,
     /// Energy per unstretched length that is stored at the points \[N\].
     stored: Vec<f64>,
 }
 
 impl TensionTable {
-    /// From strains \[-\] and tensions \[N\], both rising from zero; nothing where they are not, or fewer than two.
+    /// Smooth, from strains \[-\] and tensions \[N\], both rising from zero; nothing where they are not, or fewer than two.
     #[must_use]
     pub fn new(strain: &[f64], tension: &[f64]) -> Option<Self> {
+        Self::interpolated(strain, tension, Between::Smooth)
+    }
+
+    /// The same, smooth or straight between the points.
+    #[must_use]
+    pub fn interpolated(strain: &[f64], tension: &[f64], between: Between) -> Option<Self> {
         let rises = |list: &[f64]| {
             list.first() == Some(&0.0)
                 && list.windows(2).all(|pair| pair[1] > pair[0])
@@ -35,18 +51,15 @@ impl TensionTable {
             .zip(tension.windows(2))
             .map(|(e, t)| (t[1] - t[0]) / (e[1] - e[0]))
             .collect();
-        let mut slope = vec![secants[0]];
-        slope.extend(
-            secants
-                .windows(2)
-                .map(|pair| 2.0 / (1.0 / pair[0] + 1.0 / pair[1])),
-        );
-        slope.push(secants[secants.len() - 1]);
+        let slopes = match between {
+            Between::Smooth => smooth_slopes(&secants),
+            Between::Straight => secants.iter().map(|slope| [*slope; 2]).collect(),
+        };
         let mut table = Self {
             strain: strain.to_vec(),
             tension: tension.to_vec(),
-            stored: vec![0.0; slope.len()],
-            slope,
+            stored: vec![0.0; strain.len()],
+            slopes,
         };
         for i in 1..strain.len() {
             table.stored[i] = table.stored[i - 1] + table.stored_within(i - 1, 1.0);
@@ -58,10 +71,10 @@ impl TensionTable {
     #[must_use]
     pub fn at(&self, strain: f64) -> ElasticTension {
         let Some(i) = self.stretch(strain) else {
-            let i = if strain < 0.0 { 0 } else { self.last() };
+            let (i, slope) = self.beyond(strain);
             return ElasticTension {
-                tension: self.tension[i] + self.slope[i] * (strain - self.strain[i]),
-                by_strain: self.slope[i],
+                tension: self.tension[i] + slope * (strain - self.strain[i]),
+                by_strain: slope,
             };
         };
         let (h, rise, d) = self.shape(i);
@@ -96,9 +109,9 @@ impl TensionTable {
     #[must_use]
     pub fn stored(&self, strain: f64) -> f64 {
         let Some(i) = self.stretch(strain) else {
-            let i = if strain < 0.0 { 0 } else { self.last() };
+            let (i, slope) = self.beyond(strain);
             let beyond = strain - self.strain[i];
-            return self.stored[i] + beyond * (self.tension[i] + 0.5 * self.slope[i] * beyond);
+            return self.stored[i] + beyond * (self.tension[i] + 0.5 * slope * beyond);
         };
         let s = (strain - self.strain[i]) / (self.strain[i + 1] - self.strain[i]);
         self.stored[i] + self.stored_within(i, s)
@@ -109,10 +122,10 @@ impl TensionTable {
     pub fn strain_at(&self, tension: f64) -> f64 {
         let last = self.last();
         if tension <= 0.0 {
-            return tension / self.slope[0];
+            return tension / self.slopes[0][0];
         }
         if tension >= self.tension[last] {
-            return self.strain[last] + (tension - self.tension[last]) / self.slope[last];
+            return self.strain[last] + (tension - self.tension[last]) / self.slopes[last - 1][1];
         }
         let i = self.tension.partition_point(|t| *t <= tension) - 1;
         let mut bracket = Bracket {
@@ -139,7 +152,11 @@ impl TensionTable {
     pub fn max_stiffness(&self) -> f64 {
         let inside = (0..self.last()).map(|i| {
             let (h, rise, d) = self.shape(i);
-            d[0].max(d[1]).max(1.5 * rise / h)
+            let mean = rise / h;
+            match d == [mean; 2] {
+                true => mean,
+                false => d[0].max(d[1]).max(1.5 * mean),
+            }
         });
         inside.fold(0.0, f64::max)
     }
@@ -165,8 +182,22 @@ impl TensionTable {
         (
             self.strain[i + 1] - self.strain[i],
             self.tension[i + 1] - self.tension[i],
-            [self.slope[i], self.slope[i + 1]],
+            self.slopes[i],
         )
+    }
+
+    /// The point that a strain outside the table lies beyond, and the slope there \[N\].
+    fn beyond(&self, strain: f64) -> (usize, f64) {
+        match strain < 0.0 {
+            true => (0, self.slopes[0][0]),
+            false => (self.last(), self.slopes[self.last() - 1][1]),
+        }
+    }
+
+    /// The greatest strain of the table, beyond which it goes on straight.
+    #[must_use]
+    pub fn greatest_strain(&self) -> f64 {
+        self.strain[self.last()]
     }
 
     /// Energy per length between the point i and a share s of the stretch after it \[N\].
@@ -180,12 +211,61 @@ impl TensionTable {
     }
 }
 
+/// Slopes of the cubic at both ends of each stretch, by the mean slopes of the stretches.
+fn smooth_slopes(secants: &[f64]) -> Vec<[f64; 2]> {
+    let last = secants.len() - 1;
+    let harmonic = |i: usize| 2.0 / (1.0 / secants[i] + 1.0 / secants[i + 1]);
+    let before = |i: usize| {
+        if i == 0 { secants[0] } else { harmonic(i - 1) }
+    };
+    let behind = |i: usize| {
+        if i == last {
+            secants[last]
+        } else {
+            harmonic(i)
+        }
+    };
+    (0..=last).map(|i| [before(i), behind(i)]).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn nylon() -> TensionTable {
-        TensionTable::new(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5]).unwrap()
+        table(Between::Smooth)
+    }
+
+    fn table(between: Between) -> TensionTable {
+        TensionTable::interpolated(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5], between)
+            .unwrap()
+    }
+
+    /// Half way between two rows there is half of both tensions; tension, slope, energy and strain go together, the slope
+    /// at a row is that beyond it.
+    #[test]
+    fn straight_between_its_points() {
+        let table = table(Between::Straight);
+        for (strain, tension) in [(0.01, 5e3), (0.035, 3.5e4), (0.085, 2.3e5), (0.19, 7.4e5)] {
+            assert!((table.at(strain).tension - tension).abs() < 1e-9 * 4e5);
+        }
+        assert!((table.at(0.02).by_strain - 5e4 / 0.03).abs() < 1e-6);
+        assert!((table.at(0.02 - 1e-9).by_strain - 5e5).abs() < 1e-6);
+        assert!((table.max_stiffness() - 3.4e5 / 0.07).abs() < 1e-3);
+        let h = 1e-7;
+        for i in -5..80 {
+            let strain = f64::from(i) * 2e-3 + 3e-4;
+            let here = table.at(strain);
+            let slope = (table.at(strain + h).tension - table.at(strain - h).tension) / (2.0 * h);
+            assert!((slope / here.by_strain - 1.0).abs() < 1e-5, "{strain}");
+            let force = (table.stored(strain + h) - table.stored(strain - h)) / (2.0 * h);
+            assert!((force - here.tension).abs() < 1e-5 * 4e5, "{strain}");
+            assert!(
+                (table.strain_at(here.tension) - strain).abs() < 1e-12,
+                "{strain}"
+            );
+            assert_eq!(table.bent(strain), 0.0);
+        }
     }
 
     #[test]

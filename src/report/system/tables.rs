@@ -142,6 +142,31 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     found.extend(afloat(solved));
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));
+    found.extend(beyond_tables(solved));
+    found
+}
+
+/// Lines that are stretched beyond the last row of the table of their material.
+fn beyond_tables(solved: &SolvedSystem) -> Vec<String> {
+    let mut found = Vec::new();
+    let at_rest = solved.rest.balance.lines.iter();
+    for (line, at_rest) in solved.network.lines.iter().zip(at_rest) {
+        let tensions = at_rest.tensions();
+        let greatest = tensions.into_iter().fold(0.0, f64::max);
+        let tables = line.discretised.iter().flat_map(|line| {
+            let materials = line.case().materials.values();
+            materials.filter_map(|material| material.tension_n.as_ref()?.last().copied())
+        });
+        let least = tables.fold(f64::INFINITY, f64::min);
+        if greatest > least {
+            found.push(format!(
+                "Line {} carries {:.4} kN, more than the last row of a table of its stiffness, {:.4} kN: beyond it the table goes on straight.",
+                line.name,
+                greatest / 1e3,
+                least / 1e3
+            ));
+        }
+    }
     found
 }
 
