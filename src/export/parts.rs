@@ -44,6 +44,11 @@ pub fn sheet(
     if target == Target::MoorDyn {
         let step = step(solved, &sheet);
         sea::options(solved, step, &mut sheet);
+    } else if solved.network.crossed && sea::rises_out(solved) {
+        sheet.remarks.push(
+            "MAP++ weighs what is above the water as under water, here it has its weight in air (environment.water_surface)."
+                .to_owned(),
+        );
     }
     if has_own_start(solved) {
         sheet

@@ -74,12 +74,29 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
             .files
             .push(("wave_frequencies.txt".to_owned(), components(solved)));
     }
+    if !solved.network.crossed && rises_out(solved) {
+        sheet.remarks.push(
+            "MoorDyn weighs what is above the water as in air, here it counts as under water (environment.water_surface)."
+                .to_owned(),
+        );
+    }
     if file.environment.drag_length == DragLength::Stretched {
         sheet.remarks.push(
             "Drag acts on the unstretched length of lines in MoorDyn, here on the stretched."
                 .to_owned(),
         );
     }
+}
+
+/// Whether a line ends above the water.
+pub fn rises_out(solved: &SolvedSystem) -> bool {
+    let places = &solved.rest.placement.points;
+    let mut ends = solved
+        .network
+        .lines
+        .iter()
+        .flat_map(|line| [line.from, line.to]);
+    solved.network.density > 0.0 && ends.any(|point| places[point].z > 0.0)
 }
 
 /// Depths over a grid in the form of MoorDyn: counts, places along x and y, and heights of the bed, which are negative.

@@ -221,7 +221,9 @@ impl Maker<'_> {
         let rough = self.whole(0, 2) == 0;
         let friction = if rough { self.between(0.0, 1.0) } else { 0.0 };
         self.network.lines.push(Line {
-            closed_over_flat: false,
+            closed_where_known: false,
+            displaced: Vec::new(),
+            displaced_reversed: Vec::new(),
             name,
             from,
             to,

@@ -19,6 +19,7 @@ use super::network::{Held, Network};
 use super::pose::cross;
 use crate::numerics::V3;
 use crate::numerics::envelope::EnvelopeMatrix;
+use crate::statics::catenary::CatenaryError;
 
 /// Forces and stiffness of a system at a placement.
 #[derive(Debug, Clone)]
@@ -71,11 +72,17 @@ pub fn balance(
                 let from = laid_from(network, placement, index).unwrap_or_default();
                 element.solve((a, b), from, near)
             }
-            _ => {
-                let from =
-                    laid_from(network, placement, index).filter(|_| physics == LinePhysics::Full);
-                solve(network, line, (a, b), (physics, from), near)
-                    .map_err(|error| error.to_string())
+            element => {
+                let laid = laid_from(network, placement, index);
+                let from = laid.filter(|_| physics == LinePhysics::Full);
+                match solve(network, line, (a, b), (physics, from), near) {
+                    // It floats, or is dry between wet parts.
+                    Err(CatenaryError::AtSurface(why)) => match element {
+                        Some(element) => element.solve((a, b), laid.unwrap_or_default(), near),
+                        None => Err(why.to_owned()),
+                    },
+                    found => found.map_err(|error| error.to_string()),
+                }
             }
         };
         let at_rest = solved.map_err(|why| UnsolvedLine { line: index, why })?;

@@ -54,7 +54,8 @@ impl Bounds {
         for (number, (point, first)) in network.points.iter().zip(&freedoms.points).enumerate() {
             if let (Held::Free(free), Some(first)) = (&point.held, first) {
                 bounds.below[first + 2] = Some(0.0);
-                if network.density > 0.0 && floats(network, number, free.buoyancy) {
+                let bounded = network.density > 0.0 && !network.crossed;
+                if bounded && floats(network, number, free.buoyancy) {
                     bounds.most[first + 2] = 0.0;
                 }
             }

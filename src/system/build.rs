@@ -24,7 +24,7 @@ use super::parts::{Part, parts};
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{Material, current_grid, depth_grid};
+use crate::case::{Material, WaterSurface, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
@@ -56,6 +56,7 @@ pub fn build(
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,
         density: file.environment.water_density_kg_per_m3,
+        crossed: is_crossed(file),
         bed: bed_of(file),
         current: file
             .current
@@ -95,6 +96,14 @@ pub fn build(
     let mut network = builder.network;
     network.payouts = payouts(file, &network);
     Ok(network)
+}
+
+/// Whether lines and points of a file have their weight in air above its water.
+#[must_use]
+pub fn is_crossed(file: &SystemFile) -> bool {
+    let water = &file.environment;
+    let weighs = water.water_density_kg_per_m3 > 0.0 && water.gravity_m_per_s2 > 0.0;
+    weighs && water.water_surface == WaterSurface::Crossed
 }
 
 /// The sea bed of a file.
@@ -239,7 +248,7 @@ impl Builder<'_> {
             let form = LineForm::of(self.file, &turned, parts, self.divided);
             self.network.lines.push(Line {
                 discretised,
-                closed_over_flat: form == LineForm::ClosedOverFlat,
+                closed_where_known: form == LineForm::ClosedWhereKnown,
                 ..built
             });
         }
@@ -317,6 +326,13 @@ impl Builder<'_> {
                 clump_n: part.clump_kg * self.network.gravity,
             })
             .collect();
+        let displaced: Vec<f64> = parts
+            .iter()
+            .map(|part| {
+                let in_air = part.material.mass_kg_per_m * self.network.gravity;
+                (in_air - self.wet_weight(&part.material)).max(0.0)
+            })
+            .collect();
         let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
         let friction = line
@@ -347,7 +363,9 @@ impl Builder<'_> {
                 },
             ],
             discretised: None,
-            closed_over_flat: false,
+            closed_where_known: false,
+            displaced_reversed: displaced.iter().rev().copied().collect(),
+            displaced,
         }
     }
 

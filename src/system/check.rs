@@ -13,17 +13,18 @@ use super::quantities;
 use super::rods;
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, nearest, of_checks, of_current, of_load_cases, of_material, unknown, used_twice,
+    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
+    used_twice,
 };
 use crate::reference::{published_history, published_number};
 
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
-    for (_, point) in &keys.points {
+    for (name, point) in &keys.points {
         found.extend(place_of(point));
         found.extend(body_of(keys, point));
-        found.extend(outside_water(keys, point));
+        found.extend(outside_water(keys, name, point));
     }
     for (name, body) in &keys.bodies {
         found.extend(body_alone(body));
@@ -377,7 +378,7 @@ fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
 }
 
 /// Points above the water or below the bed.
-fn outside_water(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
+fn outside_water(keys: &SystemKeys<'_>, name: &str, point: &PointKeys<'_>) -> Option<Finding> {
     if point.kind.is(&PointKind::Body) {
         return None;
     }
@@ -389,12 +390,29 @@ fn outside_water(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding
         .environment
         .as_ref()
         .and_then(|e| e.water_density_kg_per_m3.value());
-    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 {
+    let surface = keys.environment.as_ref().map(|e| &e.water_surface);
+    let crossed = surface.is_some_and(|surface| surface.is(&WaterSurface::Crossed));
+    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 && !crossed && !bears_no_weight(keys, name) {
         let problem = format!("lies {z} m above the water, where lines have another weight");
-        let remedy = "give a z of 0 or less, put the point on a body, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
+        let remedy = "set environment.water_surface = \"crossed\", which gives them their weight in air there, give a z of 0 or less, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
         return Some(point.position_m.finding(problem, remedy));
     }
     None
+}
+
+/// Whether lines end at a point, and all of them are without weight.
+fn bears_no_weight(keys: &SystemKeys<'_>, point: &str) -> bool {
+    let is_end = |key: &Key<'_, String>| key.get().is_some_and(|name| name == point);
+    let lines = keys.lines.iter().map(|(_, line)| line);
+    let mut lines = lines
+        .filter(|line| is_end(&line.from) || is_end(&line.to))
+        .peekable();
+    let weightless = |line: &LineKeys<'_>| {
+        let name = line.material.given();
+        let material = name.and_then(|name| keys.materials.iter().find(|(own, _)| own == name));
+        material.is_some_and(|(_, material)| material.wet_weight_kg_per_m.value() == Some(0.0))
+    };
+    lines.peek().is_some() && lines.all(weightless)
 }
 
 pub(super) fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {

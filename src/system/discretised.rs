@@ -1,9 +1,9 @@
 //! Lines that have no closed form: in a current, with bending stiffness, or with a tension-strain table. They take part as discretised lines once the closed forms have
 //! found where everything is.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use super::build::Divided;
+use super::build::{Divided, is_crossed};
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
 use super::parts::Part;
@@ -23,8 +23,8 @@ const FEWEST: usize = 8;
 pub enum LineForm {
     /// By its closed form everywhere.
     Closed,
-    /// By its closed form where the bed below it is flat, else divided into segments.
-    ClosedOverFlat,
+    /// By its closed form where the bed below it is flat and it does not float at the surface, else divided into segments.
+    ClosedWhereKnown,
     /// Divided into segments.
     Divided,
 }
@@ -39,12 +39,13 @@ impl LineForm {
         let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
         if !closed || divided == Divided::All {
             Self::Divided
-        } else if file
-            .seabed
-            .as_ref()
-            .is_some_and(|bed| bed.depth_file.is_some())
+        } else if is_crossed(file)
+            || file
+                .seabed
+                .as_ref()
+                .is_some_and(|bed| bed.depth_file.is_some())
         {
-            Self::ClosedOverFlat
+            Self::ClosedWhereKnown
         } else {
             Self::Closed
         }
@@ -54,7 +55,8 @@ impl LineForm {
 /// A line as the element that is solved between its ends, and the case that states it.
 #[derive(Debug, Clone)]
 pub struct DiscretisedLine {
-    element: LineBetweenEnds,
+    /// Built where it is first needed, of a line that may have a closed form everywhere.
+    element: OnceLock<Result<LineBetweenEnds, String>>,
     case: Case,
     /// Unstretched arc lengths of the nodes from A over the whole length, 0 to 1.
     shares: Vec<f64>,
@@ -80,7 +82,8 @@ impl DiscretisedLine {
         parts: &[Part],
         divided: Divided,
     ) -> Result<Option<Arc<Self>>, String> {
-        if LineForm::of(file, line, parts, divided) == LineForm::Closed {
+        let form = LineForm::of(file, line, parts, divided);
+        if form == LineForm::Closed {
             return Ok(None);
         }
         let mut case = case(file, line, parts);
@@ -89,17 +92,24 @@ impl DiscretisedLine {
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
             bed.friction = Some(line.friction.unwrap_or(given.friction));
         }
-        Self::stated_by(case).map(|line| Some(Arc::new(line)))
+        let built = Self::stated_by(case);
+        let is_flat = file
+            .seabed
+            .as_ref()
+            .is_none_or(|bed| bed.depth_file.is_none());
+        if form == LineForm::Divided || !is_flat {
+            built.element()?;
+        }
+        Ok(Some(Arc::new(built)))
     }
 
-    fn stated_by(case: Case) -> Result<Self, String> {
-        let element = LineBetweenEnds::new(&case).map_err(|error| error.to_string())?;
+    fn stated_by(case: Case) -> Self {
         let shares = shares(&case);
-        Ok(Self {
-            element,
+        Self {
+            element: OnceLock::new(),
             case,
             shares,
-        })
+        }
     }
 
     /// The same line with so many times the segments in each section.
@@ -111,7 +121,18 @@ impl DiscretisedLine {
         for section in &mut case.line {
             section.segments *= by;
         }
-        Self::stated_by(case)
+        let refined = Self::stated_by(case);
+        refined.element()?;
+        Ok(refined)
+    }
+
+    /// The element of the line.
+    fn element(&self) -> Result<&LineBetweenEnds, String> {
+        let build = || LineBetweenEnds::new(&self.case).map_err(|error| error.to_string());
+        self.element
+            .get_or_init(build)
+            .as_ref()
+            .map_err(String::clone)
     }
 
     /// The case that states it.
@@ -131,7 +152,10 @@ impl DiscretisedLine {
         before: Option<&LineAtRest>,
     ) -> Result<LineAtRest, String> {
         let near = before.and_then(|before| before.discretised.as_ref());
-        let mut element = near.map_or_else(|| self.element.clone(), |near| near.element.clone());
+        let mut element = match near {
+            Some(near) => near.element.clone(),
+            None => self.element()?.clone(),
+        };
         element.lay_from(laid_from);
         let found = element.solve(*a, *b).map_err(|error| error.to_string())?;
         // Springs without stiffness: neither end lies, and nothing says how it was laid.

@@ -3,7 +3,8 @@
 use crate::numerics::{M3, V3};
 use crate::scene::LaidFrom;
 use crate::statics::catenary::{
-    CatenaryError, CatenaryLine, EndOffset, EndStiffness, RigidBed, SectionProperties, Solution,
+    CatenaryError, CatenaryLine, CrossingLine, EndOffset, EndStiffness, RigidBed, SectionProperties,
+    Solution,
 };
 
 use super::discretised::DiscretisedRest;
@@ -145,11 +146,30 @@ pub fn solve(
     }
     let seed = before.filter(|before| before.from_b == from_b);
     let near = seed.and_then(|before| before.solution.as_ref());
-    let solve = |line: &CatenaryLine<'_>| match near {
-        Some(near) => line.solve_from(near),
-        None => line.solve(),
+    let crosses = crosses(network, line, high.z);
+    let displaced = match from_b {
+        true => &line.displaced_reversed,
+        false => &line.displaced,
     };
-    let mut solved = solve(&given);
+    let solve = |given: &CatenaryLine<'_>, near: Option<&Solution>| {
+        if crosses {
+            let crossing = CrossingLine {
+                line: *given,
+                displaced_n_per_m: displaced,
+                a_above_m: low.z,
+            };
+            match crossing.solve() {
+                // Near enough to begin with.
+                Err(CatenaryError::AtSurface(_)) if physics == LinePhysics::Plain => {}
+                found => return found,
+            }
+        }
+        match near {
+            Some(near) => given.solve_from(near),
+            None => given.solve(),
+        }
+    };
+    let mut solved = solve(&given, near);
     // Friction that depends on how the line was laid.
     let unknown_friction = mu > 0.0 && matches!(solved, Err(CatenaryError::UnsupportedContact(_)));
     let mut added_weight = line.added_weight;
@@ -158,7 +178,7 @@ pub fn solve(
         false => (mu, given),
     };
     if unknown_friction {
-        solved = solve(&taken);
+        solved = solve(&taken, near);
     }
     if let Err(CatenaryError::NotVerified { .. }) = solved {
         let sections = weighted(taken.sections.to_vec(), SLACK_WEIGHT);
@@ -167,11 +187,12 @@ pub fn solve(
             sections: &sections,
             ..taken
         };
-        solved = heavier.solve();
+        solved = solve(&heavier, None);
     }
     let solution = match solved {
         Ok(solution) => solution,
         Err(CatenaryError::ShapeUndetermined) => return Ok(slack()),
+        Err(error @ CatenaryError::AtSurface(_)) => return Err(error),
         Err(error) if line.sections.len() > 1 => {
             return replaced(&taken, (low, high), from_b, error);
         }
@@ -189,11 +210,16 @@ pub fn solve(
 /// Whether a line between two places has a closed form: all of it, or where the bed below it is flat or it floats.
 #[must_use]
 pub fn has_closed_form(network: &Network, line: &Line, (a, b): (&V3, &V3)) -> bool {
-    if line.discretised.is_none() || !line.closed_over_flat {
+    if line.discretised.is_none() || !line.closed_where_known {
         return line.discretised.is_none();
     }
     let bed = network.bed.as_ref().filter(|_| line.bed_contact);
     floats(network, line, a.z.max(b.z)) || bed.is_none_or(|bed| bed.flat_between(a, b).is_some())
+}
+
+/// Whether a line with its upper end at this height \[m\] leaves the water, or may do so between its ends.
+fn crosses(network: &Network, line: &Line, high: f64) -> bool {
+    network.crossed && (high > 0.0 || !line.sinks() && !floats(network, line, high))
 }
 
 /// Whether a line with its upper end at this height \[m\] floats below the surface.

@@ -25,6 +25,7 @@ pub mod errors_at_rest;
 mod file;
 pub mod freedoms;
 mod heading_loads;
+pub mod immersion;
 pub mod initial;
 mod laid;
 pub mod line_at_rest;

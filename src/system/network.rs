@@ -6,6 +6,7 @@ use nalgebra::Matrix6;
 
 use super::bed::Bed;
 use super::discretised::DiscretisedLine;
+use super::immersion::Immersion;
 use super::initial::{BodyInitial, PointInitial};
 use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
@@ -26,6 +27,8 @@ pub struct Network {
     pub gravity: f64,
     /// Density of the water \[kg/m³\].
     pub density: f64,
+    /// Whether lines and points weigh what they weigh in air where they are out of the water; else they count as under water there.
+    pub crossed: bool,
     /// The sea bed; nothing where none is in reach.
     pub bed: Option<Bed>,
     /// The current on lines, points and bodies, if there is one; where it changes with time, that at time zero.
@@ -99,10 +102,16 @@ impl FreePoint {
     /// The force on it under water at a place \[m\], lines apart \[N\], and its change with the place \[N/m\]; drag in the full physics.
     #[must_use]
     pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {
-        let force = self.load + V3::new(0.0, 0.0, self.buoyancy - self.weight);
+        let wet = match network.crossed {
+            true => Immersion::of(network, self, place.z),
+            false => Immersion::WHOLE,
+        };
+        let force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
+        let mut by_place = M3::zeros();
+        by_place[(2, 2)] = self.buoyancy * wet.by_height;
         let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
         let Some(current) = network.current.as_ref().filter(|_| flows) else {
-            return (force, M3::zeros());
+            return (force, by_place);
         };
         let (velocity, gradient) = current.flow(place);
         let speed = velocity.norm();
@@ -112,10 +121,12 @@ impl FreePoint {
         } else {
             M3::zeros()
         };
-        (
-            force + velocity * (half * speed),
-            (gradient * speed + turning) * half,
-        )
+        let drag = velocity * (half * speed);
+        by_place += (gradient * speed + turning) * (half * wet.share);
+        for k in 0..3 {
+            by_place[(k, 2)] += drag[k] * wet.by_height;
+        }
+        (force + drag * wet.share, by_place)
     }
 }
 
@@ -299,8 +310,12 @@ pub struct Line {
     pub releases: [ReleaseCondition; 2],
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
-    /// Whether it has a closed form where the bed below it is flat.
-    pub closed_over_flat: bool,
+    /// Whether it has a closed form where the bed below it is flat and it does not float at the surface.
+    pub closed_where_known: bool,
+    /// Weight of the water that each section displaces per unstretched length, from A to B \[N/m\].
+    pub displaced: Vec<f64>,
+    /// The same from B to A.
+    pub displaced_reversed: Vec<f64>,
 }
 
 impl Line {
@@ -308,6 +323,13 @@ impl Line {
     #[must_use]
     pub fn length(&self) -> f64 {
         self.sections.iter().map(|section| section.length_m).sum()
+    }
+
+    /// Whether all of it sinks.
+    #[must_use]
+    pub fn sinks(&self) -> bool {
+        let sinks = |s: &SectionProperties| s.weight_n_per_m >= 0.0 && s.clump_n >= 0.0;
+        self.sections.iter().all(sinks)
     }
 
     /// Whether all of it floats.

@@ -4,11 +4,13 @@ use nalgebra::Matrix6;
 
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
+use super::bounds::Contact;
 use super::build::{AgedParts, Divided, build};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
 use super::errors_at_rest::ErrorsAtRest;
+use super::immersion::Immersion;
 use super::model::SystemFile;
 use super::network::{Held, Network};
 use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
@@ -42,6 +44,20 @@ impl SolvedSystem {
     pub fn is_discretised(&self) -> bool {
         let lines = &self.rest.balance.lines;
         lines.iter().any(|line| line.discretised.is_some())
+    }
+
+    /// Whether a point is at the surface, part of its volume out of the water.
+    #[must_use]
+    pub fn is_afloat(&self, point: usize) -> bool {
+        let Held::Free(free) = &self.network.points[point].held else {
+            return false;
+        };
+        if !self.network.crossed {
+            return self.rest.contact(point) == Contact::Surface;
+        }
+        let z = self.rest.placement.points[point].z;
+        let wet = Immersion::of(&self.network, free, z);
+        wet.share > 0.0 && wet.share < 1.0
     }
 }
 

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+mod above_water;
 mod equilibrium;
 mod errors_at_rest;
 mod friction_on_bed;
@@ -13,4 +14,5 @@ mod start;
 mod top_heavy;
 mod zero_bars;
 mod stiffness_tables;
+mod top_heavy;
 mod trial;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use crate::case::nearest;
 use crate::import::moordyn::table::TableRow;
-use crate::import::mooring::Unmodelled;
 use crate::import::words::Word;
 
 /// The column in which they begin.
@@ -45,8 +44,8 @@ const OTHERS: [&str; 3] = ["omit_contact", "linear_spring", "plot"];
 /// What the flags of a line state besides outputs.
 #[derive(Debug, Default)]
 pub struct Flags {
-    /// What is not modelled.
-    pub unmodelled: Vec<Unmodelled>,
+    /// Lines that are springs without weight.
+    pub springs: Vec<String>,
     /// What has no effect.
     pub remarks: Vec<String>,
 }
@@ -60,12 +59,7 @@ impl Flags {
         while let Some(flag) = words.next() {
             let name = flag.text.to_lowercase();
             match name.as_str() {
-                "linear_spring" => self.unmodelled.push(Unmodelled {
-                    name: "linear-spring",
-                    span: flag.span(),
-                    key: row.key(COLUMN),
-                    what: "a line as a spring without weight".to_owned(),
-                }),
+                "linear_spring" => self.springs.push(line.to_owned()),
                 "omit_contact" => without_bed = Some(flag.span()),
                 "damage_time" => self.remarks.push(format!(
                     "Line {line}: the flag {} has no effect, as in MAP++: the line is not cut.",

@@ -293,9 +293,37 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     });
     unique(&mut found, |one| (&one.id, &one.span), "line", faults);
     mooring.lines = found;
-    mooring.unmodelled.extend(flags.unmodelled);
     mooring.remarks.extend(flags.remarks);
+    springs(&flags.springs, mooring);
 }
+
+/// Gives lines that are springs a type without weight in water; its mass counts in motion only.
+fn springs(ids: &[String], mooring: &mut Mooring) {
+    let mut types: Vec<(usize, usize)> = Vec::new();
+    for number in 0..mooring.lines.len() {
+        let line = &mooring.lines[number];
+        if !ids.contains(&line.id) {
+            continue;
+        }
+        let plain = line.of_type.value;
+        let known = types.iter().find(|(of, _)| *of == plain);
+        let spring = known.map_or(mooring.line_types.len(), |(_, spring)| *spring);
+        if known.is_none() {
+            let mut of = mooring.line_types[plain].clone();
+            let Mass::InAir(mass) = of.mass.value else {
+                continue;
+            };
+            of.name = format!("{}_spring", of.name);
+            of.mass.value = Mass::InWater(0.0, Some(mass.max(LEAST_MASS)));
+            mooring.line_types.push(of);
+            types.push((plain, spring));
+        }
+        mooring.lines[number].of_type.value = spring;
+    }
+}
+
+/// Mass of a spring that has none \[kg/m\]: motion needs some.
+const LEAST_MASS: f64 = 1e-3;
 
 /// The unstretched length. Behind `#` it is a variable of the solution of MAP++, for which a node then has a known force.
 fn length(row: &TableRow<'_, '_>) -> Result<Given<f64>, Fault> {

@@ -20,6 +20,19 @@ const fn gravity_of(program: Program) -> f64 {
     }
 }
 
+/// Why what is above the water weighs what it weighs in air; nothing where a program weighs it as under water. MoorDyn has a share of each
+/// segment under water (`Line::calcSubSeg`), MoorPy one weight along a line by the heights of its ends (`Line.staticSolve`); MAP++ knows no surface
+/// (`omega` in its `src/mapinit.c`).
+const fn crossed_by(program: Program) -> Option<&'static str> {
+    match program {
+        Program::MoorDyn | Program::MoorDyn1 => Some("as MoorDyn weighs what is above the water"),
+        Program::Raft | Program::Ontology | Program::FaModel => Some(
+            "MoorPy weighs a line that leaves the water by the heights of its ends, here each part as it is",
+        ),
+        Program::MapPlusPlus => None,
+    }
+}
+
 /// The program whose defaults a program takes.
 const fn default_of(program: Program) -> &'static str {
     match program {
@@ -150,6 +163,9 @@ pub fn write(
     } else {
         let key = "water_density_kg_per_m3";
         one(key, options.density, &given.density, sea.density, "rho");
+    }
+    if let Some(why) = crossed_by(mooring.program).filter(|_| !in_air) {
+        case.assumed("water_surface", "\"crossed\"", why);
     }
     if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) {
         case.assumed("drag_length", "\"unstretched\"", "as MoorDyn takes it");

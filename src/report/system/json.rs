@@ -109,6 +109,7 @@ fn point(solved: &SolvedSystem, index: usize) -> Value {
     let held = match &point.held {
         Held::At(_) => "fixed",
         Held::On(..) => "body",
+        Held::Free(_) if solved.is_afloat(index) => "afloat",
         Held::Free(_) => match solved.rest.contact(index) {
             Contact::None | Contact::Pin => "free",
             Contact::Bed => "on bed",

@@ -1,7 +1,6 @@
 //! A system at rest in tables: lines, points, bodies and their stiffness; what is to be noted.
 
 use super::displaced_twice::displaced_twice;
-use crate::case::WaterSurface;
 use crate::numerics::V3;
 use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::scene::steep_waves;
@@ -287,17 +286,16 @@ fn loads_without_waves(file: &SystemFile) -> Vec<String> {
 
 /// Lines that rise out of the water, where they count as under water.
 fn above_water(solved: &SolvedSystem) -> Vec<String> {
-    let crossed = solved.file.environment.water_surface == WaterSurface::Crossed;
-    if solved.network.density <= 0.0 {
+    if solved.network.density <= 0.0 || solved.network.crossed {
         return Vec::new();
     }
     let curves = curves(&solved.network, &solved.rest);
     let mut found = Vec::new();
     for (line, curve) in solved.network.lines.iter().zip(&curves) {
         let high = curve.iter().map(|place| place.z).fold(f64::MIN, f64::max);
-        if high > 0.05 && !(crossed && line.discretised.is_some()) {
+        if high > 0.05 {
             found.push(format!(
-                "Line {} rises {high:.1} m above the water and counts as under water there.",
+                "Line {} rises {high:.1} m above the water and counts as under water there; environment.water_surface = \"crossed\" gives it its weight in air.",
                 line.name
             ));
         }
@@ -329,7 +327,7 @@ fn far_tilted(solved: &SolvedSystem) -> Vec<String> {
 /// Points that float at the surface.
 fn afloat(solved: &SolvedSystem) -> Vec<String> {
     let numbered = solved.network.points.iter().enumerate();
-    let floating = numbered.filter(|(index, _)| solved.rest.contact(*index) == Contact::Surface);
+    let floating = numbered.filter(|(index, _)| solved.is_afloat(*index));
     floating
         .map(|(_, point)| {
             format!(
@@ -447,6 +445,7 @@ fn held(solved: &SolvedSystem, point: usize) -> String {
     match &solved.network.points[point].held {
         Held::At(_) => "fixed".to_owned(),
         Held::On(body, _) => format!("on {}", solved.network.bodies[*body].name),
+        Held::Free(_) if solved.is_afloat(point) => "afloat".to_owned(),
         Held::Free(_) => match solved.rest.contact(point) {
             Contact::None | Contact::Pin => "free",
             Contact::Bed => "on the bed",

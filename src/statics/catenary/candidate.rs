@@ -4,6 +4,7 @@
 //! position residual is turned into force by the line's own stiffness: metres say nothing about a stiff line. A Newton
 //! step with that residual corrects the rounding; a residual above [`ACCEPTED`] afterwards is an error.
 
+use super::crossing::Crossings;
 use super::error::CatenaryError;
 use super::profile::Pieces;
 use super::solution::{LocalFrame, Shape, Solution, StartingUnknown};
@@ -59,6 +60,7 @@ impl Candidate {
             frame,
             pieces,
             seed: self.seed,
+            crossings: Crossings::new(),
         })
     }
 }

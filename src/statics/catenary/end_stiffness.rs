@@ -10,6 +10,9 @@
 //!
 //! On a bed with friction the tension of the grounded part is `H + mu U(s)`, which adds `mu L/EA do` of the bay beyond it, and
 //! less reaches end A.
+//!
+//! Where a line goes through the surface (`crossing`) the vertical force beyond changes by `k dz`, with the change dz of its height there, as
+//! more of it gets dry: reach, rise and the force at the end of a bay then follow from dH, do and the rise of its beginning by a march along its spans.
 
 use super::profile::{Piece, PieceLaw};
 use super::solution::Solution;
@@ -29,12 +32,40 @@ pub struct EndStiffness {
     pub v_b: [f64; 3],
 }
 
-/// Compliances of a bay summed, and where it begins and ends.
+/// How a bay changes with H, with its offset and with the height of its beginning, and where it begins and ends.
 #[derive(Debug, Clone, Copy)]
 struct BayCompliance {
-    sum: Compliance,
+    /// Its reach \[m/N, m/N, -\].
+    reach: [f64; 3],
+    /// The height of its end \[m/N, m/N, -\].
+    height: [f64; 3],
+    /// The vertical force at its end \[-, -, N/m\].
+    force: [f64; 3],
     from_a: bool,
     to_b: bool,
+}
+
+impl BayCompliance {
+    /// A bay without length.
+    const fn begin(from_a: bool) -> Self {
+        Self {
+            reach: [0.0; 3],
+            height: [0.0, 0.0, 1.0],
+            force: [0.0, 1.0, 0.0],
+            from_a,
+            to_b: true,
+        }
+    }
+
+    /// Goes on by a span; where it begins at the surface the force rises by `k` with its height.
+    fn push(&mut self, c: &Compliance, k: f64) {
+        for j in 0..3 {
+            self.force[j] += k * self.height[j];
+            let h = if j == 0 { 1.0 } else { 0.0 };
+            self.reach[j] += c.hh * h + c.hv * self.force[j];
+            self.height[j] += c.hv * h + c.vv * self.force[j];
+        }
+    }
 }
 
 /// Compliances beyond count as infinite: the line has no resistance there.
@@ -81,7 +112,7 @@ type Bays = SmallVec<[BayCompliance; 2]>;
 impl LineCompliance {
     fn of(line: &Solution, friction: f64) -> Self {
         let pieces = line.pieces.slice();
-        let bays = bays(pieces);
+        let bays = bays(line);
         let bed = grounded_compliance(pieces);
         let slack =
             |piece: &Piece| matches!(piece.kind, PieceLaw::Slack { .. }) && piece.length > 0.0;
@@ -92,8 +123,8 @@ impl LineCompliance {
             by_h: bed,
         };
         for k in 0..found.bays.len() {
-            let Compliance { hh, hv, vv } = found.bays[k].sum;
-            found.by_h += hh - found.coupling(k) * hv / vv;
+            let bay = &found.bays[k];
+            found.by_h += bay.reach[0] - found.coupling(k) * bay.height[0] / bay.height[1];
         }
         if pieces.iter().any(slack) || !found.by_h.is_finite() {
             found.by_h = f64::INFINITY;
@@ -104,7 +135,7 @@ impl LineCompliance {
     /// Change of the distance by the offset of a bay: with friction, the first that rises from the bed drags what lies before it.
     fn coupling(&self, k: usize) -> f64 {
         let beyond = self.beyond() == Some(k);
-        self.bays[k].sum.hv + if beyond { self.rub } else { 0.0 }
+        self.bays[k].reach[1] + if beyond { self.rub } else { 0.0 }
     }
 
     /// The bay that rises from the part on the bed that end A lies on.
@@ -114,22 +145,25 @@ impl LineCompliance {
 
     /// Changes of `h_a`, `v_a`, `h_b`, `v_b` as the distance changes and the ends rise.
     fn forces(&self, dx: f64, rises: [f64; 2]) -> [f64; 4] {
-        let rise = |bay: &BayCompliance| {
-            let of = |counts: bool, rise: f64| if counts { rise } else { 0.0 };
-            of(bay.to_b, rises[1]) - of(bay.from_a, rises[0])
-        };
+        let of = |counts: bool, rise: f64| if counts { rise } else { 0.0 };
+        let begins = |bay: &BayCompliance| of(bay.from_a, rises[0]);
+        let rise = |bay: &BayCompliance| of(bay.to_b, rises[1]) - bay.height[2] * begins(bay);
         let mut rest = dx;
         for (k, bay) in self.bays.iter().enumerate() {
-            rest -= self.coupling(k) / bay.sum.vv * rise(bay);
+            rest -= bay.reach[2] * begins(bay);
+            rest -= self.coupling(k) / bay.height[1] * rise(bay);
         }
         let dh = if self.by_h > LOOSE {
             0.0
         } else {
             rest / self.by_h
         };
-        let offset = |bay: &BayCompliance| (rise(bay) - bay.sum.hv * dh) / bay.sum.vv;
+        let offset = |bay: &BayCompliance| (rise(bay) - bay.height[0] * dh) / bay.height[1];
+        let at_end = |bay: &BayCompliance| {
+            bay.force[0] * dh + bay.force[1] * offset(bay) + bay.force[2] * begins(bay)
+        };
         let v_a = self.bays.iter().find(|bay| bay.from_a).map_or(0.0, offset);
-        let v_b = self.bays.iter().find(|bay| bay.to_b).map_or(0.0, offset);
+        let v_b = self.bays.iter().find(|bay| bay.to_b).map_or(0.0, at_end);
         let lost = self
             .beyond()
             .map_or(0.0, |k| self.friction * offset(&self.bays[k]));
@@ -139,12 +173,13 @@ impl LineCompliance {
 
 /// The bays in order: runs of suspended pieces. A grounded piece without length marks where the line touches the bed; one no
 /// longer than rounding is nothing.
-fn bays(pieces: &[Piece]) -> Bays {
+fn bays(line: &Solution) -> Bays {
+    let pieces = line.pieces.slice();
     let whole: f64 = pieces.iter().map(|piece| piece.length).sum();
-    let counts = |piece: &&Piece| piece.length == 0.0 || piece.length > 1e-11 * whole;
+    let counts = |(_, piece): &(usize, &Piece)| piece.length == 0.0 || piece.length > 1e-11 * whole;
     let mut bays = Bays::new();
     let (mut open, mut first) = (false, true);
-    for piece in pieces.iter().filter(counts) {
+    for (number, piece) in pieces.iter().enumerate().filter(counts) {
         let PieceLaw::Suspended { h, va, w, ea } = piece.kind else {
             if let Some(bay) = bays.last_mut().filter(|_| piece.length > 0.0) {
                 bay.to_b = false;
@@ -161,18 +196,11 @@ fn bays(pieces: &[Piece]) -> Bays {
             if let Some(before) = bays.last_mut() {
                 before.to_b = false;
             }
-            bays.push(BayCompliance {
-                sum: Compliance::default(),
-                from_a: first,
-                to_b: true,
-            });
+            bays.push(BayCompliance::begin(first));
         }
         (open, first) = (true, false);
         if let Some(bay) = bays.last_mut() {
-            let c = span.compliance(h, va);
-            bay.sum.hh += c.hh;
-            bay.sum.hv += c.hv;
-            bay.sum.vv += c.vv;
+            bay.push(&span.compliance(h, va), line.heavier_by_height(number));
         }
     }
     bays

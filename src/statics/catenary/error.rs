@@ -68,6 +68,9 @@ pub enum CatenaryError {
     /// A pattern of contact with the bed that is not covered.
     #[error("{0}")]
     UnsupportedContact(&'static str),
+    /// A line that is at the surface otherwise than from its ends on.
+    #[error("{0}")]
+    AtSurface(&'static str),
     /// The forces found do not reproduce the position of the end closely enough.
     #[error(
         "not solved: the forces found would put the end where the line pulls with an error of {error:.1e} of its \

@@ -28,7 +28,7 @@
 //! positive. The equations and their sources: the elastic catenary in `span`, the suspended line in `suspended`,
 //! touchdown on a level or sloping bed with friction in `touchdown`, a line that lies on a level one and is pulled at both ends in `laid_within`, a grounded length between two suspended spans in
 //! `grounded_span`, several sections in `composite`, those with touchdown on a slope or with friction in
-//! `composite_touchdown`.
+//! `composite_touchdown`, lines that leave the water in `crossing`.
 //!
 //! Sources: H. M. Irvine, *Cable Structures*, MIT Press 1981, chapter 1 (elastic catenary); J. M. Jonkman,
 //! *Dynamics Modeling and Loads Analysis of an Offshore Floating Wind Turbine*, NREL/TP-500-41958,
@@ -40,6 +40,7 @@ mod composite_line;
 mod composite_solution;
 mod composite_touchdown;
 mod convex_newton;
+mod crossing;
 mod elements;
 mod end_stiffness;
 mod error;
@@ -59,6 +60,7 @@ mod suspended;
 mod suspended_solution;
 mod touchdown;
 
+pub use crossing::CrossingLine;
 pub use end_stiffness::EndStiffness;
 pub use error::CatenaryError;
 pub use line::{CatenaryLine, EndOffset, RigidBed, SectionProperties};

@@ -1,5 +1,6 @@
 //! A line at rest: forces at its ends, and shape and tension anywhere on it.
 
+use super::crossing::Crossings;
 use super::profile::{Pieces, ProfilePoint};
 
 /// The form of a line at rest.
@@ -96,6 +97,8 @@ pub struct Solution {
     pub(super) frame: LocalFrame,
     pub(super) pieces: Pieces,
     pub(super) seed: StartingUnknown,
+    /// Where it goes through the surface.
+    pub(super) crossings: Crossings,
 }
 
 /// The local frame in that of the user.

@@ -8,6 +8,7 @@ use crate::physics::seabed::push_slopes;
 use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::solve::State;
 use crate::system::bed::Bed;
+use crate::system::immersion::Immersion;
 use crate::system::network::{FreePoint, Network};
 
 /// How far the bed gives way under the weight of a point that lies on it \[m\].
@@ -32,7 +33,7 @@ pub(super) struct PointLoad {
 }
 
 /// The surface over a point.
-struct Immersion {
+struct Surface {
     /// Share of its volume under water.
     share: f64,
     /// Derivative of the share by place \[1/m\].
@@ -66,8 +67,12 @@ pub(super) fn point_load(
     let mut load = PointLoad::default();
     let surface = waves.map_or(0.0, |flow| flow.elevation_at(x));
     let slope = waves.map_or_else(V3::zeros, |flow| flow.slope);
-    let (share, by_height, integral) = immersion(network, point, x.z - surface);
-    let immersion = Immersion {
+    let Immersion {
+        share,
+        by_height,
+        integral,
+    } = Immersion::of(network, point, x.z - surface);
+    let immersion = Surface {
         share,
         by_place: (V3::z() - slope) * by_height,
     };
@@ -90,7 +95,7 @@ fn wave_inertia(
     point: &FreePoint,
     (x, v): (&V3, &V3),
     flow: &WaterMotion,
-    immersion: &Immersion,
+    immersion: &Surface,
     load: &mut PointLoad,
 ) {
     let displaced = if network.gravity > 0.0 {
@@ -107,36 +112,13 @@ fn wave_inertia(
     load.lost -= force.dot(v);
 }
 
-/// The share of a ball of the point's volume that is under water, its derivative by height \[1/m\] and its integral over height from the
-/// surface \[m\].
-fn immersion(network: &Network, point: &FreePoint, z: f64) -> (f64, f64, f64) {
-    let weight = network.density * network.gravity;
-    let volume = if weight > 0.0 {
-        point.buoyancy / weight
-    } else {
-        0.0
-    };
-    let r = (0.75 * volume / std::f64::consts::PI).cbrt();
-    if z >= r {
-        return (0.0, 0.0, 0.375 * r);
-    }
-    if z <= -r {
-        return (1.0, 0.0, z + 0.375 * r);
-    }
-    let share = (r - z).powi(2) * (2.0 * r + z) / (4.0 * r.powi(3));
-    let by_height = -0.75 * (r * r - z * z) / r.powi(3);
-    let integral = 0.5 * z - 0.375 * z * z / r + z.powi(4) / (16.0 * r.powi(3));
-    // As far below the ball's top as the parts beyond it continue.
-    (share, by_height, integral + 0.1875 * r)
-}
-
 /// Drag by the velocity of the water relative to the point, `rho/2 CdA |u| u`, as far as it is under water.
 fn drag(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
     waves: Option<&WaterMotion>,
-    immersion: &Immersion,
+    immersion: &Surface,
     load: &mut PointLoad,
 ) {
     if point.drag_area == 0.0 || immersion.share == 0.0 {

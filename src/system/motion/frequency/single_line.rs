@@ -74,7 +74,9 @@ fn network(scene: &Scene) -> Network {
             bed_contact: true,
             releases: Default::default(),
             discretised: None,
-            closed_over_flat: false,
+            closed_where_known: false,
+            displaced: Vec::new(),
+            displaced_reversed: Vec::new(),
         }],
         ..Network::default()
     }
