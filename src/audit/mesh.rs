@@ -13,6 +13,9 @@ use crate::numerics::V3;
 const TENSION: f64 = 0.02;
 /// Error of the greatest curvature that is a finding.
 const CURVATURE: f64 = 0.1;
+/// How much finer the mesh is with which a remedy is tried, and what it must leave of an error.
+const TWICE: usize = 2;
+const HALVED: f64 = 0.7;
 /// How much finer the mesh is by which curvatures are judged.
 const FINER: usize = 8;
 /// Nodes of that mesh at most.
@@ -91,15 +94,58 @@ pub fn lines(
         Some(Err(why)) => audit.not_judged.push(format!("Curvatures: {why}.")),
         None => {}
     }
-    findings(mooring, &lines, audit);
+    let is_coarse = lines
+        .iter()
+        .any(|line| line.by_segments().is_some_and(is_off));
+    let finer = is_coarse.then(|| divided_further(mooring, sea, exact, model, rest));
+    findings(mooring, &lines, finer.as_deref(), audit);
     lines
 }
 
+/// Whether segments cost so much of a tension that it is a finding.
+fn is_off(by_segments: f64) -> bool {
+    by_segments.abs() > TENSION
+}
+
+/// What is left of the error of each tension where lines have twice their segments; nothing where that is not known.
+fn divided_further(
+    mooring: &Mooring,
+    sea: &SeaOfCase,
+    exact: &[Option<ExactLine<'_>>],
+    model: &LumpedModel,
+    rest: &[V3],
+) -> Vec<Option<f64>> {
+    let fine = build::lumped(mooring, sea, TWICE).ok();
+    let at_rest = fine.and_then(|fine| {
+        let near = refined(model, &fine, rest, TWICE);
+        let at_rest = equilibrium::at_rest(&fine, &near).ok()?;
+        Some((fine, at_rest))
+    });
+    let lines = mooring.lines.iter().enumerate();
+    lines
+        .map(|(k, line)| {
+            let (fine, at_rest) = at_rest.as_ref()?;
+            let exact = exact.get(k)?.as_ref()?;
+            let segments = (TWICE * line.segments.value) as f64;
+            Some(fine.end_tension(k, at_rest) / exact.at(1.0 - 0.5 / segments).1 - 1.0)
+        })
+        .collect()
+}
+
 /// Segments that are too long. Lines of the same figures share a finding.
-fn findings(mooring: &Mooring, lines: &[LineAudit], audit: &mut Audit) {
+fn findings(
+    mooring: &Mooring,
+    lines: &[LineAudit],
+    finer: Option<&[Option<f64>]>,
+    audit: &mut Audit,
+) {
     let mut found: Vec<(Finding, Vec<&str>)> = Vec::new();
-    for (line, of) in lines.iter().zip(&mooring.lines) {
-        for finding in [of_tension(line), of_curvature(line)].into_iter().flatten() {
+    for (k, (line, of)) in lines.iter().zip(&mooring.lines).enumerate() {
+        let finer = finer.and_then(|finer| *finer.get(k)?);
+        for finding in [of_tension(line, finer), of_curvature(line)]
+            .into_iter()
+            .flatten()
+        {
             match found.iter_mut().find(|(one, _)| one.what == finding.what) {
                 Some((_, ids)) => ids.push(&line.id),
                 None => found.push((finding.at(&of.segments.span), vec![&line.id])),
@@ -115,10 +161,11 @@ fn findings(mooring: &Mooring, lines: &[LineAudit], audit: &mut Audit) {
     }
 }
 
-fn of_tension(line: &LineAudit) -> Option<Finding> {
+/// A tension that is off, by what is left of it with twice the segments.
+fn of_tension(line: &LineAudit, finer: Option<f64>) -> Option<Finding> {
     let off = line.by_segments()?;
     let (lumped, mid) = (line.lumped?, line.mid_segment?);
-    if off.abs() <= TENSION {
+    if !is_off(off) {
         return None;
     }
     let what = format!(
@@ -128,7 +175,20 @@ fn of_tension(line: &LineAudit) -> Option<Finding> {
         si(mid, "N"),
         percent(off.abs())
     );
-    let remedy = format!("divide it into {} or more segments", 2 * line.segments);
+    let twice = TWICE * line.segments;
+    let remedy = match finer {
+        Some(left) if left.abs() <= HALVED * off.abs() => format!(
+            "divide it into {twice} or more segments, with which {} are left",
+            percent(left.abs())
+        ),
+        Some(left) => format!(
+            "none by the segments: with {twice} it is still {} off; look for what the two compute otherwise",
+            percent(left.abs())
+        ),
+        None => format!(
+            "none that was tried: {twice} segments were not brought to rest; look for what the two compute otherwise"
+        ),
+    };
     let finding = Finding::new(Topic::Mesh, "", what, remedy);
     Some(finding.figure(lumped, mid, "N"))
 }

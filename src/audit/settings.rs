@@ -82,7 +82,64 @@ pub fn find(mooring: &Mooring, sea: &SeaOfCase, text: &str, findings: &mut Vec<F
     damping(mooring, findings);
     bodies(mooring, text, findings);
     failures(mooring, findings);
+    findings.extend(current(mooring));
+    findings.extend(wave_pressure(mooring));
 }
+
+/// A profile of the current that is not listed from below. `MoorDyn` looks for the rows about a height from the first one on and takes the first where
+/// the height is at or below it (`interp_factor` in its `source/Util/Interp.hpp`, version 2.7).
+fn current(mooring: &Mooring) -> Option<Finding> {
+    let (given, first) = (
+        mooring.sea.current.as_ref()?,
+        mooring.sea.current_first.as_ref()?,
+    );
+    let speed = |row: &[f64; 3]| f64::hypot(row[1], row[2]);
+    let beneath = given.value.rows.iter().filter(|row| row[0] < first[0]);
+    let apart = |row: &&[f64; 3]| f64::hypot(row[1] - first[1], row[2] - first[2]);
+    let other = beneath.max_by(|one, other| apart(one).total_cmp(&apart(other)))?;
+    if apart(&other) <= 0.0 {
+        return None;
+    }
+    let what = format!(
+        "current_profile.txt does not list its rows from below: MoorDyn 2.7 has the current of its first row, {}, everywhere at z = {} m and below, also at z = {} m, where the file has {}",
+        si(speed(first), "m/s"),
+        digits(first[0], 6),
+        digits(other[0], 6),
+        si(speed(other), "m/s")
+    );
+    let finding = Finding::new(
+        Topic::Setting,
+        "Currents",
+        what,
+        "list the rows from the lowest to the highest",
+    );
+    Some(
+        finding
+            .at(&given.span)
+            .figure(speed(first), speed(other), "m/s"),
+    )
+}
+
+/// Waves by their frequencies at the nodes, which have no dynamic pressure in `MoorDyn` (`SpectrumKinWrapper::getWaveKin` in its `source/Waves.hpp`, version
+/// 2.7): rods, which feel it on their ends (`Rod::doRHS`), lack it.
+fn wave_pressure(mooring: &Mooring) -> Option<Finding> {
+    let waves = mooring.sea.waves.as_ref()?;
+    let setting = mooring.setting("wavekin").and_then(Setting::number);
+    let rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
+    let ids: Vec<&str> = rods.map(|rod| rod.id.as_str()).collect();
+    if setting != Some(BY_FREQUENCIES) || ids.is_empty() {
+        return None;
+    }
+    let what = format!(
+        "waves by frequencies at the nodes (WaveKin 7) have no dynamic pressure in MoorDyn 2.7, which so leaves out the push of the waves along rods, on their ends: {}",
+        ids.join(", ")
+    );
+    let remedy = "give the same waves over a grid (WaveKin 2 or 3), which has the pressure";
+    Some(Finding::new(Topic::Setting, "WaveKin", what, remedy).at(&waves.span))
+}
+
+/// `WaveKin` of waves that are summed at the nodes.
+const BY_FREQUENCIES: f64 = 7.0;
 
 /// An option that `MoorDyn` does not know, or whose value stands behind its name.
 fn option(setting: &Setting, text: &str) -> Option<Finding> {

@@ -107,7 +107,41 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
     if !is_off {
         relaxed(mooring, (model, rest), &settings, is_legacy, audit);
     }
-    findings(mooring, &settings, audit);
+    findings(mooring, model, &settings, audit);
+}
+
+/// The names of the run of OpenFAST, and of that of MoorDyn in C++.
+const OPENFAST: &str = "OpenFAST dynamic";
+const LEGACY: &str = "C++ dynamic";
+
+/// Parts of a step with which a way to rest that diverges is tried again.
+const SHORTER: [f64; 3] = [0.5, 0.25, 0.125];
+
+/// What mends a way to rest that grows without bound: a step with which it was tried and does not.
+fn mended(model: &LumpedModel, settings: &RelaxationSettings, by: &str) -> String {
+    let bounded = |share: &f64| {
+        let tried = RelaxationSettings {
+            step: share * settings.step,
+            courant: share * settings.courant,
+            longest: settings.longest.min(settings.interval),
+            ..*settings
+        };
+        let found = match by {
+            OPENFAST => dynamic(model, &tried, SAMPLES[0] * settings.interval),
+            LEGACY => dynamic(model, &tried, SAMPLES[1] * settings.interval),
+            _ => stationary(model, &tried),
+        };
+        found.ended != Ended::Diverged
+    };
+    let within = settings.longest.min(settings.interval);
+    match SHORTER.iter().copied().find(bounded) {
+        Some(share) => format!(
+            "choose dtM {} or less, with which it stays bounded within {}",
+            si(share * settings.step, "s"),
+            si(within, "s")
+        ),
+        None => "none by the step: with an eighth of it, it grows all the same".to_owned(),
+    }
 }
 
 /// The program's ways to rest, as far as they are not too long.
@@ -123,10 +157,19 @@ fn relaxed(
         which => dynamic(model, settings, SAMPLES[which - 1] * settings.interval),
     };
     let ((first, second), third) = rayon::join(|| rayon::join(|| run(0), || run(1)), || run(2));
+    // MoorDyn in OpenFAST has RK2 alone: a file of another scheme is for the one in C++.
+    let scheme = mooring.setting("tscheme");
+    let is_for_other = scheme.is_some_and(|setting| !setting.value.eq_ignore_ascii_case("rk2"));
+    if is_for_other {
+        audit.not_judged.push(
+            "OpenFAST dynamic, which is shown by RK2: the file is of a scheme that MoorDyn in OpenFAST does not have."
+                .to_owned(),
+        );
+    }
     let names = [
         ("C++ stationary", !is_legacy),
-        ("OpenFAST dynamic", mooring.setting("dtm").is_some()),
-        ("C++ dynamic", is_legacy),
+        (OPENFAST, mooring.setting("dtm").is_some() && !is_for_other),
+        (LEGACY, is_legacy),
     ];
     for ((by, counts), found) in names.into_iter().zip([first, second, third]) {
         if found.ended == Ended::TooLong {
@@ -194,7 +237,12 @@ fn judged(
 }
 
 /// One finding of all ways to rest that the settings lead to and that stop short.
-fn findings(mooring: &Mooring, settings: &RelaxationSettings, audit: &mut Audit) {
+fn findings(
+    mooring: &Mooring,
+    model: &LumpedModel,
+    settings: &RelaxationSettings,
+    audit: &mut Audit,
+) {
     let is_short = |start: &&StartAudit| {
         let diverged = matches!(start.ended, Some((_, Ended::Diverged)));
         start.counts && (diverged || start.off.is_nan() || start.off.abs() > OFF)
@@ -206,12 +254,12 @@ fn findings(mooring: &Mooring, settings: &RelaxationSettings, audit: &mut Audit)
     let Some(worst) = worst else { return };
     let words: Vec<String> = short.iter().map(|start| words(start)).collect();
     let remedy = match worst.ended {
-        Some((_, Ended::Diverged)) => "choose a shorter time step dtM",
+        Some((_, Ended::Diverged)) => mended(model, settings, worst.by),
         None => {
-            "give TmaxIC, or write the places at rest that `seacable run` gives for free points into the file"
+            "give TmaxIC, or write the places at rest that `seacable run` gives for free points into the file".to_owned()
         }
         _ => {
-            "write the places at rest that `seacable run` gives for free points into the file; lower threshIC and raise dtIC and TmaxIC"
+            "write the places at rest that `seacable run` gives for free points into the file; lower threshIC and raise dtIC and TmaxIC".to_owned()
         }
     };
     let names = match settings.longest <= 0.0 {

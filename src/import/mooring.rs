@@ -498,6 +498,8 @@ pub struct Sea {
     pub friction: Option<Given<f64>>,
     /// Current by height.
     pub current: Option<Given<CurrentProfile>>,
+    /// First row of that profile in a file that does not list it from below.
+    pub current_first: Option<[f64; 3]>,
     /// Current by a file of times and places.
     pub current_file: Option<Given<CurrentFile>>,
     /// Waves by a history of their elevation.

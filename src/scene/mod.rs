@@ -63,6 +63,7 @@ pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};
 pub use rope::RopeStiffness;
 pub use scene::{InitialState, Scene};
 pub use step_reading::EnergyRates;
+pub(crate) use submergence::{LostBuoyancy, lost_buoyancy};
 pub(crate) use unused_inputs::loads_without_effect;
 pub use water::Water;
 pub use waves::records;

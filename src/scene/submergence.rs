@@ -27,17 +27,17 @@ pub(super) struct NodeHeight {
 
 /// Buoyancy lost by the dry part of a segment.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct LostBuoyancy {
+pub(crate) struct LostBuoyancy {
     /// Potential per weight of the water displaced by the segment \[m\].
-    pub(super) energy: f64,
+    pub(crate) energy: f64,
     /// Fractions of the buoyancy of the segment lost at its first and second node.
-    pub(super) lost: [f64; 2],
+    pub(crate) lost: [f64; 2],
     /// Their derivatives by the heights of first and second node \[1/m\].
-    pub(super) by: [[f64; 2]; 2],
+    pub(crate) by: [[f64; 2]; 2],
 }
 
 /// Buoyancy lost by a segment of radius r \[m\] between nodes at these heights above the surface \[m\].
-pub(super) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
+pub(crate) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
     if p.max(q) <= -r {
         return LostBuoyancy::default();
     }

@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod above_water;
+mod audit_remedies;
 mod equilibrium;
 mod errors_at_rest;
 mod friction_on_bed;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::DVector;
 
 use super::LumpedModel;
-use super::forces::{Loads, bending};
+use super::forces::{Loads, bending, dry_part};
 use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix, EnvelopeShape, number};
 use crate::numerics::{M3, V3};
 
@@ -204,6 +204,18 @@ pub fn stiffness(model: &LumpedModel, unknowns: &Unknowns, x: &[V3]) -> Envelope
                 (M3::identity() - outer) * (tension / length) + outer * (slope / line.segment);
             for (row, column, sign) in [(a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)] {
                 add(row, column, &(block * sign));
+            }
+            let dry = dry_part(line, [x[a].z, x[b].z]);
+            let area = 0.25 * std::f64::consts::PI * line.diameter * line.diameter;
+            let displaced = model.gravity * model.density * area * line.segment;
+            for (row, by) in [a, b].into_iter().zip(dry.by) {
+                for (column, by) in [a, b].into_iter().zip(by) {
+                    add(
+                        row,
+                        column,
+                        &(V3::z() * V3::z().transpose() * (displaced * by)),
+                    );
+                }
             }
         }
         let last = line.nodes.len() - 1;

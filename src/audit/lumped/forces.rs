@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::{Bend, LumpedLine, LumpedModel};
 use crate::numerics::{M3, V3};
+use crate::scene::{LostBuoyancy, lost_buoyancy};
 
 /// Forces \[N\] and masses with added mass \[kg\] of all nodes; kept between evaluations, which then allocate nothing.
 #[derive(Debug, Clone)]
@@ -71,13 +72,15 @@ impl LumpedModel {
             for pair in line.nodes.windows(2) {
                 let strain = (x[pair[1]] - x[pair[0]]).norm() / line.segment - 1.0;
                 energy += line.elasticity.energy(strain) * line.segment;
+                let dry = dry_part(line, [x[pair[0]].z, x[pair[1]].z]);
+                energy += self.gravity * self.density * area * line.segment * dry.energy;
             }
             for (i, node) in line.nodes.iter().copied().enumerate() {
                 let halves = if i == 0 || i == last { 0.5 } else { 1.0 };
                 let length = halves * line.segment;
                 let z = x[node].z;
                 energy += self.gravity * length * z * line.mass;
-                energy -= self.gravity * length * z.min(0.0) * self.density * area;
+                energy -= self.gravity * length * z * self.density * area;
                 let depth = self.bed_z.map_or(0.0, |bed| (bed - z).max(0.0));
                 energy += 0.5 * self.bed_stiffness * depth * depth * line.diameter * length;
             }
@@ -114,6 +117,11 @@ impl LumpedModel {
             let pull = along * (tension + line.damping * rate);
             loads.force[a] += pull;
             loads.force[b] -= pull;
+            let dry = dry_part(line, [x[a].z, x[b].z]);
+            let area = 0.25 * PI * line.diameter * line.diameter;
+            let displaced = self.gravity * self.density * area * line.segment;
+            loads.force[a].z -= displaced * dry.lost[0];
+            loads.force[b].z -= displaced * dry.lost[1];
         }
     }
 
@@ -130,7 +138,7 @@ impl LumpedModel {
                 true => self.density,
                 false => 0.0,
             };
-            let mut force = V3::z() * (self.gravity * length * (water * area - line.mass));
+            let mut force = V3::z() * (self.gravity * length * (self.density * area - line.mass));
             let tangential = along * v[node].dot(&along);
             let normal = v[node] - tangential;
             let half = 0.5 * water * line.diameter * length * drag_scale;
@@ -149,6 +157,12 @@ impl LumpedModel {
                 + outer * (displaced * (line.added_mass[1] - line.added_mass[0]));
         }
     }
+}
+
+/// The dry part of a segment between nodes at these heights \[m\]. `MoorDyn` lumps the buoyancy of the wet part half at each node (`Line::calcSubSeg`);
+/// here it is where it acts, so that it has an energy.
+pub(super) fn dry_part(line: &LumpedLine, heights: [f64; 2]) -> LostBuoyancy {
+    lost_buoyancy(0.5 * line.diameter, heights)
 }
 
 /// Forces of bending on the three nodes of a bend \[N\].

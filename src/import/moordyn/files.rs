@@ -18,6 +18,9 @@ pub struct Files<'p> {
     pub folder: &'p Path,
 }
 
+/// Rows z, x, y of a current, and the first of a file that does not list them from below.
+pub type ProfileRows = (Vec<[f64; 3]>, Option<[f64; 3]>);
+
 impl Files<'_> {
     /// The text of a file named at a place: below the folder by its whole path, or by its last part.
     ///
@@ -143,11 +146,12 @@ impl Files<'_> {
             .map_err(|fault| at_option(fault, name))
     }
 
-    /// A current by height: z, x, y from a profile of rows z, x, y, z.
+    /// A current by height: z, x, y from a profile of rows z, x, y, z, sorted from above, and its first row where the file has its rows in
+    /// another order than from below.
     ///
     /// # Errors
     /// The file is not there or has no rows, or currents up or down.
-    pub fn current(&self, at: Word<'_>, key: &str) -> Result<Vec<[f64; 3]>, Fault> {
+    pub fn current(&self, at: Word<'_>, key: &str) -> Result<ProfileRows, Fault> {
         let name = Word {
             text: PROFILE,
             ..at
@@ -170,8 +174,10 @@ impl Files<'_> {
             }
         });
         let mut rows: Vec<[f64; 3]> = rows.collect::<Result<_, _>>()?;
+        let falls = rows.windows(2).any(|pair| pair[1][0] < pair[0][0]);
+        let first = rows.first().copied().filter(|_| falls);
         rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
-        Ok(rows)
+        Ok((rows, first))
     }
 
     /// A current over time and place, by a file of this name.

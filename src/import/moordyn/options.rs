@@ -281,9 +281,11 @@ fn current(
     match value.number() {
         Some(0.0) => {}
         Some(1.0) => {
+            let (rows, first) = files.current(value, key)?;
+            mooring.sea.current_first = first;
             let profile = CurrentProfile {
                 file: PROFILE.to_owned(),
-                rows: files.current(value, key)?,
+                rows,
             };
             set_current(Given::new(profile, value.span()), key, mooring)?;
         }
