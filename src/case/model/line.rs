@@ -26,7 +26,7 @@ table! {
         /// Tensions at those strains, rising from 0.
         tension_n: Option<Vec<f64>>, "table of tensions", range of(0.0, 1e13), absent "tension is EA times strain";
         /// How the tension goes between the rows of the table.
-        tension_interpolation: TensionInterpolation = TensionInterpolation::Smooth, "interpolation of the table";
+        tension_interpolation: TensionInterpolation = TensionInterpolation::Smooth, "table interpolation";
         /// Stiffness of a fibre rope that goes with its past tension: through the origin, or about the mean state.
         dynamic_stiffness: DynamicStiffness = DynamicStiffness::None, "dynamic stiffness";
         /// alpha of EA by breaking load = alpha + beta Lm - gamma La, in motion.
