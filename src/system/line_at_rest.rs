@@ -3,8 +3,8 @@
 use crate::numerics::{M3, V3};
 use crate::scene::LaidFrom;
 use crate::statics::catenary::{
-    CatenaryError, CatenaryLine, CrossingLine, EndOffset, EndStiffness, RigidBed, SectionProperties,
-    Solution,
+    CatenaryError, CatenaryLine, CrossingLine, EndOffset, EndStiffness, RigidBed,
+    SectionProperties, Solution,
 };
 
 use super::discretised::DiscretisedRest;
