@@ -29,6 +29,7 @@ const fn crossed_by(program: Program) -> Option<&'static str> {
         Program::Raft | Program::Ontology | Program::FaModel => Some(
             "MoorPy weighs a line that leaves the water by the heights of its ends, here each part as it is",
         ),
+        Program::CableDyn => Some("what is above the water weighs what it weighs in air"),
         Program::MapPlusPlus => None,
     }
 }
