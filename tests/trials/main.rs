@@ -14,6 +14,5 @@ mod members;
 mod start;
 mod stiffness_tables;
 mod top_heavy;
-mod top_heavy;
 mod trial;
 mod zero_bars;
