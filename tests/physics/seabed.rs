@@ -549,5 +549,6 @@ fn slack_lines_in_a_current_come_to_rest_or_are_refused_as_slack() {
             }
         }
     }
-    assert!(solved[0] >= 58 && solved[1] >= 58, "{solved:?} of 60");
+    // With friction the smooth bed's answer is not taken for a line that it does not hold: four are refused.
+    assert!(solved[0] >= 58 && solved[1] >= 56, "{solved:?} of 60");
 }

@@ -85,19 +85,20 @@ fn a_catenary_partly_in_air_is_that_of_many_segments() {
         let fine = solved(&chain(12.0, "[current]\nspeed_m_per_s = 0.0\n", 0.0));
         assert!(!closed.is_discretised() && fine.is_discretised());
         let [one, other] = [&closed, &fine].map(|system| tension_at_b(system, "chain"));
-        let stated = fine.line_errors[0].unwrap();
+        let stated = fine.errors.lines[0].unwrap();
         if friction == 0.0 {
             assert!(
                 (one - other).abs() < 2.0 * stated + 1e-5 * one,
                 "{one} {other} {stated}"
             );
         }
-        assert!(closed.line_errors[0].unwrap() < 1e-9 * one);
+        assert!(closed.errors.lines[0].unwrap() < 1e-9 * one);
         // All of it under water it pulls less.
         let wet = chain(12.0, "", friction).replace("\"crossed\"", "\"ignored\"");
         let wet = wet.replace("kind = \"fixed\" # top", "kind = \"body\"\nbody = \"deck\"");
         let wet = format!("{wet}\n[bodies.deck]\nkind = \"held\"\n");
-        assert!(tension_at_b(&solved(&wet), "chain") < 0.99 * one);
+        let wet = tension_at_b(&solved(&wet), "chain");
+        assert!(wet < 0.999 * one, "{wet} {one}");
     }
 }
 

@@ -165,7 +165,8 @@ pub fn write(
         let key = "water_density_kg_per_m3";
         one(key, options.density, &given.density, sea.density, "rho");
     }
-    if let Some(why) = crossed_by(mooring.program).filter(|_| !in_air) {
+    let has_surface = !in_air && sea.density > 0.0 && sea.gravity > 0.0;
+    if let Some(why) = crossed_by(mooring.program).filter(|_| has_surface) {
         case.assumed("water_surface", "\"crossed\"", why);
     }
     if matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1) {

@@ -264,7 +264,8 @@ mod tests {
                 (table.strain_at(here.tension) - strain).abs() < 1e-12,
                 "{strain}"
             );
-            assert_eq!(table.bent(strain), 0.0);
+            // Nothing but rounding, beside slopes of 4e5 N over 0.07.
+            assert!(table.bent(strain).abs() < 1e-9 * 4e5);
         }
     }
 
