@@ -15,11 +15,10 @@ const MOORDYN: &str = include_str!("../../data/corpus/moordyn/oc3_2.txt");
 const MOORDYN_1: &str = include_str!("../../data/corpus/moordyn/oc3_1.txt");
 const PARTS: &str = include_str!("../../data/corpus/moordyn/parts.txt");
 /// Words that are odd but clear, and the tables of other dialects.
-const ODD: [&str; 5] = [
+const ODD: [&str; 4] = [
     include_str!("../../trials/files/importers/coupled1.txt"),
     include_str!("../../trials/files/importers/v1_numnodes.txt"),
     include_str!("../../trials/files/importers/external_loads.txt"),
-    include_str!("../../trials/files/importers/waterkin_current.txt"),
     include_str!("../../trials/files/importers/rigid6_buoy.dat"),
 ];
 const MAP: &str = include_str!("../../data/corpus/map_plus_plus/oc3.txt");
