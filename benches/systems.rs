@@ -134,7 +134,10 @@ fn web(lines: usize, free: usize) -> Network {
             friction: 0.0,
             releases: Default::default(),
             discretised: None,
-            closed_over_flat: false,
+            closed_where_known: false,
+            bed_contact: true,
+            displaced: vec![0.0],
+            displaced_reversed: vec![0.0],
         });
     };
     for k in 0..=free {
