@@ -192,7 +192,7 @@ table! {
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
         bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FREE;
-        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z: it is let go there.
+        /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FREE;
         /// Velocity at time zero along x, y, z.
         start_velocity_m_per_s: [f64; 3] = [0.0, 0.0, 0.0], "start velocity", range of(-1e3, 1e3), matters FREE;
@@ -341,7 +341,7 @@ table! {
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters CARRIED;
         /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.
         response_file: Option<String>, "responses", absent "none", matters IN_WAVES;
-        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z of the earth: it is let go there.
+        /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z of the earth: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
         /// Roll, pitch and yaw at time zero beyond those there.
         start_offset_deg: [f64; 3] = [0.0, 0.0, 0.0], "start angles", range of(-360.0, 360.0), matters TURNING;
@@ -390,7 +390,7 @@ table! {
         added_mass_end: f64 = 0.0, "added mass of the ends", range of(0.0, 100.0);
         /// Steady load at its middle, along x, y, z; not of a rod that is pinned.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FLOATING;
-        /// Displacement at time zero from where it rests, or is placed by [start], along x, y, z: it is let go there.
+        /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
         /// Turns at time zero from there about the directions x, then y, then z of the earth: about its middle, or its end A where that is pinned.
         start_turn_deg: [f64; 3] = [0.0, 0.0, 0.0], "start turn", range of(-360.0, 360.0), matters TURNING;

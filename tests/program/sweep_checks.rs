@@ -75,7 +75,9 @@ pub(crate) fn value(csv: &str, row: &str, column: &str) -> f64 {
     let place = place.unwrap_or_else(|| panic!("{column} in {head}"));
     let records = reader.records().map(Result::unwrap);
     let found = records.filter(|record| record[0].starts_with(row));
-    let values = found.map(|record| record[place].parse::<f64>().unwrap());
+    // What never changes, such as no pull on an anchor on the bed, has no sample.
+    let known = found.filter(|record| !record[place].is_empty());
+    let values = known.map(|record| record[place].parse::<f64>().unwrap());
     values
         .reduce(f64::max)
         .unwrap_or_else(|| panic!("{row} in {csv}"))

