@@ -52,98 +52,91 @@ impl SeasView<'_> {
     /// A row for each check: its verdict, and what governs it.
     #[must_use]
     pub fn verdict(&self) -> Table {
-        let is_for_none = |check: &&CheckResult| check.verdict().is_none();
-        let idle = self.results.checks.iter().filter(is_for_none);
-        let idle: Vec<&str> = idle.map(|check| check.check.name.as_str()).collect();
-        let checks = self
-            .results
-            .checks
-            .iter()
-            .filter(|check| !is_for_none(check));
+        let checks = self.results.checks.iter();
+        let checks = checks.filter(|check| check.verdict().is_some());
         let checks: Vec<(usize, &CheckResult)> = checks.enumerate().collect();
-        let governing = |check: &CheckResult, read: &dyn Fn(&CheckRow) -> Cell| {
-            check.governing().map_or_else(Cell::none, read)
-        };
-        let clauses = checks
-            .iter()
-            .filter(|(_, check)| !check.check.clause.is_empty());
-        let clauses = clauses.map(|(number, check)| {
-            format!(
-                "[{}] {}: {}.",
-                number + 1,
-                check.check.name,
-                check.check.clause
-            )
-        });
-        let clauses: Vec<String> = clauses.collect();
-        let missing = self.results.checks.iter().flat_map(|check| {
-            let why = check.missing.iter();
-            why.map(|why| format!("{}: {why}.", check.check.name))
-        });
-        let missing: Vec<String> = missing.collect();
-        let percent = 100.0 * self.statistics.confidence;
         let table = Table::of("Verdict", &checks)
             .text("check", |(number, check)| {
                 format!("{} [{}]", check.check.name, number + 1)
             })
-            .cell("verdict", Align::Left, |(_, check)| match check.verdict() {
-                Some(Verdict::Passes) => Cell::plain(Verdict::Passes.word()),
-                Some(verdict) => Cell::new(
-                    verdict.word(),
-                    match verdict {
-                        Verdict::Fails => CellStyle::Bad,
-                        _ => CellStyle::Warn,
-                    },
-                ),
-                None => Cell::none(),
-            })
+            .cell("verdict", Align::Left, |(_, check)| verdict_cell(check))
             .cell("used", Align::Decimal, |(_, check)| {
-                governing(check, &|row| Cell::plain(share(row.used.value)))
+                governing(check, |row| Cell::plain(share(row.used.value)))
             })
             .cell("numerical", Align::Decimal, |(_, check)| {
-                governing(check, &|row| Cell::plain(numerical(&row.used)))
+                governing(check, |row| Cell::plain(numerical(&row.used)))
             })
             .cell("sample", Align::Left, |(_, check)| {
-                governing(check, &|row| Cell::plain(sample(&row.used)))
+                governing(check, |row| Cell::plain(sample(&row.used)))
             })
             .cell("place", Align::Left, |(_, check)| {
-                governing(check, &|row| Cell::plain(row.place.clone()))
+                governing(check, |row| Cell::plain(row.place.clone()))
             });
-        let of_one = self.results.is_of_one_load_case();
-        let table = match of_one {
+        let table = match self.results.is_of_one_load_case() {
             true => table,
             false => table
                 .cell("sea", Align::Right, |(_, check)| {
-                    governing(check, &|row| match row.sea {
+                    governing(check, |row| match row.sea {
                         Some(sea) => Cell::plain((sea + 1).to_string()),
                         None => Cell::plain("all"),
                     })
                 })
                 .cell("load case", Align::Right, |(_, check)| {
-                    governing(check, &|row| number(row.load_case.map(|case| case + 1)))
+                    governing(check, |row| number(row.load_case.map(|case| case + 1)))
                 }),
         };
         table
             .cell("time", Align::Right, |(_, check)| {
-                governing(check, &|row| {
-                    row.time.map_or_else(Cell::none, |time| Cell::plain(duration(time)))
+                governing(check, |row| {
+                    row.time
+                        .map_or_else(Cell::none, |time| Cell::plain(duration(time)))
                 })
             })
             .build()
-            .noted([format!(
-                "Used is the share of the limit, 1 at the limit. A check passes or fails where that holds with both errors, the numerical one and the interval of the sample at {percent} %; else it is not settled."
-            )])
-            .noted(self.is_by_spectrum().then_some(
-                "Of quick looks the numerical error is that of the mesh; how far a linear look is from runs in time is in no verdict.",
-            ))
-            .noted(clauses)
-            .noted(missing)
-            .noted((!idle.is_empty()).then(|| match of_one {
-                true => format!("Not for this load case: {}.", idle.join(", ")),
-                false => format!("No load case is for: {}.", idle.join(", ")),
-            }))
-            .noted(self.weights().filter(|_| !of_one))
-            .noted((!self.results.checks.is_empty()).then_some("Check rules of standards against your edition."))
+            .noted(self.verdict_notes(&checks))
+    }
+
+    /// What a reader must know of the verdict.
+    fn verdict_notes(&self, checks: &[(usize, &CheckResult)]) -> Vec<String> {
+        let percent = 100.0 * self.statistics.confidence;
+        let mut notes = vec![format!(
+            "Used is the share of the limit, 1 at the limit. A check passes or fails where that holds with both errors, the numerical one and the interval of the sample at {percent} %; else it is not settled."
+        )];
+        if self.is_by_spectrum() {
+            notes.push("Of quick looks the numerical error is that of the mesh; how far a linear look is from runs in time is in no verdict.".to_owned());
+        }
+        notes.extend(checks.iter().filter_map(|(number, result)| {
+            let check = &result.check;
+            let words = format!("[{}] {}: {}.", number + 1, check.name, check.clause);
+            (!check.clause.is_empty()).then_some(words)
+        }));
+        notes.extend(self.not_compared().map(|why| format!("{why}.")));
+        let of_one = self.results.is_of_one_load_case();
+        notes.extend(self.for_none(match of_one {
+            true => "Not for this load case",
+            false => "No load case is for",
+        }));
+        notes.extend(self.weights().filter(|_| !of_one).map(str::to_owned));
+        if !self.results.checks.is_empty() {
+            notes.push("Check rules of standards against your edition.".to_owned());
+        }
+        notes
+    }
+
+    /// The checks that are for none of the load cases, after these words.
+    fn for_none(&self, words: &str) -> Option<String> {
+        let checks = self.results.checks.iter();
+        let idle = checks.filter(|check| check.verdict().is_none());
+        let idle: Vec<&str> = idle.map(|check| check.check.name.as_str()).collect();
+        (!idle.is_empty()).then(|| format!("{words}: {}.", idle.join(", ")))
+    }
+
+    /// What could not be compared, by check, and why.
+    fn not_compared(&self) -> impl Iterator<Item = String> {
+        self.results.checks.iter().flat_map(|check| {
+            let why = check.missing.iter();
+            why.map(|why| format!("{}: {why}", check.check.name))
+        })
     }
 
     /// Says where seas are weighted alike.
@@ -426,14 +419,10 @@ impl SeasView<'_> {
     /// The worst verdict in a word, a row for each check, sea and place, and what could not be compared.
     #[must_use]
     pub fn checks_json(&self) -> Value {
-        let missing = self.results.checks.iter().flat_map(|check| {
-            let why = check.missing.iter();
-            why.map(|why| format!("{}: {why}", check.check.name))
-        });
         json!({
             "verdict": self.worst().map(Verdict::word),
             "rows": self.checks_table().to_json(),
-            "missing": missing.collect::<Vec<_>>(),
+            "missing": self.not_compared().collect::<Vec<_>>(),
         })
     }
 
@@ -446,6 +435,23 @@ impl SeasView<'_> {
             .filter_map(CheckResult::verdict)
             .max()
     }
+}
+
+/// The verdict of a check, what does not pass in colour.
+fn verdict_cell(check: &CheckResult) -> Cell {
+    check.verdict().map_or_else(Cell::none, |verdict| {
+        let style = match verdict {
+            Verdict::Passes => return Cell::plain(verdict.word()),
+            Verdict::Open => CellStyle::Warn,
+            Verdict::Fails => CellStyle::Bad,
+        };
+        Cell::new(verdict.word(), style)
+    })
+}
+
+/// A cell of the row that governs a check.
+fn governing(check: &CheckResult, read: impl FnOnce(&CheckRow) -> Cell) -> Cell {
+    check.governing().map_or_else(Cell::none, read)
 }
 
 /// The loads at the place of the greatest tension.
