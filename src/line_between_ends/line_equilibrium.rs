@@ -17,6 +17,8 @@ pub struct LineEquilibrium {
     /// What the bed bears along its normal of the half segments at ends that lie on it \[N\], A first: part of the end forces. Where something
     /// else holds the end up, it bears that.
     pub bed_reaction_n: [V3; 2],
+    /// Change of `bed_reaction_n` as its end moves along the bed, which turns its normal \[N/m\]; nothing on a plane.
+    pub bed_reaction_turning_n_per_m: [M3; 2],
     /// Change of the force on end i as end j moves \[N/m\], `[i][j]`, rows and columns x, y, z: exact for the discretised line
     /// with the friction springs of the bed where they are; negative on its diagonal for a line that resists. Symmetric
     /// without current and friction. At a kink (a node about to touch the bed, a segment about to slacken) those on one side.
@@ -55,6 +57,8 @@ impl LineEquilibrium {
             force_a_n: scene.end_force(0, state),
             force_b_n: scene.end_force(last, state),
             bed_reaction_n: [0, last].map(|node| scene.bed_reaction_on_end(node, state)),
+            bed_reaction_turning_n_per_m: [0, last]
+                .map(|node| scene.bed_reaction_turning(node, state)),
             stiffness_n_per_m: blocks.map(|row| row.map(|block: M3| -block)),
             position_m: state.x.clone(),
             tension_n: scene.tensions(state),

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::element::At;
-use crate::numerics::V3;
+use crate::numerics::{M3, V3};
 use crate::solve::State;
 
 impl Scene {
@@ -44,6 +44,16 @@ impl Scene {
             let normal = bed.seabed.normal(&state.x[node]);
             normal * normal.dot(&reaction)
         })
+    }
+
+    /// Derivative of [`Scene::bed_reaction_on_end`] by the place of the end, as far as that turns the normal of the bed \[N/m\]: along the bed all
+    /// of it; nothing on a plane.
+    #[must_use]
+    pub fn bed_reaction_turning(&self, node: usize, state: &State) -> M3 {
+        let reaction = self.bed_reaction_on_end(node, state);
+        let bed = self.elements.bed.as_ref();
+        let slope = bed.and_then(|bed| bed.seabed.normal_slope(&state.x[node]));
+        slope.map_or_else(M3::zeros, |slope| slope * reaction.norm())
     }
 
     fn bed_on_end(&self, node: usize, loads: (&V3, &V3), state: &State) -> V3 {

@@ -145,9 +145,13 @@ impl Balance {
     /// Adds a line on the unknowns that its ends follow.
     fn line(&mut self, line: &LineAtRest, followers: &[Option<Follower>; 2]) {
         let (on_bodies, on_points) = ([line.force_a, line.force_b], line.forces_on_points());
+        let slopes_on_points = line.stiffness_on_points();
         for (i, on) in followers.iter().enumerate() {
             let Some(on) = on else { continue };
-            let forces = if on.size == 3 { on_points } else { on_bodies };
+            let (forces, slopes) = match on.size {
+                3 => (on_points, &slopes_on_points),
+                _ => (on_bodies, &line.by_ends),
+            };
             let load = on.by.transpose() * forces[i];
             for k in 0..on.size {
                 self.force[on.first + k] += load[k];
@@ -159,7 +163,7 @@ impl Balance {
             }
             for (j, by) in followers.iter().enumerate() {
                 let Some(by) = by else { continue };
-                let block = on.by.transpose() * -line.by_ends[i][j] * by.by;
+                let block = on.by.transpose() * -slopes[i][j] * by.by;
                 let block = block.view((0, 0), (on.size, by.size));
                 self.stiffness.add_block(on.first, by.first, &block);
             }

@@ -65,6 +65,19 @@ impl LineAtRest {
         [whole[0] - borne[0], whole[1] - borne[1]]
     }
 
+    /// The change of these forces with the places of the ends, along the bed of an end that lies on it \[N/m\].
+    #[must_use]
+    pub fn stiffness_on_points(&self) -> [[M3; 2]; 2] {
+        let mut by_ends = self.by_ends;
+        if let Some(line) = &self.discretised {
+            let turning = &line.found.bed_reaction_turning_n_per_m;
+            for (end, turning) in turning.iter().enumerate() {
+                by_ends[end][end] -= turning;
+            }
+        }
+        by_ends
+    }
+
     /// Unstretched length on the bed, or against the surface \[m\].
     #[must_use]
     pub fn on_bed(&self) -> f64 {
