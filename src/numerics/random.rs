@@ -28,6 +28,32 @@ impl Random {
         const PARTS: f64 = (1_u64 << 52) as f64;
         ((self.0.next_u64() >> 12) as f64 + 0.5) / PARTS
     }
+
+    /// Uniform between two numbers.
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.uniform()
+    }
+
+    /// A power of ten whose exponent is uniform between two numbers.
+    pub fn power(&mut self, low: f64, high: f64) -> f64 {
+        10_f64.powf(self.between(low, high))
+    }
+
+    /// Whether something happens that happens with this share of chances \[-\].
+    pub fn chance(&mut self, share: f64) -> bool {
+        self.uniform() < share
+    }
+
+    /// A whole number from `low` to `high`, both among them: a small range.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "small and not negative"
+    )]
+    pub fn whole(&mut self, low: usize, high: usize) -> usize {
+        let span = (high - low + 1) as f64;
+        low + ((self.uniform() * span) as usize).min(high - low)
+    }
 }
 
 /// The first output of the generator started at a seed.

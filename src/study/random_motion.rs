@@ -231,14 +231,6 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.random.uniform()
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10_f64.powf(self.between(low, high))
-    }
-
     fn put(&mut self, words: std::fmt::Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(words);
@@ -246,30 +238,33 @@ impl Maker<'_> {
 
     /// Water, bed, three materials, settings.
     fn head(&mut self, kind: usize) {
-        self.depth = self.between(40.0, 400.0);
+        self.depth = self.random.between(40.0, 400.0);
         self.put(format_args!("[system]\ntitle = \"random\"\n[solver]\nduration_s = {DURATION_S:?}\nerror_estimate = false\n"));
         if kind == 3 || self.random.uniform() < 0.6 {
-            let (depth, damping) = (self.depth, self.power(3.0, 5.0));
+            let (depth, damping) = (self.depth, self.random.power(3.0, 5.0));
             self.put(format_args!(
                 "[seabed]\ndepth_m = {depth:?}\ndamping_n_s_per_m3 = {damping:?}\n"
             ));
         }
         if self.random.uniform() < 0.3 {
-            let (speed, towards) = (self.between(0.1, 1.5), self.between(0.0, 360.0));
+            let (speed, towards) = (
+                self.random.between(0.1, 1.5),
+                self.random.between(0.0, 360.0),
+            );
             self.put(format_args!(
                 "[current]\nspeed_m_per_s = {speed:?}\ndirection_deg = {towards:?}\n"
             ));
         }
         for name in ["one", "two", "three"] {
-            let diameter = self.power(-2.0, -0.6);
+            let diameter = self.random.power(-2.0, -0.6);
             // From a floating rope to chain.
-            let mass = 805.0 * diameter * diameter * self.between(0.7, 8.0);
+            let mass = 805.0 * diameter * diameter * self.random.between(0.7, 8.0);
             let (ea, normal, along) = (
-                self.power(5.5, 9.0),
-                self.between(0.3, 2.4),
-                self.between(0.0, 0.5),
+                self.random.power(5.5, 9.0),
+                self.random.between(0.3, 2.4),
+                self.random.between(0.0, 0.5),
             );
-            let damping = self.between(0.0, 0.5);
+            let damping = self.random.between(0.0, 0.5);
             self.wet_weights
                 .push(9.8 * (mass - 805.0 * diameter * diameter));
             self.put(format_args!(
@@ -287,8 +282,11 @@ impl Maker<'_> {
 
     /// The keys of a motion in harmonics of up to this amplitude \[m\].
     fn motion(&mut self, most: f64) {
-        let [a, b, c] = [(); 3].map(|()| self.between(-most, most));
-        let (period, ramp) = (self.between(3.0, 15.0), self.between(0.0, 6.0));
+        let [a, b, c] = [(); 3].map(|()| self.random.between(-most, most));
+        let (period, ramp) = (
+            self.random.between(3.0, 15.0),
+            self.random.between(0.0, 6.0),
+        );
         let ramp = if ramp < 1.0 { 0.0 } else { ramp };
         self.put(format_args!(
             "amplitude_m = [{a:?}, {b:?}, {c:?}]\nramp_s = {ramp:?}\nperiod_s = "
@@ -310,16 +308,16 @@ impl Maker<'_> {
         if draw < 0.3 {
             return;
         }
-        let mass = self.power(1.0, 4.5);
+        let mass = self.random.power(1.0, 4.5);
         let volume = mass / 1025.0
             * if draw < 0.7 {
                 0.2
             } else {
-                self.between(1.2, 4.0)
+                self.random.between(1.2, 4.0)
             };
         let (added, area) = (
             500.0 * volume,
-            self.between(0.0, 3.0) * volume.powf(2.0 / 3.0),
+            self.random.between(0.0, 3.0) * volume.powf(2.0 / 3.0),
         );
         self.put(format_args!("mass_kg = {mass:?}\nvolume_m3 = {volume:?}\nadded_mass_kg = {added:?}\ndrag_area_m2 = {area:?}\n"));
     }
@@ -352,7 +350,7 @@ impl Maker<'_> {
             ("f0", "f1", 0.5 * reach),
             ("f1", "top", reach),
         ] {
-            let slack = self.between(0.98, 1.25);
+            let slack = self.random.between(0.98, 1.25);
             self.line(from, to, apart, slack, "");
         }
     }
@@ -364,10 +362,10 @@ impl Maker<'_> {
         for k in 0..3 {
             let angle = std::f64::consts::TAU * k as f64 / 3.0;
             let (sin, cos) = angle.sin_cos();
-            let far = self.between(1.0, 2.5) * depth;
+            let far = self.random.between(1.0, 2.5) * depth;
             self.fixed(&format!("a{k}"), [far * cos, far * sin, -depth]);
             self.on(&format!("b{k}"), "hull", [8.0 * cos, 8.0 * sin, -5.0]);
-            let slack = self.between(0.995, 1.1);
+            let slack = self.random.between(0.995, 1.1);
             self.line(
                 &format!("a{k}"),
                 &format!("b{k}"),
@@ -379,7 +377,7 @@ impl Maker<'_> {
         if kind == "free" {
             self.on("bow", "hull", [10.0, 0.0, -2.0]);
             self.moved("tug", [90.0, 5.0, -3.0], 3.0);
-            let slack = self.between(0.99, 1.2);
+            let slack = self.random.between(0.99, 1.2);
             self.line("bow", "tug", 80.0, slack, "");
         }
     }
@@ -393,17 +391,17 @@ impl Maker<'_> {
             "[bodies.{name}]\nkind = \"{kind}\"\nposition_m = [{x:?}, 0.0, 0.0]\n"
         ));
         if kind == "moved" {
-            let [a, b, c] = [(); 3].map(|()| self.between(-6.0, 6.0));
+            let [a, b, c] = [(); 3].map(|()| self.random.between(-6.0, 6.0));
             self.put(format_args!("amplitude_deg = [{a:?}, {b:?}, {c:?}]\n"));
-            let [a, b, c] = [(); 3].map(|()| self.between(-2.5, 2.5));
-            let period = self.between(4.0, 15.0);
+            let [a, b, c] = [(); 3].map(|()| self.random.between(-2.5, 2.5));
+            let period = self.random.between(4.0, 15.0);
             self.put(format_args!(
                 "amplitude_m = [{a:?}, {b:?}, {c:?}]\nperiod_s = [{period:?}]\nramp_s = 4.0\n"
             ));
             return;
         }
-        let mass = self.power(5.0, 7.0);
-        let volume = mass / 1025.0 * self.between(1.0, 1.1);
+        let mass = self.random.power(5.0, 7.0);
+        let volume = mass / 1025.0 * self.random.between(1.0, 1.1);
         let spring = 1025.0 * 9.8 * (volume / 5.0);
         let (roll, inertia, damping) = (spring * 40.0, mass * 60.0, 0.1 * mass);
         self.put(format_args!(
@@ -418,15 +416,15 @@ impl Maker<'_> {
     /// A clump on a wire that comes down along a table, with or without a tail.
     fn lowered(&mut self) {
         let depth = self.depth;
-        let (length, speed) = (0.5 * depth, self.between(0.2, 3.0));
-        let gap = self.between(0.0, 0.7 * speed * DURATION_S);
+        let (length, speed) = (0.5 * depth, self.random.between(0.2, 3.0));
+        let gap = self.random.between(0.0, 0.7 * speed * DURATION_S);
         let (top, low) = (length + gap - depth, -speed * DURATION_S);
         let (near, middle) = (0.1 * low, 0.5 * low);
         self.put(format_args!(
             "[points.crane]\nkind = \"moved\"\nposition_m = [0.0, 0.0, {top:?}]\ntable_time_s = [0.0, 2.0, 4.0, {DURATION_S:?}]\n\
              table_z_m = [0.0, {near:?}, {middle:?}, {low:?}]\nramp_s = 2.0\n"
         ));
-        let (mass, tail) = (self.power(2.0, 4.5), self.random.uniform() < 0.5);
+        let (mass, tail) = (self.random.power(2.0, 4.5), self.random.uniform() < 0.5);
         let volume = 0.3 * mass / 1025.0;
         self.put(format_args!("[points.clump]\nkind = \"free\"\nmass_kg = {mass:?}\nvolume_m3 = {volume:?}\ndrag_area_m2 = 1.0\n"));
         self.line("clump", "crane", length, 1.0, "");
@@ -443,18 +441,18 @@ impl Maker<'_> {
         self.free("middle");
         self.fixed("low", [0.3 * depth, 0.0, -depth]);
         self.fixed("side", [-0.4 * depth, 0.1 * depth, -0.8 * depth]);
-        let slack = self.between(0.97, 1.15);
+        let slack = self.random.between(0.97, 1.15);
         self.line("middle", "top", 0.5 * depth, slack, "");
-        let slack = self.between(0.97, 1.15);
+        let slack = self.random.between(0.97, 1.15);
         self.line("low", "middle", 0.58 * depth, slack, "");
         let (end, when, share) = (
             self.random.uniform() < 0.5,
-            self.between(0.5, 3.0),
-            self.between(0.1, 0.9),
+            self.random.between(0.5, 3.0),
+            self.random.between(0.1, 0.9),
         );
         let more = match (how, end) {
             ("release", true) => format!("release_a_s = {when:?}\n"),
-            ("release", false) => format!("release_b_n = {:?}\n", self.power(3.0, 5.0)),
+            ("release", false) => format!("release_b_n = {:?}\n", self.random.power(3.0, 5.0)),
             (_, true) => format!(
                 "break_at_m = {:?}\nbreak_s = {when:?}\n",
                 share * 0.5 * depth
@@ -462,15 +460,15 @@ impl Maker<'_> {
             (_, false) => format!(
                 "break_at_m = {:?}\nbreak_n = {:?}\n",
                 share * 0.5 * depth,
-                self.power(3.0, 5.0)
+                self.random.power(3.0, 5.0)
             ),
         };
-        let slack = self.between(1.0, 1.3);
+        let slack = self.random.between(1.0, 1.3);
         self.line("side", "middle", 0.52 * depth, slack, &more);
     }
 
     fn shared(&mut self) {
-        let (depth, apart) = (self.depth, self.between(60.0, 300.0));
+        let (depth, apart) = (self.depth, self.random.between(60.0, 300.0));
         for (name, kind, side) in [("west", "moved", -1.0), ("east", "free", 1.0)] {
             self.body_of(name, kind, 0.5 * side * apart);
             for across in [-1.0, 1.0] {
@@ -479,7 +477,7 @@ impl Maker<'_> {
                 let x = 0.5 * side * apart;
                 self.fixed(&anchor, [x + side * depth, across * depth, -depth]);
                 self.on(&on, name, [6.0 * side, 6.0 * across, -5.0]);
-                let slack = self.between(0.99, 1.1);
+                let slack = self.random.between(0.99, 1.1);
                 self.line(
                     &anchor,
                     &on,
@@ -490,22 +488,22 @@ impl Maker<'_> {
             }
             self.on(&format!("{name}-in"), name, [-6.0 * side, 0.0, -5.0]);
         }
-        let slack = self.between(0.99, 1.2);
+        let slack = self.random.between(0.99, 1.2);
         self.line("west-in", "east-in", apart - 12.0, slack, "");
     }
 
     /// Two lines with a point between, slack enough to come taut with a snap.
     fn slack(&mut self) {
         let (x, z) = (
-            self.between(5.0, 60.0),
-            -self.between(10.0, 0.9 * self.depth),
+            self.random.between(5.0, 60.0),
+            -self.random.between(10.0, 0.9 * self.depth),
         );
         self.moved("top", [x, 0.0, -5.0], 4.0);
         self.fixed("low", [0.0, 0.0, z]);
         self.free("middle");
         let apart = 0.5 * x.hypot(z + 5.0);
         for (from, to) in [("low", "middle"), ("middle", "top")] {
-            let slack = self.between(1.0, 1.4);
+            let slack = self.random.between(1.0, 1.4);
             self.line(from, to, apart, slack, "");
         }
     }

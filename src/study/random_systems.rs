@@ -122,7 +122,7 @@ pub fn network(kind: usize, random: &mut Random) -> Network {
         },
         depth: 0.0,
     };
-    maker.depth = maker.between(20.0, 600.0);
+    maker.depth = maker.random.between(20.0, 600.0);
     if kind == 5 || maker.random.uniform() < 0.7 {
         maker.network.bed = Some(Bed::Level(-maker.depth));
     }
@@ -147,22 +147,6 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.random.uniform()
-    }
-
-    fn whole(&mut self, low: usize, high: usize) -> usize {
-        let span = (high - low + 1) as f64;
-        // The range is small.
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "small and not negative"
-        )]
-        let step = (self.random.uniform() * span) as usize;
-        low + step.min(high - low)
-    }
-
     fn point(&mut self, held: Held) -> usize {
         let name = format!("p{}", self.network.points.len());
         self.network.points.push(Point {
@@ -174,8 +158,11 @@ impl Maker<'_> {
     }
 
     fn place(&mut self, radius: f64) -> V3 {
-        let (x, y) = (self.between(-radius, radius), self.between(-radius, radius));
-        V3::new(x, y, -self.between(0.02, 0.98) * self.depth)
+        let (x, y) = (
+            self.random.between(-radius, radius),
+            self.random.between(-radius, radius),
+        );
+        V3::new(x, y, -self.random.between(0.02, 0.98) * self.depth)
     }
 
     fn free(&mut self, mass: f64, volume: f64) -> usize {
@@ -189,15 +176,15 @@ impl Maker<'_> {
 
     /// A free point with nothing, a clump or a buoy.
     fn junction(&mut self) -> usize {
-        match self.whole(0, 3) {
+        match self.random.whole(0, 3) {
             0 | 1 => self.free(0.0, 0.0),
             2 => {
-                let mass = 10_f64.powf(self.between(1.0, 5.0));
+                let mass = 10_f64.powf(self.random.between(1.0, 5.0));
                 self.free(mass, 0.2 * mass / 1025.0)
             }
             _ => {
-                let mass = 10_f64.powf(self.between(1.0, 4.5));
-                let more = self.between(1.5, 8.0);
+                let mass = 10_f64.powf(self.random.between(1.0, 4.5));
+                let more = self.random.between(1.5, 8.0);
                 self.free(mass, more * mass / 1025.0)
             }
         }
@@ -205,12 +192,12 @@ impl Maker<'_> {
 
     /// Chain, rope, or something buoyant, of this length.
     fn section(&mut self, length: f64) -> SectionProperties {
-        let strength = 10_f64.powf(self.between(5.5, 9.3));
-        let weight = match self.whole(0, 5) {
-            0 => -self.between(1.0, 300.0),
+        let strength = 10_f64.powf(self.random.between(5.5, 9.3));
+        let weight = match self.random.whole(0, 5) {
+            0 => -self.random.between(1.0, 300.0),
             1 => 0.0,
-            2 | 3 => self.between(5.0, 200.0),
-            _ => self.between(200.0, 4000.0),
+            2 | 3 => self.random.between(5.0, 200.0),
+            _ => self.random.between(200.0, 4000.0),
         };
         SectionProperties::new(length, weight, strength)
     }
@@ -218,8 +205,12 @@ impl Maker<'_> {
     fn line(&mut self, from: usize, to: usize, sections: Vec<SectionProperties>) {
         let name = format!("l{}", self.network.lines.len());
         let sections = weighted(sections, WEIGHTLESS);
-        let rough = self.whole(0, 2) == 0;
-        let friction = if rough { self.between(0.0, 1.0) } else { 0.0 };
+        let rough = self.random.whole(0, 2) == 0;
+        let friction = if rough {
+            self.random.between(0.0, 1.0)
+        } else {
+            0.0
+        };
         self.network.lines.push(Line {
             closed_where_known: false,
             displaced: Vec::new(),
@@ -241,13 +232,13 @@ impl Maker<'_> {
 
     /// A line of one to three sections between points that are so far apart.
     fn between_points(&mut self, from: usize, to: usize, distance: f64) {
-        let length = distance.max(1.0) * self.between(0.97, 1.5);
-        let n = [1, 1, 1, 2, 3][self.whole(0, 4)];
+        let length = distance.max(1.0) * self.random.between(0.97, 1.5);
+        let n = [1, 1, 1, 2, 3][self.random.whole(0, 4)];
         let mut sections: Vec<SectionProperties> =
             (0..n).map(|_| self.section(length / n as f64)).collect();
         for section in sections.iter_mut().take(n - 1) {
             if self.random.uniform() < 0.2 {
-                section.clump_n = self.between(-2e4, 4e4);
+                section.clump_n = self.random.between(-2e4, 4e4);
             }
         }
         self.line(from, to, sections);
@@ -255,8 +246,8 @@ impl Maker<'_> {
 
     /// Anchors and free points joined at random, every free point twice or more.
     fn web(&mut self) {
-        let radius = self.between(0.3, 2.0) * self.depth;
-        let (held, free) = (self.whole(2, 5), self.whole(1, 6));
+        let radius = self.random.between(0.3, 2.0) * self.depth;
+        let (held, free) = (self.random.whole(2, 5), self.random.whole(1, 6));
         let mut places = Vec::new();
         for _ in 0..held {
             let place = self.place(radius);
@@ -266,8 +257,8 @@ impl Maker<'_> {
         for index in held..held + free {
             places.push(self.place(radius));
             let point = self.junction();
-            for _ in 0..self.whole(2, 3) {
-                let other = self.whole(0, index - 1);
+            for _ in 0..self.random.whole(2, 3) {
+                let other = self.random.whole(0, index - 1);
                 let distance = (places[other] - places[index]).norm();
                 self.between_points(other, point, distance);
             }
@@ -275,11 +266,11 @@ impl Maker<'_> {
     }
 
     fn body(&mut self, name: &str, origin: V3, free: bool) -> usize {
-        let mass = 10_f64.powf(self.between(5.5, 7.5));
+        let mass = 10_f64.powf(self.random.between(5.5, 7.5));
         let g = self.network.gravity;
-        let area = self.between(50.0, 800.0);
+        let area = self.random.between(50.0, 800.0);
         let spring = 1025.0 * g * area;
-        let roll = spring * self.between(5.0, 400.0);
+        let roll = spring * self.random.between(5.0, 400.0);
         let body = Body {
             name: name.to_owned(),
             pose: Pose::new(origin, 0.0, 0.0, self.random.uniform()),
@@ -288,14 +279,18 @@ impl Maker<'_> {
             weight: mass * g,
             centre_of_gravity: V3::new(0.0, 0.0, -self.random.uniform() * 10.0),
             inertia: M3::identity() * mass * 100.0,
-            buoyancy: mass * g * self.between(1.0, 1.1),
+            buoyancy: mass * g * self.random.between(1.0, 1.1),
             centre_of_buoyancy: V3::new(0.0, 0.0, -self.random.uniform() * 5.0),
             waterplane: Matrix6::from_diagonal(&nalgebra::vector![
                 0.0, 0.0, spring, roll, roll, 0.0
             ]),
             added_mass: Matrix6::zeros(),
             load: if free {
-                V3::new(self.between(-1e6, 1e6), self.between(-1e6, 1e6), 0.0)
+                V3::new(
+                    self.random.between(-1e6, 1e6),
+                    self.random.between(-1e6, 1e6),
+                    0.0,
+                )
             } else {
                 V3::zeros()
             },
@@ -308,8 +303,14 @@ impl Maker<'_> {
     /// A platform on three to six lines, some of them split in two.
     fn platform(&mut self, free: bool) {
         let body = self.body("platform", V3::zeros(), free);
-        let (count, far) = (self.whole(3, 6), self.between(1.5, 5.0) * self.depth);
-        let (near, deep) = (self.between(3.0, 40.0), -self.between(2.0, 15.0));
+        let (count, far) = (
+            self.random.whole(3, 6),
+            self.random.between(1.5, 5.0) * self.depth,
+        );
+        let (near, deep) = (
+            self.random.between(3.0, 40.0),
+            -self.random.between(2.0, 15.0),
+        );
         for k in 0..count {
             let angle =
                 std::f64::consts::TAU * (k as f64 + 0.3 * self.random.uniform()) / count as f64;
@@ -335,8 +336,8 @@ impl Maker<'_> {
     /// A free point between two taut lines in one straight line, with or without anything on it.
     fn straight(&mut self) {
         let (a, b) = (self.place(100.0), self.place(100.0));
-        let share = self.between(0.1, 0.9);
-        let stretch = 1.0 - 10_f64.powf(self.between(-6.0, -2.0));
+        let share = self.random.between(0.1, 0.9);
+        let stretch = 1.0 - 10_f64.powf(self.random.between(-6.0, -2.0));
         let (from, to) = (self.point(Held::At(a)), self.point(Held::At(b)));
         let middle = if self.random.uniform() < 0.5 {
             self.free(0.0, 0.0)
@@ -356,13 +357,13 @@ impl Maker<'_> {
     /// Points without weight in a row of slack lines.
     fn slack(&mut self) {
         let (a, b) = (self.place(100.0), self.place(100.0));
-        let count = self.whole(1, 4);
+        let count = self.random.whole(1, 4);
         let mut before = self.point(Held::At(a));
         let end = self.point(Held::At(b));
         let each = (b - a).norm() / (count + 1) as f64;
         for _ in 0..count {
             let next = self.free(0.0, 0.0);
-            let more = self.between(1.0, 2.0);
+            let more = self.random.between(1.0, 2.0);
             let mut section = self.section(each * more);
             if self.random.uniform() < 0.4 {
                 section.weight_n_per_m = 0.0;
@@ -370,21 +371,21 @@ impl Maker<'_> {
             self.line(before, next, vec![section]);
             before = next;
         }
-        let more = self.between(1.0, 2.0);
+        let more = self.random.between(1.0, 2.0);
         let section = self.section(each * more);
         self.line(before, end, vec![section]);
     }
 
     /// Heavy points that come down to the bed.
     fn clumps(&mut self) {
-        let radius = self.between(0.5, 3.0) * self.depth;
+        let radius = self.random.between(0.5, 3.0) * self.depth;
         let below = V3::new(0.0, 0.0, -self.random.uniform());
         let top = self.point(Held::At(below));
-        for _ in 0..self.whole(1, 3) {
+        for _ in 0..self.random.whole(1, 3) {
             let angle = std::f64::consts::TAU * self.random.uniform();
             let away = V3::new(angle.cos(), angle.sin(), 0.0) * radius;
             let anchor = self.point(Held::At(away - V3::z() * self.depth));
-            let mass = 10_f64.powf(self.between(3.0, 6.0));
+            let mass = 10_f64.powf(self.random.between(3.0, 6.0));
             let clump = self.free(mass, 0.3 * mass / 1025.0);
             self.between_points(anchor, clump, 0.5 * radius);
             self.between_points(clump, top, (0.5 * radius).hypot(self.depth));
@@ -393,7 +394,7 @@ impl Maker<'_> {
 
     /// Two platforms with lines of their own and one between them.
     fn shared(&mut self) {
-        let apart = self.between(1.0, 4.0) * self.depth;
+        let apart = self.random.between(1.0, 4.0) * self.depth;
         let free = self.random.uniform() < 0.5;
         let bodies = [-0.5, 0.5].map(|side| {
             let name = if side < 0.0 { "west" } else { "east" };

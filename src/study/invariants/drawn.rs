@@ -127,23 +127,6 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.random.uniform()
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10_f64.powf(self.between(low, high))
-    }
-
-    fn chance(&mut self, share: f64) -> bool {
-        self.random.uniform() < share
-    }
-
-    fn whole(&mut self, low: usize, high: usize) -> usize {
-        let span = (high - low + 1) as f64;
-        low + ((self.random.uniform() * span) as usize).min(high - low)
-    }
-
     fn put(&mut self, words: Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(words);
@@ -151,22 +134,25 @@ impl Maker<'_> {
 
     /// Water, bed, current, waves, three materials, settings.
     fn head(&mut self) {
-        self.plane.depth = self.between(40.0, 400.0);
+        self.plane.depth = self.random.between(40.0, 400.0);
         self.put(format_args!("[system]\ntitle = \"random\"\n"));
-        if self.chance(0.1) {
+        if self.random.chance(0.1) {
             self.put(format_args!("[environment]\nwater_surface = \"crossed\"\n"));
         }
         if self.moves {
             self.put(format_args!("[solver]\nduration_s = {DURATION_S:?}\n"));
         }
-        self.bed = self.chance(0.75);
+        self.bed = self.random.chance(0.75);
         if self.bed {
             self.seabed();
         }
-        self.current = self.chance(0.55);
+        self.current = self.random.chance(0.55);
         if self.current {
-            let (speed, towards) = (self.between(0.1, 1.2), self.between(-180.0, 180.0));
-            if self.chance(0.5) {
+            let (speed, towards) = (
+                self.random.between(0.1, 1.2),
+                self.random.between(-180.0, 180.0),
+            );
+            if self.random.chance(0.5) {
                 let (low, depth) = (speed * self.random.uniform(), self.plane.depth);
                 self.put(format_args!(
                     "[current]\nspeed_m_per_s = [{speed:?}, {low:?}]\ndirection_deg = [{towards:?}, {towards:?}]\ndepth_m = [0.0, {depth:?}]\n"
@@ -177,7 +163,7 @@ impl Maker<'_> {
                 ));
             }
         }
-        if self.moves && self.chance(0.4) {
+        if self.moves && self.random.chance(0.4) {
             self.waves();
         }
         for k in 0..3 {
@@ -186,33 +172,38 @@ impl Maker<'_> {
     }
 
     fn seabed(&mut self) {
-        let (stiffness, damping) = (self.power(4.3, 5.3), self.power(3.0, 4.5));
+        let (stiffness, damping) = (self.random.power(4.3, 5.3), self.random.power(3.0, 4.5));
         let depth = self.plane.depth;
         self.put(format_args!(
             "[seabed]\ndepth_m = {depth:?}\nstiffness_n_per_m3 = {stiffness:?}\ndamping_n_s_per_m3 = {damping:?}\n"
         ));
-        if self.chance(0.15) {
-            (self.plane.by_x, self.plane.by_y) =
-                (self.between(-0.03, 0.03), self.between(-0.03, 0.03));
+        if self.random.chance(0.15) {
+            (self.plane.by_x, self.plane.by_y) = (
+                self.random.between(-0.03, 0.03),
+                self.random.between(-0.03, 0.03),
+            );
             let plane = self.plane.text();
             self.put(format_args!(
                 "depth_file = \"plane.csv\"\n[files.\"plane.csv\"]\ntext = {plane:?}\n"
             ));
-        } else if self.chance(0.4) {
-            let friction = self.between(0.1, 1.0);
+        } else if self.random.chance(0.4) {
+            let friction = self.random.between(0.1, 1.0);
             self.put(format_args!("friction = {friction:?}\n"));
         }
     }
 
     fn waves(&mut self) {
-        let towards = self.between(-180.0, 180.0);
-        let (height, period) = (self.between(0.5, 5.0), self.between(6.0, 14.0));
-        if self.chance(0.5) {
+        let towards = self.random.between(-180.0, 180.0);
+        let (height, period) = (
+            self.random.between(0.5, 5.0),
+            self.random.between(6.0, 14.0),
+        );
+        if self.random.chance(0.5) {
             self.put(format_args!(
                 "[[waves]]\nkind = \"regular\"\nheight_m = {height:?}\nperiod_s = {period:?}\ndirection_deg = {towards:?}\nramp_s = 3.0\n"
             ));
         } else {
-            let seed = self.whole(1, 1000);
+            let seed = self.random.whole(1, 1000);
             self.put(format_args!(
                 "[[waves]]\nkind = \"irregular\"\nsignificant_height_m = {height:?}\npeak_period_s = {period:?}\ncomponents = 12\nseed = {seed}\ndirection_deg = {towards:?}\nramp_s = 3.0\n"
             ));
@@ -221,20 +212,20 @@ impl Maker<'_> {
 
     /// From a floating rope to chain; a rope with a table, or one that bends.
     fn material(&mut self, k: usize) {
-        let diameter = self.power(-1.7, -0.7);
-        let mass = 805.0 * diameter * diameter * self.between(0.85, 7.0);
-        let ea = self.power(6.5, 9.0);
+        let diameter = self.random.power(-1.7, -0.7);
+        let mass = 805.0 * diameter * diameter * self.random.between(0.85, 7.0);
+        let ea = self.random.power(6.5, 9.0);
         let (normal, along, damping) = (
-            self.between(0.5, 2.0),
-            self.between(0.0, 0.3),
-            self.between(0.05, 0.5),
+            self.random.between(0.5, 2.0),
+            self.random.between(0.0, 0.3),
+            self.random.between(0.05, 0.5),
         );
         self.put(format_args!(
             "[materials.m{k}]\ndiameter_m = {diameter:?}\nmass_kg_per_m = {mass:?}\ndrag_normal = {normal:?}\n\
              drag_tangential = {along:?}\nadded_mass_normal = 1.0\naxial_damping_ratio = {damping:?}\n"
         ));
-        if self.chance(0.12) {
-            let (low, high) = (0.02 * ea, 0.02 * ea * self.between(2.2, 4.0));
+        if self.random.chance(0.12) {
+            let (low, high) = (0.02 * ea, 0.02 * ea * self.random.between(2.2, 4.0));
             let most = high + (high - low) * 2.0;
             self.put(format_args!(
                 "strain = [0.0, 0.02, 0.04, 0.08]\ntension_n = [0.0, {low:?}, {high:?}, {most:?}]\n"
@@ -242,8 +233,8 @@ impl Maker<'_> {
             return;
         }
         self.put(format_args!("ea_n = {ea:?}\n"));
-        if self.chance(0.12) {
-            let stiffness = ea * diameter * diameter * self.power(-3.0, -1.3);
+        if self.random.chance(0.12) {
+            let stiffness = ea * diameter * diameter * self.random.power(-3.0, -1.3);
             self.put(format_args!("ei_n_m2 = {stiffness:?}\n"));
         }
     }
@@ -276,8 +267,8 @@ impl Maker<'_> {
 
     /// The keys of a motion in harmonics of up to this amplitude \[m\].
     fn motion(&mut self, most: f64) {
-        let by = [(); 3].map(|()| self.between(-most, most));
-        let period = self.between(5.0, 14.0);
+        let by = [(); 3].map(|()| self.random.between(-most, most));
+        let period = self.random.between(5.0, 14.0);
         self.put(format_args!(
             "amplitude_m = {by:?}\nperiod_s = {period:?}\nramp_s = 3.0\n"
         ));
@@ -301,11 +292,11 @@ impl Maker<'_> {
         if draw < 0.35 {
             return name;
         }
-        let mass = self.power(1.5, 4.0);
+        let mass = self.random.power(1.5, 4.0);
         let of_mass = if draw < 0.7 {
             0.2
         } else {
-            self.between(1.2, 3.0)
+            self.random.between(1.2, 3.0)
         };
         let volume = mass / 1025.0 * of_mass;
         let (added, area) = (500.0 * volume, volume.powf(2.0 / 3.0));
@@ -323,38 +314,38 @@ impl Maker<'_> {
 
     /// A line between points that are so far apart, with more keys.
     fn line(&mut self, from: &str, to: &str, apart: f64, (low, high): (f64, f64), more: &str) {
-        let length = (apart * self.between(low, high)).max(2.0);
+        let length = (apart * self.random.between(low, high)).max(2.0);
         let name = self.lines;
         self.lines += 1;
-        let (from, to) = if self.chance(0.5) {
+        let (from, to) = if self.random.chance(0.5) {
             (to, from)
         } else {
             (from, to)
         };
-        let segments = self.whole(16, 30);
+        let segments = self.random.whole(16, 30);
         self.put(format_args!(
             "[[lines]]\nname = \"l{name}\"\nfrom = \"{from}\"\nto = \"{to}\"\nsegments = {segments}\n{more}"
         ));
-        if self.bed && self.plane.by_x == 0.0 && self.chance(0.05) {
+        if self.bed && self.plane.by_x == 0.0 && self.random.chance(0.05) {
             self.put(format_args!("friction = 0.5\n"));
         }
-        if self.current && self.chance(0.05) {
+        if self.current && self.random.chance(0.05) {
             self.put(format_args!("still_water = true\n"));
         }
-        let material = self.whole(0, 2);
-        if !more.is_empty() || self.chance(0.7) {
+        let material = self.random.whole(0, 2);
+        if !more.is_empty() || self.random.chance(0.7) {
             self.put(format_args!(
                 "material = \"m{material}\"\nlength_m = {length:?}\n"
             ));
             return;
         }
-        let (share, other) = (self.between(0.3, 0.7), self.whole(0, 2));
+        let (share, other) = (self.random.between(0.3, 0.7), self.random.whole(0, 2));
         let (first, second) = (share * length, (1.0 - share) * length);
         self.put(format_args!(
             "[[lines.sections]]\nmaterial = \"m{material}\"\nlength_m = {first:?}\n"
         ));
-        if self.chance(0.4) {
-            let clump = self.between(-300.0, 1500.0);
+        if self.random.chance(0.4) {
+            let clump = self.random.between(-300.0, 1500.0);
             self.put(format_args!("clump_kg = {clump:?}\n"));
         }
         self.put(format_args!(
@@ -366,13 +357,13 @@ impl Maker<'_> {
     fn held(&mut self) {
         let depth = self.plane.depth;
         let top = self.top([0.0, 0.0, -0.1 * depth]);
-        for k in 0..self.whole(1, 2) {
-            let (far, angle) = (self.between(0.2, 2.0) * depth, 2.0 * k as f64 + 0.4);
+        for k in 0..self.random.whole(1, 2) {
+            let (far, angle) = (self.random.between(0.2, 2.0) * depth, 2.0 * k as f64 + 0.4);
             let (x, y) = (far * angle.cos(), far * angle.sin());
-            let low = if self.chance(0.7) {
+            let low = if self.random.chance(0.7) {
                 self.anchor(x, y)
             } else {
-                let z = -self.between(0.2, 0.9) * depth;
+                let z = -self.random.between(0.2, 0.9) * depth;
                 self.fixed([x, y, z])
             };
             self.line(&low, &top, far.hypot(0.9 * depth), (1.0, 1.3), "");
@@ -383,7 +374,7 @@ impl Maker<'_> {
         let depth = self.plane.depth;
         let top = self.top([0.0, 0.0, -0.1 * depth]);
         let mut before = (top, [0.0, 0.0, -0.1]);
-        for k in 0..self.whole(1, 2) {
+        for k in 0..self.random.whole(1, 2) {
             let free = self.free();
             let at = [0.15 * (k + 1) as f64, 0.1, -0.1 - 0.35 * (k + 1) as f64];
             let apart = distance(at, before.1) * depth;
@@ -404,16 +395,19 @@ impl Maker<'_> {
         } else {
             kind
         };
-        let (yaw, y) = (self.between(-60.0, 60.0), self.between(-5.0, 5.0));
+        let (yaw, y) = (
+            self.random.between(-60.0, 60.0),
+            self.random.between(-5.0, 5.0),
+        );
         self.put(format_args!(
             "[bodies.{name}]\nkind = \"{kind}\"\nposition_m = [{x:?}, {y:?}, 0.0]\nyaw_deg = {yaw:?}\n"
         ));
         match kind {
             "held" => return,
             "moved" => {
-                let degrees = [(); 3].map(|()| self.between(-5.0, 5.0));
-                let metres = [(); 3].map(|()| self.between(-2.0, 2.0));
-                let period = self.between(5.0, 14.0);
+                let degrees = [(); 3].map(|()| self.random.between(-5.0, 5.0));
+                let metres = [(); 3].map(|()| self.random.between(-2.0, 2.0));
+                let period = self.random.between(5.0, 14.0);
                 self.put(format_args!(
                     "amplitude_deg = {degrees:?}\namplitude_m = {metres:?}\nperiod_s = [{period:?}]\nramp_s = 4.0\n"
                 ));
@@ -421,13 +415,13 @@ impl Maker<'_> {
             }
             _ => {}
         }
-        let mass = self.power(5.3, 6.8);
-        let volume = mass / 1025.0 * self.between(1.0, 1.04);
+        let mass = self.random.power(5.3, 6.8);
+        let volume = mass / 1025.0 * self.random.between(1.0, 1.04);
         let spring = 1025.0 * 9.8 * (volume / 5.0);
         let (roll, inertia, damping) = (spring * 40.0, mass * 60.0, 0.1 * mass);
         let load = [
-            self.between(-0.05, 0.05) * mass,
-            self.between(-0.05, 0.05) * mass,
+            self.random.between(-0.05, 0.05) * mass,
+            self.random.between(-0.05, 0.05) * mass,
         ];
         let [along, across] = load;
         let area = (mass / 1025.0).powf(2.0 / 3.0);
@@ -439,13 +433,13 @@ impl Maker<'_> {
              damping = [{damping:?}, {damping:?}, {damping:?}, {inertia:?}, {inertia:?}, {inertia:?}]\n\
              load_n = [{along:?}, {across:?}, 0.0]\ndrag_area_m2 = [{area:?}, {area:?}, {area:?}]\n"
         ));
-        if self.chance(0.25) {
+        if self.random.chance(0.25) {
             self.member("bodies", name, [1.0, 2.0, -8.0], [1.0, 2.0, -4.0], 1.5);
         }
     }
 
     fn member(&mut self, kind: &str, name: &str, from: [f64; 3], to: [f64; 3], diameter: f64) {
-        let drag = self.between(0.0, 1.2);
+        let drag = self.random.between(0.0, 1.2);
         self.put(format_args!(
             "[[{kind}.{name}.members]]\nfrom_m = {from:?}\nto_m = {to:?}\ndiameter_m = {diameter:?}\n\
              drag_normal = {drag:?}\nadded_mass_normal = 1.0\n"
@@ -456,11 +450,11 @@ impl Maker<'_> {
     fn body(&mut self, kind: &str) {
         let depth = self.plane.depth;
         self.body_of("b0", kind, 0.0);
-        let bridled = self.chance(0.3);
+        let bridled = self.random.chance(0.3);
         for k in 0..3 {
             let angle = std::f64::consts::TAU * f64::from(k) / 3.0 + 0.3;
             let (sin, cos) = angle.sin_cos();
-            let far = self.between(1.0, 2.5) * depth;
+            let far = self.random.between(1.0, 2.5) * depth;
             let anchor = self.anchor(far * cos, far * sin);
             let apart = (far - 6.0).hypot(depth - 5.0);
             if k == 0 && bridled {
@@ -480,12 +474,12 @@ impl Maker<'_> {
     /// A buoy of one or two members on one to three lines.
     fn buoy(&mut self) {
         let depth = self.plane.depth;
-        let draught = self.between(0.08, 0.25) * depth.min(150.0);
-        let diameter = draught * self.between(0.15, 0.5);
+        let draught = self.random.between(0.08, 0.25) * depth.min(150.0);
+        let diameter = draught * self.random.between(0.15, 0.5);
         let volume = 0.785 * diameter * diameter * draught;
-        let mass = 1025.0 * volume * self.between(0.7, 1.1);
+        let mass = 1025.0 * volume * self.random.between(0.7, 1.1);
         let (low, inertia) = (-0.7 * draught, 0.15 * mass * draught * draught);
-        let (yaw, damping) = (self.between(-90.0, 90.0), 0.05 * mass);
+        let (yaw, damping) = (self.random.between(-90.0, 90.0), 0.05 * mass);
         self.put(format_args!(
             "[bodies.b0]\nkind = \"free\"\nyaw_deg = {yaw:?}\nmass_kg = {mass:?}\ncentre_of_gravity_m = [0.0, 0.0, {low:?}]\n\
              inertia_kg_m2 = [{inertia:?}, {inertia:?}, {inertia:?}]\n\
@@ -498,7 +492,7 @@ impl Maker<'_> {
             [0.0, 0.0, 0.5 * draught],
             diameter,
         );
-        if self.chance(0.4) {
+        if self.random.chance(0.4) {
             let out = 0.8 * draught;
             self.member(
                 "bodies",
@@ -508,14 +502,14 @@ impl Maker<'_> {
                 0.3 * diameter,
             );
         }
-        let lines = self.whole(1, 3);
+        let lines = self.random.whole(1, 3);
         for k in 0..lines {
             let angle = std::f64::consts::TAU * k as f64 / 3.0;
             let (sin, cos) = angle.sin_cos();
             let far = if lines == 1 {
                 0.1
             } else {
-                self.between(0.8, 2.0)
+                self.random.between(0.8, 2.0)
             } * depth;
             let anchor = self.anchor(far * cos, far * sin);
             let on = self.on(
@@ -530,13 +524,13 @@ impl Maker<'_> {
     /// A rod between two lines, or a pinned body or rod with a line from its end.
     fn rods(&mut self) {
         let depth = self.plane.depth;
-        let long = self.between(4.0, 20.0);
-        let diameter = long * self.between(0.02, 0.08);
-        let mass = 805.0 * diameter * diameter * long * self.between(0.5, 3.0);
-        let z = -self.between(0.3, 0.6) * depth;
+        let long = self.random.between(4.0, 20.0);
+        let diameter = long * self.random.between(0.02, 0.08);
+        let mass = 805.0 * diameter * diameter * long * self.random.between(0.5, 3.0);
+        let z = -self.random.between(0.3, 0.6) * depth;
         let top = self.top([0.3 * depth, 0.1 * depth, -0.1 * depth]);
         let upper = distance([0.3, 0.1, -0.1], [0.0, 0.0, z / depth]) * depth;
-        match self.whole(0, 2) {
+        match self.random.whole(0, 2) {
             0 => {
                 let low = self.anchor(-0.4 * depth, 0.1 * depth);
                 self.rod(
@@ -579,8 +573,8 @@ impl Maker<'_> {
 
     /// Two bodies, each on two lines, with one between them.
     fn shared(&mut self) {
-        let (depth, apart) = (self.plane.depth, self.between(60.0, 300.0));
-        let kinds = if self.chance(0.5) {
+        let (depth, apart) = (self.plane.depth, self.random.between(60.0, 300.0));
+        let kinds = if self.random.chance(0.5) {
             ["free", "free"]
         } else {
             ["moved", "free"]
@@ -605,13 +599,13 @@ impl Maker<'_> {
         let depth = self.plane.depth;
         let top = self.top([0.0, 0.0, -0.05 * depth]);
         let clump = self.point("free");
-        let mass = self.power(2.5, 4.5);
+        let mass = self.random.power(2.5, 4.5);
         let volume = 0.3 * mass / 1025.0;
         let at = self.above_bed([0.5 * depth, 0.1 * depth, -0.98 * depth]);
         self.put(format_args!(
             "position_m = {at:?}\nmass_kg = {mass:?}\nvolume_m3 = {volume:?}\ndrag_area_m2 = 1.0\n"
         ));
-        if self.bed && self.plane.by_x == 0.0 && self.chance(0.5) {
+        if self.bed && self.plane.by_x == 0.0 && self.random.chance(0.5) {
             self.put(format_args!("bed_friction = 0.6\n"));
         }
         self.line(
@@ -621,7 +615,7 @@ impl Maker<'_> {
             (1.0, 1.25),
             "",
         );
-        let (x, y) = (depth * self.between(0.9, 1.5), 0.3 * depth);
+        let (x, y) = (depth * self.random.between(0.9, 1.5), 0.3 * depth);
         let anchor = self.anchor(x, y);
         let apart = (x - 0.5 * depth).hypot(0.2 * depth);
         self.line(&anchor, &clump, apart, (0.98, 1.1), "");
@@ -631,14 +625,14 @@ impl Maker<'_> {
     fn paid_out(&mut self) {
         let depth = self.plane.depth;
         let top = self.top([0.0, 0.0, -0.05 * depth]);
-        let low = if self.chance(0.5) {
+        let low = if self.random.chance(0.5) {
             let far = 0.5 * depth;
             let anchor = self.anchor(far, 0.2 * depth);
             self.line(&anchor, &top, far.hypot(depth), (1.05, 1.3), "");
             anchor
         } else {
             let free = self.point("free");
-            let mass = self.power(3.0, 4.5);
+            let mass = self.random.power(3.0, 4.5);
             let volume = 0.3 * mass / 1025.0;
             self.put(format_args!(
                 "mass_kg = {mass:?}\nvolume_m3 = {volume:?}\ndrag_area_m2 = 1.0\n"
@@ -646,7 +640,7 @@ impl Maker<'_> {
             self.line(&free, &top, 0.5 * depth, (1.0, 1.0), "");
             free
         };
-        let rate = self.between(-0.5, 1.5);
+        let rate = self.random.between(-0.5, 1.5);
         // The line may be written either way.
         let end = if self.text.contains(&format!("from = \"{low}\"")) {
             "b"
@@ -667,9 +661,9 @@ impl Maker<'_> {
         let side = self.fixed([-0.4 * depth, 0.1 * depth, -0.8 * depth]);
         self.line(&middle, &top, 0.45 * depth, (0.97, 1.15), "");
         self.line(&low, &middle, 0.58 * depth, (0.97, 1.15), "");
-        let (when, share) = (self.between(0.5, 3.0), self.between(0.2, 0.8));
-        let more = if self.chance(0.5) {
-            let end = if self.chance(0.5) { "a" } else { "b" };
+        let (when, share) = (self.random.between(0.5, 3.0), self.random.between(0.2, 0.8));
+        let more = if self.random.chance(0.5) {
+            let end = if self.random.chance(0.5) { "a" } else { "b" };
             format!("release_{end}_s = {when:?}\n")
         } else {
             format!(

@@ -44,18 +44,6 @@ struct FileMaker<'a> {
 }
 
 impl FileMaker<'_> {
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.random.uniform()
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10_f64.powf(self.between(low, high))
-    }
-
-    fn chance(&mut self, share: f64) -> bool {
-        self.random.uniform() < share
-    }
-
     fn put(&mut self, words: std::fmt::Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(words);
@@ -63,20 +51,20 @@ impl FileMaker<'_> {
 
     /// Water, bed, current, materials: chain, rope, cable, floating.
     fn head(&mut self, kind: usize) {
-        self.depth = self.between(40.0, 400.0);
+        self.depth = self.random.between(40.0, 400.0);
         let depth = self.depth;
         self.put(format_args!("[system]\ntitle = \"random\"\n"));
-        let on_bed = kind != 5 && self.chance(0.8);
+        let on_bed = kind != 5 && self.random.chance(0.8);
         if on_bed {
-            let stiffness = self.power(4.0, 6.0);
+            let stiffness = self.random.power(4.0, 6.0);
             self.put(format_args!(
                 "[seabed]\ndepth_m = {depth:?}\nstiffness_n_per_m3 = {stiffness:?}\n"
             ));
         }
-        let flows = self.chance(0.6);
+        let flows = self.random.chance(0.6);
         if flows {
-            let [fast, slow] = [(); 2].map(|()| self.between(0.1, 1.2));
-            let [one, two] = [(); 2].map(|()| self.between(-180.0, 180.0));
+            let [fast, slow] = [(); 2].map(|()| self.random.between(0.1, 1.2));
+            let [one, two] = [(); 2].map(|()| self.random.between(-180.0, 180.0));
             self.put(format_args!(
                 "[current]\nspeed_m_per_s = [{fast:?}, {slow:?}]\ndirection_deg = [{one:?}, {two:?}]\ndepth_m = [0.0, {depth:?}]\n"
             ));
@@ -84,19 +72,19 @@ impl FileMaker<'_> {
         for (name, lightest, heaviest) in
             [("chain", 5.0, 9.0), ("rope", 1.1, 3.0), ("float", 0.5, 0.9)]
         {
-            let diameter = self.power(-1.7, -0.7);
-            let mass = 805.0 * diameter * diameter * self.between(lightest, heaviest);
+            let diameter = self.random.power(-1.7, -0.7);
+            let mass = 805.0 * diameter * diameter * self.random.between(lightest, heaviest);
             let (ea, normal, along) = (
-                self.power(6.0, 9.0),
-                self.between(0.3, 2.4),
-                self.between(0.0, 0.4),
+                self.random.power(6.0, 9.0),
+                self.random.between(0.3, 2.4),
+                self.random.between(0.0, 0.4),
             );
             self.put(format_args!(
                 "[materials.{name}]\ndiameter_m = {diameter:?}\nmass_kg_per_m = {mass:?}\nea_n = {ea:?}\ndrag_normal = {normal:?}\ndrag_tangential = {along:?}\n"
             ));
             // Without a current, some line is divided for its bending stiffness.
-            if self.chance(0.4) || (!flows && name == "chain") {
-                let bending = self.power(0.0, 4.5);
+            if self.random.chance(0.4) || (!flows && name == "chain") {
+                let bending = self.random.power(0.0, 4.5);
                 self.put(format_args!("ei_n_m2 = {bending:?}\n"));
             }
         }
@@ -119,13 +107,13 @@ impl FileMaker<'_> {
         self.put(format_args!(
             "[points.{name}]\nkind = \"free\"\nposition_m = [{x:?}, {y:?}, {z:?}]\n"
         ));
-        let mass = self.power(1.0, 4.0);
-        let share = match self.between(0.0, 3.0) {
+        let mass = self.random.power(1.0, 4.0);
+        let share = match self.random.between(0.0, 3.0) {
             draw if draw < 1.0 => return,
             draw if draw < 2.0 => 0.2,
-            _ => self.between(1.2, 3.0),
+            _ => self.random.between(1.2, 3.0),
         };
-        let (volume, area) = (share * mass / 1025.0, self.between(0.0, 2.0));
+        let (volume, area) = (share * mass / 1025.0, self.random.between(0.0, 2.0));
         self.put(format_args!(
             "mass_kg = {mass:?}\nvolume_m3 = {volume:?}\ndrag_area_m2 = {area:?}\n"
         ));
@@ -133,7 +121,7 @@ impl FileMaker<'_> {
 
     /// A line of these shares of materials between points that are so far apart, in 20 to 120 segments.
     fn line(&mut self, from: &str, to: &str, length: f64, sections: &[(&str, f64)]) {
-        let (name, segments) = (self.lines, self.power(1.3, 2.1).round());
+        let (name, segments) = (self.lines, self.random.power(1.3, 2.1).round());
         self.lines += 1;
         self.put(format_args!(
             "[[lines]]\nname = \"l{name}\"\nfrom = \"{from}\"\nto = \"{to}\"\nsegments = {segments}\n"
@@ -148,8 +136,8 @@ impl FileMaker<'_> {
 
     /// The sections of a line from its lower end.
     fn sections(&mut self) -> Vec<(&'static str, f64)> {
-        let share = self.between(0.2, 0.8);
-        match self.between(0.0, 5.0) {
+        let share = self.random.between(0.2, 0.8);
+        match self.random.between(0.0, 5.0) {
             draw if draw < 1.5 => vec![("chain", 1.0)],
             draw if draw < 3.0 => vec![("rope", 1.0)],
             draw if draw < 4.0 => vec![("chain", share), ("rope", 1.0 - share)],
@@ -158,10 +146,13 @@ impl FileMaker<'_> {
     }
 
     fn hull(&mut self, name: &str, x: f64) {
-        let mass = self.power(5.0, 7.0);
-        let volume = mass / 1025.0 * self.between(1.0, 1.1);
-        let spring = 1025.0 * 9.8 * volume / self.between(3.0, 15.0);
-        let (roll, yaw) = (spring * self.between(10.0, 100.0), self.between(0.0, 360.0));
+        let mass = self.random.power(5.0, 7.0);
+        let volume = mass / 1025.0 * self.random.between(1.0, 1.1);
+        let spring = 1025.0 * 9.8 * volume / self.random.between(3.0, 15.0);
+        let (roll, yaw) = (
+            spring * self.random.between(10.0, 100.0),
+            self.random.between(0.0, 360.0),
+        );
         self.put(format_args!(
             "[bodies.{name}]\nkind = \"free\"\nposition_m = [{x:?}, 0.0, 0.0]\nyaw_deg = {yaw:?}\nmass_kg = {mass:?}\nvolume_m3 = {volume:?}\n\
              centre_of_gravity_m = [0.0, 0.0, -2.0]\ncentre_of_buoyancy_m = [0.0, 0.0, -2.5]\n\
@@ -173,16 +164,16 @@ impl FileMaker<'_> {
     fn platform(&mut self, bridled: bool) {
         let depth = self.depth;
         self.hull("hull", 0.0);
-        let count = if self.chance(0.5) { 3 } else { 4 };
+        let count = if self.random.chance(0.5) { 3 } else { 4 };
         for k in 0..count {
-            let angle =
-                std::f64::consts::TAU * (f64::from(k) + self.between(0.0, 0.3)) / f64::from(count);
+            let angle = std::f64::consts::TAU * (f64::from(k) + self.random.between(0.0, 0.3))
+                / f64::from(count);
             let (sin, cos) = angle.sin_cos();
-            let far = self.between(1.0, 3.0) * depth;
+            let far = self.random.between(1.0, 3.0) * depth;
             let anchor = format!("a{k}");
             self.fixed(&anchor, [far * cos, far * sin, -depth]);
             let span = (far - 8.0).hypot(depth - 5.0);
-            let slack = self.between(0.995, 1.12);
+            let slack = self.random.between(0.995, 1.12);
             let sections = self.sections();
             if !bridled {
                 let fairlead = format!("f{k}");
@@ -211,25 +202,25 @@ impl FileMaker<'_> {
     fn junction(&mut self) {
         let depth = self.depth;
         self.free("j", [0.0, 0.0, -0.4 * depth]);
-        let count = if self.chance(0.6) { 3 } else { 4 };
+        let count = if self.random.chance(0.6) { 3 } else { 4 };
         for k in 0..count {
-            let angle =
-                std::f64::consts::TAU * (f64::from(k) + self.between(0.0, 0.4)) / f64::from(count);
+            let angle = std::f64::consts::TAU * (f64::from(k) + self.random.between(0.0, 0.4))
+                / f64::from(count);
             let (far, deep) = (
-                self.between(0.3, 2.0) * depth,
-                self.between(0.02, 1.0) * depth,
+                self.random.between(0.3, 2.0) * depth,
+                self.random.between(0.02, 1.0) * depth,
             );
             let end = format!("e{k}");
             self.fixed(&end, [far * angle.cos(), far * angle.sin(), -deep]);
             let span = far.hypot(deep - 0.4 * depth);
-            let (slack, sections) = (self.between(0.97, 1.4), self.sections());
+            let (slack, sections) = (self.random.between(0.97, 1.4), self.sections());
             self.line(&end, "j", slack * span, &sections);
         }
     }
 
     /// Two floating platforms with two anchored lines each and one between them.
     fn shared(&mut self) {
-        let (depth, apart) = (self.depth, self.between(60.0, 400.0));
+        let (depth, apart) = (self.depth, self.random.between(60.0, 400.0));
         for (name, side) in [("west", -1.0), ("east", 1.0)] {
             let x = 0.5 * side * apart;
             self.hull(name, x);
@@ -239,12 +230,12 @@ impl FileMaker<'_> {
                 self.fixed(&anchor, [x + side * depth, across * depth, -depth]);
                 self.on(&on, name, [6.0 * side, 6.0 * across, -5.0]);
                 let span = (std::f64::consts::SQRT_2 * (depth - 6.0)).hypot(depth - 5.0);
-                let (slack, sections) = (self.between(0.99, 1.1), self.sections());
+                let (slack, sections) = (self.random.between(0.99, 1.1), self.sections());
                 self.line(&anchor, &on, slack * span, &sections);
             }
             self.on(&format!("{name}-in"), name, [-6.0 * side, 0.0, -5.0]);
         }
-        let slack = self.between(1.0, 1.3);
+        let slack = self.random.between(1.0, 1.3);
         self.line(
             "west-in",
             "east-in",
@@ -257,11 +248,11 @@ impl FileMaker<'_> {
     fn lazy_wave(&mut self) {
         let depth = self.depth;
         self.hull("hull", 0.0);
-        let far = self.between(0.8, 2.0) * depth;
+        let far = self.random.between(0.8, 2.0) * depth;
         self.fixed("foot", [far, 0.0, -depth]);
         self.on("hang", "hull", [5.0, 0.0, -5.0]);
-        let slack = self.between(1.1, 1.6);
-        let (low, middle) = (self.between(0.2, 0.4), self.between(0.1, 0.3));
+        let slack = self.random.between(1.1, 1.6);
+        let (low, middle) = (self.random.between(0.2, 0.4), self.random.between(0.1, 0.3));
         let sections = [
             ("rope", low),
             ("float", middle),
@@ -273,7 +264,7 @@ impl FileMaker<'_> {
             let (anchor, on) = (format!("a{word}"), format!("b{word}"));
             self.fixed(&anchor, [-1.5 * depth, 1.5 * side * depth, -depth]);
             self.on(&on, "hull", [-5.0, 5.0 * side, -5.0]);
-            let (slack, sections) = (self.between(1.0, 1.08), self.sections());
+            let (slack, sections) = (self.random.between(1.0, 1.08), self.sections());
             self.line(&anchor, &on, slack * 2.34 * depth, &sections);
         }
     }
@@ -281,10 +272,10 @@ impl FileMaker<'_> {
     /// Free points in a row between two fixed ones.
     fn free_points(&mut self) {
         let depth = self.depth;
-        let span = self.between(0.5, 2.0) * depth;
-        let count = if self.chance(0.5) { 1 } else { 2 };
+        let span = self.random.between(0.5, 2.0) * depth;
+        let count = if self.random.chance(0.5) { 1 } else { 2 };
         self.fixed("p0", [0.0, 0.0, -0.1 * depth]);
-        let last = self.between(0.1, 0.9);
+        let last = self.random.between(0.1, 0.9);
         self.fixed("end", [span, 0.0, -last * depth]);
         let mut before = "p0".to_owned();
         let each = span.hypot((last - 0.1) * depth) / f64::from(count + 1);
@@ -292,11 +283,11 @@ impl FileMaker<'_> {
             let next = format!("p{k}");
             let x = span * f64::from(k) / f64::from(count + 1);
             self.free(&next, [x, 0.0, -0.5 * depth]);
-            let (slack, sections) = (self.between(0.98, 1.3), self.sections());
+            let (slack, sections) = (self.random.between(0.98, 1.3), self.sections());
             self.line(&before, &next, slack * each, &sections);
             before = next;
         }
-        let (slack, sections) = (self.between(0.98, 1.3), self.sections());
+        let (slack, sections) = (self.random.between(0.98, 1.3), self.sections());
         self.line(&before, "end", slack * each, &sections);
     }
 }

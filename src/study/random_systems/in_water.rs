@@ -11,8 +11,8 @@ impl Maker<'_> {
         Member {
             from,
             to,
-            radius: (radius, radius * self.between(0.5, 1.0)),
-            drag: self.between(0.0, 1.5),
+            radius: (radius, radius * self.random.between(0.5, 1.0)),
+            drag: self.random.between(0.0, 1.5),
             added_mass: 1.0,
             drag_ends: [1.0; 2],
             added_mass_ends: [0.6; 2],
@@ -22,7 +22,7 @@ impl Maker<'_> {
 
     /// In half of the systems, a current that falls with the depth.
     fn current(&mut self) {
-        let speed = self.between(0.1, 1.5);
+        let speed = self.random.between(0.1, 1.5);
         if self.random.uniform() < 0.5 {
             self.network.current = Some(CurrentProfile::Table {
                 depth: vec![0.0, self.depth],
@@ -34,14 +34,14 @@ impl Maker<'_> {
     /// A floating body of one to four members, upright or inclined, on three lines.
     pub(super) fn buoy(&mut self) {
         self.current();
-        let draught = self.between(0.05, 0.4) * self.depth.min(150.0);
-        let radius = draught * self.between(0.05, 0.5);
+        let draught = self.random.between(0.05, 0.4) * self.depth.min(150.0);
+        let radius = draught * self.random.between(0.05, 0.5);
         let up = 0.4 * draught;
         let mut members = vec![self.member(V3::z() * -draught, V3::z() * up, radius)];
-        for k in 0..self.whole(0, 3) {
+        for k in 0..self.random.whole(0, 3) {
             let angle = std::f64::consts::TAU * k as f64 / 3.0;
             let out = V3::new(angle.cos(), angle.sin(), 0.0) * draught;
-            let lean = out * self.between(0.5, 1.0);
+            let lean = out * self.random.between(0.5, 1.0);
             members.push(self.member(lean - V3::z() * draught, out + V3::z() * up, 0.4 * radius));
         }
         let volume: f64 = members
@@ -49,8 +49,8 @@ impl Maker<'_> {
             .map(|m| std::f64::consts::PI * m.radius.0 * m.radius.1 * (m.to - m.from).norm())
             .sum();
         let gravity = self.network.gravity;
-        let mass = self.network.density * volume * self.between(0.3, 0.6);
-        let low = draught * self.between(0.4, 0.8);
+        let mass = self.network.density * volume * self.random.between(0.3, 0.6);
+        let low = draught * self.random.between(0.4, 0.8);
         self.network.bodies.push(Body {
             name: "buoy".to_owned(),
             free: true,
@@ -60,7 +60,7 @@ impl Maker<'_> {
             members,
             ..Body::default()
         });
-        let far = self.between(1.0, 3.0) * self.depth;
+        let far = self.random.between(1.0, 3.0) * self.depth;
         for k in 0..3 {
             let angle = std::f64::consts::TAU * f64::from(k) / 3.0;
             let towards = V3::new(angle.cos(), angle.sin(), 0.0);
@@ -76,15 +76,15 @@ impl Maker<'_> {
     pub(super) fn rods(&mut self) {
         self.current();
         let (a, b) = (self.place(0.5 * self.depth), self.place(0.5 * self.depth));
-        let count = self.whole(1, 3);
+        let count = self.random.whole(1, 3);
         let each = (b - a) / (2 * count + 1) as f64;
         let mut before = self.point(Held::At(a));
         let last = self.point(Held::At(b));
         for k in 0..count {
             let long = each.norm();
-            let radius = long * self.between(0.002, 0.03);
+            let radius = long * self.random.between(0.002, 0.03);
             let volume = std::f64::consts::PI * radius * radius * long;
-            let mass = self.network.density * volume * self.between(0.3, 4.0);
+            let mass = self.network.density * volume * self.random.between(0.3, 4.0);
             let axis = each / long;
             let origin = a + each * (2 * k + 1) as f64 + 0.5 * each;
             let pitch = -axis.z.asin();
