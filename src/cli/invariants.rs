@@ -7,7 +7,7 @@ use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_a
 use crate::files::{Target, disk};
 use crate::report::run_json;
 use crate::report::table::{NumberFormat, Table};
-use crate::study::invariants::{Held, Invariant, KINDS, Outcome, one, run, text};
+use crate::study::invariants::{Held, Invariant, KINDS, Outcome, file, one, run, text};
 
 /// What came of an invariant over all systems.
 struct Tally<'a> {
@@ -22,6 +22,15 @@ impl Tally<'_> {
 }
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+    if let Some(index) = args.show {
+        let (_, file) = file(index, args.seed, args.in_motion);
+        let shown = match &file {
+            Ok(file) => text(file),
+            Err(why) => format!("{why}\n"),
+        };
+        output::results(&shown, args.ascii)?;
+        return Ok(ExitCode::SUCCESS);
+    }
     let outcomes = match args.only {
         Some(index) => vec![one(index as usize, args.seed, args.in_motion)],
         None => run(args.count as usize, args.seed, args.in_motion),

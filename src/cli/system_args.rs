@@ -81,7 +81,9 @@ pub(super) struct SeekArgs {
     pub(super) want: String,
 }
 
+// The systems that are drawn as files.
 #[derive(Debug, clap::Args)]
+#[command(group(clap::ArgGroup::new("written").args(["in_motion", "invariants"]).multiple(true)))]
 pub(super) struct SystemsArgs {
     /// Number of systems.
     #[arg(long, value_name = "N", default_value = "10000", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
@@ -116,8 +118,8 @@ pub(super) struct SystemsArgs {
     #[arg(
         long,
         value_name = "NUMBER",
-        requires = "in_motion",
-        conflicts_with_all = ["json", "invariants"]
+        requires = "written",
+        conflicts_with_all = ["json", "only", "write"]
     )]
     pub(super) show: Option<usize>,
 

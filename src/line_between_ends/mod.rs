@@ -45,7 +45,7 @@ pub use mesh_error::{MeshOrder, mesh_error};
 use crate::case::{Case, End, EndKind};
 use crate::numerics::{BlockBand, Condensation, EndBlocks, M3, V3};
 use crate::scene::{self, LaidFrom, Scene};
-use crate::solve::{Kinematics, Newton, Residual, State};
+use crate::solve::{Kinematics, Newton, Residual, State, StaticSearch};
 use crate::statics::equilibrium::{Equilibrium, EquilibriumSearch};
 
 /// Newton iterations of a warm start.
@@ -119,7 +119,7 @@ impl LineBetweenEnds {
 
     /// The equilibrium with its ends at these places \[m\]: by Newton's method from the last one, displaced by its linear response
     /// to the motion of the ends; the first time, far from the last one or if that fails, from the closed form by
-    /// [`EquilibriumSearch`]. Allocates the result only, except from the closed form.
+    /// [`EquilibriumSearch`]. Allocates the result only, except from the closed form or where it slides on the bed.
     ///
     /// # Errors
     /// [`LineError::NotFinite`], which changes nothing; [`LineError::NoEquilibrium`] and [`LineError::NoStiffness`], after which
@@ -189,12 +189,37 @@ impl LineBetweenEnds {
         (self.displacement[0], self.displacement[end]) = (from_a, from_b);
         self.condensation.respond(&mut self.displacement);
         // First with extrapolated tensions, which suit a taut line, then without, which suits a slack one.
-        [true, false]
+        let found = [true, false]
             .into_iter()
-            .find_map(|mixed| self.newton_from_last(mixed))
+            .find_map(|mixed| self.newton_from_last(mixed));
+        found.or_else(|| self.slide_from_last())
     }
 
+    /// Newton's method from the last equilibrium; none where friction does not hold what it finds.
     fn newton_from_last(&mut self, mixed: bool) -> Option<Equilibrium> {
+        self.displace_last(mixed);
+        let (search, newton) = (&self.search, &mut self.newton);
+        let found = search.refine(&self.scene, 0.0, newton, &mut self.trial);
+        found
+            .ok()
+            .filter(|_| self.scene.sliding_node(&self.trial).is_none())
+    }
+
+    /// The equilibrium that the line slides to from the last one, if that slid as well.
+    fn slide_from_last(&mut self) -> Option<Equilibrium> {
+        let grips = &self.last.memory.grips;
+        if grips.is_empty() || grips.iter().any(|grip| grip.laid) {
+            return None;
+        }
+        self.displace_last(false);
+        let tried = self.newton.iterations;
+        let found = (self.search).slide(&self.scene, 0.0, &mut self.trial, tried)?;
+        self.newton.iterations = found.iterations;
+        Some(found)
+    }
+
+    /// The last equilibrium into `trial`, displaced; `mixed` with extrapolated tensions.
+    fn displace_last(&mut self, mixed: bool) {
         let trial = &mut self.trial;
         trial.copy_from(&self.last);
         if mixed {
@@ -206,8 +231,6 @@ impl LineBetweenEnds {
             *x -= d;
         }
         self.scene.prescribe(0.0, trial);
-        let (search, newton) = (&self.search, &mut self.newton);
-        search.refine(&self.scene, 0.0, newton, trial).ok()
     }
 
     /// The search into `trial` from the closed form.

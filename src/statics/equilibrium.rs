@@ -114,6 +114,15 @@ impl EquilibriumError {
     }
 }
 
+/// Where pseudo-transient continuation left the line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Unfinished {
+    /// At rest, with slack segments held at a least tension.
+    AtLeastTension,
+    /// Still moving, or where it has no next step.
+    Moving,
+}
+
 const STATICS: Factors = Factors {
     mass: 0.0,
     damping: 0.0,
@@ -211,9 +220,13 @@ impl EquilibriumSearch<'_> {
             return Ok(found);
         }
         trial.copy_from(state);
-        if let Some(found) = self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
-            *state = trial;
-            return Ok(found);
+        match self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
+            Ok(found) => {
+                *state = trial;
+                return Ok(found);
+            }
+            Err(Unfinished::AtLeastTension) => *state = trial,
+            Err(Unfinished::Moving) => {}
         }
         if let Some(found) = self.continue_clamps(system, t, &mut newton, state) {
             return Ok(found);
@@ -345,7 +358,8 @@ impl EquilibriumSearch<'_> {
         })
     }
 
-    /// Pseudo-transient continuation: one mixed iteration a step of pseudo-time, until Newton converges.
+    /// Pseudo-transient continuation: one mixed iteration a step of pseudo-time, until Newton converges. Mixed iterations hold slack segments at
+    /// a least tension: where they come to rest so, the equilibrium is near, and no more of them lead there.
     pub(super) fn pseudo_transient<S: StaticSearch>(
         &self,
         system: &S,
@@ -353,16 +367,19 @@ impl EquilibriumSearch<'_> {
         newton: &mut Newton,
         state: &mut State,
         size: f64,
-    ) -> Option<Equilibrium> {
+    ) -> Result<Equilibrium, Unfinished> {
         system.initialise_tensions(state);
         let mut trial = state.clone();
+        let at_rest = system.position_tolerance(self.force_tolerance);
         let mut h = 0.1 * size.sqrt();
         let mut calm = 0;
         for step in 1..=self.max_steps as u64 {
             if self.is_stopped() {
-                return None;
+                break;
             }
-            let moved = newton.iterate(system, t, state, pseudo_time(h)).ok()?.1;
+            let Ok((_, moved)) = newton.iterate(system, t, state, pseudo_time(h)) else {
+                break;
+            };
             set_at_rest(state);
             h *= (0.03 * size / moved).clamp(0.3, 1.7);
             calm = if moved < 0.03 * size { calm + 1 } else { 0 };
@@ -371,23 +388,27 @@ impl EquilibriumSearch<'_> {
                 trial.copy_from(state);
                 if let Ok(found) = self.finish(system, t, newton, &mut trial, step) {
                     state.copy_from(&trial);
-                    return Some(found);
+                    return Ok(found);
                 }
                 trial.copy_from(state);
                 trial.extrapolated_tension.clear();
                 if let Some(found) = self.accept(system, t, newton, &trial, step) {
                     state.copy_from(&trial);
-                    return Some(found);
+                    return Ok(found);
                 }
                 if let Ok(found) = self.finish(system, t, newton, &mut trial, step)
                     && nearby(state, &trial)
                 {
                     state.copy_from(&trial);
-                    return Some(found);
+                    return Ok(found);
+                }
+                if moved <= at_rest && !state.extrapolated_tension.is_empty() {
+                    state.extrapolated_tension.clear();
+                    return Err(Unfinished::AtLeastTension);
                 }
             }
         }
-        None
+        Err(Unfinished::Moving)
     }
 
     /// Dynamic relaxation: converged steps of pseudo-time, until Newton converges or the residual vanishes.

@@ -27,7 +27,7 @@ const LONGEST: f64 = 1e9;
 
 impl EquilibriumSearch<'_> {
     /// Moves `state` to the equilibrium that the line slides to, after so many iterations; none without friction, or if there is none.
-    pub(super) fn slide<S: StaticSearch>(
+    pub(crate) fn slide<S: StaticSearch>(
         &self,
         system: &S,
         t: f64,

@@ -12,6 +12,7 @@
 use nalgebra::{DVector, SMatrix};
 
 use super::body_loads::body_loads;
+use super::discretised::Unsolved;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
 use super::laid::laid_from;
 use super::line_at_rest::{LineAtRest, LinePhysics, has_closed_form, solve};
@@ -41,6 +42,8 @@ pub struct UnsolvedLine {
     pub line: usize,
     /// Why.
     pub why: String,
+    /// Newton iterations of its own search, if it is divided.
+    pub iterations: u64,
 }
 
 /// The forces at a placement; `before` are lines near by.
@@ -79,13 +82,17 @@ pub fn balance(
                     // It floats, or is dry between wet parts.
                     Err(CatenaryError::AtSurface(why)) => match element {
                         Some(element) => element.solve((a, b), laid.unwrap_or_default(), near),
-                        None => Err(why.to_owned()),
+                        None => Err(Unsolved::of(why)),
                     },
-                    found => found.map_err(|error| error.to_string()),
+                    found => found.map_err(|error| Unsolved::of(&error)),
                 }
             }
         };
-        let at_rest = solved.map_err(|why| UnsolvedLine { line: index, why })?;
+        let at_rest = solved.map_err(|Unsolved { why, iterations }| UnsolvedLine {
+            line: index,
+            why,
+            iterations,
+        })?;
         let followers = ends.map(|point| follower(network, freedoms, placement, point));
         out.line(&at_rest, &followers);
         out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);

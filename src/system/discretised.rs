@@ -8,7 +8,7 @@ use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
 use super::parts::Part;
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
-use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium};
+use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
 use crate::solve::State;
@@ -69,6 +69,39 @@ pub struct DiscretisedRest {
     /// Forces, nodes, tensions.
     pub found: LineEquilibrium,
     shares: Arc<DiscretisedLine>,
+}
+
+/// Why a line has no equilibrium between its ends, and the Newton iterations of the search.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Unsolved {
+    /// Why.
+    pub why: String,
+    /// Newton iterations.
+    pub iterations: u64,
+}
+
+impl Unsolved {
+    /// A reason that took no iterations to find.
+    #[must_use]
+    pub fn of(why: &(impl ToString + ?Sized)) -> Self {
+        Self {
+            why: why.to_string(),
+            iterations: 0,
+        }
+    }
+}
+
+impl From<LineError> for Unsolved {
+    fn from(error: LineError) -> Self {
+        let iterations = match &error {
+            LineError::NoEquilibrium(error) => error.iterations,
+            _ => 0,
+        };
+        Self {
+            iterations,
+            ..Self::of(&error)
+        }
+    }
 }
 
 impl DiscretisedLine {
@@ -135,6 +168,12 @@ impl DiscretisedLine {
             .map_err(String::clone)
     }
 
+    /// Number of its segments.
+    #[must_use]
+    pub fn segments(&self) -> usize {
+        self.shares.len() - 1
+    }
+
     /// The case that states it.
     #[must_use]
     pub fn case(&self) -> &Case {
@@ -150,14 +189,14 @@ impl DiscretisedLine {
         (a, b): (&V3, &V3),
         laid_from: LaidFrom,
         before: Option<&LineAtRest>,
-    ) -> Result<LineAtRest, String> {
+    ) -> Result<LineAtRest, Unsolved> {
         let near = before.and_then(|before| before.discretised.as_ref());
         let mut element = match near {
             Some(near) => near.element.clone(),
-            None => self.element()?.clone(),
+            None => self.element().map_err(|why| Unsolved::of(&why))?.clone(),
         };
         element.lay_from(laid_from);
-        let found = element.solve(*a, *b).map_err(|error| error.to_string())?;
+        let found = element.solve(*a, *b)?;
         // Springs without stiffness: neither end lies, and nothing says how it was laid.
         let grips = &element.scene_and_state().0.start.grips;
         let left_out = !grips.is_empty() && grips.iter().all(|grip| grip.stiffness == 0.0);

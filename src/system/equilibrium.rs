@@ -57,6 +57,15 @@ impl Equilibrium {
 pub enum SystemError {
     /// A line has no solution where the search stands.
     Line(UnsolvedLine),
+    /// A divided line took more work than a search is given.
+    TooMuchWork {
+        /// Which line.
+        line: usize,
+        /// Newton iterations by its segments.
+        work: u64,
+        /// Steps taken.
+        steps: usize,
+    },
     /// The search did not come to rest.
     NotConverged {
         /// Force out of balance \[N\].
@@ -72,6 +81,9 @@ pub enum SystemError {
 const HALVINGS: usize = 8;
 /// Steps that a search may take.
 const MOST_STEPS: usize = 400;
+/// Newton iterations of a divided line, by its segments, that a search may take: seconds. Without an equilibrium near by, a line takes
+/// thousands of iterations for every place that its ends are tried at.
+const MOST_WORK: u64 = 15_000_000;
 /// Stiffness that holds the unknowns back where they are relaxed, by the greatest of the system: at first and at most.
 const HELD_BACK: f64 = 1e-2;
 const MOST_HELD_BACK: f64 = 1e6;
@@ -117,20 +129,10 @@ fn found(
     relaxed: bool,
 ) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let rough = network.lines.iter().any(|line| line.friction > 0.0) && network.bed.is_some();
-    let discretised = network.lines.iter().any(|line| line.discretised.is_some());
     let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
-    let near = search.run(most_steps);
-    // Closed forms over level beds lead near the equilibrium over another one, and need not end anywhere.
-    let level = network.bed.as_ref().is_none_or(Bed::is_level);
-    if level {
-        near?;
-    }
-    if rough || !level || discretised || network.flows() {
-        search.physics = LinePhysics::Full;
-        search.here = search.evaluate(&search.placement)?;
-        search.run_in_full(most_steps, relaxed)?;
-    }
+    search
+        .run_from_level(most_steps, relaxed)
+        .map_err(|error| search.too_much_work().unwrap_or(error))?;
     search.result()
 }
 
@@ -141,7 +143,23 @@ fn found(
 pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let mut search = Search::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
-    search.run_in_full(MOST_STEPS, true)?;
+    search
+        .run_in_full(MOST_STEPS, true)
+        .map_err(|error| search.too_much_work().unwrap_or(error))?;
+    search.result()
+}
+
+/// Finds the equilibrium that forces with all physics lead to from a placement beside an unstable one, which Newton's method would go back to.
+///
+/// # Errors
+/// [`SystemError`].
+pub fn search_downhill(network: &Network, from: &Placement) -> Result<Equilibrium, SystemError> {
+    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let mut search = Search::begin(network, freedoms, from.clone(), LinePhysics::Full)?;
+    search
+        .relax(MOST_STEPS)
+        .and_then(|()| search.run_in_full(MOST_STEPS, true))
+        .map_err(|error| search.too_much_work().unwrap_or(error))?;
     search.result()
 }
 
@@ -163,6 +181,8 @@ struct Search<'a> {
     reach: f64,
     steps: usize,
     evaluations: std::cell::Cell<usize>,
+    /// Newton iterations of each divided line, by its segments.
+    work: std::cell::RefCell<Vec<u64>>,
 }
 
 /// A direction and what it does.
@@ -199,21 +219,73 @@ impl<'a> Search<'a> {
             reach: 0.3 * longest.fold(1e-3, f64::max),
             steps: 0,
             evaluations: std::cell::Cell::new(1),
+            work: std::cell::RefCell::new(vec![0; network.lines.len()]),
             freedoms,
         })
     }
 
     fn evaluate(&self, placement: &Placement) -> Result<Balance, SystemError> {
+        if let Some(error) = self.too_much_work() {
+            return Err(error);
+        }
         self.evaluations.set(self.evaluations.get() + 1);
         let (network, freedoms) = (self.network, &self.freedoms);
-        balance(
-            network,
-            freedoms,
-            placement,
-            self.physics,
-            Some(&self.here.lines),
-        )
-        .map_err(SystemError::Line)
+        let near = Some(self.here.lines.as_slice());
+        let evaluated = balance(network, freedoms, placement, self.physics, near);
+        self.count_work(&evaluated);
+        evaluated.map_err(SystemError::Line)
+    }
+
+    /// Steps by closed forms over level beds, then with all physics, where there is more.
+    fn run_from_level(&mut self, most_steps: usize, relaxed: bool) -> Result<(), SystemError> {
+        let lines = &self.network.lines;
+        let bed = self.network.bed.as_ref();
+        let rough = lines.iter().any(|line| line.friction > 0.0) && bed.is_some();
+        let discretised = lines.iter().any(|line| line.discretised.is_some());
+        let near = self.run(most_steps);
+        // Closed forms over level beds lead near the equilibrium over another one, and need not end anywhere.
+        let level = bed.is_none_or(Bed::is_level);
+        if level {
+            near?;
+        }
+        if rough || !level || discretised || self.network.flows() {
+            self.physics = LinePhysics::Full;
+            self.here = self.evaluate(&self.placement)?;
+            self.run_in_full(most_steps, relaxed)?;
+        }
+        Ok(())
+    }
+
+    /// The line that took more work than the search is given, if one has.
+    fn too_much_work(&self) -> Option<SystemError> {
+        let work = self.work.borrow();
+        let line = work.iter().position(|work| *work > MOST_WORK)?;
+        Some(SystemError::TooMuchWork {
+            line,
+            work: work[line],
+            steps: self.steps,
+        })
+    }
+
+    /// Counts the work of the divided lines of an evaluation.
+    fn count_work(&self, evaluated: &Result<Balance, UnsolvedLine>) {
+        let segments = |line: usize| {
+            let divided = self.network.lines[line].discretised.as_ref();
+            divided.map_or(0, |divided| divided.segments() as u64)
+        };
+        let mut work = self.work.borrow_mut();
+        match evaluated {
+            Ok(balance) => {
+                for (index, line) in balance.lines.iter().enumerate() {
+                    let divided = line.discretised.as_ref();
+                    let iterations = divided.map_or(0, |divided| divided.found.iterations);
+                    work[index] += iterations * segments(index);
+                }
+            }
+            Err(UnsolvedLine {
+                line, iterations, ..
+            }) => work[*line] += iterations * segments(*line),
+        }
     }
 
     /// Steps until the forces balance.
@@ -573,6 +645,7 @@ impl<'a> Search<'a> {
             Some((line, why)) => Err(SystemError::Line(UnsolvedLine {
                 line,
                 why: why.to_string(),
+                iterations: 0,
             })),
             None => Ok(self.finish()),
         }

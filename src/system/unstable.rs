@@ -6,7 +6,7 @@
 
 use nalgebra::DVector;
 
-use super::equilibrium::{Equilibrium, search};
+use super::equilibrium::{Equilibrium, search, search_downhill};
 use super::network::{Line, Network};
 use super::stability::unstable_motion;
 use crate::numerics::V3;
@@ -55,14 +55,17 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
     };
     let step = motion * TURN;
     let from = rest.placement.moved(network, &rest.freedoms, &step);
-    match search(network, &from) {
-        Ok(next) if !is_same(network, rest, &next) => Departure::To(Box::new(Equilibrium {
+    let is_another = |next: &Equilibrium| !is_same(network, rest, next);
+    // Currents turn a body in a way that the energy of the first search knows nothing of.
+    let next = search(network, &from).ok().filter(is_another);
+    let next = next.or_else(|| search_downhill(network, &from).ok().filter(is_another));
+    next.map_or(Departure::Nowhere, |next| {
+        Departure::To(Box::new(Equilibrium {
             steps: rest.steps + next.steps,
             evaluations: rest.evaluations + next.evaluations,
             ..next
-        })),
-        _ => Departure::Nowhere,
-    }
+        }))
+    })
 }
 
 /// A turn of each body, fixed in its own axes and of another size than those of the others: pitch, and enough of the two others where that is

@@ -58,9 +58,16 @@ fn more_segments_are_proposed_where_they_help() {
         &ImportOptions::default(),
     )
     .unwrap();
-    for finding in found.findings.iter().filter(|one| one.topic == Topic::Mesh) {
-        assert!(finding.remedy.contains("are left"), "{finding:#?}");
-    }
+    let meshes = found.findings.iter();
+    let meshes: Vec<&Finding> = meshes.filter(|one| one.topic == Topic::Mesh).collect();
+    let [one] = meshes.as_slice() else {
+        panic!("{:#?}", found.findings)
+    };
+    assert!(one.what.contains("2 segments give"), "{one:#?}");
+    assert!(
+        one.remedy.contains("4 or more segments") && one.remedy.contains("are left"),
+        "{one:#?}"
+    );
 }
 
 /// A file that is written for MoorDyn passes the audit with its step: RK4 in C++, and no finding of the RK2 that OpenFAST would take.

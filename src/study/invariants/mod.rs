@@ -152,16 +152,26 @@ pub fn run(count: usize, seed: u64, moves: bool) -> Vec<Outcome> {
     all.map(|index| one(index, seed, moves)).collect()
 }
 
-/// Holds the random system of a number against itself.
+/// The file of the random system of a number, or why it cannot be written; with the number of its kind.
 #[must_use]
-pub fn one(index: usize, seed: u64, moves: bool) -> Outcome {
+pub fn file(index: usize, seed: u64, moves: bool) -> (usize, Result<Table, String>) {
+    drawn_of(index, moves, &mut Random::new(seed, index as u64))
+}
+
+fn drawn_of(index: usize, moves: bool, random: &mut Random) -> (usize, Result<Table, String>) {
     let kinds = match moves {
         true => KINDS.len(),
         false => KINDS.len() - drawn::IN_MOTION_ALONE,
     };
     let kind = index % kinds;
+    (kind, drawn::drawn(kind, random, moves))
+}
+
+/// Holds the random system of a number against itself.
+#[must_use]
+pub fn one(index: usize, seed: u64, moves: bool) -> Outcome {
     let mut random = Random::new(seed, index as u64);
-    let file = drawn::drawn(kind, &mut random, moves);
+    let (kind, file) = drawn_of(index, moves, &mut random);
     let refused = |file: Table, why: String| Outcome {
         index,
         kind,
