@@ -11,16 +11,19 @@
 //! bound that grows and shrinks with its success. Along d the energy falls as long as `F . d > 0`, by which the length of the step is found: no
 //! energy is computed, whose rounding would hide the last digits.
 
+mod relaxation;
+mod step;
+mod work;
+
 use nalgebra::DVector;
 
-use super::along_bed::{OnSlope, force_along, on_slope, stiffness_along};
+use super::along_bed::{OnSlope, force_along, on_slope};
 use super::balance::{Balance, UnsolvedLine, balance};
 use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_at_rest::LinePhysics;
 use super::network::{Body, Held, Network};
-use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
 
 /// A system at rest.
 #[derive(Debug, Clone)]
@@ -77,18 +80,8 @@ pub enum SystemError {
     },
 }
 
-/// Halvings of a Newton step before another way is tried.
-const HALVINGS: usize = 8;
 /// Steps that a search may take.
 const MOST_STEPS: usize = 400;
-/// Newton iterations of a divided line, by its segments, that a search may take: seconds. Without an equilibrium near by, a line takes
-/// thousands of iterations for every place that its ends are tried at.
-const MOST_WORK: u64 = 15_000_000;
-/// Stiffness that holds the unknowns back where they are relaxed, by the greatest of the system: at first and at most.
-const HELD_BACK: f64 = 1e-2;
-const MOST_HELD_BACK: f64 = 1e6;
-/// By how much a relaxed step may leave more out of balance than there was.
-const WORSE: f64 = 2.0;
 /// Forces out of balance that are rounding, by the greatest tension.
 const ROUNDING: f64 = 1e-13;
 /// Forces that are none, in a system that carries nothing \[N\].
@@ -185,13 +178,6 @@ struct Search<'a> {
     work: std::cell::RefCell<Vec<u64>>,
 }
 
-/// A direction and what it does.
-struct Direction {
-    step: DVector<f64>,
-    /// Force along it \[N m\].
-    slope: f64,
-}
-
 impl<'a> Search<'a> {
     fn begin(
         network: &'a Network,
@@ -256,38 +242,6 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
-    /// The line that took more work than the search is given, if one has.
-    fn too_much_work(&self) -> Option<SystemError> {
-        let work = self.work.borrow();
-        let line = work.iter().position(|work| *work > MOST_WORK)?;
-        Some(SystemError::TooMuchWork {
-            line,
-            work: work[line],
-            steps: self.steps,
-        })
-    }
-
-    /// Counts the work of the divided lines of an evaluation.
-    fn count_work(&self, evaluated: &Result<Balance, UnsolvedLine>) {
-        let segments = |line: usize| {
-            let divided = self.network.lines[line].discretised.as_ref();
-            divided.map_or(0, |divided| divided.segments() as u64)
-        };
-        let mut work = self.work.borrow_mut();
-        match evaluated {
-            Ok(balance) => {
-                for (index, line) in balance.lines.iter().enumerate() {
-                    let divided = line.discretised.as_ref();
-                    let iterations = divided.map_or(0, |divided| divided.found.iterations);
-                    work[index] += iterations * segments(index);
-                }
-            }
-            Err(UnsolvedLine {
-                line, iterations, ..
-            }) => work[*line] += iterations * segments(*line),
-        }
-    }
-
     /// Steps until the forces balance.
     fn run(&mut self, most_steps: usize) -> Result<(), SystemError> {
         let mut best = f64::INFINITY;
@@ -313,60 +267,6 @@ impl<'a> Search<'a> {
             return Ok(());
         }
         Err(self.not_converged(&force))
-    }
-
-    /// Pseudo-transient continuation (Kelley and Keyes 1998, doi 10.1137/S0036142996304796): steps `(K + m) d = F` of a system whose unknowns are
-    /// held back by m, which grows where a step leaves more out of balance than there was and falls with the forces out of balance. Newton's method
-    /// with a search along the step ends where the forces have a kink, at a node that touches down or a segment that slackens.
-    fn relax(&mut self, most_steps: usize) -> Result<(), SystemError> {
-        let stiffest = self.here.stiffness.diagonal().component_div(&self.lever);
-        let stiffest = stiffest.component_div(&self.lever).amax();
-        let (mut held_back, most) = (HELD_BACK * stiffest, MOST_HELD_BACK * stiffest);
-        for _ in 0..most_steps {
-            let force = self.unbalanced(&self.here, &self.placement);
-            if self.size(&force) <= self.accepted() {
-                return self.run(most_steps);
-            }
-            if held_back > most {
-                break;
-            }
-            self.steps += 1;
-            let before = force.component_div(&self.lever).norm();
-            let after = self.relaxed_step(&force, held_back);
-            held_back *= match after {
-                Some((place, balance, after)) if after <= WORSE * before => {
-                    (self.placement, self.here) = (place, balance);
-                    (after / before).clamp(0.1, 1.0)
-                }
-                _ => 10.0,
-            };
-        }
-        let force = self.unbalanced(&self.here, &self.placement);
-        Err(self.not_converged(&force))
-    }
-
-    /// Where a step of [`Self::relax`] leads, and what is out of balance there \[N\].
-    fn relaxed_step(
-        &mut self,
-        force: &DVector<f64>,
-        held_back: f64,
-    ) -> Option<(Placement, Balance, f64)> {
-        self.contacts = self
-            .bounds
-            .contacts(&self.freedoms, &self.placement, &self.here.force);
-        let contacts = self.contacts.iter();
-        let held: Vec<bool> = contacts.map(|on| *on != Contact::None).collect();
-        let mut stiffness = self.stiffness(&held);
-        for (unknown, lever) in self.lever.iter().enumerate() {
-            stiffness.add(unknown, unknown, held_back * lever * lever);
-        }
-        let step = solved(&stiffness, force)?;
-        let far = step.component_mul(&self.lever).amax();
-        let share = (self.reach / far).min(1.0);
-        let (place, _, balance) = self.probe(&step, share).ok()?;
-        let after = self.unbalanced(&balance, &place);
-        let after = after.component_div(&self.lever).norm();
-        (place != self.placement).then_some((place, balance, after))
     }
 
     /// Steps with all physics until the forces balance, with divided lines on a rough bed laid where they come to rest.
@@ -463,181 +363,6 @@ impl<'a> Search<'a> {
         force
     }
 
-    /// One step; whether anything moved.
-    fn step(&mut self, force: &DVector<f64>) -> Result<bool, SystemError> {
-        self.contacts = self
-            .bounds
-            .contacts(&self.freedoms, &self.placement, &self.here.force);
-        let held: Vec<bool> = self
-            .contacts
-            .iter()
-            .map(|contact| *contact != Contact::None)
-            .collect();
-        if self.physics == LinePhysics::Full && self.newton_step(force, &held) {
-            return Ok(true);
-        }
-        let mut direction = self.direction(force, &held);
-        let far = direction.step.component_mul(&self.lever).amax();
-        let clipped = far > self.reach;
-        if clipped {
-            direction.step *= self.reach / far;
-            direction.slope *= self.reach / far;
-        }
-        self.move_along(&direction, clipped)
-    }
-
-    /// Newton's step for forces without energy, halved until less is out of balance; whether one was taken. A ship turns into
-    /// the wind along a way that the energy of its lines does not fall on.
-    fn newton_step(&mut self, force: &DVector<f64>, held: &[bool]) -> bool {
-        let stiffness = self.stiffness(held);
-        let newton = is_oblique(&stiffness).then(|| solved(&stiffness, force));
-        let newton = newton.flatten();
-        let Some(step) = newton.filter(|step| step.iter().all(|part| part.is_finite())) else {
-            return false;
-        };
-        let far = step.component_mul(&self.lever).amax();
-        let mut share = (self.reach / far).min(1.0);
-        let before = force.component_div(&self.lever).norm();
-        for _ in 0..HALVINGS {
-            if let Ok((place, _, balance)) = self.probe(&step, share) {
-                let after = self.unbalanced(&balance, &place);
-                let after = after.component_div(&self.lever).norm();
-                if after < (1.0 - 0.1 * share) * before && place != self.placement {
-                    (self.placement, self.here) = (place, balance);
-                    return true;
-                }
-            }
-            share *= 0.5;
-        }
-        false
-    }
-
-    /// The stiffness with the unknowns that are held standing for themselves.
-    fn stiffness(&self, held: &[bool]) -> EnvelopeMatrix {
-        let mut stiffness = self.here.stiffness.clone();
-        let lying = self.on_slope(&self.placement, &self.contacts);
-        let bed = self.network.bed.as_ref();
-        stiffness_along(bed, &lying, &self.here.force, &mut stiffness);
-        stiffness.hold(held, 1.0);
-        stiffness
-    }
-
-    /// Newton's direction, or the nearest one in which the energy falls.
-    fn direction(&self, force: &DVector<f64>, held: &[bool]) -> Direction {
-        let stiffness = self.stiffness(held);
-        let most = stiffness.diagonal().component_div(&self.lever);
-        let most = most
-            .component_div(&self.lever)
-            .amax()
-            .max(1e-9 * self.force_scale());
-        // Friction, and moments out of balance, make it oblique.
-        let oblique = is_oblique(&stiffness);
-        let mut added = 0.0;
-        for _ in 0..40 {
-            let diagonal = self.lever.component_mul(&self.lever) * added;
-            if let Some(factors) = EnvelopeCholesky::new(&stiffness, &diagonal) {
-                let plain = factors.solve(force);
-                let newton = (added == 0.0 && oblique)
-                    .then(|| solved(&stiffness, force))
-                    .flatten();
-                let downhill =
-                    |step: &DVector<f64>| force.dot(step) > 0.0 && step.amax().is_finite();
-                if let Some(step) = newton.filter(downhill) {
-                    let slope = force.dot(&step);
-                    return Direction { step, slope };
-                }
-                // What was barely made positive definite leads far along the one direction that it was not in.
-                let far = plain.component_mul(&self.lever).amax();
-                let within = added == 0.0 || far <= 2.0 * self.reach;
-                if within && downhill(&plain) {
-                    let slope = force.dot(&plain);
-                    return Direction { step: plain, slope };
-                }
-            }
-            added = if added == 0.0 {
-                1e-12 * most
-            } else {
-                10.0 * added
-            };
-        }
-        let step = force.component_div(&self.lever).component_div(&self.lever);
-        let slope = force.dot(&step);
-        Direction { step, slope }
-    }
-
-    /// Moves along a direction as far as the forces still point along it.
-    fn move_along(&mut self, direction: &Direction, clipped: bool) -> Result<bool, SystemError> {
-        let (mut low, mut high) = (0.0_f64, f64::INFINITY);
-        let mut slopes = (direction.slope, f64::NAN);
-        let mut share = 1.0_f64;
-        let mut reached: Option<(f64, Placement, Balance)> = None;
-        let mut failure = None;
-        for _ in 0..60 {
-            let (place, slope, balance) = match self.probe(&direction.step, share) {
-                Ok(found) => found,
-                Err(error) => {
-                    failure = Some(error);
-                    (high, slopes.1) = (share, f64::NAN);
-                    share = 0.5 * (low + share);
-                    continue;
-                }
-            };
-            let enough = slope.abs() <= 0.5 * direction.slope;
-            let undershot = slope > 0.5 * direction.slope;
-            if !undershot {
-                (high, slopes.1) = (share, slope);
-            } else {
-                (low, slopes.0) = (share, slope);
-            }
-            if slope >= -0.5 * direction.slope {
-                reached = Some((share, place, balance));
-            }
-            let may_grow = clipped && undershot && high.is_infinite() && share < 64.0;
-            if enough || (undershot && high.is_infinite() && !may_grow) || high - low < 1e-12 * high
-            {
-                break;
-            }
-            share = next_share((low, slopes.0), (high, slopes.1));
-        }
-        let Some((share, place, balance)) = reached else {
-            return failure.map_or(Ok(false), Err);
-        };
-        if clipped {
-            self.reach *= share.max(0.25);
-        } else {
-            let far = direction.step.component_mul(&self.lever).amax() * share;
-            self.reach = self.reach.max(2.0 * far);
-        }
-        let moved = place != self.placement;
-        (self.placement, self.here) = (place, balance);
-        Ok(moved)
-    }
-
-    /// The system a share of a step further, and the force along the step there; unknowns that came to a bound count no more.
-    fn probe(
-        &self,
-        step: &DVector<f64>,
-        share: f64,
-    ) -> Result<(Placement, f64, Balance), SystemError> {
-        let mut place = self
-            .placement
-            .moved(self.network, &self.freedoms, &(step * share));
-        self.bounds
-            .follow_bed(&self.freedoms, &self.contacts, &mut place);
-        self.bounds.keep(self.network, &self.freedoms, &mut place);
-        let balance = self.evaluate(&place)?;
-        let force = self.unbalanced(&balance, &place);
-        let slope = force.dot(step);
-        if !slope.is_finite() {
-            return Err(SystemError::NotConverged {
-                residual: f64::NAN,
-                at: String::new(),
-                steps: self.steps,
-            });
-        }
-        Ok((place, slope, balance))
-    }
-
     /// The equilibrium; none where a line has only another in its place.
     fn result(self) -> Result<Equilibrium, SystemError> {
         let mut lines = self.here.lines.iter().enumerate();
@@ -668,29 +393,6 @@ impl<'a> Search<'a> {
             balance: self.here,
         }
     }
-}
-
-/// Where to look next between two shares of a step: the secant, kept off both ends; twice as far where there is no upper one.
-fn next_share((low, at_low): (f64, f64), (high, at_high): (f64, f64)) -> f64 {
-    if high.is_infinite() {
-        return 2.0 * low;
-    }
-    let width = high - low;
-    let secant = low + width * at_low / (at_low - at_high);
-    if secant.is_finite() {
-        secant.clamp(low + 0.1 * width, high - 0.1 * width)
-    } else {
-        low + 0.5 * width
-    }
-}
-
-/// Whether a stiffness is not symmetric by more than rounding.
-fn is_oblique(stiffness: &EnvelopeMatrix) -> bool {
-    stiffness.asymmetry() > 1e-9
-}
-
-fn solved(stiffness: &EnvelopeMatrix, force: &DVector<f64>) -> Option<DVector<f64>> {
-    stiffness.solve(std::slice::from_ref(force))?.pop()
 }
 
 /// Size of a body that is pinned, which turns under its own weight \[m\]; nothing of others, which lines hold.
