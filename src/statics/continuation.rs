@@ -33,8 +33,7 @@ impl EquilibriumSearch<'_> {
             let mut found = self.finish(&turned, t, newton, &mut trial, steps).ok();
             if found.is_none() && step <= SHORT {
                 trial.copy_from(&here);
-                let ended = self.pseudo_transient(&turned, t, newton, &mut trial, size);
-                found = ended.ok();
+                found = self.pseudo_transient(&turned, t, newton, &mut trial, size);
             }
             match found {
                 Some(found) if next >= 1.0 => {

@@ -114,15 +114,6 @@ impl EquilibriumError {
     }
 }
 
-/// Where pseudo-transient continuation left the line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Unfinished {
-    /// At rest, with slack segments held at a least tension.
-    AtLeastTension,
-    /// Still moving, or where it has no next step.
-    Moving,
-}
-
 const STATICS: Factors = Factors {
     mass: 0.0,
     damping: 0.0,
@@ -220,13 +211,9 @@ impl EquilibriumSearch<'_> {
             return Ok(found);
         }
         trial.copy_from(state);
-        match self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
-            Ok(found) => {
-                *state = trial;
-                return Ok(found);
-            }
-            Err(Unfinished::AtLeastTension) => *state = trial,
-            Err(Unfinished::Moving) => {}
+        if let Some(found) = self.pseudo_transient(system, t, &mut newton, &mut trial, size) {
+            *state = trial;
+            return Ok(found);
         }
         if let Some(found) = self.continue_clamps(system, t, &mut newton, state) {
             return Ok(found);
@@ -359,7 +346,7 @@ impl EquilibriumSearch<'_> {
     }
 
     /// Pseudo-transient continuation: one mixed iteration a step of pseudo-time, until Newton converges. Mixed iterations hold slack segments at
-    /// a least tension: where they come to rest so, the equilibrium is near, and no more of them lead there.
+    /// a least tension: where they come to rest so, no more of them lead to an equilibrium.
     pub(super) fn pseudo_transient<S: StaticSearch>(
         &self,
         system: &S,
@@ -367,7 +354,7 @@ impl EquilibriumSearch<'_> {
         newton: &mut Newton,
         state: &mut State,
         size: f64,
-    ) -> Result<Equilibrium, Unfinished> {
+    ) -> Option<Equilibrium> {
         system.initialise_tensions(state);
         let mut trial = state.clone();
         let at_rest = system.position_tolerance(self.force_tolerance);
@@ -375,11 +362,9 @@ impl EquilibriumSearch<'_> {
         let mut calm = 0;
         for step in 1..=self.max_steps as u64 {
             if self.is_stopped() {
-                break;
+                return None;
             }
-            let Ok((_, moved)) = newton.iterate(system, t, state, pseudo_time(h)) else {
-                break;
-            };
+            let moved = newton.iterate(system, t, state, pseudo_time(h)).ok()?.1;
             set_at_rest(state);
             h *= (0.03 * size / moved).clamp(0.3, 1.7);
             calm = if moved < 0.03 * size { calm + 1 } else { 0 };
@@ -388,27 +373,26 @@ impl EquilibriumSearch<'_> {
                 trial.copy_from(state);
                 if let Ok(found) = self.finish(system, t, newton, &mut trial, step) {
                     state.copy_from(&trial);
-                    return Ok(found);
+                    return Some(found);
                 }
                 trial.copy_from(state);
                 trial.extrapolated_tension.clear();
                 if let Some(found) = self.accept(system, t, newton, &trial, step) {
                     state.copy_from(&trial);
-                    return Ok(found);
+                    return Some(found);
                 }
                 if let Ok(found) = self.finish(system, t, newton, &mut trial, step)
                     && nearby(state, &trial)
                 {
                     state.copy_from(&trial);
-                    return Ok(found);
+                    return Some(found);
                 }
                 if moved <= at_rest && !state.extrapolated_tension.is_empty() {
-                    state.extrapolated_tension.clear();
-                    return Err(Unfinished::AtLeastTension);
+                    return None;
                 }
             }
         }
-        Err(Unfinished::Moving)
+        None
     }
 
     /// Dynamic relaxation: converged steps of pseudo-time, until Newton converges or the residual vanishes.
