@@ -70,6 +70,14 @@ fn what_a_design_leaves_open_is_put_down_with_whose_default_it_is() {
     // What RAFT ignores is ignored, and said.
     let extra = RAFT.replace("cost: 100.0", "zeta: 0.8");
     assert!(case_of(&extra).contains("mooring.line_types.zeta is read neither by RAFT nor here."));
+    // Many are one remark.
+    let mut more = "zeta: 0.8".to_owned();
+    for k in 0..30 {
+        more.push_str(&format!("\n          eta{k}: 1.0"));
+    }
+    let case = case_of(&RAFT.replace("cost: 100.0", &more));
+    let said = "mooring.line_types.eta10 and 19 more are read neither by RAFT nor here.";
+    assert!(case.contains(said), "{case}");
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! the origin; diameters are volume-equivalent; friction of the bed is none. In an `array` each row places a mooring of its own by
 //! `x_location`, `y_location` and `heading_adjust` \[deg\], about the vertical axis through its platform.
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use super::array;
@@ -11,6 +12,7 @@ use super::mapping::Mapping;
 use super::system::{Dialect, Named, lines, point};
 use crate::import::beside::Beside;
 use crate::import::fault::Fault;
+use crate::import::listing::listed;
 use crate::import::moordyn::{self, files::Files};
 use crate::import::mooring::{
     Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Sea, Setting, Stiffness,
@@ -172,13 +174,19 @@ pub fn system(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault
 
 /// Keys of the table besides its lists.
 fn settings(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let (mut unread, mut seen) = (Vec::new(), HashSet::new());
+    let mut remark = |key: String| {
+        if seen.insert(key.clone()) {
+            unread.push(key);
+        }
+    };
     for (key, node) in table.others(&KEYS) {
         if REFUSED.contains(&key) {
             let problem = format!("`{key}` of a mooring is read neither by RAFT nor here");
             let remedy = "write out points and lines, and leave it out";
             faults.push(Fault::new(node.key_span(), table.key(key), problem, remedy));
         } else {
-            remark(mooring, &table.key(key));
+            remark(table.key(key));
         }
     }
     for row in table
@@ -188,9 +196,15 @@ fn settings(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
     {
         for (key, _) in row.entries().unwrap_or_default() {
             if !TYPE_KEYS.contains(&key) {
-                remark(mooring, &table.key(&format!("line_types.{key}")));
+                remark(table.key(&format!("line_types.{key}")));
             }
         }
+    }
+    if !unread.is_empty() {
+        let are = if unread.len() == 1 { "is" } else { "are" };
+        let unread = listed(&unread);
+        let remark = format!("{unread} {are} read neither by RAFT nor here.");
+        mooring.remarks.push(remark);
     }
     let Some(Some(current)) = table.optional("currentMod", faults) else {
         return;
@@ -208,14 +222,6 @@ fn settings(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
             key: table.key("currentMod"),
             what: "currents of the load cases (currentMod)".to_owned(),
         });
-    }
-}
-
-/// That a key has no effect.
-fn remark(mooring: &mut Mooring, key: &str) {
-    let remark = format!("{key} is read neither by RAFT nor here.");
-    if !mooring.remarks.contains(&remark) {
-        mooring.remarks.push(remark);
     }
 }
 
