@@ -152,8 +152,10 @@ pub fn run(count: usize, seed: u64, moves: bool) -> Vec<Outcome> {
     all.map(|index| one(index, seed, moves)).collect()
 }
 
-/// The file of the random system of a number, or why it cannot be written; with the number of its kind.
-#[must_use]
+/// The number of the kind of the random system of a number, and its file.
+///
+/// # Errors
+/// The file: what is written is no TOML, which would be a fault here.
 pub fn file(index: usize, seed: u64, moves: bool) -> (usize, Result<Table, String>) {
     drawn_of(index, moves, &mut Random::new(seed, index as u64))
 }
