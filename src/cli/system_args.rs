@@ -81,7 +81,7 @@ pub(super) struct SeekArgs {
     pub(super) want: String,
 }
 
-// The systems that are drawn as files.
+// `--show` prints the files of the systems that are written as files.
 #[derive(Debug, clap::Args)]
 #[command(group(clap::ArgGroup::new("written").args(["in_motion", "invariants"]).multiple(true)))]
 pub(super) struct SystemsArgs {

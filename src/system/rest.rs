@@ -133,7 +133,7 @@ pub fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
             let line = &network.lines[*line].name;
             UnsolvedSystem {
                 problem: format!(
-                    "the search for an equilibrium was given up after {steps} steps, of which line \"{line}\" took {work} iterations by segments: it has none, or many, at most places of its ends"
+                    "the search for an equilibrium was given up after {steps} steps: line \"{line}\" took {work} iterations by segments, as a line does that has no equilibrium, or many, at most places of its ends"
                 ),
                 remedy: "give free points a position, and free bodies a pose, near where they should come to rest; check the length of that line".to_owned(),
                 line: Some(line.clone()),

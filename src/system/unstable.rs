@@ -53,12 +53,14 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
     let Some(motion) = unstable_motion(network, rest, &turns(network, rest)) else {
         return Departure::None;
     };
-    let step = motion * TURN;
-    let from = rest.placement.moved(network, &rest.freedoms, &step);
     let is_another = |next: &Equilibrium| !is_same(network, rest, next);
-    // Currents turn a body in a way that the energy of the first search knows nothing of.
-    let next = search(network, &from).ok().filter(is_another);
-    let next = next.or_else(|| search_downhill(network, &from).ok().filter(is_another));
+    let next = [TURN, -TURN].into_iter().find_map(|turn| {
+        let step = &motion * turn;
+        let from = rest.placement.moved(network, &rest.freedoms, &step);
+        let next = search(network, &from).ok().filter(is_another);
+        // Currents turn a body in a way that the energy of the first search knows nothing of.
+        next.or_else(|| search_downhill(network, &from).ok().filter(is_another))
+    });
     next.map_or(Departure::Nowhere, |next| {
         Departure::To(Box::new(Equilibrium {
             steps: rest.steps + next.steps,

@@ -3,6 +3,7 @@
 use seacable::case::kind::parse_stored;
 use seacable::system::motion::start::start;
 use seacable::system::quantities::{error, value};
+use seacable::system::stability::Stability;
 use seacable::system::{SolvedSystem, SystemFile};
 
 fn solved(text: &str) -> SolvedSystem {
@@ -13,21 +14,31 @@ fn solved(text: &str) -> SolvedSystem {
 /// the errors that both state. The search of the divided ones did not come to rest.
 #[test]
 fn divided_lines_pull_as_the_whole_does() {
-    for (whole, split, divided) in [
+    for (whole, split, divided, second) in [
         (
             include_str!("files/divided_line_12_whole.toml"),
             include_str!("files/divided_line_12_split.toml"),
             "l1",
+            "spl2",
         ),
         (
             include_str!("files/divided_line_55_whole.toml"),
             include_str!("files/divided_line_55_split.toml"),
             "l0",
+            "spl2",
         ),
         (
             include_str!("files/divided_line_109_whole.toml"),
             include_str!("files/divided_line_109_split.toml"),
             "l0",
+            "spl2",
+        ),
+        // A buoy in a current with two poses, of which it took the unstable one.
+        (
+            include_str!("files/divided_line_44_whole.toml"),
+            include_str!("files/divided_line_44_split.toml"),
+            "l0",
+            "l0-2",
         ),
     ] {
         let (whole, split) = (solved(whole), solved(split));
@@ -35,7 +46,7 @@ fn divided_lines_pull_as_the_whole_does() {
             for end in ["a", "b"] {
                 let name = format!("tension_n[{}|{end}]", line.name);
                 let there = match end == "b" && line.name == divided {
-                    true => "tension_n[spl2|b]".to_owned(),
+                    true => format!("tension_n[{second}|b]"),
                     false => name.clone(),
                 };
                 let apart = (value(&whole, &name).unwrap() - value(&split, &there).unwrap()).abs();
@@ -43,6 +54,25 @@ fn divided_lines_pull_as_the_whole_does() {
                 assert!(apart <= stated, "{name}: {apart} N, stated {stated} N");
             }
         }
+    }
+}
+
+/// A buoy that a current makes unstable leaves its pose along the motion or against it: mirrored it comes to the mirrored pose.
+#[test]
+fn an_unstable_pose_is_left_alike_when_mirrored() {
+    let here = solved(include_str!("files/unstable_in_current.toml"));
+    let there = solved(include_str!("files/unstable_in_current_mirrored.toml"));
+    for system in [&here, &there] {
+        let unstable = matches!(system.stability, Stability::Unstable(_));
+        assert!(!unstable, "{:?}", system.stability);
+    }
+    for end in ["a", "b"] {
+        let name = format!("tension_n[l0|{end}]");
+        let (one, other) = (value(&here, &name).unwrap(), value(&there, &name).unwrap());
+        assert!(
+            (one / other - 1.0).abs() < 1e-6,
+            "{name}: {one} and {other} N"
+        );
     }
 }
 

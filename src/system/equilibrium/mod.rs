@@ -123,10 +123,8 @@ fn found(
 ) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
-    search
-        .run_from_level(most_steps, relaxed)
-        .map_err(|error| search.too_much_work().unwrap_or(error))?;
-    search.result()
+    let ended = search.run_from_level(most_steps, relaxed);
+    search.result(ended)
 }
 
 /// Finds the equilibrium near a placement that is one but for small changes, with all physics from the start.
@@ -136,10 +134,8 @@ fn found(
 pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let mut search = Search::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
-    search
-        .run_in_full(MOST_STEPS, true)
-        .map_err(|error| search.too_much_work().unwrap_or(error))?;
-    search.result()
+    let ended = search.run_in_full(MOST_STEPS, true);
+    search.result(ended)
 }
 
 /// Finds the equilibrium that forces with all physics lead to from a placement beside an unstable one, which Newton's method would go back to.
@@ -149,11 +145,9 @@ pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, S
 pub fn search_downhill(network: &Network, from: &Placement) -> Result<Equilibrium, SystemError> {
     let freedoms = Freedoms::of(network, UnknownBodies::Free);
     let mut search = Search::begin(network, freedoms, from.clone(), LinePhysics::Full)?;
-    search
-        .relax(MOST_STEPS)
-        .and_then(|()| search.run_in_full(MOST_STEPS, true))
-        .map_err(|error| search.too_much_work().unwrap_or(error))?;
-    search.result()
+    let relaxed = search.relax(MOST_STEPS);
+    let ended = relaxed.and_then(|()| search.run_in_full(MOST_STEPS, true));
+    search.result(ended)
 }
 
 /// A search under way.
@@ -363,8 +357,9 @@ impl<'a> Search<'a> {
         force
     }
 
-    /// The equilibrium; none where a line has only another in its place.
-    fn result(self) -> Result<Equilibrium, SystemError> {
+    /// The equilibrium of a search that has ended; none where a line has only another in its place.
+    fn result(self, ended: Result<(), SystemError>) -> Result<Equilibrium, SystemError> {
+        ended.map_err(|error| self.too_much_work().unwrap_or(error))?;
         let mut lines = self.here.lines.iter().enumerate();
         match lines.find_map(|(line, at_rest)| Some((line, at_rest.replaced.as_ref()?))) {
             Some((line, why)) => Err(SystemError::Line(UnsolvedLine {

@@ -40,3 +40,40 @@ impl Search<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::freedoms::{Freedoms, UnknownBodies};
+    use super::super::super::line_at_rest::LinePhysics;
+    use super::*;
+    use crate::case::kind::parse_stored;
+    use crate::system::SystemFile;
+
+    #[test]
+    fn a_search_without_an_end_is_given_up_by_the_name_of_its_line() {
+        let text = r#"
+            system.title = "a buoy in a current"
+            materials.rope = { diameter_m = 0.1, mass_kg_per_m = 20.0, ea_n = 1e7 }
+            lines = [{ name = "rope", from = "anchor", to = "buoy", material = "rope", length_m = 100.0, segments = 10 }]
+            current = { speed_m_per_s = 0.5 }
+            [points]
+            anchor = { kind = "fixed", position_m = [0.0, 0.0, -90.0] }
+            buoy = { kind = "free", mass_kg = 100.0, volume_m3 = 5.0 }
+        "#;
+        let solved = parse_stored::<SystemFile>(text, "trial.toml").unwrap();
+        let network = &solved.network;
+        let freedoms = Freedoms::of(network, UnknownBodies::Free);
+        let place = solved.rest.placement.clone();
+        let search = Search::begin(network, freedoms, place, LinePhysics::Full).unwrap();
+        search.evaluate(&search.placement).unwrap();
+        let of_one = search.work.borrow()[0];
+        assert!(of_one > 0 && of_one.is_multiple_of(10), "{of_one}");
+        search.work.borrow_mut()[0] = MOST_WORK + 1;
+        let error = search.evaluate(&search.placement).unwrap_err();
+        assert!(matches!(error, SystemError::TooMuchWork { line: 0, .. }));
+        let error = search.result(Err(error)).unwrap_err();
+        let said = crate::system::rest::refused(network, &error);
+        assert_eq!(said.line.as_deref(), Some("rope"));
+        assert!(said.problem.contains("given up"), "{}", said.problem);
+    }
+}
