@@ -92,21 +92,12 @@ impl ElasticBed {
         Some((M3::identity() - outer(&normal, &normal)) * curvature / size)
     }
 
-    /// What friction needs to know of a push by the bed over a grid: with the gradient g of the height h, its curvature C and the
-    /// push P(h, g.v), the force along the normal is `|g| P`. Nothing on a plane.
+    /// What friction needs to know of a push by the bed over a grid: [`curved_contact`] here. Nothing on a plane.
     #[inline]
     #[must_use]
     pub fn curved(&self, x: &V3, v: &V3, push: &BedReaction) -> Option<CurvedContact> {
         let curvature = self.curvature(x)?;
-        let gradient = self.gradient(x);
-        let (size, normal) = (gradient.norm(), gradient.normalize());
-        let by_place = gradient * push.by_height + curvature * v * push.by_speed;
-        Some(CurvedContact {
-            push: size * push.force,
-            push_by_position: by_place * size + curvature * normal * push.force,
-            push_by_velocity: gradient * (push.by_speed * size),
-            normal_by_position: (M3::identity() - outer(&normal, &normal)) * curvature / size,
-        })
+        Some(curved_contact(&self.gradient(x), &curvature, v, push))
     }
 
     /// Whether it has depths over a grid, and no friction.
@@ -217,6 +208,21 @@ pub fn push_slopes(gradient: &V3, curvature: Option<&M3>, v: &V3, push: &BedReac
         by_position += curvature * push.force;
     }
     [by_position, by_velocity]
+}
+
+/// What friction needs to know of a push by a bed that curves: with the gradient g of the height h above it, its curvature C and the
+/// push P(h, g.v), the force along the normal is `|g| P`.
+#[inline]
+#[must_use]
+pub fn curved_contact(gradient: &V3, curvature: &M3, v: &V3, push: &BedReaction) -> CurvedContact {
+    let (size, normal) = (gradient.norm(), gradient.normalize());
+    let by_place = gradient * push.by_height + curvature * v * push.by_speed;
+    CurvedContact {
+        push: size * push.force,
+        push_by_position: by_place * size + curvature * normal * push.force,
+        push_by_velocity: gradient * (push.by_speed * size),
+        normal_by_position: (M3::identity() - outer(&normal, &normal)) * curvature / size,
+    }
 }
 
 #[cfg(test)]

@@ -1,13 +1,10 @@
-//! Checks of the bed of a system: keys of a grid of depths against others, places below a level bed.
+//! Checks of the bed of a system: keys of a grid of depths without one, places below a level bed.
 
 use super::model::SystemKeys;
 use crate::case::schema::Key;
 use crate::case::{BedInterpolation, Finding};
 
-/// Friction of points and bodies is not computed over a grid of depths.
-const FRICTION: &str = "is not computed on a bed with a grid of depths";
-
-/// Keys of a bed with a grid of depths, or without one, that have no effect or are not computed with it.
+/// Keys of a bed without a grid of depths that have no effect.
 pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let Some(bed) = &keys.seabed else {
         return Vec::new();
@@ -19,13 +16,7 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
         let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
         return given.filter(|_| differs).into_iter().collect();
     }
-    let points = keys.points.iter().map(|(_, point)| &point.bed_friction);
-    let bodies = keys.bodies.iter().map(|(_, body)| &body.bed_friction);
-    points.chain(bodies).filter_map(without_friction).collect()
-}
-
-fn without_friction(key: &Key<'_, f64>) -> Option<Finding> {
-    key.if_given(FRICTION, "remove it, or give a level bed by depth_m alone")
+    Vec::new()
 }
 
 /// A place below a level bed; over a grid that is found with the depths.

@@ -34,6 +34,7 @@ pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
     {
         found.extend(friction(solved));
     }
+    found.extend(friction_in_motion(solved));
     found
 }
 
@@ -204,4 +205,32 @@ fn friction(solved: &SolvedSystem) -> Option<String> {
         smooth,
         "give bed_friction, which holds in motion",
     )
+}
+
+/// Points and bodies that rest on the bed with a friction of their own, which acts in motion alone. At rest friction may hold them anywhere near;
+/// where they balance without it is one of these places, and no place that they were laid in is known that would single out another.
+fn friction_in_motion(solved: &SolvedSystem) -> impl Iterator<Item = String> {
+    let SolvedSystem { network, rest, .. } = solved;
+    let points = network.points.iter().enumerate();
+    let points = points.filter_map(|(index, point)| match &point.held {
+        Held::Free(free) if free.friction > 0.0 && rest.contact(index) == Contact::Bed => {
+            Some(point.name.as_str())
+        }
+        _ => None,
+    });
+    let bodies = network.bodies.iter().zip(&rest.freedoms.bodies);
+    let bodies = bodies.filter_map(|(body, first)| {
+        let lies = first.is_some_and(|first| rest.contacts[first + 2] == Contact::Bed);
+        (lies && body.bed_friction > 0.0).then_some(body.name.as_str())
+    });
+    let (load, why) = (
+        "At rest the friction of the bed is left out of",
+        "what rests is where all balances without, one of the places that friction allows; bed_friction holds in motion, from there",
+    );
+    [
+        remark(load, "point", points, why),
+        remark(load, "body", bodies, why),
+    ]
+    .into_iter()
+    .flatten()
 }

@@ -6,6 +6,7 @@ use seacable::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProp
 use seacable::system::SolvedSystem;
 use seacable::system::equilibrium::search;
 use seacable::system::line_at_rest::LineAtRest;
+use seacable::system::motion::run::MotionRun;
 use seacable::system::pose::Pose;
 use seacable::system::start::start;
 use seacable::system::stiffness::of_body;
@@ -291,28 +292,49 @@ fn a_spread_over_ridges_rests_and_moves() {
     assert!(x.iter().all(|x| x.is_finite()));
 }
 
-/// A clump that slides down a plane without friction, let go from its wire: a = g sin cos along x.
+/// A clump that is let go from its wire on a plane that rises by 0.2 towards +x.
+fn clump_let_go(way: &str, friction: f64) -> MotionRun {
+    moved(&format!(
+        "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n[seabed]\ndepth_m = 100.0\n{}\
+         [materials.wire]\nmass_kg_per_m = 0.1\ndiameter_m = 0.01\nea_n = 1e6\naxial_damping_n_s = 1e3\n\
+         [points.post]\nkind = \"fixed\"\nposition_m = [30.0, 0.0, -94.0]\n\
+         [points.clump]\nkind = \"free\"\nmass_kg = 500.0\nbed_friction = {friction:?}\n\
+         [[lines]]\nname = \"stay\"\nfrom = \"post\"\nto = \"clump\"\nmaterial = \"wire\"\nlength_m = 30.0\nsegments = 10\nrelease_b_s = 1.0\n\
+         [solver]\nduration_s = 5.0\nerror_estimate = false\n[output]\ninterval_s = 0.25\n{}",
+        grid(way),
+        depths(|x, _| 100.0 - 0.2 * x)
+    ))
+}
+
+/// Down the plane a = g (sin - mu cos) cos along x.
 #[test]
 fn a_clump_slides_down_a_slope() {
     let tan: f64 = 0.2;
-    let run = moved(&format!(
-        "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n[seabed]\ndepth_m = 100.0\n{}\
-         [materials.wire]\nmass_kg_per_m = 0.1\ndiameter_m = 0.01\nea_n = 1e6\naxial_damping_n_s = 1e3\n\
-         [points.post]\nkind = \"fixed\"\nposition_m = [30.0, 0.0, -94.0]\n[points.clump]\nkind = \"free\"\nmass_kg = 500.0\n\
-         [[lines]]\nname = \"stay\"\nfrom = \"post\"\nto = \"clump\"\nmaterial = \"wire\"\nlength_m = 30.0\nsegments = 10\nrelease_b_s = 1.0\n\
-         [solver]\nduration_s = 5.0\nerror_estimate = false\n[output]\ninterval_s = 0.25\n{}",
-        grid("smooth"),
-        depths(|x, _| 100.0 - tan * x)
-    ));
-    let x = channel(&run, "x_m[clump]");
-    let a = 10.0 * tan / (1.0 + tan * tan);
-    for (x_now, time) in x.iter().zip(&run.history.time) {
-        let since = (time - 1.0).max(0.0);
-        let expected = -0.5 * a * since * since;
-        let off = x_now - x[0] - expected;
-        assert!(off.abs() < 5e-3 * expected.abs().max(1.0), "{time}: {off}");
+    for (way, friction) in [("smooth", 0.0), ("smooth", 0.1), ("bilinear", 0.1)] {
+        let run = clump_let_go(way, friction);
+        let x = channel(&run, "x_m[clump]");
+        let a = 10.0 * (tan - friction) / (1.0 + tan * tan);
+        for (x_now, time) in x.iter().zip(&run.history.time) {
+            let since = (time - 1.0).max(0.0);
+            let expected = -0.5 * a * since * since;
+            let off = x_now - x[0] - expected;
+            let what = format!("{way} {friction} {time}: {off}");
+            assert!(off.abs() < 5e-3 * expected.abs().max(1.0), "{what}");
+        }
+        assert!(run.balance.relative_drift() < 0.01, "{:?}", run.balance);
     }
-    assert!(run.balance.relative_drift() < 0.01, "{:?}", run.balance);
+}
+
+#[test]
+fn friction_holds_a_clump_on_a_slope_from_where_it_balances_without() {
+    let run = clump_let_go("smooth", 0.3);
+    let x = channel(&run, "x_m[clump]");
+    // The bed gives way along itself as much as under the weight: a millimetre by 5 kN.
+    let given = x[0] - x[x.len() - 1];
+    assert!((0.0..0.3e-3).contains(&given), "{given}");
+    let said = "At rest the friction of the bed is left out of point clump:";
+    let warned = run.warnings.iter().filter(|text| text.starts_with(said));
+    assert_eq!(warned.count(), 1, "{:?}", run.warnings);
 }
 
 #[test]

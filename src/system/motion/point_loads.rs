@@ -4,7 +4,7 @@ use crate::numerics::{M3, V3};
 use crate::physics::bed_friction::{Friction, FrictionContact, FrictionModel};
 use crate::physics::bed_reaction::BedReaction;
 use crate::physics::sea::WaterMotion;
-use crate::physics::seabed::push_slopes;
+use crate::physics::seabed::{curved_contact, push_slopes};
 use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::solve::State;
 use crate::system::bed::Bed;
@@ -213,7 +213,7 @@ fn bed(
     load.by_velocity += by_velocity;
     load.lost += (elastic - push.force) * gradient.dot(v);
     if let Some(grip) = grip.filter(|_| point.friction > 0.0) {
-        let held = friction(point).grip(&contact(&push, (x, v)), grip);
+        let held = friction(point).grip(&contact(bed, &gradient.normalize(), &push, (x, v)), grip);
         load.force += held.force;
         load.by_position += held.by_position;
         load.by_velocity += held.by_velocity;
@@ -229,18 +229,22 @@ fn friction(point: &FreePoint) -> Friction {
     }
 }
 
-fn contact<'a>(push: &'a BedReaction, (x, v): (&'a V3, &'a V3)) -> FrictionContact<'a> {
+/// A contact with the bed, by its unit normal.
+fn contact<'a>(
+    bed: &Bed,
+    normal: &'a V3,
+    push: &'a BedReaction,
+    (x, v): (&'a V3, &'a V3),
+) -> FrictionContact<'a> {
+    let curvature = bed.curvature(x);
     FrictionContact {
-        normal: &UP,
+        normal,
         push,
         x,
         v,
-        curved: None,
+        curved: curvature.map(|by_place| curved_contact(&bed.gradient(x), &by_place, v, push)),
     }
 }
-
-/// Normal of a level bed: on another one friction is refused.
-const UP: V3 = V3::new(0.0, 0.0, 1.0);
 
 /// An anchor without force where a point is.
 pub(super) fn anchor(point: &FreePoint, x: &V3) -> FrictionAnchor {
@@ -261,12 +265,14 @@ pub(super) fn drag_anchor(
     (x, v): (&V3, &V3),
     grip: &mut FrictionAnchor,
 ) {
-    let push = network
-        .bed
-        .as_ref()
-        .map_or_else(BedReaction::default, |bed| push(bed, point, (x, v)));
+    // Nothing holds a point without weight or mass.
+    let Some(bed) = network.bed.as_ref().filter(|_| grip.stiffness > 0.0) else {
+        return;
+    };
+    let (push, normal) = (push(bed, point, (x, v)), bed.gradient(x).normalize());
     let hold = (grip.stiffness, grip.damping);
-    *grip = friction(point).slide_grip(&contact(&push, (x, v)), grip, hold, &V3::x());
+    let contact = contact(bed, &normal, &push, (x, v));
+    *grip = friction(point).slide_grip(&contact, grip, hold, &V3::x());
 }
 
 /// The acceleration at which the bed stops a point that a step brought onto it unseen: off the bed where the forces balanced, below it
@@ -334,7 +340,9 @@ mod tests {
         // 50 m below the point that is checked.
         let up = at_point(&hills).at(1.0, 2.0).depth;
         let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
-        check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), 0.0);
+        for friction in [0.0, 0.4] {
+            check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), friction);
+        }
     }
 
     fn check_derivatives(bed: Bed, friction: f64) {
