@@ -9,8 +9,14 @@ use super::network::{Held, Line, Network};
 use crate::numerics::V3;
 use crate::scene::LaidFrom;
 
-/// How close to the bed an end is that lies on it, by the line's length.
-const ON_BED: f64 = 1e-12;
+/// How close to the bed an end is that lies on it but for rounding, by the line's length and its depth: as that of an end of a divided line
+/// that is held on the bed.
+const ON_BED: f64 = 1e-9;
+
+/// Whether an end of a line at this height over the bed \[m\] lies on it; `z` is where it is \[m\].
+pub(super) fn end_lies(line: &Line, over_bed: f64, z: f64) -> bool {
+    over_bed.abs() <= ON_BED * (line.length() + z.abs())
+}
 
 /// The line beyond an end.
 struct Beyond {
@@ -43,7 +49,7 @@ fn lies(network: &Network, placement: &Placement, line: &Line) -> bool {
     };
     let on_bed = |point: usize| {
         let place = &placement.points[point];
-        bed.height(place).abs() <= ON_BED * (line.length() + place.z.abs())
+        end_lies(line, bed.height(place), place.z)
     };
     on_bed(line.from) && on_bed(line.to)
 }

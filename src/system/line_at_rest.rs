@@ -8,6 +8,7 @@ use crate::statics::catenary::{
 };
 
 use super::discretised::DiscretisedRest;
+use super::laid::end_lies;
 use super::network::{Line, Network, weight, weighted};
 
 /// A line at rest between its ends.
@@ -123,9 +124,6 @@ pub enum LinePhysics {
     Full,
 }
 
-/// How close to the bed an end is that lies on it, by the line's length.
-const ON_BED: f64 = 1e-12;
-
 /// The line between places `a` and `b`; `from` is where it was laid from if it lies on a rough bed from end to end, `before` a
 /// solution near by.
 ///
@@ -144,12 +142,18 @@ pub fn solve(
     };
     let (low, high) = if from_b { (b, a) } else { (a, b) };
     let level = level_below(network, (low, high)).filter(|_| line.bed_contact);
-    let below = level.map_or(f64::INFINITY, |z| low.z - z);
-    let lies = below.abs() <= ON_BED * (line.length() + low.z.abs());
+    let lies = level.is_some_and(|z| end_lies(line, low.z - z, low.z));
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
     let rubs = rough && lies && from != Some(LaidFrom::HeldEnds);
     let mu = if rubs { line.friction } else { 0.0 };
-    let given = closed_form(network, line, (low, high), level.map(|z| (z, mu)), from_b);
+    // Friction acts up to an end that lies on the bed: a leg down from it, and a rise down to it, would be of rounding.
+    let (level, high_z) = match level {
+        Some(_) if rubs => (Some(low.z), high.z.max(low.z)),
+        _ => (level, high.z),
+    };
+    let raised = V3::new(high.x, high.y, high_z);
+    let level = level.map(|z| (z, mu));
+    let given = closed_form(network, line, (low, &raised), level, from_b);
     if let Some(LaidFrom::Share(share)) = from
         && share > 0.0
         && share < 1.0

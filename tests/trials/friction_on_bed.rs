@@ -166,6 +166,51 @@ fn between_ends_that_are_pulled_friction_takes_off_from_both_towards_the_middle(
     assert_near(tension_at(&divided, "rest", "b"), b, 1e-7, "divided, b");
 }
 
+/// An anchor a hair above the bed, by rounding, lies on it: written whole, turned, and divided.
+#[test]
+fn an_end_that_is_on_the_bed_but_for_rounding_has_its_friction() {
+    let text = |z: f64, lines: &str| {
+        format!(
+            "[system]\ntitle = \"hair\"\n[seabed]\ndepth_m = 1000.0\nfriction = 0.3\n
+[materials.w]\nmass_kg_per_m = 20.0\ndiameter_m = 0.06\nea_n = 1e8\n
+[points.a]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, {z:?}]\n[points.b]\nkind = \"fixed\"\nposition_m = [28.2, 0.0, -995.0]\n{lines}"
+        )
+    };
+    let line = |name: &str, from: &str, to: &str, length: f64| {
+        format!(
+            "[[lines]]\nname = \"{name}\"\nfrom = \"{from}\"\nto = \"{to}\"\nmaterial = \"w\"\nlength_m = {length:?}\n"
+        )
+    };
+    let on_bed = solved(&text(-1000.0, &line("l", "a", "b", 30.0)));
+    let [anchor, top] = ["a", "b"].map(|point| tension_at(&on_bed, "l", point));
+    // Pulled as far as the anchor.
+    assert!(anchor > 0.0 && anchor < top, "{anchor} {top}");
+    let between = "[points.between]\nkind = \"free\"\n";
+    for hair in [1e-12, 2e-11, 1e-10, 5e-10, 1e-7] {
+        let z = -1000.0 + hair;
+        for (from, to) in [("a", "b"), ("b", "a")] {
+            let whole = solved(&text(z, &line("l", from, to, 30.0)));
+            for (point, wanted) in [("a", anchor), ("b", top)] {
+                let what = format!("{hair} {point}");
+                let off = (tension_at(&whole, "l", point) - wanted).abs();
+                assert!(off < 1e-7 * top, "{what}: {off} N off {wanted}");
+            }
+        }
+        let pieces = [
+            line("low", "a", "between", 12.0),
+            line("l", "between", "b", 18.0),
+        ];
+        let divided = solved(&text(z, &format!("{between}{}", pieces.concat())));
+        for (line, point, wanted) in [("low", "a", anchor), ("l", "b", top)] {
+            let off = (tension_at(&divided, line, point) - wanted).abs();
+            assert!(
+                off < 1e-7 * top,
+                "{hair} divided {point}: {off} N off {wanted}"
+            );
+        }
+    }
+}
+
 /// The cable at rest.
 fn at_rest(text: &str) -> Result<(Scene, State), EquilibriumError> {
     let scene = scene::build(&parse_keys(text).unwrap(), 1).unwrap();
