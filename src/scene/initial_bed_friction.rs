@@ -388,11 +388,11 @@ impl Scene {
         grips: &mut [FrictionAnchor],
     ) {
         let Some(bed) = self.seabed() else { return };
-        let normal = bed.normal(&place);
-        let flat = match bed.grid {
-            None => (to - place) - normal * normal.dot(&(to - place)),
-            Some(_) => V3::new(to.x - place.x, to.y - place.y, 0.0),
-        };
+        // In the vertical plane through both places, in which it hangs: up and down with a plane, level over a grid, whose slope each step finds.
+        let mut flat = V3::new(to.x - place.x, to.y - place.y, 0.0);
+        if let (Some(normal), None) = (&bed.slope, &bed.grid) {
+            flat.z = -normal.dot(&flat) / normal.z;
+        }
         let Some(direction) = flat.try_normalize(1e-9 * self.line.arc[self.line.arc.len() - 1])
         else {
             return;
