@@ -53,6 +53,7 @@ pub mod export;
 pub mod extremes;
 pub mod fatigue;
 pub mod files;
+mod grace;
 pub mod import;
 pub mod jobs;
 pub mod kinds;

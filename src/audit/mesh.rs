@@ -6,7 +6,7 @@ use super::finding::{Finding, Topic};
 use super::lumped::{LumpedModel, build, equilibrium};
 use crate::import::mooring::Mooring;
 use crate::import::to_case::sea::SeaOfCase;
-use crate::number::{digits, percent, si};
+use crate::number::{percent, si};
 use crate::numerics::V3;
 
 /// Error of a tension by the segments that is a finding.
@@ -16,6 +16,8 @@ const CURVATURE: f64 = 0.1;
 /// How much finer the mesh is with which a remedy is tried, and what it must leave of an error.
 const TWICE: usize = 2;
 const HALVED: f64 = 0.7;
+/// The same of curvatures, below that of the mesh by which they are judged.
+const TRIED: [usize; 2] = [2, 4];
 /// How much finer the mesh is by which curvatures are judged.
 const FINER: usize = 8;
 /// Nodes of that mesh at most.
@@ -48,7 +50,17 @@ impl LineAudit {
     pub fn by_segments(&self) -> Option<f64> {
         Some(self.lumped? / self.mid_segment? - 1.0)
     }
+
+    /// Error of the greatest curvature by the segments where it is a finding, by that of the finer mesh.
+    fn off_in_curvature(&self) -> Option<f64> {
+        let [coarse, fine] = self.curvature?;
+        let off = coarse / fine - 1.0;
+        (fine > STRAIGHT && off.abs() > CURVATURE).then_some(off)
+    }
 }
+
+/// So many times the segments, and the greatest curvature of each line with them \[1/m\]; nothing where they were not brought to rest.
+type TriedMesh = (usize, Option<Vec<Option<f64>>>);
 
 /// The lines alone.
 #[must_use]
@@ -98,7 +110,15 @@ pub fn lines(
         .iter()
         .any(|line| line.by_segments().is_some_and(is_off));
     let finer = is_coarse.then(|| divided_further(mooring, sea, exact, model, rest));
-    findings(mooring, &lines, finer.as_deref(), audit);
+    let tried: Vec<TriedMesh> = match lines.iter().any(|line| line.off_in_curvature().is_some()) {
+        true => TRIED
+            .into_iter()
+            .filter(|by| *by < judged_by(model))
+            .map(|by| (by, curvatures_with(mooring, sea, (model, rest), by).ok()))
+            .collect(),
+        false => Vec::new(),
+    };
+    findings(mooring, &lines, (finer.as_deref(), &tried), audit);
     lines
 }
 
@@ -136,13 +156,13 @@ fn divided_further(
 fn findings(
     mooring: &Mooring,
     lines: &[LineAudit],
-    finer: Option<&[Option<f64>]>,
+    (finer, tried): (Option<&[Option<f64>]>, &[TriedMesh]),
     audit: &mut Audit,
 ) {
     let mut found: Vec<(Finding, Vec<&str>)> = Vec::new();
     for (k, (line, of)) in lines.iter().zip(&mooring.lines).enumerate() {
         let finer = finer.and_then(|finer| *finer.get(k)?);
-        for finding in [of_tension(line, finer), of_curvature(line)]
+        for finding in [of_tension(line, finer), of_curvature(line, k, tried)]
             .into_iter()
             .flatten()
         {
@@ -201,12 +221,10 @@ fn give(segments: usize) -> String {
     }
 }
 
-fn of_curvature(line: &LineAudit) -> Option<Finding> {
+/// A greatest curvature that is off, by what the meshes that were tried leave of it at this line.
+fn of_curvature(line: &LineAudit, number: usize, tried: &[TriedMesh]) -> Option<Finding> {
+    let off = line.off_in_curvature()?;
     let [coarse, fine] = line.curvature?;
-    let off = coarse / fine - 1.0;
-    if fine <= STRAIGHT || off.abs() <= CURVATURE {
-        return None;
-    }
     let what = format!(
         "{} a greatest curvature of {}, {} {} that of a fine mesh, {}",
         give(line.segments),
@@ -215,11 +233,35 @@ fn of_curvature(line: &LineAudit) -> Option<Finding> {
         if off < 0.0 { "below" } else { "above" },
         si(fine, "1/m")
     );
-    // The error falls with the square of the length of the segments.
-    let finer = (off.abs() / CURVATURE).sqrt() * 1.5 * line.segments as f64;
-    let remedy = format!("divide it into some {} segments", digits(finer.ceil(), 2));
+    let left = tried.iter().filter_map(|(by, found)| {
+        let found = (*found.as_ref()?.get(number)?)?;
+        Some((by * line.segments, (found / fine - 1.0).abs()))
+    });
+    let left: Vec<(usize, f64)> = left.collect();
+    let remedy = match (
+        left.iter().find(|(_, left)| *left <= CURVATURE),
+        left.last(),
+    ) {
+        (Some((segments, left)), _) => format!(
+            "divide it into {segments} or more segments, with which {} are left",
+            percent(*left)
+        ),
+        (None, Some((segments, left))) => format!(
+            "none by the segments that were tried: with {segments} it is still {} off",
+            percent(*left)
+        ),
+        (None, None) => {
+            "none that was tried: no mesh between the two was brought to rest".to_owned()
+        }
+    };
     let finding = Finding::new(Topic::Mesh, "", what, remedy);
     Some(finding.figure(coarse, fine, "1/m"))
+}
+
+/// How much finer the mesh is by which curvatures of a model are judged.
+fn judged_by(model: &LumpedModel) -> usize {
+    let nodes: usize = model.lines.iter().map(|line| line.nodes.len()).sum();
+    FINER.min(MOST_NODES / nodes.max(1))
 }
 
 /// Greatest curvature inside each line that bends: by its segments, and by a mesh several times finer.
@@ -229,23 +271,39 @@ fn curvatures(
     model: &LumpedModel,
     rest: &[V3],
 ) -> Result<Vec<Option<[f64; 2]>>, String> {
-    let nodes: usize = model.lines.iter().map(|line| line.nodes.len()).sum();
-    let finer = FINER.min(MOST_NODES / nodes.max(1));
+    let finer = judged_by(model);
     if finer < 2 {
         return Err("the lines have too many segments for a finer mesh".to_owned());
     }
+    let fine = curvatures_with(mooring, sea, (model, rest), finer)?;
+    let both = greatest_curvatures(model, rest).into_iter().zip(fine);
+    Ok(both
+        .map(|(coarse, fine)| Some([coarse.unwrap_or(0.0), fine?]))
+        .collect())
+}
+
+/// The greatest curvatures of a model with so many times its segments.
+fn curvatures_with(
+    mooring: &Mooring,
+    sea: &SeaOfCase,
+    (model, rest): (&LumpedModel, &[V3]),
+    finer: usize,
+) -> Result<Vec<Option<f64>>, String> {
     let fine = build::lumped(mooring, sea, finer)?;
     let near = refined(model, &fine, rest, finer);
     let at_rest = equilibrium::at_rest(&fine, &near)
         .map_err(|why| format!("the finer mesh was not brought to rest ({why})"))?;
+    Ok(greatest_curvatures(&fine, &at_rest))
+}
+
+/// The greatest curvature of each line that bends \[1/m\].
+fn greatest_curvatures(model: &LumpedModel, x: &[V3]) -> Vec<Option<f64>> {
     let mut all = vec![None; model.lines.len()];
-    for (of, x, which) in [(model, rest, 0), (&fine, at_rest.as_slice(), 1)] {
-        for bend in &of.bends {
-            let entry: &mut [f64; 2] = all[bend.line].get_or_insert([0.0; 2]);
-            entry[which] = entry[which].max(LumpedModel::curvature(bend, x));
-        }
+    for bend in &model.bends {
+        let greatest: &mut f64 = all[bend.line].get_or_insert(0.0);
+        *greatest = greatest.max(LumpedModel::curvature(bend, x));
     }
-    Ok(all)
+    all
 }
 
 /// The nodes of a finer mesh on the segments of a coarse one.

@@ -11,6 +11,7 @@ pub mod mesh;
 pub mod settings;
 pub mod start;
 pub mod step;
+pub mod wave_pressure;
 
 use self::exact::ExactLine;
 use self::finding::{Finding, Topic};

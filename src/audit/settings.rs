@@ -1,6 +1,7 @@
 //! Settings and columns that `MoorDyn` takes otherwise than they seem to be meant.
 
 use super::finding::{Finding, Topic};
+use super::wave_pressure;
 use crate::import::fault::line_and_column;
 use crate::import::mooring::{Damping, Hold, Mass, Mooring, Program, Setting, Stiffness};
 use crate::import::to_case::is_in_air;
@@ -83,7 +84,7 @@ pub fn find(mooring: &Mooring, sea: &SeaOfCase, text: &str, findings: &mut Vec<F
     bodies(mooring, text, findings);
     failures(mooring, findings);
     findings.extend(current(mooring));
-    findings.extend(wave_pressure(mooring));
+    findings.extend(wave_pressure::find(mooring));
 }
 
 /// A profile of the current that is not listed from below. `MoorDyn` looks for the rows about a height from the first one on and takes the first where
@@ -119,27 +120,6 @@ fn current(mooring: &Mooring) -> Option<Finding> {
             .figure(speed(first), speed(other), "m/s"),
     )
 }
-
-/// Waves by their frequencies at the nodes, which have no dynamic pressure in `MoorDyn` (`SpectrumKinWrapper::getWaveKin` in its `source/Waves.hpp`, version
-/// 2.7): rods, which feel it on their ends (`Rod::doRHS`), lack it.
-fn wave_pressure(mooring: &Mooring) -> Option<Finding> {
-    let waves = mooring.sea.waves.as_ref()?;
-    let setting = mooring.setting("wavekin").and_then(Setting::number);
-    let rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
-    let ids: Vec<&str> = rods.map(|rod| rod.id.as_str()).collect();
-    if setting != Some(BY_FREQUENCIES) || ids.is_empty() {
-        return None;
-    }
-    let what = format!(
-        "waves by frequencies at the nodes (WaveKin 7) have no dynamic pressure in MoorDyn 2.7, which so leaves out the push of the waves along rods, on their ends: {}",
-        ids.join(", ")
-    );
-    let remedy = "give the same waves over a grid (WaveKin 2 or 3), which has the pressure";
-    Some(Finding::new(Topic::Setting, "WaveKin", what, remedy).at(&waves.span))
-}
-
-/// `WaveKin` of waves that are summed at the nodes.
-const BY_FREQUENCIES: f64 = 7.0;
 
 /// An option that `MoorDyn` does not know, or whose value stands behind its name.
 fn option(setting: &Setting, text: &str) -> Option<Finding> {

@@ -33,6 +33,47 @@ pub struct StepAudit {
     pub growth: f64,
     /// The line with the shortest first axial mode, its period \[s\], and the error of that by the step.
     pub axial: Option<(String, f64, f64)>,
+    /// How the step does by RK2, which `MoorDyn` in `OpenFAST` has alone, where the file names another scheme.
+    pub by_rk2: Option<StepByRk2>,
+}
+
+/// A step by RK2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct StepByRk2 {
+    /// Rate at which the fastest mode grows \[1/s\].
+    pub growth: f64,
+    /// A step that was tried and lets nothing grow \[s\]; the step itself where that does not.
+    pub stable: Option<f64>,
+}
+
+impl StepByRk2 {
+    /// Whether the step lets nothing grow.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.growth <= GROWTH
+    }
+}
+
+/// Parts of a step that are tried: halves of halves.
+const HALVINGS: i32 = 12;
+
+/// The rate \[1/s\] at which the mode grows that grows fastest by steps of this length.
+fn growth(scheme: Scheme, modes: &[FastestMode], step: f64) -> f64 {
+    let rates = modes
+        .iter()
+        .map(|mode| scheme.amplification(mode, step).ln() / step);
+    rates.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The longest of this step, its half, a quarter and so on that passes.
+fn shortened(step: f64, passes: impl Fn(f64) -> bool) -> Option<f64> {
+    let tried = (0..=HALVINGS).map(|halvings| step * 0.5_f64.powi(halvings));
+    tried.into_iter().find(|step| passes(*step))
+}
+
+/// The same that lets no mode grow.
+fn stable(scheme: Scheme, modes: &[FastestMode], step: f64) -> Option<f64> {
+    shortened(step, |step| growth(scheme, modes, step) <= GROWTH)
 }
 
 /// Judges the step about the system at rest.
@@ -57,12 +98,13 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
     if !(step > 0.0 && step.is_finite()) {
         return;
     }
-    let growth = |mode: &FastestMode| scheme.amplification(mode, step).ln() / step;
+    let rate = |mode: &FastestMode| growth(scheme, std::slice::from_ref(mode), step);
     let fastest = modes
-        .into_iter()
-        .max_by(|one, other| growth(one).total_cmp(&growth(other)));
+        .iter()
+        .copied()
+        .max_by(|one, other| rate(one).total_cmp(&rate(other)));
     let Some(mode) = fastest else { return };
-    let growth = growth(&mode);
+    let growth = growth(scheme, &modes, step);
     let longest = scheme.longest_step(&mode);
     let axial = axial(mooring, model, scheme, step);
     let spans = [given, mooring.setting("cfl"), setting];
@@ -73,19 +115,16 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
         .map(|one| one.span.clone());
     let mut found = Vec::new();
     if growth > GROWTH {
-        found.push(unstable(scheme, step, given.is_some(), (longest, &mode)));
-    } else if let Some((line, period, error)) = &axial
-        && *error > PERIOD
+        found.push(unstable(
+            scheme,
+            step,
+            given.is_some(),
+            (longest, &mode, &modes),
+        ));
+    } else if let Some(axial) = &axial
+        && axial.2 > PERIOD
     {
-        let what = format!(
-            "steps of {} leave an error of {} in the first axial period of line {line}, {}",
-            si(step, "s"),
-            percent(*error),
-            si(*period, "s")
-        );
-        let remedy = format!("choose dtM {} or less", si(0.25 * step, "s"));
-        let finding = Finding::new(Topic::Step, "dtM", what, remedy);
-        found.push(finding.figure(step, 0.25 * step, "s"));
+        found.push(inaccurate(scheme, step, axial, &modes));
     }
     for mut one in found {
         one.span.clone_from(&span);
@@ -99,14 +138,60 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
         fastest: mode,
         growth,
         axial,
+        by_rk2: (scheme != Scheme::Second).then(|| by_rk2(&modes, step)),
     });
+}
+
+/// How a step does by RK2.
+fn by_rk2(modes: &[FastestMode], step: f64) -> StepByRk2 {
+    StepByRk2 {
+        growth: growth(Scheme::Second, modes, step),
+        stable: stable(Scheme::Second, modes, step),
+    }
+}
+
+/// A step that leaves too great an error in the first axial period of a line.
+fn inaccurate(
+    scheme: Scheme,
+    step: f64,
+    (line, period, error): &(String, f64, f64),
+    modes: &[FastestMode],
+) -> Finding {
+    let what = format!(
+        "steps of {} leave an error of {} in the first axial period of line {line}, {}",
+        si(step, "s"),
+        percent(*error),
+        si(*period, "s")
+    );
+    let left = |step: f64| scheme.period_error(&first_axial(*period), step);
+    let mends = |step: f64| left(step) <= PERIOD && growth(scheme, modes, step) <= GROWTH;
+    let finding = |remedy: String| Finding::new(Topic::Step, "dtM", what, remedy);
+    match shortened(step, mends) {
+        Some(tried) => finding(format!(
+            "choose dtM {} or less, with which an error of {} is left",
+            si(tried, "s"),
+            percent(left(tried))
+        ))
+        .figure(step, tried, "s"),
+        None => finding(
+            "none by the step: no part of it that was tried is stable and leaves less".to_owned(),
+        ),
+    }
+}
+
+/// The first axial mode of a line, undamped.
+fn first_axial(period: f64) -> FastestMode {
+    FastestMode {
+        frequency: 2.0 * PI / period,
+        damping: 0.0,
+    }
 }
 
 fn unstable(
     scheme: Scheme,
     step: f64,
     is_given: bool,
-    (longest, mode): (Option<f64>, &FastestMode),
+    (longest, mode, modes): (Option<f64>, &FastestMode, &[FastestMode]),
 ) -> Finding {
     let origin = match is_given {
         true => "",
@@ -119,21 +204,41 @@ fn unstable(
         crate::number::digits(mode.frequency, 4),
         percent(mode.damping)
     );
-    let (limit, remedy) = match longest {
-        Some(longest) => (
-            longest,
-            format!("choose dtM {} or less", si(0.9 * longest, "s")),
+    let tried = longest.and_then(|longest| stable(scheme, modes, 0.9 * longest));
+    let (limit, remedy) = match tried {
+        Some(tried) => (
+            tried / 0.9,
+            format!("choose dtM {} or less", si(tried, "s")),
         ),
-        None => (
-            0.3 / mode.frequency,
-            format!(
-                "give the lines internal damping (BA), or choose RK4 and dtM {} or less",
-                si(2.5 / mode.frequency, "s")
-            ),
-        ),
+        None => (0.3 / mode.frequency, otherwise_stable(scheme, mode, modes)),
     };
     Finding::new(Topic::Step, "dtM", what, remedy).figure(step, limit, "s")
 }
+
+/// What makes a mode stable that grows with every step of a scheme: damping, or another scheme, each as far as it was tried and does.
+fn otherwise_stable(scheme: Scheme, mode: &FastestMode, modes: &[FastestMode]) -> String {
+    let damped = FastestMode {
+        damping: DAMPED,
+        ..*mode
+    };
+    let by_damping = scheme.longest_step(&damped).map(|step| {
+        format!(
+            "give the lines internal damping (BA), with {} of the critical one dtM {} or less",
+            percent(DAMPED),
+            si(0.9 * step, "s")
+        )
+    });
+    let by_scheme = stable(Scheme::Fourth, modes, 2.5 / mode.frequency)
+        .map(|step| format!("choose RK4 and dtM {} or less", si(step, "s")));
+    let all: Vec<String> = [by_damping, by_scheme].into_iter().flatten().collect();
+    match all.is_empty() {
+        true => "none that was tried".to_owned(),
+        false => all.join(", or "),
+    }
+}
+
+/// Share of the critical damping with which a mode without is tried.
+const DAMPED: f64 = 0.1;
 
 /// The line with the shortest first axial mode: its period \[s\], and the error of a step in it.
 fn axial(
@@ -147,9 +252,53 @@ fn axial(
         (of.id.clone(), 2.0 * of.length.value / speed)
     });
     let (line, period) = periods.min_by(|one, other| one.1.total_cmp(&other.1))?;
-    let undamped = FastestMode {
-        frequency: 2.0 * PI / period,
-        damping: 0.0,
-    };
-    Some((line, period, scheme.period_error(&undamped, step)))
+    Some((
+        line,
+        period,
+        scheme.period_error(&first_axial(period), step),
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mode(frequency: f64, damping: f64) -> FastestMode {
+        FastestMode { frequency, damping }
+    }
+
+    #[test]
+    fn a_step_that_is_proposed_mends_the_period_and_is_stable() {
+        let axial = ("1".to_owned(), 1.0, 0.2);
+        let modes = [mode(2.0 * PI, 0.0), mode(40.0, 0.0)];
+        for scheme in [Scheme::Euler, Scheme::Second, Scheme::Fourth] {
+            let found = inaccurate(scheme, 0.2, &axial, &modes);
+            let Some(figure) = found.figure else {
+                // An undamped mode of 40 rad/s grows by Euler's method with every step that was tried.
+                assert!(scheme == Scheme::Euler && found.remedy.starts_with("none by the step"));
+                continue;
+            };
+            assert!(growth(scheme, &modes, figure.reference) <= GROWTH);
+            assert!(scheme.period_error(&first_axial(1.0), figure.reference) <= PERIOD);
+            assert!(found.remedy.contains("with which an error of"), "{found:?}");
+        }
+    }
+
+    #[test]
+    fn the_limit_of_rk2_is_that_of_its_damping() {
+        // Of weak damping |R| = 1 where (w h)^3 = 8 zeta, of strong one at 2 on the real axis.
+        let weak = [mode(10.0, 1e-4)];
+        let limit = Scheme::Second.longest_step(&weak[0]).unwrap();
+        assert!(
+            (10.0 * limit / 8e-4_f64.cbrt() - 1.0).abs() < 5e-3,
+            "{limit}"
+        );
+        let found = by_rk2(&[mode(1.0, 10.0)], 0.4);
+        let tried = found.stable.unwrap();
+        assert!(
+            !found.holds() && tried <= 2.0 / (10.0 + 99f64.sqrt()),
+            "{found:?}"
+        );
+        assert!(by_rk2(&weak, 0.5 * limit).holds());
+    }
 }

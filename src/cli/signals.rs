@@ -1,9 +1,8 @@
 //! SIGINT, SIGTERM and SIGHUP stop a command. A second one ends the program at once.
 //!
 //! What computes looks at a flag, ends in order, and keeps and prints what it has. Where the program does not get there in a moment, because
-//! it reads, checks, searches an equilibrium or sorts results, and no result waits to be written
-//! ([`unsaved`]), a thread of its own ends the program: no loop has to look for signals. What is on disk is whole or marked partial
-//! then, as after a kill.
+//! it reads, checks, searches an equilibrium or sorts results, and no result waits to be written ([`grace`]), a thread of its own ends
+//! the program: no loop has to look for signals. What is on disk is whole or marked partial then, as after a kill.
 
 use std::{
     io::{self, IsTerminal, Read},
@@ -15,12 +14,11 @@ use std::{
         atomic::{AtomicBool, AtomicUsize, Ordering},
     },
     thread,
-    time::{Duration, Instant},
 };
 
 use super::{CommandError, output};
-use crate::files::{read, unsaved};
-use rustix::time::{ClockId, clock_gettime};
+use crate::files::read;
+use crate::grace;
 use signal_hook::{
     consts::{SIGHUP, SIGINT, SIGTERM},
     flag,
@@ -29,18 +27,6 @@ use signal_hook::{
 
 /// Exit status of a program ended by signal `n`, less n.
 const BY_SIGNAL: i32 = 128;
-
-/// How long a program that was stopped may take to end in order.
-const GRACE: Duration = Duration::from_millis(150);
-
-/// CPU time that it may take of that, so that it gets its share where others have the cores.
-const GRACE_CPU: Duration = Duration::from_millis(60);
-
-/// How long it may wait in all, for others or for a disk.
-const LONGEST_GRACE: Duration = Duration::from_millis(600);
-
-/// Between two looks at the clocks.
-const NAP: Duration = Duration::from_millis(10);
 
 /// Whether the program was started to outlive its terminal, as by `nohup`, which a handler would undo.
 fn hang_up_is_ignored() -> bool {
@@ -119,13 +105,7 @@ impl StopFlag {
         if wake.read_exact(&mut [0]).is_err() {
             return;
         }
-        let mut clocks = Clocks::now();
-        while unsaved::any() || !clocks.have_passed() {
-            if unsaved::any() {
-                clocks = Clocks::now();
-            }
-            thread::sleep(NAP);
-        }
+        grace::wait();
         if io::stderr().is_terminal() {
             output::progress("");
         }
@@ -135,31 +115,4 @@ impl StopFlag {
         }
         exit(self.code().unwrap_or(BY_SIGNAL));
     }
-}
-
-/// When the time began that a program has to end in order.
-struct Clocks {
-    wall: Instant,
-    cpu: Duration,
-}
-
-impl Clocks {
-    fn now() -> Self {
-        Self {
-            wall: Instant::now(),
-            cpu: cpu_time(),
-        }
-    }
-
-    fn have_passed(&self) -> bool {
-        let waited = self.wall.elapsed();
-        let had_its_share = cpu_time().saturating_sub(self.cpu) >= GRACE_CPU;
-        waited >= LONGEST_GRACE || waited >= GRACE && had_its_share
-    }
-}
-
-/// CPU time of the program.
-fn cpu_time() -> Duration {
-    let time = clock_gettime(ClockId::ProcessCPUTime);
-    time.try_into().unwrap_or_default()
 }

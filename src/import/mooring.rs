@@ -370,6 +370,8 @@ pub struct Rod {
     pub ends: [[Given<f64>; 3]; 2],
     /// Segments; a rod of none is a joint without length.
     pub segments: Given<usize>,
+    /// Steady loads at its end A along the axes of the earth, and damping of it, of which two numbers count: across it and along it.
+    pub loads: Vec<BodyLoad>,
 }
 
 impl Rod {
@@ -387,6 +389,13 @@ impl Rod {
             .map(|axis| (b[axis] - a[axis]).powi(2))
             .sum::<f64>()
             .sqrt()
+    }
+
+    /// The sum of the steady loads at its end A \[N\].
+    #[must_use]
+    pub fn load(&self) -> [f64; 3] {
+        let sum = |axis: usize| self.loads.iter().map(|load| load.force.value[axis]).sum();
+        std::array::from_fn(sum)
     }
 
     /// Whether it is a joint without length.

@@ -3,9 +3,11 @@
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
+
+use signal_hook::low_level::exit;
 
 use super::board::Board;
 use super::folder::JobFolder;
@@ -19,10 +21,14 @@ use super::sweep::{SweepEvent, SweepRequest, compute_sweep};
 use super::{socket, turn};
 use crate::background::lower_priority;
 use crate::files::lock::LockFile;
+use crate::grace;
 use crate::run::store::Recorder;
 
 /// How often the status file is written, where nothing but the progress changes.
 const WRITE: Duration = Duration::from_secs(1);
+
+/// Between two looks whether the job is cancelled.
+const LOOK: Duration = Duration::from_millis(50);
 
 /// How long the end waits for those who follow to hear of it.
 const LAST_WORDS: Duration = Duration::from_secs(2);
@@ -49,24 +55,78 @@ pub fn compute(path: &Path, cancel: &Arc<AtomicBool>) -> Result<(), String> {
         return Ok(());
     }
     let board = Arc::new(Board::default());
-    let reporter = Reporter::start(&folder, &board, cancel);
-    let reporter = reporter.map_err(|error| format!("the system gives no thread: {error}"))?;
+    let end = Reporter::start(&folder, &board, cancel)
+        .map(|reporter| Arc::new(Mutex::new(Some(reporter))))
+        .and_then(|end| obey(&folder, &end, &board, cancel).map(|()| end))
+        .map_err(|error| format!("the system gives no thread: {error}"))?;
     serve(&folder, &board, cancel);
     let computed = catch_unwind(AssertUnwindSafe(|| work(&folder, &board, cancel)));
     let status = computed.unwrap_or_else(|_| {
         let log = crate::visible::path(&folder.log());
         failed(format!("a fault of seacable; {log} says more"))
     });
+    if !say_the_end(&end, &board, status) {
+        // The thread that ends the process has said it.
+        loop {
+            std::thread::park();
+        }
+    }
+    drop(lock);
+    begin_others(&folder);
+    Ok(())
+}
+
+/// Those that wait see the free core themselves; there may be others that no process has begun.
+fn begin_others(folder: &JobFolder) {
+    let _ = Launcher::default().begin_waiting(&JobsDir::around(folder));
+}
+
+/// Who says how the job ended: whoever takes it first.
+type End = Mutex<Option<Reporter>>;
+
+/// Says how the job ended, unless that was said; whether it was not.
+fn say_the_end(end: &End, board: &Board, status: JobStatus) -> bool {
+    let reporter = end.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let Some(reporter) = reporter else {
+        return false;
+    };
     // The file first: who hears of the end may remove the folder.
     reporter.stop(&JobStatus {
         results: status.results.or_else(|| board.status().results),
         ..status
     });
     board.wait_for_followers(LAST_WORDS);
-    drop(lock);
-    // Those that wait see the free core themselves; there may be others that no process has begun.
-    let _ = Launcher::default().begin_waiting(&JobsDir::around(&folder));
-    Ok(())
+    true
+}
+
+/// Ends the process of a job that is cancelled while it searches an equilibrium, or does something else that does not look whether it is. What is
+/// on disk is whole or marked partial then, as after a kill.
+fn obey(
+    folder: &JobFolder,
+    end: &Arc<End>,
+    board: &Arc<Board>,
+    cancel: &Arc<AtomicBool>,
+) -> io::Result<()> {
+    let folder = folder.clone();
+    let (end, board, cancel) = (Arc::clone(end), Arc::clone(board), Arc::clone(cancel));
+    let obey = move || {
+        while !cancel.load(Ordering::SeqCst) {
+            std::thread::sleep(LOOK);
+        }
+        grace::wait();
+        let status = board.status();
+        let cancelled = JobStatus {
+            phase: JobPhase::Cancelled,
+            ..status
+        };
+        if say_the_end(&end, &board, cancelled) {
+            begin_others(&folder);
+            // The lock of the folder and the place in the queue go with the process.
+            exit(0);
+        }
+    };
+    let named = std::thread::Builder::new().name("cancel".to_owned());
+    named.spawn(obey).map(drop)
 }
 
 /// Lets others follow. Where the system gives no socket, they follow the files.

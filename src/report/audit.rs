@@ -8,7 +8,7 @@ use crate::audit::finding::Finding;
 use crate::audit::lumped::relaxation::Ended;
 use crate::audit::mesh::LineAudit;
 use crate::audit::start::StartAudit;
-use crate::audit::step::StepAudit;
+use crate::audit::step::{StepAudit, StepByRk2};
 use crate::audit::{Audit, settings};
 use crate::import::mooring::Program;
 use crate::number::{digits, percent, si, with_error};
@@ -204,13 +204,27 @@ fn step_words(step: &StepAudit) -> String {
         ),
         None => String::new(),
     };
+    let by_rk2 = step.by_rk2.as_ref().map_or_else(String::new, by_rk2_words);
     format!(
-        "Time step: {} ({origin}), {}: {limit}; the fastest mode of the segments has {} rad/s and {} of critical damping.{axial}",
+        "Time step: {} ({origin}), {}: {limit}; the fastest mode of the segments has {} rad/s and {} of critical damping.{axial}{by_rk2}",
         si(step.step, "s"),
         step.scheme,
         digits(step.fastest.frequency, 4),
         percent(step.fastest.damping)
     )
+}
+
+/// How the step does in `OpenFAST`, where the file is of a scheme that it does not have.
+fn by_rk2_words(by_rk2: &StepByRk2) -> String {
+    let judged = match (by_rk2.holds(), by_rk2.stable) {
+        (true, _) => "the same dtM is stable".to_owned(),
+        (false, Some(step)) => format!(
+            "the same dtM is unstable; {} was tried and is stable",
+            si(step, "s")
+        ),
+        (false, None) => "the same dtM is unstable, and so is a 4,096th of it".to_owned(),
+    };
+    format!(" By RK2, which MoorDyn in OpenFAST has alone, {judged}.")
 }
 
 /// The findings, one a row, with every digit.

@@ -1,6 +1,6 @@
 //! A system file in SI, its repeats written out.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
@@ -86,10 +86,11 @@ pub fn build(
         builder.repeated(line)?;
     }
     // Points without lines: loads and weights with nothing to hold them are refused, others say where something is.
-    for (name, _) in file
+    let ends = file.line_ends();
+    for name in file
         .points
-        .iter()
-        .filter(|(name, _)| !file.names_line_end(name))
+        .keys()
+        .filter(|name| !ends.contains(name.as_str()))
     {
         builder.point(name, 0.0, V3::zeros());
     }
@@ -207,12 +208,11 @@ impl SystemFile {
             && named.is_none_or(|names| names.iter().any(|name| name == part))
     }
 
-    /// Whether a line ends at this point.
+    /// The points that lines end at.
     #[must_use]
-    pub fn names_line_end(&self, point: &str) -> bool {
-        self.lines
-            .iter()
-            .any(|line| line.from == point || line.to == point)
+    pub fn line_ends(&self) -> BTreeSet<&str> {
+        let ends = self.lines.iter().flat_map(|line| [&line.from, &line.to]);
+        ends.map(String::as_str).collect()
     }
 }
 

@@ -3,10 +3,11 @@
 use super::ageing::check::ageing;
 use super::build::{angles as angles_of, copy_name};
 use super::check_bed::{bed, below_bed};
+use super::check_lines::ByName;
 use super::check_start::{not_free, of_body, of_rod, parts};
 use super::file::SYSTEM;
 use super::model::{
-    BodyKeys, BodyKind, LineKeys, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
+    BodyKeys, BodyKind, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
 use super::quantities;
@@ -21,10 +22,11 @@ use crate::reference::{published_history, published_number};
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
+    let by_name = ByName::of(keys);
     for (name, point) in &keys.points {
         found.extend(place_of(point));
-        found.extend(body_of(keys, point));
-        found.extend(outside_water(keys, name, point));
+        found.extend(body_of(keys, point, &by_name));
+        found.extend(outside_water(keys, name, point, &by_name));
     }
     for (name, body) in &keys.bodies {
         found.extend(body_alone(body));
@@ -43,13 +45,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(not_free(&rod.kind, &of_rod(rod)));
         found.extend(pinned_to(keys, name, &rod.kind, &rod.pinned_to));
     }
-    for (_, line) in &keys.lines {
-        found.extend(ends(keys, line));
-        found.extend(make_up(keys, line));
-        found.extend(repeats(line));
-        found.extend(clamps(keys, line));
-        found.extend(motion::breaks(keys, line));
-    }
+    found.extend(by_name.check_lines());
     let asked = keys
         .offset_curves
         .iter()
@@ -365,7 +361,11 @@ fn body_names<'a>(keys: &'a SystemKeys<'_>) -> Vec<&'a str> {
     bodies.chain(rods).collect()
 }
 
-fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
+fn body_of(
+    keys: &SystemKeys<'_>,
+    point: &PointKeys<'_>,
+    by_name: &ByName<'_, '_>,
+) -> Option<Finding> {
     if point.body.is_given() && !point.kind.is(&PointKind::Body) {
         let remedy = "make the point of kind \"body\", or leave the body out";
         return Some(
@@ -374,11 +374,20 @@ fn body_of(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Option<Finding> {
                 .finding("is given for a point that is not on a body", remedy),
         );
     }
+    let name = point.body.get()?;
+    if by_name.is_body(name) {
+        return None;
+    }
     unknown(&point.body, &body_names(keys), "body", "system")
 }
 
 /// Points above the water or below the bed.
-fn outside_water(keys: &SystemKeys<'_>, name: &str, point: &PointKeys<'_>) -> Option<Finding> {
+fn outside_water(
+    keys: &SystemKeys<'_>,
+    name: &str,
+    point: &PointKeys<'_>,
+    by_name: &ByName<'_, '_>,
+) -> Option<Finding> {
     if point.kind.is(&PointKind::Body) {
         return None;
     }
@@ -392,7 +401,7 @@ fn outside_water(keys: &SystemKeys<'_>, name: &str, point: &PointKeys<'_>) -> Op
         .and_then(|e| e.water_density_kg_per_m3.value());
     let surface = keys.environment.as_ref().map(|e| &e.water_surface);
     let crossed = surface.is_some_and(|surface| surface.is(&WaterSurface::Crossed));
-    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 && !crossed && !bears_no_weight(keys, name) {
+    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 && !crossed && !by_name.bears_no_weight(name) {
         let problem = format!("lies {z} m above the water, where lines have another weight");
         let remedy = "set environment.water_surface = \"crossed\", which gives them their weight in air there, give a z of 0 or less, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
         return Some(point.position_m.finding(problem, remedy));
@@ -400,154 +409,11 @@ fn outside_water(keys: &SystemKeys<'_>, name: &str, point: &PointKeys<'_>) -> Op
     None
 }
 
-/// Whether lines end at a point, and all of them are without weight.
-fn bears_no_weight(keys: &SystemKeys<'_>, point: &str) -> bool {
-    let is_end = |key: &Key<'_, String>| key.get().is_some_and(|name| name == point);
-    let lines = keys.lines.iter().map(|(_, line)| line);
-    let mut lines = lines
-        .filter(|line| is_end(&line.from) || is_end(&line.to))
-        .peekable();
-    let weightless = |line: &LineKeys<'_>| {
-        let name = line.material.given();
-        let material = name.and_then(|name| keys.materials.iter().find(|(own, _)| own == name));
-        material.is_some_and(|(_, material)| material.wet_weight_kg_per_m.value() == Some(0.0))
-    };
-    lines.peek().is_some() && lines.all(weightless)
-}
-
 pub(super) fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {
     let numbers = key.given()?;
     (!lengths.contains(&numbers.len())).then(|| {
         let problem = format!("has {} numbers", numbers.len());
         key.finding(problem, format!("give {wanted}"))
-    })
-}
-
-fn ends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
-    let of_rods: Vec<String> = keys
-        .rods
-        .iter()
-        .flat_map(|(name, _)| rods::ends(name))
-        .collect();
-    let points = keys.points.iter().map(|(name, _)| name.as_str());
-    let names: Vec<&str> = points.chain(of_rods.iter().map(String::as_str)).collect();
-    let mut found: Vec<Finding> = [&line.from, &line.to]
-        .into_iter()
-        .filter_map(|end| unknown(end, &names, "point", "system"))
-        .collect();
-    if let (Some(from), Some(to)) = (line.from.get(), line.to.get())
-        && from == to
-    {
-        let problem = format!("the line begins and ends at \"{to}\"");
-        found.push(line.to.finding(problem, "give another point"));
-    }
-    found
-}
-
-/// One material and length, or sections.
-fn make_up(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
-    let materials: Vec<&str> = keys
-        .materials
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
-    let known = |key| unknown(key, &materials, "material", "system");
-    let mut found = Vec::from_iter(known(&line.material));
-    if line.sections.is_empty() {
-        found.extend(
-            line.material
-                .if_missing("give `material` and `length_m`, or [[lines.sections]]"),
-        );
-        found.extend(
-            line.length_m
-                .if_missing("give the unstretched length: `length_m`"),
-        );
-        return found;
-    }
-    let problem = "is given beside sections";
-    found.extend(
-        line.material
-            .if_given(problem, "leave it out, or leave out the sections"),
-    );
-    found.extend(
-        line.length_m
-            .if_given(problem, "leave it out, or leave out the sections"),
-    );
-    found.extend(
-        line.sections
-            .iter()
-            .filter_map(|(_, section)| known(&section.material)),
-    );
-    if let Some((_, last)) = line.sections.last() {
-        let problem = "is at the end of the line";
-        let remedy = "give the mass to the point there, or to the section before";
-        found.extend(last.clump_kg.if_given(problem, remedy));
-    }
-    found
-}
-
-/// Clamps hold the direction of a line that bends, at a point that does not turn.
-fn clamps(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
-    let mut found = Vec::new();
-    for (elevation, azimuth, point) in [
-        (
-            &line.clamp_a_elevation_deg,
-            &line.clamp_a_azimuth_deg,
-            &line.from,
-        ),
-        (
-            &line.clamp_b_elevation_deg,
-            &line.clamp_b_azimuth_deg,
-            &line.to,
-        ),
-    ] {
-        if !elevation.is_given() {
-            let problem = "has no effect: the end is hinged";
-            let remedy = "give the elevation of the clamp as well, or remove it";
-            found.extend(azimuth.if_given(problem, remedy));
-            continue;
-        }
-        if !does_not_turn(keys, point.get()) {
-            let problem = "is not covered at a point that is free or on a body that turns";
-            let remedy = "clamp the line at a fixed or moved point, or remove the clamp";
-            found.extend(elevation.if_given(problem, remedy));
-        } else if !bends(keys, line) {
-            let problem = "has no effect: the line does not bend";
-            let remedy = "give its material a bending stiffness `ei_n_m2`, or remove the clamp";
-            found.extend(elevation.if_given(problem, remedy));
-        }
-    }
-    found
-}
-
-/// Whether a point keeps its directions: held or moved, or on a body that is held.
-fn does_not_turn(keys: &SystemKeys<'_>, name: Option<&String>) -> bool {
-    let Some((_, point)) = keys.points.iter().find(|(known, _)| Some(known) == name) else {
-        // Ends of rods turn with them; a name that is not known has a finding of its own.
-        let is_rod = |rod: &str| rods::ends(rod).iter().any(|end| Some(end) == name);
-        let mut all = keys.rods.iter();
-        return all.any(|(rod, keys)| is_rod(rod) && keys.kind.is(&BodyKind::Held));
-    };
-    match point.kind.get() {
-        Some(PointKind::Free) => false,
-        Some(PointKind::Body) => {
-            let body = keys
-                .bodies
-                .iter()
-                .find(|(known, _)| Some(known) == point.body.get());
-            body.is_some_and(|(_, body)| body.kind.is(&BodyKind::Held))
-        }
-        _ => true,
-    }
-}
-
-/// Whether a line has a material with bending stiffness.
-fn bends(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> bool {
-    let sections = line.sections.iter().map(|(_, section)| &section.material);
-    let mut names = sections.chain([&line.material]).filter_map(Key::get);
-    names.any(|name| {
-        let material = keys.materials.iter().find(|(known, _)| known == name);
-        material.is_some_and(|(_, material)| material.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
     })
 }
 
@@ -582,19 +448,5 @@ fn lost_line(keys: &SystemKeys<'_>) -> Option<Finding> {
     needed.then(|| {
         let problem = format!("line `{lost}` is paid out, or a point slides along it");
         key.finding(problem, "leave that out, or let another line be lost")
-    })
-}
-
-fn repeats(line: &LineKeys<'_>) -> Option<Finding> {
-    let angles = line.repeat_at_deg.given()?;
-    let twice = angles.iter().enumerate().find(|(index, angle)| {
-        angles[..*index]
-            .iter()
-            .any(|before| (before - **angle).rem_euclid(360.0) == 0.0)
-    });
-    twice.map(|(index, angle)| {
-        let problem = format!("has {angle} twice");
-        line.repeat_at_deg
-            .finding_at_item(index, problem, "give every angle once")
     })
 }

@@ -16,6 +16,7 @@ pub mod bounds;
 pub mod build;
 mod check;
 mod check_bed;
+mod check_lines;
 mod check_start;
 pub mod connected;
 mod damage;

@@ -395,7 +395,9 @@ impl App<'_> {
     fn begin(&mut self, file: Option<PathBuf>) -> io::Result<Option<ExitReason>> {
         let remembered = self.state.earlier.as_ref();
         let remembered = remembered.and_then(|earlier| earlier.case.clone());
-        let (first, later) = match file.or(remembered) {
+        let file = file.or(remembered);
+        self.state.cases.opening.clone_from(&file);
+        let (first, later) = match file {
             Some(path) => (Effect::ReadCase(path), Some(Effect::ReadCases)),
             None => (Effect::ReadCases, None),
         };

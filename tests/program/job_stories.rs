@@ -2,8 +2,10 @@
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
+use std::time::{Duration, Instant};
 
 use predicates::prelude::{Predicate, predicate};
+use seacable::jobs::{JobFolder, JobPhase, JobState};
 use seacable::run::{RunState, store};
 
 use crate::chance::{Chance, asked, seed};
@@ -11,6 +13,7 @@ use crate::jobs::{
     SLOW, begin_run, command, cut_links, finish_and_compare, folders, killed_jobs, killed_screens,
     left_in_jobs, login, place, processes_in, said, settle,
 };
+use crate::many_lines::many_lines;
 use crate::pty::wait_until;
 use crate::small::SMALL;
 
@@ -253,6 +256,36 @@ fn jobs_of_the_shell_are_listed_waited_for_and_cancelled() {
     fs::create_dir(path.join("runs")).unwrap();
     fs::rename(path.join("again"), path.join("runs/again")).unwrap();
     assert_eq!(finish_and_compare(path, 1), 0);
+    settle(dir);
+}
+
+/// Within 0.3 s where it has a core to itself; the search goes on for longer than it may take here.
+#[test]
+fn a_job_that_searches_an_equilibrium_is_cancelled_in_a_moment() {
+    let dir = tempfile::tempdir().unwrap();
+    let path = dir.path();
+    let text = many_lines(160) + "[solver]\nduration_s = 1.0\n";
+    fs::write(path.join("many.toml"), text).unwrap();
+    said(path, &["run", "--detach", "many.toml"]);
+    let state = || folders(path).first().map(JobFolder::state);
+    wait_until("the job computes", || {
+        let status = folders(path).first().and_then(JobFolder::status);
+        status.is_some_and(|status| status.phase == JobPhase::Running)
+    });
+    said(path, &["jobs", "cancel", "1"]);
+    let asked = Instant::now();
+    wait_until("the job ends", || {
+        matches!(state(), Some(JobState::Ended(_)))
+    });
+    let took = asked.elapsed();
+    println!("{:.3} s", took.as_secs_f64());
+    let Some(JobState::Ended(status)) = state() else {
+        panic!("{:?}", state());
+    };
+    assert_eq!((status.phase, status.message), (JobPhase::Cancelled, None));
+    assert!(took < Duration::from_secs(2), "{took:?}");
+    let followed = command(path, &["jobs", "follow", "1"]).output().unwrap();
+    assert_eq!(followed.status.code(), Some(1));
     settle(dir);
 }
 

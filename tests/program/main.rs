@@ -6,6 +6,9 @@
 #[path = "../common/jobs.rs"]
 mod jobs;
 #[cfg(target_os = "linux")]
+#[path = "../common/many_lines.rs"]
+mod many_lines;
+#[cfg(target_os = "linux")]
 #[path = "../common/pty.rs"]
 mod pty;
 #[path = "../common/reseal.rs"]

@@ -247,6 +247,22 @@ fn coarse_segments_show_in_tension_and_curvature() {
             "{what}: {found:?}"
         );
     }
+    // What is proposed for a curvature was tried, and mends it.
+    let bent = audit.findings.iter();
+    let bent: Vec<_> = bent
+        .filter(|f| f.what.contains("a greatest curvature of"))
+        .collect();
+    for finding in bent {
+        let tried = [
+            "or more segments, with which",
+            "none by the segments",
+            "none that was tried",
+        ];
+        assert!(
+            tried.iter().any(|words| finding.remedy.contains(words)),
+            "{finding:?}"
+        );
+    }
 }
 
 #[test]

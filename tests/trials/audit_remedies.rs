@@ -42,6 +42,10 @@ fn the_pressure_of_waves_that_moordyn_leaves_out_on_rods_is_found() {
     let found = audited("moordyn_sea/rod.txt");
     let finding = about(&found, "WaveKin").unwrap_or_else(|| panic!("{:#?}", found.findings));
     assert!(finding.what.contains("no dynamic pressure"), "{finding:#?}");
+    assert!(
+        finding.remedy.contains("WaveKin 3") && finding.remedy.contains("read back"),
+        "{finding:#?}"
+    );
     assert!(about(&audited("moordyn_sea/line.txt"), "WaveKin").is_none());
 }
 
@@ -90,5 +94,8 @@ fn the_step_of_an_exported_file_passes_the_audit() {
             .filter(|one| one.topic == Topic::Step || one.remedy.contains("dtM"))
             .collect();
         assert!(steps.is_empty(), "{steps:#?}");
+        // What OpenFAST does with the same step is judged all the same.
+        let by_rk2 = found.step.unwrap().by_rk2.unwrap();
+        assert!(by_rk2.holds() || by_rk2.stable.is_some(), "{by_rk2:?}");
     }
 }

@@ -307,6 +307,53 @@ fn external_loads_act_on_bodies() {
     assert!(fault.problem.contains("along which axes"), "{fault}");
 }
 
+/// A free rod without length is a point: 20,000 N pull at a wire that weighs nothing in the water. What the force on another rod does is said.
+#[test]
+fn external_loads_on_rods_act_on_nothing_or_are_named() {
+    const RODS: &str = "--- ROD TYPES ---\nName Diam Mass/m Cd Ca CdEnd CaEnd\n(-) (m) (kg/m) (-) (-) (-) (-)\nr 0.2 60 1 1 0 0\n\
+        --- RODS ---\nID RodType Attachment Xa Ya Za Xb Yb Zb NumSegs Outputs\n(#) (-) (-) (m) (m) (m) (m) (m) (m) (-) (-)\n\
+        1 r Free 0 0 -60 0 0 -60 0 -\n--- POINTS";
+    let text = text_of("external_loads.txt");
+    let text = with(&text, "---------------------- POINTS", RODS);
+    let text = with(&text, "2 Free 0 0 -60 5000 0 0 0\n", "");
+    let text = with(&text, "1 wire 1 2 50", "1 wire 1 R1A 50");
+    let joint = with(
+        &text,
+        "1 Point2 20000|0|0 0|0|0 0|0|0 G",
+        "1 Rod1 20000|0|0 0|0 0|0 -",
+    );
+    near(tension(&joint, &plain(), "b"), 20_000.0, 1e-6);
+    let damped = with(&joint, "0|0 0|0 -", "5 0|0 -");
+    let fault = refused(&damped, &plain());
+    assert!(
+        fault
+            .problem
+            .contains("damping over ground of a rod without length"),
+        "{fault}"
+    );
+    let long = with(&joint, "0 0 -60 0 0 -60 0 -", "0 0 -60 0 0 -70 5 -");
+    let fault = refused(&long, &plain());
+    assert!(
+        fault
+            .problem
+            .contains("a steady force on end A of a rod that is not held"),
+        "{fault}"
+    );
+    let said = "EXTERNAL LOADS act on nothing at end A of the rods 1: it is held.";
+    for hold in ["Fixed", "Pinned"] {
+        let held = with(&long, "r Free", &format!("r {hold}"));
+        assert!(case_of(&held, &plain()).contains(said), "{hold}");
+    }
+    let pinned = with(&with(&long, "r Free", "r Pinned"), "0|0 0|0 -", "3|4 0|0 -");
+    let fault = refused(&pinned, &plain());
+    assert!(
+        fault
+            .problem
+            .contains("damping of a rod, across it or along it"),
+        "{fault}"
+    );
+}
+
 /// As `1 Currents` with the same profile: 186,113.8 N at B, 78,577.9 at A.
 #[test]
 fn a_current_in_a_file_of_water_kinematics_acts() {

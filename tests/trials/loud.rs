@@ -13,6 +13,8 @@ use seacable::case::{self, Diagnostic, kind};
 use seacable::import::{self, ImportOptions};
 use seacable::system::SystemFile;
 
+use crate::many_lines::many_lines;
+
 const MOORDYN: &str = include_str!("files/loud_moordyn.txt");
 const CHAIN_60: &str = include_str!("files/loud_chain_60.toml");
 const CHAIN_210: &str = include_str!("files/loud_chain_210.toml");
@@ -342,21 +344,6 @@ fn program(dir: &Path, words: &[&str]) -> Command {
 
 fn stderr(done: &Output) -> String {
     String::from_utf8_lossy(&done.stderr).into_owned()
-}
-
-/// A system of so many lines in a current, which takes a while to come to rest.
-fn many_lines(lines: usize) -> String {
-    let mut text = "[system]\ntitle = \"Many lines\"\n[current]\nspeed_m_per_s = 1.0\n[materials.w]\nmass_kg_per_m = 20.0\ndiameter_m = 0.06\nea_n = 1e8\n".to_owned();
-    for i in 0..lines {
-        let _ = write!(
-            text,
-            "[points.a{i}]\nkind = \"fixed\"\nposition_m = [{i}.0, 0.0, 0.0]\n[points.b{i}]\nkind = \"fixed\"\nposition_m = [{i}.0, 90.0, -20.0]\n\
-             [points.c{i}]\nkind = \"free\"\nmass_kg = 100.0\n\
-             [[lines]]\nname = \"l{i}\"\nfrom = \"a{i}\"\nto = \"c{i}\"\nmaterial = \"w\"\nlength_m = 60.0\nsegments = 300\n\
-             [[lines]]\nname = \"m{i}\"\nfrom = \"c{i}\"\nto = \"b{i}\"\nmaterial = \"w\"\nlength_m = 60.0\nsegments = 300\n"
-        );
-    }
-    text
 }
 
 /// Whether a program catches a signal.

@@ -2,6 +2,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "../common/many_lines.rs"]
+mod many_lines;
+
 mod above_water;
 mod audit_remedies;
 mod equilibrium;

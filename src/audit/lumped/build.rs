@@ -113,7 +113,18 @@ fn add(model: &mut LumpedModel, mooring: &Mooring, hold: &Hold, place: V3) -> us
 fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2] {
     let hold = &rod.hold.value;
     if rod.is_joint() {
-        return [add(model, mooring, hold.base(), V3::from(rod.end(0))); 2];
+        let node = add(model, mooring, hold.base(), V3::from(rod.end(0)));
+        if *hold == Hold::Free && rod.load() != [0.0; 3] {
+            model.points.push(LumpedPoint {
+                node,
+                mass: 0.0,
+                moving_mass: 0.0,
+                volume: 0.0,
+                drag_area: 0.0,
+                load: V3::from(rod.load()),
+            });
+        }
+        return [node; 2];
     }
     model.holds_bodies |= matches!(hold, Hold::Free | Hold::Pinned(_));
     let held = match hold {

@@ -1,5 +1,7 @@
 //! Words that must be the name of something in a file.
 
+use std::collections::HashSet;
+
 use crate::case::diagnostic::Finding;
 use crate::case::fields::{either, nearest};
 use crate::case::schema::Key;
@@ -40,16 +42,15 @@ pub(crate) fn used_twice<'k, 'a: 'k>(
     keys: impl Iterator<Item = &'k Key<'a, String>>,
     remedy: &str,
 ) -> Vec<Finding> {
-    let mut taken: Vec<&str> = Vec::new();
+    let mut taken = HashSet::new();
     let mut found = Vec::new();
     for key in keys {
         let Some(name) = key.get() else {
             continue;
         };
-        if taken.contains(&name.as_str()) {
+        if !taken.insert(name.as_str()) {
             found.push(key.finding(format!("the name \"{name}\" is used twice"), remedy));
         }
-        taken.push(name);
     }
     found
 }

@@ -22,7 +22,7 @@ pub const STEP: f64 = 0.25;
 const MOST: f64 = 1e6;
 
 /// Frequency above which MoorDyn takes no components \[rad/s\].
-const HIGHEST: f64 = 0.5 * TAU;
+pub const HIGHEST: f64 = 0.5 * TAU;
 
 /// Amplitude below which a component is rounding, by the greatest.
 const ROUNDING: f64 = 1e-10;
@@ -53,6 +53,13 @@ pub fn elevation(
         Fault::new(step.span.clone(), "OPTIONS, dtWave", problem, remedy)
     })?;
     Ok(components(&samples, step.value))
+}
+
+/// The waves of a history of times \[s\] and heights \[m\] sampled every `step` \[s\]; nothing where no waves are taken by that step.
+#[must_use]
+pub fn of_rows(rows: &[[f64; 2]], step: f64) -> Option<Elevation> {
+    let samples = samples(rows, step).ok()?;
+    Some(components(&samples, step))
 }
 
 /// Times \[s\] and heights \[m\]; or the line that is wrong, and why.

@@ -1,8 +1,8 @@
 //! The table EXTERNAL LOADS of `MoorDyn` in OpenFAST (and of `CableDyn`): steady loads and damping of points, bodies and rods.
 //!
 //! As in source `modules/moordyn/src/MoorDyn.f90`: the force on a point is along the axes of the earth, that on a body by `CSys` along those
-//! of the earth (`G`) or of the body (`L`), at its origin; damping is along the same axes, of the velocity over ground. One number of a
-//! damping is that along all axes.
+//! of the earth (`G`) or of the body (`L`), at its origin, that on a rod along the axes of the earth at its end A; damping is along the same axes,
+//! of a rod across it and along it, of the velocity over ground. One number of a damping is that along all axes.
 
 use super::holds::{missing, point_number};
 use super::sections::{Block, Section};
@@ -29,7 +29,7 @@ const AXES_FIRST: [usize; 4] = [3, 4, 5, 2];
 enum Object {
     Point(usize),
     Body(usize),
-    Rod,
+    Rod(usize),
 }
 
 /// Identifiers of what rows may be about.
@@ -52,7 +52,7 @@ pub fn read(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
         match object {
             Object::Point(point) => on_point(mooring, point, &load),
             Object::Body(body) => mooring.bodies[body].loads.push(load),
-            Object::Rod => mooring.unmodelled.extend(on_rod(&load)),
+            Object::Rod(rod) => mooring.rods[rod].loads.push(load),
         }
     }
 }
@@ -101,7 +101,7 @@ fn object(row: &TableRow<'_, '_>, objects: &Objects) -> Result<Object, Fault> {
         let body = objects.bodies.find(number).map(Object::Body);
         (Section::Bodies, number, body)
     } else if let Some(number) = lower.strip_prefix("rod").or(lower.strip_prefix('r')) {
-        let rod = objects.rods.find(number).map(|_| Object::Rod);
+        let rod = objects.rods.find(number).map(Object::Rod);
         (Section::Rods, number, rod)
     } else if lower.starts_with('p') {
         let number = point_number(&lower);
@@ -124,7 +124,7 @@ fn triple(
     let given = row.bars(column)?;
     let value = match *given.value.as_slice() {
         [all] if is_damping || all == 0.0 => Some([all; 3]),
-        [across, along] if is_damping && matches!(object, Object::Rod) => {
+        [across, along] if is_damping && matches!(object, Object::Rod(_)) => {
             Some([across, along, 0.0])
         }
         [x, y, z] => Some([x, y, z]),
@@ -159,16 +159,4 @@ fn on_point(mooring: &mut Mooring, number: usize, load: &BodyLoad) {
             key: "EXTERNAL LOADS, Blin Bquad".to_owned(),
             what: "damping of a point over ground".to_owned(),
         }));
-}
-
-/// A load or damping of a rod: at its end A, spread along it.
-fn on_rod(load: &BodyLoad) -> Option<Unmodelled> {
-    let all = [&load.force, &load.linear, &load.quadratic];
-    let acts = all.into_iter().find(|given| given.value != [0.0; 3])?;
-    Some(Unmodelled {
-        name: "loads",
-        span: acts.span.clone(),
-        key: "EXTERNAL LOADS".to_owned(),
-        what: "a load on the end A of a rod, or damping along it".to_owned(),
-    })
 }

@@ -217,6 +217,7 @@ fn rod(
         hold: hold(row, 2, on)?,
         ends: [row.triple(3)?, row.triple(6)?],
         segments: whole(row, 9)?,
+        loads: Vec::new(),
     })
 }
 

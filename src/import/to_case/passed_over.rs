@@ -2,6 +2,7 @@
 
 use super::Context;
 use super::start::is_given;
+use super::unmodelled::moves_and_turns;
 use crate::import::listing::listed;
 use crate::import::mooring::{Attachment, Hold, Mooring, Program};
 
@@ -132,6 +133,19 @@ fn parts(context: &Context<'_>) -> Vec<String> {
         "EXTERNAL LOADS act on nothing at the bodies",
         &ids,
         "they are held",
+    );
+    let idle = mooring.rods.iter().filter(|rod| {
+        let [moves, turns] = moves_and_turns(context, rod);
+        rod.loads.iter().any(|load| {
+            let damps = load.linear.value != [0.0; 3] || load.quadratic.value != [0.0; 3];
+            !moves && load.force.value != [0.0; 3] || !turns && damps
+        })
+    });
+    let ids: Vec<&str> = idle.map(|rod| rod.id.as_str()).collect();
+    put(
+        "EXTERNAL LOADS act on nothing at end A of the rods",
+        &ids,
+        "it is held",
     );
     let along = mooring.bodies.iter().filter(|body| {
         let damps = |one: &crate::import::mooring::BodyLoad| {

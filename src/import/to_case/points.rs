@@ -39,9 +39,21 @@ pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
             case.table(&header, Some(&rod.span));
             let place = rod.ends[0].clone();
             held(case, context, &rod.hold, &place, None);
+            load(case, rod);
         } else if let Hold::Body(body) = rod.hold.value {
             on_body(case, context, number_of, rod, body);
         }
+    }
+}
+
+/// The steady loads on a joint that nothing holds.
+fn load(case: &mut CaseText<'_>, rod: &Rod) {
+    let whole = rod.load();
+    if let Some(load) = rod.loads.first()
+        && rod.hold.value == Hold::Free
+        && whole != [0.0; 3]
+    {
+        case.given("load_n", &numbers(&whole), &load.span, "Fext");
     }
 }
 

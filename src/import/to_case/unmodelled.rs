@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use super::Context;
 use crate::import::ImportOptions;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Given, Hold, Line, Mass, Stiffness, Unmodelled};
+use crate::import::mooring::{Attachment, Given, Hold, Line, Mass, Rod, Stiffness, Unmodelled};
 use crate::statics::catenary::{CatenaryLine, EndOffset, SectionProperties};
 
 /// Names by which `--without` leaves out what is not modelled.
@@ -47,6 +47,7 @@ pub fn leave_out(
     all.extend(failures(context));
     all.extend(clamps(context));
     all.extend(body_loads(context));
+    all.extend(rod_loads(context));
     all.extend(negative_friction(context));
     all.sort_by_key(|one| one.span.start);
     let is_left_out = |one: &Unmodelled| options.without.iter().any(|name| name == one.name);
@@ -150,6 +151,49 @@ fn body_loads(context: &Context<'_>) -> Vec<Unmodelled> {
             what: what.to_owned(),
         })
         .collect()
+}
+
+/// Loads at the ends A of rods, and damping of them, as far as they act; the load on a free joint is that of its point.
+fn rod_loads(context: &Context<'_>) -> Vec<Unmodelled> {
+    let mooring = context.mooring;
+    let mut found = Vec::new();
+    for (number, rod) in mooring.rods.iter().enumerate() {
+        let is_point = rod.is_joint() && !context.joints.is_inside(mooring, number);
+        let is_taken = is_point && rod.hold.value == Hold::Free;
+        let [moves, turns] = moves_and_turns(context, rod);
+        let damping = match rod.is_joint() {
+            true => "damping over ground of a rod without length",
+            false => "damping of a rod, across it or along it",
+        };
+        for load in &rod.loads {
+            let force = (moves && !is_taken).then_some((
+                &load.force,
+                "a steady force on end A of a rod that is not held",
+            ));
+            let damped =
+                [&load.linear, &load.quadratic].map(|given| turns.then_some((given, damping)));
+            let all = force.into_iter().chain(damped.into_iter().flatten());
+            let acting = all.filter(|(given, _)| given.value != [0.0; 3]);
+            found.extend(acting.map(|(given, what)| Unmodelled {
+                name: "loads",
+                span: given.span.clone(),
+                key: "EXTERNAL LOADS".to_owned(),
+                what: what.to_owned(),
+            }));
+        }
+    }
+    found
+}
+
+/// Whether end A of a rod moves with unknowns, and whether the rod does: one that is pinned turns about it.
+#[must_use]
+pub fn moves_and_turns(context: &Context<'_>, rod: &Rod) -> [bool; 2] {
+    let hold = &rod.hold.value;
+    let moves = match hold.base() {
+        Hold::Body(body) => context.mooring.bodies[*body].hold.value.turns(),
+        hold => *hold == Hold::Free,
+    };
+    [moves, moves || hold.turns() && !rod.is_joint()]
 }
 
 /// Lines on the bed whose friction is below 0, by which MAP++ has none where nothing lies on the bed.

@@ -6,12 +6,13 @@ use super::{Pane, PaneInfo, about};
 use crate::report::chart::Glyphs;
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, CaseEntry};
+use crate::tui::state::{AppState, CaseEntry, CaseList};
 use crate::tui::update::build::new_file;
 use crate::tui::update::motion::{moved, step};
 use crate::tui::update::trials;
 use crate::tui::view::paint::{span, wrap};
 use crate::tui::view::painter::Painter;
+use crate::visible;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
@@ -33,8 +34,10 @@ impl Pane for CasesPane {
 
     fn reason(&self, state: &AppState, id: CommandId) -> Option<&'static str> {
         let of_file = matches!(id, CommandId::Open | CommandId::ExternalEditor);
-        (of_file && state.cases.current().is_none())
-            .then_some("There is no case here. `:reload` reads the directory again.")
+        (of_file && state.cases.current().is_none()).then_some(match state.cases.is_read {
+            true => "There is no case here. `:reload` reads the directory again.",
+            false => "The cases are still being read.",
+        })
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
@@ -80,12 +83,7 @@ impl Pane for CasesPane {
             painter.text(head, &words, painter.theme.strong());
         }
         if entries.is_empty() {
-            let words = if cases.entries.is_empty() {
-                "There is no case file (*.toml) here. `seacable DIR` opens another directory."
-            } else {
-                "No case passes the filter. `:filter` and Esc drop it."
-            };
-            painter.paragraph(list, words);
+            painter.paragraph(list, &without_entries(cases));
         }
         let widths = entries.iter().map(|entry| entry.name.chars().count());
         let widest = u16::try_from(widths.max().unwrap_or(0)).unwrap_or(30);
@@ -103,6 +101,22 @@ impl Pane for CasesPane {
             about_case(painter, about, entry);
         }
     }
+}
+
+/// What is said in the place of entries.
+fn without_entries(cases: &CaseList) -> String {
+    if let Some(file) = &cases.opening {
+        let file = visible::path(file);
+        return format!(
+            "{file} is being read, and its equilibrium searched. The list of cases comes after it."
+        );
+    }
+    let words = match cases.entries.is_empty() {
+        true if !cases.is_read => "The cases of the directory are being read.",
+        true => "There is no case file (*.toml) here. `seacable DIR` opens another directory.",
+        false => "No case passes the filter. `:filter` and Esc drop it.",
+    };
+    words.to_owned()
 }
 
 fn case_line(painter: &mut Painter, line: Rect, entry: &CaseEntry, selected: bool, width: u16) {

@@ -60,6 +60,10 @@ impl Filter {
 pub struct CaseList {
     /// The directory listed.
     pub dir: PathBuf,
+    /// Whether it is read.
+    pub is_read: bool,
+    /// The file that was named, while it is read and its equilibrium searched: the list is read after it.
+    pub opening: Option<PathBuf>,
     /// All of its cases, by name.
     pub entries: Vec<CaseEntry>,
     /// Cursor among the entries that pass the filter.

@@ -12,6 +12,7 @@ use crate::tui::state::{AppState, CaseEntry, Document, Overlay, Question, Severi
 pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());
     state.cases.dir = dir;
+    state.cases.is_read = true;
     state.cases.entries = entries;
     // The cursor stays on its case; at first it is on the one that newcomers should see.
     let at = match before {
@@ -44,6 +45,7 @@ pub(super) fn rejected(
     file: PathBuf,
     text: String,
 ) -> Vec<Effect> {
+    state.cases.opening = None;
     state.say(Severity::Error, format!("{title} cannot be opened."));
     state.overlay = Some(Overlay::Text {
         title,
@@ -56,6 +58,7 @@ pub(super) fn rejected(
 
 pub(super) fn opened(state: &mut AppState, read: FileRead) -> Vec<Effect> {
     state.close();
+    state.cases.opening = None;
     let made = new_file::is_asked(state);
     state.document = Some(Document::new(read.path, read.read));
     runs::check(state);

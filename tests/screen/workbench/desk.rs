@@ -56,15 +56,20 @@ pub(crate) fn content_of(case: case::Case) -> DocumentContent {
 }
 
 impl Desk {
-    /// The list of cases: one good, one broken.
-    pub(crate) fn new(size: (u16, u16)) -> Self {
-        let mut desk = Self {
+    /// The list of cases before it is read.
+    pub(crate) fn unread(size: (u16, u16)) -> Self {
+        Self {
             state: AppState::new(size, looks(Glyphs::Braille, true)),
             asked: Vec::new(),
             checks_at_once: true,
             opens_new_files: true,
             parts_at_once: true,
-        };
+        }
+    }
+
+    /// The list of cases: one good, one broken.
+    pub(crate) fn new(size: (u16, u16)) -> Self {
+        let mut desk = Self::unread(size);
         let entry = |name: &str, about| CaseEntry {
             path: PathBuf::from("cases").join(name),
             name: name.to_owned(),

@@ -442,6 +442,30 @@ fn a_terminal_of_ascii_is_sent_ascii_whatever_a_file_says() {
 }
 
 #[test]
+fn a_file_that_was_named_is_searched_before_there_is_a_list() {
+    let mut desk = Desk::unread(SMALL);
+    assert!(
+        desk.screen()
+            .contains("The cases of the directory are being read.")
+    );
+    desk.state.cases.opening = Some(PathBuf::from("slow.toml"));
+    let words = "slow.toml is being read, and its equilibrium searched.";
+    assert!(desk.screen().contains(words), "{}", desk.screen());
+    desk.keys("enter");
+    assert_eq!(said(&desk), "The cases are still being read.");
+    let rejected = Msg::CaseRejected(PathBuf::from("slow.toml"), "no equilibrium".to_owned());
+    desk.tell(rejected);
+    desk.keys("esc");
+    assert!(!desk.screen().contains(words), "{}", desk.screen());
+    desk.tell(Msg::CasesRead(PathBuf::from("cases"), Vec::new()));
+    assert!(
+        desk.screen().contains("There is no case file"),
+        "{}",
+        desk.screen()
+    );
+}
+
+#[test]
 fn a_broken_case_opens_in_the_editor_from_the_list() {
     let mut desk = Desk::new(SMALL);
     desk.keys("G");

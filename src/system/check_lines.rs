@@ -1,0 +1,220 @@
+//! Checks of the lines of a system: what they end at, what they are made of, their clamps.
+
+use std::collections::HashMap;
+
+use super::model::{BodyKeys, BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
+use super::motion::check as motion;
+use super::rods;
+use crate::case::model::MaterialKeys;
+use crate::case::schema::Key;
+use crate::case::{Finding, unknown};
+
+/// Parts of a system by their names, so that many lines are checked in proportion to them.
+pub(super) struct ByName<'k, 'a> {
+    keys: &'k SystemKeys<'a>,
+    points: HashMap<&'k str, &'k PointKeys<'a>>,
+    bodies: HashMap<&'k str, &'k BodyKeys<'a>>,
+    materials: HashMap<&'k str, &'k MaterialKeys<'a>>,
+    /// What holds rods, by the names of the points at their ends.
+    rod_ends: HashMap<String, &'k Key<'a, BodyKind>>,
+    /// Lines by the points that they end at.
+    lines_at: HashMap<&'k str, Vec<&'k LineKeys<'a>>>,
+}
+
+/// Tables by their names.
+fn by_name<T>(tables: &[(String, T)]) -> HashMap<&str, &T> {
+    let named = tables.iter().map(|(name, table)| (name.as_str(), table));
+    named.collect()
+}
+
+impl<'k, 'a> ByName<'k, 'a> {
+    /// The parts of a system.
+    pub(super) fn of(keys: &'k SystemKeys<'a>) -> Self {
+        let mut lines_at: HashMap<&str, Vec<&LineKeys<'a>>> = HashMap::new();
+        for (_, line) in &keys.lines {
+            for end in [&line.from, &line.to] {
+                if let Some(point) = end.get() {
+                    lines_at.entry(point).or_default().push(line);
+                }
+            }
+        }
+        let rods = keys.rods.iter();
+        let rod_ends = rods.flat_map(|(name, rod)| rods::ends(name).map(|end| (end, &rod.kind)));
+        Self {
+            keys,
+            points: by_name(&keys.points),
+            bodies: by_name(&keys.bodies),
+            materials: by_name(&keys.materials),
+            rod_ends: rod_ends.collect(),
+            lines_at,
+        }
+    }
+
+    /// What is wrong with each line by itself.
+    pub(super) fn check_lines(&self) -> Vec<Finding> {
+        let mut found = Vec::new();
+        for (_, line) in &self.keys.lines {
+            found.extend(self.ends(line));
+            found.extend(self.make_up(line));
+            found.extend(repeats(line));
+            found.extend(self.clamps(line));
+            found.extend(motion::breaks(self.keys, line));
+        }
+        found
+    }
+
+    /// Whether this is the name of a body or rod.
+    pub(super) fn is_body(&self, name: &str) -> bool {
+        self.bodies.contains_key(name) || self.rod_ends.contains_key(&rods::ends(name)[0])
+    }
+
+    /// Whether lines end at a point, and all of them are without weight.
+    pub(super) fn bears_no_weight(&self, point: &str) -> bool {
+        let weightless = |line: &&LineKeys<'_>| {
+            let material = line.material.given().map(String::as_str);
+            let material = material.and_then(|name| self.materials.get(name));
+            material.is_some_and(|of| of.wet_weight_kg_per_m.value() == Some(0.0))
+        };
+        let lines = self.lines_at.get(point);
+        lines.is_some_and(|lines| lines.iter().all(weightless))
+    }
+
+    fn ends(&self, line: &LineKeys<'_>) -> Vec<Finding> {
+        let ends = [&line.from, &line.to].into_iter();
+        let mut found: Vec<Finding> = ends.filter_map(|end| self.unknown_point(end)).collect();
+        if let (Some(from), Some(to)) = (line.from.get(), line.to.get())
+            && from == to
+        {
+            let problem = format!("the line begins and ends at \"{to}\"");
+            found.push(line.to.finding(problem, "give another point"));
+        }
+        found
+    }
+
+    /// An end of a line that is neither a point nor the end of a rod.
+    fn unknown_point(&self, end: &Key<'_, String>) -> Option<Finding> {
+        let name = end.get()?;
+        if self.points.contains_key(name.as_str()) || self.rod_ends.contains_key(name) {
+            return None;
+        }
+        let rods = self.keys.rods.iter();
+        let of_rods: Vec<String> = rods.flat_map(|(name, _)| rods::ends(name)).collect();
+        let points = self.keys.points.iter().map(|(name, _)| name.as_str());
+        let names: Vec<&str> = points.chain(of_rods.iter().map(String::as_str)).collect();
+        unknown(end, &names, "point", "system")
+    }
+
+    fn unknown_material(&self, material: &Key<'_, String>) -> Option<Finding> {
+        if self.materials.contains_key(material.get()?.as_str()) {
+            return None;
+        }
+        let names = self.keys.materials.iter().map(|(name, _)| name);
+        let names: Vec<&String> = names.collect();
+        unknown(material, &names, "material", "system")
+    }
+
+    /// One material and length, or sections.
+    fn make_up(&self, line: &LineKeys<'_>) -> Vec<Finding> {
+        let mut found = Vec::from_iter(self.unknown_material(&line.material));
+        if line.sections.is_empty() {
+            found.extend(
+                line.material
+                    .if_missing("give `material` and `length_m`, or [[lines.sections]]"),
+            );
+            found.extend(
+                line.length_m
+                    .if_missing("give the unstretched length: `length_m`"),
+            );
+            return found;
+        }
+        let problem = "is given beside sections";
+        let remedy = "leave it out, or leave out the sections";
+        found.extend(line.material.if_given(problem, remedy));
+        found.extend(line.length_m.if_given(problem, remedy));
+        let sections = line.sections.iter();
+        found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
+        if let Some((_, last)) = line.sections.last() {
+            let problem = "is at the end of the line";
+            let remedy = "give the mass to the point there, or to the section before";
+            found.extend(last.clump_kg.if_given(problem, remedy));
+        }
+        found
+    }
+
+    /// Clamps hold the direction of a line that bends, at a point that does not turn.
+    fn clamps(&self, line: &LineKeys<'_>) -> Vec<Finding> {
+        let mut found = Vec::new();
+        for (elevation, azimuth, point) in [
+            (
+                &line.clamp_a_elevation_deg,
+                &line.clamp_a_azimuth_deg,
+                &line.from,
+            ),
+            (
+                &line.clamp_b_elevation_deg,
+                &line.clamp_b_azimuth_deg,
+                &line.to,
+            ),
+        ] {
+            if !elevation.is_given() {
+                let problem = "has no effect: the end is hinged";
+                let remedy = "give the elevation of the clamp as well, or remove it";
+                found.extend(azimuth.if_given(problem, remedy));
+                continue;
+            }
+            if !self.does_not_turn(point.get()) {
+                let problem = "is not covered at a point that is free or on a body that turns";
+                let remedy = "clamp the line at a fixed or moved point, or remove the clamp";
+                found.extend(elevation.if_given(problem, remedy));
+            } else if !self.bends(line) {
+                let problem = "has no effect: the line does not bend";
+                let remedy = "give its material a bending stiffness `ei_n_m2`, or remove the clamp";
+                found.extend(elevation.if_given(problem, remedy));
+            }
+        }
+        found
+    }
+
+    /// Whether a point keeps its directions: held or moved, or on a body that is held.
+    fn does_not_turn(&self, name: Option<&String>) -> bool {
+        let Some(name) = name else { return false };
+        let Some(point) = self.points.get(name.as_str()) else {
+            // Ends of rods turn with them; a name that is not known has a finding of its own.
+            let kind = self.rod_ends.get(name);
+            return kind.is_some_and(|kind| kind.is(&BodyKind::Held));
+        };
+        match point.kind.get() {
+            Some(PointKind::Free) => false,
+            Some(PointKind::Body) => {
+                let body = point.body.get();
+                let body = body.and_then(|name| self.bodies.get(name.as_str()));
+                body.is_some_and(|body| body.kind.is(&BodyKind::Held))
+            }
+            _ => true,
+        }
+    }
+
+    /// Whether a line has a material with bending stiffness.
+    fn bends(&self, line: &LineKeys<'_>) -> bool {
+        let sections = line.sections.iter().map(|(_, section)| &section.material);
+        let mut names = sections.chain([&line.material]).filter_map(Key::get);
+        names.any(|name| {
+            let material = self.materials.get(name.as_str());
+            material.is_some_and(|of| of.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
+        })
+    }
+}
+
+fn repeats(line: &LineKeys<'_>) -> Option<Finding> {
+    let angles = line.repeat_at_deg.given()?;
+    let twice = angles.iter().enumerate().find(|(index, angle)| {
+        angles[..*index]
+            .iter()
+            .any(|before| (before - **angle).rem_euclid(360.0) == 0.0)
+    });
+    twice.map(|(index, angle)| {
+        let problem = format!("has {angle} twice");
+        line.repeat_at_deg
+            .finding_at_item(index, problem, "give every angle once")
+    })
+}
