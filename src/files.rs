@@ -12,6 +12,7 @@ pub(crate) mod faults;
 pub(crate) mod lock;
 pub mod read;
 pub mod root;
+pub(crate) mod shallow;
 pub(crate) mod unsaved;
 pub mod walk;
 

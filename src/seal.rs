@@ -7,6 +7,7 @@
 use std::fmt::Write as _;
 use std::io::{self, Read};
 
+use crate::files::shallow::shallow;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
@@ -128,7 +129,7 @@ pub(crate) fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), Strin
             "it was changed since it was written: its seal is that of another text".to_owned(),
         );
     }
-    let table: toml::Table = toml::from_str(before).map_err(|e| e.to_string())?;
+    let table: toml::Table = toml::from_str(shallow(before)).map_err(|e| e.to_string())?;
     check_finite(&table)?;
     let SealTable { seal } = SealTable::deserialize(table.clone()).map_err(|e| e.to_string())?;
     let content = C::deserialize(table).map_err(|e| e.to_string())?;

@@ -1,5 +1,6 @@
 //! From a file to a checked case.
 
+use crate::files::shallow::shallow;
 use crate::visible;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -179,7 +180,7 @@ pub(crate) fn tree_of(text: &str) -> Result<TomlNode, Vec<Finding>> {
             let remedy = "give the case or the file of MoorDyn that names it";
             return vec![Finding::new(&(0..0), "", problem, remedy)];
         }
-        let (_, all) = DeTable::parse_recoverable(text);
+        let (_, all) = DeTable::parse_recoverable(shallow(text));
         let mut found: Vec<Finding> = all
             .iter()
             .map(|fault| syntax(fault.span(), fault.message()))

@@ -8,6 +8,8 @@ use std::ops::Range;
 
 use toml_edit::{Document, Item, Table, TomlError, Value};
 
+use crate::files::shallow::shallow;
+
 /// A value of the document and where it stands.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TomlNode {
@@ -47,7 +49,7 @@ pub(crate) struct TomlEntry {
 impl TomlNode {
     /// The document as a tree.
     pub(crate) fn parse(text: &str) -> Result<Self, TomlError> {
-        let document = Document::parse(text)?;
+        let document = Document::parse(shallow(text))?;
         Ok(table(document.as_table(), &(0..0)))
     }
 
@@ -58,7 +60,7 @@ impl TomlNode {
 
     /// A value written alone, as a user types it into a field.
     pub(crate) fn parse_value(text: &str) -> Option<Self> {
-        let value: Value = text.parse().ok()?;
+        let value: Value = shallow(text).parse().ok()?;
         Some(from_value(&value, &(0..text.len())))
     }
 

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use toml::Value;
 
 use crate::files::read;
+use crate::files::shallow::shallow;
 use crate::run::store;
 
 /// The files that a command reads which is given these paths: the files themselves, the case files below directories,
@@ -25,7 +26,7 @@ fn collect(path: &Path, found: &mut BTreeSet<PathBuf>) {
     } else if path.is_file() && found.insert(path.to_owned()) && is_toml(path) {
         let text = read::text(path).unwrap_or_default();
         let folder = path.parent().unwrap_or(Path::new(""));
-        if let Ok(table) = text.parse::<toml::Table>() {
+        if let Ok(table) = shallow(&text).parse::<toml::Table>() {
             collect_named(&Value::Table(table), folder, found);
         }
     }

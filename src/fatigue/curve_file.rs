@@ -20,6 +20,7 @@
 use super::component::{Component, Measure, RangeKind, chain_area, rope_area};
 use super::curve::{CurveError, Knee, Law, check};
 use super::curve_library::{PUBLISHED, published};
+use crate::files::shallow::shallow;
 use serde::Deserialize;
 
 /// Why a file is no curve.
@@ -175,7 +176,8 @@ pub struct CurveTable {
 /// # Errors
 /// What is no TOML or no curve, with what would be one.
 pub fn read_curve(text: &str) -> Result<Component, CurveFileError> {
-    let file: File = toml::from_str(text).map_err(|e| CurveFileError::Syntax(e.to_string()))?;
+    let file: File =
+        toml::from_str(shallow(text)).map_err(|e| CurveFileError::Syntax(e.to_string()))?;
     file.curve.component()
 }
 

@@ -13,6 +13,7 @@ use super::jobs_dir::{JobError, check_private, hidden_name};
 use super::spec::JobSpec;
 use super::status::JobStatus;
 use crate::files::lock::{self, LockFile};
+use crate::files::shallow::shallow;
 use crate::files::{Target, disk, read};
 use crate::strays::Hidden;
 use crate::visible;
@@ -92,7 +93,7 @@ impl JobFolder {
     pub fn spec(&self) -> Result<JobSpec, JobError> {
         let path = self.path.join(REQUEST);
         let text = read::text(&path).map_err(JobError::io(&path))?;
-        toml::from_str(&text).map_err(|error| JobError::Damaged {
+        toml::from_str(shallow(&text)).map_err(|error| JobError::Damaged {
             reason: error.message().to_owned(),
             path,
         })
@@ -108,7 +109,7 @@ impl JobFolder {
     #[must_use]
     pub fn status(&self) -> Option<JobStatus> {
         let text = read::text(&self.path.join(STATUS)).ok()?;
-        toml::from_str(&text).ok()
+        toml::from_str(shallow(&text)).ok()
     }
 
     /// Writes what the job says of itself.
@@ -213,7 +214,7 @@ impl JobFolder {
 }
 
 fn lock_text(text: &str) -> Option<LockText> {
-    toml::from_str(text).ok()
+    toml::from_str(shallow(text)).ok()
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@ use toml_edit::{Document, Item, Table};
 
 use crate::case::text_lines::{line_end, line_start};
 use crate::case::tree::{TomlNode, element_names};
+use crate::files::shallow::shallow;
 
 /// A table written under a header of its own: `[materials.chain]`, `[[lines]]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +28,7 @@ impl Block {
 
 /// The tables of a text under headers of their own, in the order of the text. A text that is not TOML has none.
 pub(crate) fn blocks(text: &str) -> Vec<Block> {
-    let (Ok(document), Ok(tree)) = (Document::parse(text), TomlNode::parse(text)) else {
+    let (Ok(document), Ok(tree)) = (Document::parse(shallow(text)), TomlNode::parse(text)) else {
         return Vec::new();
     };
     let mut found = Vec::new();

@@ -2,6 +2,7 @@
 
 use super::VariationView;
 use crate::case::{Case, FieldRow, kind};
+use crate::files::shallow::shallow;
 use crate::kinds::FileType;
 use crate::report::document::Report;
 use crate::report::text::inputs;
@@ -40,7 +41,7 @@ impl VariationView<'_> {
 
 /// Whether a file names the source of its data, in the table of this name.
 fn source_of(text: &str, table: &str) -> bool {
-    let parsed = text.parse::<toml::Table>().ok();
+    let parsed = shallow(text).parse::<toml::Table>().ok();
     let source = parsed
         .as_ref()
         .and_then(|all| all.get(table)?.get("source")?.as_str());

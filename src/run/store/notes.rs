@@ -5,6 +5,7 @@ use std::{io, path::Path};
 use serde::{Deserialize, Serialize};
 
 use super::{NOTES, StoreError, create::replace, read_info};
+use crate::files::shallow::shallow;
 use crate::files::{disk, read::run_text};
 use crate::visible;
 
@@ -25,7 +26,7 @@ impl RunNotes {
     #[must_use]
     pub fn read(dir: &Path) -> Self {
         let text = run_text(&dir.join(NOTES)).unwrap_or_default();
-        let mut notes: Self = toml::from_str(&text).unwrap_or_default();
+        let mut notes: Self = toml::from_str(shallow(&text)).unwrap_or_default();
         notes.order();
         notes
     }

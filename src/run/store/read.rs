@@ -15,6 +15,7 @@ use super::{
 };
 use crate::case::ChannelId;
 use crate::files::read::{run_table, run_text};
+use crate::files::shallow::shallow;
 use crate::run::along::FatigueSpot;
 use crate::run::{
     Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
@@ -195,7 +196,7 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
         _ => StoreError::io("Reading", &path)(error),
     })?;
     let damaged = |reason: String| {
-        let table = text.parse::<toml::Table>().unwrap_or_default();
+        let table = shallow(&text).parse::<toml::Table>().unwrap_or_default();
         let version = table.get("version").and_then(toml::Value::as_str);
         StoreError::Damaged {
             file: path.clone(),
@@ -204,11 +205,11 @@ pub fn read_info(dir: &Path) -> Result<RunInfo, StoreError> {
     };
     // Few files have these letters, and it is read often.
     if ["inf", "nan"].iter().any(|word| text.contains(word))
-        && let Ok(table) = text.parse::<toml::Table>()
+        && let Ok(table) = shallow(&text).parse::<toml::Table>()
     {
         seal::check_finite(&table).map_err(damaged)?;
     }
-    toml::from_str(&text).map_err(|error| damaged(error.to_string()))
+    toml::from_str(shallow(&text)).map_err(|error| damaged(error.to_string()))
 }
 
 /// Why a file cannot be understood, and which version of the program wrote it.

@@ -22,6 +22,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use serde::{Deserialize, Serialize};
 
 use crate::case::StudyValue;
+use crate::files::shallow::shallow;
 use crate::files::{Target, WriteError, disk, read};
 use crate::run::VERSION;
 use crate::run::store::{self, DirectoryLock, StoreError, lock_directory};
@@ -227,7 +228,7 @@ impl SweepFolder {
             return Err(SweepError::Busy(dir.to_owned()));
         }
         let lock = alone.then(|| lock_directory(dir)).flatten();
-        let info: SweepInfo = toml::from_str(&text(SWEEP)?)
+        let info: SweepInfo = toml::from_str(shallow(&text(SWEEP)?))
             .map_err(|error| damaged(dir, SWEEP, error.to_string()))?;
         let (case, load_cases) = (text(CASE)?, text(LOAD_CASES)?);
         for (name, part, text) in [

@@ -5,6 +5,7 @@ use toml_edit::DocumentMut;
 use crate::case::file_kind::FileKind;
 use crate::case::load_cases::{LoadCaseError, LoadCases, read_file};
 use crate::case::{Attachment, LoadCaseInputs, ValueRange, kind};
+use crate::files::shallow::shallow;
 use std::collections::BTreeMap;
 
 /// What a file of a kind says of load cases.
@@ -51,7 +52,7 @@ pub fn load_cases<K: FileKind>(
 /// The text of a file without its load cases: what each of their runs is a run of.
 #[must_use]
 pub fn without_load_cases(text: &str) -> String {
-    match text.parse::<DocumentMut>() {
+    match shallow(text).parse::<DocumentMut>() {
         Ok(mut document) if document.contains_key("load_cases") => {
             document.remove("load_cases");
             document.to_string()

@@ -10,6 +10,7 @@ use rayon::prelude::*;
 use super::{StoredSweep, Sweep, SweepFolder, SweepInfo, SweepOutcomes, SweepPlan, SweepResults};
 use crate::case::QuantityId;
 use crate::files::read;
+use crate::files::shallow::shallow;
 use crate::run::RunState;
 use crate::study::points::PointOutcome;
 use crate::study::seas::{SeaResults, StoredRun};
@@ -57,7 +58,7 @@ pub fn stored_sweeps(root: &Path, case_file: &str) -> Vec<SweepEntry> {
     let dirs: Vec<PathBuf> = inside.flatten().map(|item| item.path()).collect();
     let entry = |dir: PathBuf| {
         let text = read::run_text(&dir.join(super::folder::SWEEP)).ok()?;
-        let info: SweepInfo = toml::from_str(&text).ok()?;
+        let info: SweepInfo = toml::from_str(shallow(&text)).ok()?;
         let is_of = info.case_file == case_file && info.window.is_none();
         is_of.then_some(SweepEntry { dir, info })
     };

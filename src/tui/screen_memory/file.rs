@@ -11,6 +11,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::ScreenMemory;
+use crate::files::shallow::shallow;
 use crate::files::{Target, disk, read};
 use crate::places::state_dir;
 use crate::visible;
@@ -75,7 +76,7 @@ fn of_file<T: DeserializeOwned>(path: &Path) -> io::Result<Option<T>> {
 /// # Errors
 /// Why it is none.
 pub fn of_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    toml::from_str(text).map_err(|error| error.message().to_owned())
+    toml::from_str(shallow(text)).map_err(|error| error.message().to_owned())
 }
 
 fn fault(path: &Path, why: &str) -> io::Error {

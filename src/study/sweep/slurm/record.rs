@@ -7,6 +7,7 @@ use std::time::SystemTime;
 use serde::{Deserialize, Serialize};
 
 use super::{Division, RECORD, SCRIPT, Script, check_option, job_name};
+use crate::files::shallow::shallow;
 use crate::files::{Existing, Target, read};
 use crate::run::{VERSION, store};
 use crate::study::sweep::SweepError;
@@ -90,7 +91,7 @@ impl SlurmRecord {
     /// # Errors
     /// What is wrong with it, in words.
     fn parse(text: &str, load_cases: usize) -> Result<Self, String> {
-        let record: Self = toml::from_str(text).map_err(|error| error.to_string())?;
+        let record: Self = toml::from_str(shallow(text)).map_err(|error| error.to_string())?;
         let wrong = |what: String| Err(format!("it has {what}"));
         if record.load_cases != load_cases {
             return wrong(format!(
