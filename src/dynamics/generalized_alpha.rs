@@ -20,6 +20,8 @@
 //! The balance holds at a mix of positions, where the chord of a rotating segment is shorter than before and after the step:
 //! [`MidstepBalance::correct_chord_lengths`] accounts for that in the tensions that are output.
 
+use std::mem::swap;
+
 use super::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
@@ -147,7 +149,9 @@ impl GeneralizedAlpha {
             self.end.a[i] += self.jerk[i] * shift;
         }
         self.jerk_weight = 1.0;
+        swap(&mut self.end.kept_waves, &mut self.between.kept_waves);
         system.update_wave_kinematics(t + h, &mut self.end);
+        swap(&mut self.end.kept_waves, &mut self.between.kept_waves);
         if self.scheme.alpha_f > 0.0 {
             system.correct_chord_lengths(self.scheme.alpha_f, state, &mut self.end);
         }

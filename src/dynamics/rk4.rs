@@ -3,6 +3,8 @@
 //! Stable up to `h omega = 2.785` for the fastest axial mode, known beforehand, and to `h lambda = 2.785` for the fastest
 //! decay by drag, which grows with velocity: a longer step is rejected and halved.
 
+use std::mem::swap;
+
 use super::step_control::DOUBLING_ERROR;
 use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
@@ -111,7 +113,9 @@ impl<S: ExplicitRhs> Stepper<S> for Rk4 {
         self.move_stage(system, state, dt);
         self.add_stage(system, t + dt, dt / 6.0);
         system.prescribe(t + dt, &mut self.next);
+        swap(&mut self.next.kept_waves, &mut self.stage.kept_waves);
         system.update_wave_kinematics(t + dt, &mut self.next);
+        swap(&mut self.next.kept_waves, &mut self.stage.kept_waves);
         // The acceleration of the last stage is that at the end of the step: good for output.
         self.next.a.copy_from_slice(&self.stage.a);
         let ratio = self.check(system, dt, state)?;

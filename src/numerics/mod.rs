@@ -25,6 +25,7 @@ pub mod lanes;
 pub mod log_newton;
 mod lu;
 pub mod piecewise;
+pub(crate) mod processor;
 pub mod quadrature;
 pub mod random;
 pub(crate) mod richardson;

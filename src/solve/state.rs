@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::numerics::V3;
 use crate::physics::FrictionAnchor;
 use crate::physics::rope::creep::CreepState;
-use crate::physics::sea::WaterMotion;
+use crate::physics::sea::{KeptWaves, WaterMotion};
 
 /// History variables of the accepted steps. They change in [`Hysteresis`](super::Hysteresis) only, never while a step is
 /// tried: all trials of a step start from the same history.
@@ -121,6 +121,9 @@ pub struct State {
     /// [`update_wave_kinematics`](super::Kinematics::update_wave_kinematics). One entry a node, or empty.
     #[serde(skip)]
     pub wave_flow: Vec<WaterMotion>,
+    /// What is kept to write them again.
+    #[serde(skip)]
+    pub kept_waves: KeptWaves,
     /// Tensions of the segments \[N\] extrapolated from the iteration before, for the geometric stiffness
     /// ([`extrapolate_tensions`](super::Residual::extrapolate_tensions)). One entry a segment, or empty: tensions then
     /// follow from strain.
@@ -147,6 +150,7 @@ impl State {
             a: vec![V3::zeros(); n],
             memory: HistoryVariables::default(),
             wave_flow: Vec::new(),
+            kept_waves: KeptWaves::default(),
             extrapolated_tension: Vec::new(),
             chord_correction: Vec::new(),
             creep_rates: Vec::new(),

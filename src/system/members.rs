@@ -11,7 +11,7 @@ mod water_loads;
 mod wet_part;
 
 use super::pose::Pose;
-use crate::physics::sea::{Sea, WaterMotion};
+use crate::physics::sea::{SeaReader, WaterMotion};
 use crate::system::body_loads::MovingPose;
 use crate::system::network::Member;
 
@@ -24,11 +24,11 @@ pub(super) use water_loads::{drag, wave_inertia};
 /// Stations of a member at which waves are read: its lower end, its upper end, and the slices of its part in the water.
 pub(super) const STATIONS: usize = 2 + wet_part::SLICES;
 
-/// Reads the waves of a sea at a time \[s\] at the stations of a member.
+/// Reads the waves of a sea at the stations of a member, places of the sea's reader from the first number.
 pub(super) fn read_waves(
     member: &Member,
     pose: &Pose,
-    (sea, t): (&Sea, f64),
+    (sea, first): (&mut SeaReader<'_>, usize),
     stations: &mut [WaterMotion],
 ) {
     let (ends, along) = stations.split_at_mut(2);
@@ -38,16 +38,16 @@ pub(super) fn read_waves(
         true => [places[1], places[0]],
         false => places,
     };
-    ends[0] = sea.flow(t, &low, true);
-    ends[1] = sea.flow(t, &high, true);
+    ends[0] = sea.flow(first, &low, true);
+    ends[1] = sea.flow(first + 1, &high, true);
     let moving = MovingPose::of(pose);
     let wet = Placed::of(member, &moving, ends).wet_part();
     let mut last: Option<WaterMotion> = None;
-    for (station, share) in along.iter_mut().zip(wet.shares()) {
+    for (number, (station, share)) in (first + 2..).zip(along.iter_mut().zip(wet.shares())) {
         let place = low.lerp(&high, share);
         // All slices of a part without length are at one place.
         let known = last.filter(|known| known.place == place);
-        let flow = known.unwrap_or_else(|| sea.flow(t, &place, false));
+        let flow = known.unwrap_or_else(|| sea.flow(number, &place, false));
         *station = flow;
         last = Some(flow);
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Component;
+use super::phasors::{FieldPhasors, Fresh};
 use super::waves::{Surface, WaterMotion, WaveField};
 use crate::numerics::V3;
 use crate::physics::CurrentGrid;
@@ -64,25 +65,30 @@ impl Sea {
     /// asks for it. Stretching goes by the surface of all fields together.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
-        if let ([only], None) = (self.fields.as_slice(), &self.current) {
-            return only.flow(t, place, surface);
-        }
+        self.flow_by(t, place, surface, &mut Fresh::at(t))
+    }
+
+    /// The same with the phasors of each field.
+    pub(super) fn flow_by(
+        &self,
+        t: f64,
+        place: &V3,
+        surface: bool,
+        phasors: &mut impl FieldPhasors,
+    ) -> WaterMotion {
         let needed = surface || self.fields.iter().any(WaveField::needs_elevation);
         let mut whole = Surface::default();
         if needed {
-            for field in &self.fields {
-                whole.add(&field.surface_at(t, place));
+            for (number, field) in self.fields.iter().enumerate() {
+                whole.add(&field.surface_at(t, place, &mut phasors.of(number)));
             }
         }
-        let mut flow = WaterMotion {
+        let mut flow = whole.over(WaterMotion {
             place: *place,
-            elevation: whole.elevation,
-            slope: whole.slope,
-            elevation_rate: whole.rate,
             ..WaterMotion::default()
-        };
-        for field in &self.fields {
-            let part = field.flow_under(t, place, &whole);
+        });
+        for (number, field) in self.fields.iter().enumerate() {
+            let part = field.flow_under(t, place, &whole, &mut phasors.of(number));
             flow.velocity += part.velocity;
             flow.gradient += part.gradient;
             flow.acceleration += part.acceleration;
@@ -148,7 +154,7 @@ mod tests {
         let one = field(0.7, 3, Stretching::Vertical);
         let place = V3::new(5.0, 6.0, -4.0);
         let alone = Sea::new(vec![one.clone()]).flow(30.0, &place, true);
-        assert_eq!(alone, one.flow(30.0, &place, true));
+        assert_eq!(alone, one.flow(30.0, &place));
         let twice = Sea::new(vec![one.clone(), one]).flow(30.0, &place, true);
         assert!((twice.velocity - alone.velocity * 2.0).norm() < 1e-13);
         assert!((twice.elevation - 2.0 * alone.elevation).abs() < 1e-13);

@@ -243,7 +243,7 @@ mod tests {
     use super::*;
     use crate::numerics::{DepthGrid, DepthInterpolation};
     use crate::physics::sea::{
-        Component, DepthDecay, Sea, Stretching, WaveField, WaveLoad, WaveSettings,
+        Component, DepthDecay, Sea, SeaReader, Stretching, WaveField, WaveLoad, WaveSettings,
     };
     use crate::system::bed::Bed;
     use crate::system::network::{HeadingLoads, Member};
@@ -394,7 +394,8 @@ mod tests {
         let mut flows = vec![sea.flow(2.0, &pose.origin, true)];
         for member in &network.bodies[0].members {
             let mut stations = [WaterMotion::default(); members::STATIONS];
-            members::read_waves(member, pose, (&sea, 2.0), &mut stations);
+            let mut reader = SeaReader::Once(&sea, 2.0);
+            members::read_waves(member, pose, (&mut reader, 0), &mut stations);
             flows.extend(stations);
         }
         flows

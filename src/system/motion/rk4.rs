@@ -132,7 +132,9 @@ impl SystemRk4 {
         }
         system.prescribe(t + dt, &mut self.next);
         system.follow(&mut self.next);
+        self.next.swap_kept_waves(&mut self.stage);
         system.update_wave_kinematics(t + dt, &mut self.next);
+        self.next.swap_kept_waves(&mut self.stage);
         Ok(())
     }
 }

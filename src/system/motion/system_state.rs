@@ -71,6 +71,13 @@ impl SystemState {
         }
     }
 
+    /// Swaps what is kept to read the waves with another state at places close by.
+    pub fn swap_kept_waves(&mut self, other: &mut Self) {
+        for (own, other) in self.parts_mut().zip(other.parts_mut()) {
+            std::mem::swap(&mut own.kept_waves, &mut other.kept_waves);
+        }
+    }
+
     /// Copies histories, bases and what is attached to what.
     pub fn copy_history_from(&mut self, other: &Self) {
         for (line, other) in self.lines.iter_mut().zip(&other.lines) {

@@ -6,7 +6,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::numerics::V3;
-use crate::physics::sea::{Sea, WaterMotion};
+use crate::physics::sea::{SeaReader, WaterMotion};
 use crate::system::members::{self, STATIONS};
 use crate::system::network::Body;
 
@@ -29,8 +29,8 @@ pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
     bodies.iter().map(range).collect()
 }
 
-/// Reads the waves at the joints and at the stations of the bodies at time t \[s\].
-pub(super) fn read(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemState) {
+/// Reads the waves at the joints and at the stations of the bodies.
+pub(super) fn read(system: &MovingSystem, mut sea: SeaReader<'_>, state: &mut SystemState) {
     let joints = &mut state.joints;
     joints
         .wave_flow
@@ -39,7 +39,7 @@ pub(super) fn read(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemS
     let points = system.joints.free.clone();
     let points = points.filter(|joint| matches!(roles[*joint], Role::Free(_) | Role::Released(..)));
     for joint in points {
-        joints.wave_flow[joint] = sea.flow(t, &joints.x[joint], true);
+        joints.wave_flow[joint] = sea.flow(joint, &joints.x[joint], true);
     }
     for (number, range) in system.stations.iter().enumerate() {
         if range.is_empty() {
@@ -47,10 +47,13 @@ pub(super) fn read(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemS
         }
         let pose = state.body(&system.joints, number).pose;
         let flows = &mut state.body_flow[range.clone()];
-        flows[0] = sea.flow(t, &pose.origin, true);
+        let first = state.joints.x.len() + range.start;
+        flows[0] = sea.flow(first, &pose.origin, true);
         let members = &system.network.bodies[number].members;
-        for (member, flows) in members.iter().zip(flows[1..].chunks_exact_mut(STATIONS)) {
-            members::read_waves(member, &pose, (sea, t), flows);
+        let stations = (first + 1..).step_by(STATIONS);
+        let flows = flows[1..].chunks_exact_mut(STATIONS);
+        for ((member, flows), first) in members.iter().zip(flows).zip(stations) {
+            members::read_waves(member, &pose, (&mut sea, first), flows);
         }
     }
 }

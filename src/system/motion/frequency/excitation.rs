@@ -9,7 +9,7 @@ use super::perturbed::Phase;
 use super::prescribed::Prescribed;
 use super::{Amplitude, Complex};
 use crate::numerics::V3;
-use crate::physics::sea::{Sea, WaterMotion};
+use crate::physics::sea::{Sea, SeaReader, WaterMotion};
 use crate::solve::Factors;
 use crate::system::motion::border::Border;
 use crate::system::motion::moving_system::MovingSystem;
@@ -292,7 +292,7 @@ fn read_waves(system: &MovingSystem, sea: &Sea, t: f64, state: &mut SystemState)
             *flow = sea.flow(t, x, water.crossed);
         }
     }
-    wave_stations::read(system, sea, t, state);
+    wave_stations::read(system, SeaReader::Once(sea, t), state);
 }
 
 fn turn_waves(state: &mut SystemState) {

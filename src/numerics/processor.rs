@@ -1,0 +1,11 @@
+//! The instructions of the processor that the program runs on.
+//!
+//! Code that is generic over [`pulp::Simd`] and makes no use of it is compiled once for each set of instructions; without fused products, and with
+//! a fixed number of partial sums, its bits are the same on all.
+
+use std::sync::LazyLock;
+
+use pulp::Arch;
+
+/// What this processor has.
+pub(crate) static ARCH: LazyLock<Arch> = LazyLock::new(Arch::new);
