@@ -150,18 +150,14 @@ fn remember(retardation: &Retardation, rows: &[(f64, Vector6<f64>)], t: f64, loa
     for ((i, j), g) in retardation.pairs().zip(&before) {
         load.memory[i] -= g * v0[j];
     }
-    retardation.second_integrals(t - first, &mut before);
-    let mut after = [0.0; PAIRS];
-    for pair in rows.windows(2) {
-        let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
-        retardation.second_integrals(t - pair[1].0, &mut after);
-        for ((i, j), (from, to)) in retardation.pairs().zip(before.iter().zip(&after)) {
-            load.memory[i] -= (from - to) * slope[j];
-        }
-        std::mem::swap(&mut before, &mut after);
+    let mut sum = [0.0; PAIRS];
+    retardation.convolve(rows, t, &mut sum);
+    for ((i, _), sum) in retardation.pairs().zip(&sum) {
+        load.memory[i] -= sum;
     }
     let h = t - last;
     if h > 0.0 {
+        retardation.second_integrals(h, &mut before);
         for ((i, j), second) in retardation.pairs().zip(&before) {
             load.damping[(i, j)] = second / h;
             load.memory[i] += second / h * now[j];

@@ -12,10 +12,12 @@
 
 use std::f64::consts::{FRAC_2_PI, PI, TAU};
 
-use nalgebra::Matrix6;
+use nalgebra::{Matrix6, Vector6};
+use pulp::{Simd, WithSimd};
 
 use super::RadiationTable;
 use crate::numerics::interpolation::linear_clamped;
+use crate::numerics::processor::ARCH;
 
 /// Points of the grid in a period of the highest frequency.
 const POINTS: f64 = 24.0;
@@ -37,9 +39,42 @@ struct Function {
     i: usize,
     j: usize,
     value: Vec<f64>,
-    /// Its integral from 0, and the integral of that.
-    first: Vec<f64>,
-    second: Vec<f64>,
+}
+
+/// At the points of the grid the values of all functions, their integrals from 0 and the integrals of these, side by side: a convolution reads
+/// them together.
+#[derive(Debug, Clone, PartialEq)]
+struct Points {
+    /// Functions, with those of nothing that fill up the last four.
+    width: usize,
+    numbers: Vec<f64>,
+}
+
+impl Points {
+    /// Of functions at even times \[s\].
+    fn of(functions: &[Function], step: f64) -> Self {
+        let count = functions.first().map_or(2, |f| f.value.len());
+        let width = functions.len().next_multiple_of(4);
+        let mut numbers = vec![0.0; 3 * width * count];
+        for (p, function) in functions.iter().enumerate() {
+            let (first, second) = integrals(&function.value, step);
+            for (k, point) in numbers.chunks_exact_mut(3 * width).enumerate() {
+                point[p] = function.value[k];
+                point[width + p] = first[k];
+                point[2 * width + p] = second[k];
+            }
+        }
+        Self { width, numbers }
+    }
+
+    /// Values, integrals and integrals of these at a point.
+    #[inline(always)]
+    fn at(&self, k: usize) -> [&[f64]; 3] {
+        let point = &self.numbers[3 * self.width * k..][..3 * self.width];
+        let (value, rest) = point.split_at(self.width);
+        let (first, second) = rest.split_at(self.width);
+        [value, first, second]
+    }
 }
 
 /// The retardation functions of a body.
@@ -47,6 +82,7 @@ struct Function {
 pub struct Retardation {
     step: f64,
     functions: Vec<Function>,
+    points: Points,
     /// Added mass at infinite frequency \[kg, kg m, kg m²\].
     pub at_infinity: Matrix6<f64>,
     /// Greatest difference of the damping transformed back, by the greatest of its pair of modes \[-\].
@@ -75,19 +111,14 @@ impl Retardation {
         for value in &mut values {
             value.truncate(kept.max(2));
         }
-        let functions = pairs.iter().zip(values).map(|(&(i, j), value)| {
-            let (first, second) = integrals(&value, step);
-            Function {
-                i,
-                j,
-                value,
-                first,
-                second,
-            }
-        });
+        let functions = pairs.iter().zip(values);
+        let functions: Vec<Function> = functions
+            .map(|(&(i, j), value)| Function { i, j, value })
+            .collect();
         let mut made = Self {
             step,
-            functions: functions.collect(),
+            points: Points::of(&functions, step),
+            functions,
             at_infinity: Matrix6::zeros(),
             error: 0.0,
         };
@@ -113,24 +144,47 @@ impl Retardation {
     /// The first integral of every function over the times before tau \[s\].
     pub fn first_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
         let (k, s) = self.place(tau);
+        let [value, first, _] = self.points.at(k);
+        let [next, ..] = self.points.at(k + 1);
         let s = s.min(self.step);
         let curve = 0.5 * s * s / self.step;
-        for (out, f) in out.iter_mut().zip(&self.functions) {
-            *out = f.first[k] + s * f.value[k] + curve * (f.value[k + 1] - f.value[k]);
+        for (p, out) in out[..self.points.width].iter_mut().enumerate() {
+            *out = first[p] + s * value[p] + curve * (next[p] - value[p]);
         }
     }
 
     /// The integral of that, which is straight beyond the memory.
     pub fn second_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
+        ARCH.dispatch(Second { of: self, tau, out });
+    }
+
+    /// Adds to a convolution what changes of every function's second integral between times before now \[s\] bring, times slopes of the
+    /// velocities it acts by.
+    pub fn convolve(&self, rows: &[(f64, Vector6<f64>)], now: f64, sum: &mut [f64; PAIRS]) {
+        ARCH.dispatch(Convolution {
+            of: self,
+            rows,
+            now,
+            sum,
+        });
+    }
+
+    #[inline(always)]
+    fn second(&self, tau: f64, out: &mut [f64]) {
         let (k, s) = self.place(tau);
+        let [value, first, second] = self.points.at(k);
+        let [next, next_first, _] = self.points.at(k + 1);
         let beyond = (s - self.step).max(0.0);
         let s = s - beyond;
         let (square, cube) = (0.5 * s * s, s * s * s / (6.0 * self.step));
-        for (out, f) in out.iter_mut().zip(&self.functions) {
-            let slope = f.value[k + 1] - f.value[k];
-            *out = f.second[k] + s * f.first[k] + square * f.value[k] + cube * slope;
-            if beyond > 0.0 {
-                *out += beyond * f.first[k + 1];
+        let values = value.iter().zip(next);
+        let integrals = first.iter().zip(second);
+        for (out, ((value, next), (first, second))) in out.iter_mut().zip(values.zip(integrals)) {
+            *out = second + s * first + square * value + cube * (next - value);
+        }
+        if beyond > 0.0 {
+            for (out, first) in out.iter_mut().zip(next_first) {
+                *out += beyond * first;
             }
         }
     }
@@ -195,6 +249,61 @@ impl Retardation {
             }
         }
         worst
+    }
+}
+
+/// [`Retardation::second_integrals`] as code that is compiled for several processors.
+struct Second<'a> {
+    of: &'a Retardation,
+    tau: f64,
+    out: &'a mut [f64; PAIRS],
+}
+
+impl WithSimd for Second<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        self.of.second(self.tau, self.out);
+    }
+}
+
+/// [`Retardation::convolve`], likewise.
+struct Convolution<'a> {
+    of: &'a Retardation,
+    rows: &'a [(f64, Vector6<f64>)],
+    now: f64,
+    sum: &'a mut [f64; PAIRS],
+}
+
+impl WithSimd for Convolution<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) {
+        let Some((first, _)) = self.rows.first() else {
+            return;
+        };
+        let mut velocity_of = [0; PAIRS];
+        for (at, function) in velocity_of.iter_mut().zip(&self.of.functions) {
+            *at = function.j;
+        }
+        let count = self.of.points.width;
+        let (mut before, mut after) = ([0.0; PAIRS], [0.0; PAIRS]);
+        self.of.second(self.now - first, &mut before);
+        for pair in self.rows.windows(2) {
+            let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+            self.of.second(self.now - pair[1].0, &mut after);
+            let mut slopes = [0.0; PAIRS];
+            for (own, at) in slopes[..count].iter_mut().zip(&velocity_of) {
+                *own = slope[*at];
+            }
+            let sums = self.sum[..count].iter_mut().zip(&slopes);
+            for ((sum, slope), (from, to)) in sums.zip(before.iter().zip(&after)) {
+                *sum += (from - to) * slope;
+            }
+            std::mem::swap(&mut before, &mut after);
+        }
     }
 }
 
