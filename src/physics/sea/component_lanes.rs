@@ -320,6 +320,7 @@ fn total(lanes: Lanes) -> f64 {
 }
 
 /// Adds four components to the height of the surface, its slope and its rate.
+#[expect(clippy::needless_range_loop, reason = "a lane of many arrays at once")]
 #[inline(always)]
 fn add_surface(
     sums: &mut [Lanes; 3],
@@ -339,6 +340,7 @@ fn add_surface(
 }
 
 /// Adds four components to the products.
+#[expect(clippy::needless_range_loop, reason = "a lane of many arrays at once")]
 #[inline(always)]
 fn add<const BEYOND: bool>(
     sums: &mut [Lanes; 8],

@@ -14,7 +14,7 @@ const LONGEST: usize = 100;
 /// The inputs of a text; none where it is no TOML.
 pub(super) fn inputs(text: &str) -> Inputs {
     let mut inputs = Inputs::new();
-    let table = shallow(&text).parse::<toml::Table>().unwrap_or_default();
+    let table = shallow(text).parse::<toml::Table>().unwrap_or_default();
     for (name, value) in &table {
         if !NO_INPUTS.contains(&name.as_str()) {
             flatten(name, value, &mut inputs);
