@@ -150,10 +150,14 @@ impl ComponentLanes {
         })
     }
 
-    /// The fours that reach down into the cell of an anchor \[m\].
-    pub(super) fn reaching(&self, anchor: f64) -> &[Four] {
-        let highest = anchor + 0.501 * self.cell;
-        let reach = |four: &Four| four.least_k * highest >= FAINT;
+    /// The highest place in the cell of an anchor \[m\], and a little more.
+    pub(super) fn top(&self, anchor: f64) -> f64 {
+        anchor + 0.501 * self.cell
+    }
+
+    /// The fours that reach down to a height \[m\]; none to one that is no number.
+    pub(super) fn reaching(&self, z: f64) -> &[Four] {
+        let reach = |four: &Four| four.least_k * z >= FAINT;
         &self.fours[..self.fours.partition_point(reach)]
     }
 
@@ -206,7 +210,7 @@ impl ComponentLanes {
         phasors: &impl Phasors,
     ) -> Products {
         ARCH.dispatch(MotionLoop::<_, BEYOND> {
-            fours: &self.fours,
+            fours: self.reaching(place.z),
             place,
             beyond,
             phasors,
@@ -255,9 +259,6 @@ impl<P: Phasors, const BEYOND: bool> WithSimd for MotionLoop<'_, P, BEYOND> {
         let at = (self.place, self.beyond);
         let mut sums = [[0.0; LANES]; 8];
         for (number, four) in self.fours.iter().enumerate() {
-            if four.least_k * self.place.z < FAINT {
-                break;
-            }
             let numbered = (number, four);
             if four.most_k * furthest < Series::SHORT {
                 add::<BEYOND>(&mut sums, numbered, Series::short(), at, self.phasors);
@@ -620,6 +621,34 @@ mod tests {
                     assert!((surface.elevation - height).abs() < 1e-13 * (1.0 + count as f64));
                 }
             }
+        }
+    }
+
+    /// A stage of a step that diverges.
+    #[test]
+    fn a_place_that_is_no_number_ends_no_run() {
+        let (_, _, lanes) = hundred();
+        let (mut time, mut place) = (TimePhasors::default(), PlacePhasors::default());
+        time.move_to(&lanes, 3.0);
+        for (along, z) in [
+            (f64::NAN, f64::NAN),
+            (f64::NAN, -5.0),
+            (f64::INFINITY, -5.0),
+            (3.0, f64::NAN),
+            (1e300, -1e300),
+        ] {
+            let reading = StretchedHeight {
+                z,
+                beyond: 0.0,
+                by_z: 1.0,
+                by_elevation: 0.0,
+            };
+            let mut kept = Kept {
+                time: &time,
+                place: &mut place,
+            };
+            lanes.motion(along, &reading, &DepthDecay::Airy, &mut kept);
+            assert!(lanes.surface(3.0, &mut kept).elevation.is_finite());
         }
     }
 }

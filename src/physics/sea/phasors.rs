@@ -377,7 +377,7 @@ impl Anchored for Kept<'_> {
         let anchor = lanes.anchor(z);
         self.place.enter(lanes);
         if self.place.z != anchor {
-            let reaching = lanes.reaching(anchor).iter();
+            let reaching = lanes.reaching(lanes.top(anchor)).iter();
             self.place.z = anchor;
             self.place.decay.clear();
             self.place
