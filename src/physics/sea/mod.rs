@@ -14,6 +14,7 @@
 
 mod component;
 mod component_lanes;
+mod component_sums;
 mod decay;
 mod dispersion;
 mod harmonics;

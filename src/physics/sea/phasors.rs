@@ -176,10 +176,6 @@ impl Series {
 
 /// Where the sums take the phasors of four components from.
 pub(super) trait Phasors {
-    /// The anchor along the waves \[m\].
-    fn along(&self) -> f64;
-    /// The anchor in height \[m\].
-    fn z(&self) -> f64;
     /// By time, times the amplitude.
     fn time(&self, number: usize, four: &Four) -> Phasor;
     /// By the anchor along the waves.
@@ -190,6 +186,10 @@ pub(super) trait Phasors {
 
 /// Phasors that move to the anchors of what is read.
 pub(super) trait Anchored: Phasors {
+    /// The anchor along the waves \[m\].
+    fn along(&self) -> f64;
+    /// The anchor in height \[m\].
+    fn z(&self) -> f64;
     /// Moves to the anchor nearest to a distance along the waves \[m\].
     fn move_along(&mut self, lanes: &ComponentLanes, along: f64);
     /// Moves to the anchor nearest to a height \[m\].
@@ -221,14 +221,6 @@ impl Fresh {
 }
 
 impl Phasors for Fresh {
-    fn along(&self) -> f64 {
-        self.along
-    }
-
-    fn z(&self) -> f64 {
-        self.z
-    }
-
     #[inline(always)]
     fn time(&self, _: usize, four: &Four) -> Phasor {
         four.by_time(self.t)
@@ -252,6 +244,14 @@ impl FieldPhasors for Fresh {
 }
 
 impl Anchored for Fresh {
+    fn along(&self) -> f64 {
+        self.along
+    }
+
+    fn z(&self) -> f64 {
+        self.z
+    }
+
     fn move_along(&mut self, lanes: &ComponentLanes, along: f64) {
         self.along = lanes.anchor(along);
     }
@@ -335,14 +335,6 @@ pub(super) struct Kept<'a> {
 }
 
 impl Phasors for Kept<'_> {
-    fn along(&self) -> f64 {
-        self.place.along
-    }
-
-    fn z(&self) -> f64 {
-        self.place.z
-    }
-
     #[inline(always)]
     fn time(&self, number: usize, _: &Four) -> Phasor {
         self.time.fours[number]
@@ -360,6 +352,14 @@ impl Phasors for Kept<'_> {
 }
 
 impl Anchored for Kept<'_> {
+    fn along(&self) -> f64 {
+        self.place.along
+    }
+
+    fn z(&self) -> f64 {
+        self.place.z
+    }
+
     fn move_along(&mut self, lanes: &ComponentLanes, along: f64) {
         let anchor = lanes.anchor(along);
         self.place.enter(lanes);
@@ -377,12 +377,52 @@ impl Anchored for Kept<'_> {
         let anchor = lanes.anchor(z);
         self.place.enter(lanes);
         if self.place.z != anchor {
-            let reaching = lanes.reaching(lanes.top(anchor)).iter();
+            let reaching = &lanes.fours()[..lanes.reaching(lanes.top(anchor))];
             self.place.z = anchor;
             self.place.decay.clear();
             self.place
                 .decay
-                .extend(reaching.map(|four| four.by_height(anchor)));
+                .extend(reaching.iter().map(|four| four.by_height(anchor)));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::random::Random;
+
+    #[test]
+    fn sines_of_lanes_are_those_of_the_standard_library() {
+        let mut random = Random::new(19, 0);
+        for size in [1.0, 1e2, 1e4, 1e6] {
+            for _ in 0..2000 {
+                let theta: [f64; 4] =
+                    std::array::from_fn(|_| size * (2.0 * random.uniform() - 1.0));
+                let (sin, cos) = f64x4::new(theta).sin_cos();
+                for (lane, theta) in theta.into_iter().enumerate() {
+                    let off = (sin.to_array()[lane] - theta.sin())
+                        .abs()
+                        .max((cos.to_array()[lane] - theta.cos()).abs());
+                    assert!(
+                        off < 1e-15 * size.max(1.0).sqrt() + 4e-16,
+                        "{theta} {off:e}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn exponentials_of_lanes_are_those_of_the_standard_library() {
+        let mut random = Random::new(20, 0);
+        for _ in 0..4000 {
+            let x: [f64; 4] =
+                std::array::from_fn(|_| FLOOR + (FLOOR.abs() + 20.0) * random.uniform());
+            let found = f64x4::new(x).exp().to_array();
+            for (found, x) in found.into_iter().zip(x) {
+                assert!((found / x.exp() - 1.0).abs() < 1e-14, "{x} {found:e}");
+            }
         }
     }
 }

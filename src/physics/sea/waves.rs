@@ -7,10 +7,11 @@
 //!
 //! # Cost
 //! Two short series and a few multiplications a component and node, four components at a time, some 2.5 ns each on the machines at hand
-//! (`component_lanes.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order),
+//! (`component_sums.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order),
 //! and leaves out components that do not reach down to a node.
 
-use super::component_lanes::{ComponentLanes, ComponentSums};
+use super::component_lanes::ComponentLanes;
+use super::component_sums::ComponentSums;
 use super::decay::DepthDecay;
 use super::phasors::{Anchored, Fresh, TimePhasors};
 use super::stretching::{StretchedHeight, Stretching};
