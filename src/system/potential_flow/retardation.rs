@@ -155,7 +155,7 @@ impl Retardation {
 
     /// The integral of that, which is straight beyond the memory.
     pub fn second_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
-        ARCH.dispatch(Second { of: self, tau, out });
+        self.second(tau, out);
     }
 
     /// Adds to a convolution what changes of every function's second integral between times before now \[s\] bring, times slopes of the
@@ -252,23 +252,7 @@ impl Retardation {
     }
 }
 
-/// [`Retardation::second_integrals`] as code that is compiled for several processors.
-struct Second<'a> {
-    of: &'a Retardation,
-    tau: f64,
-    out: &'a mut [f64; PAIRS],
-}
-
-impl WithSimd for Second<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) {
-        self.of.second(self.tau, self.out);
-    }
-}
-
-/// [`Retardation::convolve`], likewise.
+/// [`Retardation::convolve`] as code that is compiled for several processors.
 struct Convolution<'a> {
     of: &'a Retardation,
     rows: &'a [(f64, Vector6<f64>)],
