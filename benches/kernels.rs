@@ -1,8 +1,8 @@
 //! What one node costs in the kernels of dynamics, on one core: a Newton iteration, all in (residual, exact tangent,
 //! factorization, solution, update), and the explicit evaluation of forces and accelerations, each as the least of many short
 //! repeats, so that other work on the machine does not count. Three lines: one in open water, one half on a bed with friction,
-//! and one that bends. Then what a line between held ends costs that is solved again for another place of an end. Run with
-//! `cargo bench --bench kernels`.
+//! and one that bends. Then what a line between held ends costs that is solved again for another place of an end, and what it costs
+//! to read the waves at a node. Run with `cargo bench --bench kernels`.
 #![expect(
     clippy::unwrap_used,
     clippy::print_stdout,
@@ -15,6 +15,10 @@ use std::time::Instant;
 use seacable::case::{self, Case, EndKind};
 use seacable::line_between_ends::LineBetweenEnds;
 use seacable::numerics::{BlockBand, V3};
+use seacable::physics::sea::{
+    DepthDecay, KeptPlaces, Sea, SeaClock, SeaReader, Spectrum, Stretching, WaveField, WaveLoad,
+    WaveSettings, synthesise,
+};
 use seacable::scene::{self, Scene};
 use seacable::solve::{ExplicitRhs, Factors, Kinematics, Newton, Residual, State};
 use seacable::statics::equilibrium::EquilibriumSearch;
@@ -59,6 +63,53 @@ fn main() {
     let mut chain = chain;
     chain.ends.b.kind = EndKind::Fixed;
     warm_row("half on a bed with friction", &chain);
+    wave_row();
+}
+
+/// A chain of 51 nodes from the bed at 200 m to 14 m below the surface, in 100 components of Hs 6 m and Tp 12 s.
+fn wave_row() {
+    let components = synthesise(&Spectrum::jonswap(6.0, 12.0, 1.6), 100, 1, 0);
+    let setting = WaveSettings {
+        direction: 0.3,
+        depth: 200.0,
+        gravity: 9.81,
+        stretching: Stretching::Vertical,
+        decay: DepthDecay::Airy,
+        ramp: 0.0,
+        load: WaveLoad::Morison,
+    };
+    let sea = Sea::new(vec![WaveField::new(components, &setting)]);
+    let nodes: Vec<V3> = (0..=50_u32)
+        .map(|node| {
+            let along = f64::from(node) / 50.0;
+            let rise = ((along - 0.45) / 0.55).max(0.0);
+            V3::new(-837.0 + 780.0 * along, 0.0, -200.0 + 186.0 * rise.powf(1.6))
+        })
+        .collect();
+    let (mut clock, mut kept, mut t) = (SeaClock::default(), KeptPlaces::default(), 0.0);
+    let mut reading = |kept_ones: bool| {
+        best(nodes.len(), || {
+            t += 0.07;
+            clock.move_to(&sea, t);
+            let mut reader = match kept_ones {
+                true => SeaReader::Again(&sea, &clock, &mut kept),
+                false => SeaReader::Once(&sea, t),
+            };
+            for (number, place) in nodes.iter().enumerate() {
+                black_box(reader.flow(number, place, false));
+            }
+        })
+    };
+    let (again, once) = (reading(true), reading(false));
+    println!(
+        "\n{:<30} {:>5} {:>9} {:>10}\n{:<30} {:>5} {again:>9.1} {once:>10.1}",
+        "waves, ns per node and read",
+        "nodes",
+        "again",
+        "for once",
+        "100 components",
+        nodes.len()
+    );
 }
 
 /// The time of a solution after end B has moved by a thousandth of the line's length, with end stiffness, positions and tensions.
