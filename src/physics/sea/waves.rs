@@ -6,7 +6,7 @@
 //! acceleration is the local one, by time at a fixed place, as belongs to a linear theory.
 //!
 //! # Cost
-//! Two short series and a few multiplications a component and node, four components at a time, some 2.5 ns each on the machines at hand
+//! Two short series and a few multiplications a component and node, four components at a time, some 3.4 ns each on the machines at hand
 //! (`component_sums.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order),
 //! and leaves out components that do not reach down to a node.
 
