@@ -10,17 +10,14 @@
 //! over the accepted times t_k and the step h under way. The last term is a damping of the step, in the tangent too.
 
 use nalgebra::{Matrix6, Vector6};
-use serde::{Deserialize, Serialize};
 
 use super::body_damping::damped_velocities;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
+use super::velocity_history::VelocityHistory;
 use crate::system::network::Network;
 use crate::system::potential_flow::retardation::{PAIRS, Retardation};
 use crate::system::potential_flow::wave_loads::WaveLoads;
-
-/// Rows that a history has room for at the start.
-const ROOM: usize = 4096;
 
 /// The flow around a body.
 #[derive(Debug, Clone)]
@@ -52,49 +49,6 @@ pub struct FlowLoad {
     pub damping: Matrix6<f64>,
 }
 
-/// Velocities of a body along the axes that damping acts in at the accepted times, as far back as its memory goes.
-#[derive(Debug, PartialEq, Serialize, Deserialize)]
-pub struct VelocityHistory {
-    rows: Vec<(f64, Vector6<f64>)>,
-}
-
-impl Default for VelocityHistory {
-    fn default() -> Self {
-        Self {
-            rows: Vec::with_capacity(ROOM),
-        }
-    }
-}
-
-impl Clone for VelocityHistory {
-    fn clone(&self) -> Self {
-        let mut made = Self::default();
-        made.rows.extend_from_slice(&self.rows);
-        made
-    }
-
-    fn clone_from(&mut self, other: &Self) {
-        self.rows.clone_from(&other.rows);
-    }
-}
-
-impl VelocityHistory {
-    /// Adds the velocity at an accepted time \[s\], and forgets what is older than the memory.
-    fn push(&mut self, t: f64, velocity: Vector6<f64>, memory: f64) {
-        if let Some(last) = self.rows.last_mut().filter(|last| last.0 >= t) {
-            *last = (t, velocity);
-            return;
-        }
-        self.rows.push((t, velocity));
-        let old = self.rows.iter().take_while(|row| row.0 < t - memory);
-        let old = old.count().saturating_sub(1);
-        // Seldom, since what is left has to be moved.
-        if old > ROOM / 4 {
-            self.rows.drain(..old);
-        }
-    }
-}
-
 /// The flows around the bodies that have coefficients.
 #[must_use]
 pub fn flows(network: &Network) -> Vec<BodyFlow> {
@@ -115,13 +69,14 @@ pub fn flows(network: &Network) -> Vec<BodyFlow> {
 /// Works the loads at time t \[s\] out, from what is known before the step.
 pub fn prepare(system: &MovingSystem, t: f64, state: &mut SystemState) {
     let parts = system.flows.iter().zip(&mut state.flow_loads);
-    for ((flow, load), history) in parts.zip(&state.velocities) {
+    for ((flow, load), history) in parts.zip(&mut state.velocities) {
         *load = FlowLoad::default();
         if let Some(waves) = &flow.waves {
             load.waves = waves.at(t);
         }
         if let Some(retardation) = &flow.retardation {
-            remember(retardation, &history.rows, t, load);
+            history.complete(retardation);
+            remember(retardation, history, t, load);
         }
     }
 }
@@ -132,16 +87,15 @@ pub fn commit(system: &MovingSystem, t: f64, state: &mut SystemState) {
         if let Some(retardation) = &flow.retardation {
             let body = &system.network.bodies[flow.body];
             let velocity = damped_velocities(body, &system.body(state, flow.body));
-            state.velocities[number].push(t, velocity, retardation.duration());
+            state.velocities[number].push(t, velocity, retardation);
         }
     }
 }
 
 /// The memory at time t \[s\] of these velocities.
-fn remember(retardation: &Retardation, rows: &[(f64, Vector6<f64>)], t: f64, load: &mut FlowLoad) {
+fn remember(retardation: &Retardation, history: &VelocityHistory, t: f64, load: &mut FlowLoad) {
     // What is older than the memory is forgotten: its convolution ends where the first row that counts begins.
-    let old = rows.partition_point(|row| t - row.0 > retardation.duration());
-    let rows = &rows[old.saturating_sub(1)..];
+    let (rows, slopes) = history.since(t - retardation.duration(), retardation);
     let (Some((first, v0)), Some((last, now))) = (rows.first(), rows.last()) else {
         return;
     };
@@ -151,7 +105,7 @@ fn remember(retardation: &Retardation, rows: &[(f64, Vector6<f64>)], t: f64, loa
         load.memory[i] -= g * v0[j];
     }
     let mut sum = [0.0; PAIRS];
-    retardation.convolve(rows, t, &mut sum);
+    retardation.convolve((rows, slopes), t, &mut sum);
     for ((i, _), sum) in retardation.pairs().zip(&sum) {
         load.memory[i] -= sum;
     }

@@ -47,6 +47,7 @@ pub mod settings;
 pub mod start;
 pub mod surplus;
 pub mod system_state;
+pub mod velocity_history;
 mod wave_stations;
 
 pub use alpha::SystemAlpha;

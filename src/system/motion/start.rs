@@ -1,7 +1,7 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
 use super::along::LinesAlong;
-use super::body_flow::{FlowLoad, VelocityHistory};
+use super::body_flow::FlowLoad;
 use super::border::Border;
 use super::breaks;
 use super::joints::Role;
@@ -10,6 +10,7 @@ use super::moving_system::MovingSystem;
 use super::payout_border::holding;
 use super::surplus::Surplus;
 use super::system_state::SystemState;
+use super::velocity_history::VelocityHistory;
 use nalgebra::UnitQuaternion;
 
 use crate::numerics::V3;

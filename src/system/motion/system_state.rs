@@ -3,10 +3,11 @@
 use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
-use super::body_flow::{FlowLoad, VelocityHistory};
+use super::body_flow::FlowLoad;
 use super::joints::Joints;
 use super::pose_motion::BodyMotion;
 use super::surplus::Surplus;
+use super::velocity_history::VelocityHistory;
 use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
 use crate::scene::Scene;

@@ -30,6 +30,8 @@ const MOST_STEPS: f64 = 512.0;
 const EVEN: f64 = 1e-3;
 /// Greatest number of functions of a body.
 pub const PAIRS: usize = 36;
+/// Functions that are read side by side.
+const FOUR: usize = 4;
 /// Damping by that of the modes themselves that counts as none.
 const NOTHING: f64 = 1e-5;
 
@@ -47,6 +49,8 @@ struct Function {
 struct Points {
     /// Functions, with those of nothing that fill up the last four.
     width: usize,
+    /// The last point but one.
+    last: usize,
     numbers: Vec<f64>,
 }
 
@@ -54,7 +58,7 @@ impl Points {
     /// Of functions at even times \[s\].
     fn of(functions: &[Function], step: f64) -> Self {
         let count = functions.first().map_or(2, |f| f.value.len());
-        let width = functions.len().next_multiple_of(4);
+        let width = functions.len().next_multiple_of(FOUR);
         let mut numbers = vec![0.0; 3 * width * count];
         for (p, function) in functions.iter().enumerate() {
             let (first, second) = integrals(&function.value, step);
@@ -64,7 +68,11 @@ impl Points {
                 point[2 * width + p] = second[k];
             }
         }
-        Self { width, numbers }
+        Self {
+            width,
+            last: count - 2,
+            numbers,
+        }
     }
 
     /// Values, integrals and integrals of these at a point.
@@ -81,6 +89,9 @@ impl Points {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Retardation {
     step: f64,
+    /// Its inverse, and that of six times it.
+    rate: f64,
+    sixth: f64,
     functions: Vec<Function>,
     points: Points,
     /// Added mass at infinite frequency \[kg, kg m, kg m²\].
@@ -117,6 +128,8 @@ impl Retardation {
             .collect();
         let mut made = Self {
             step,
+            rate: 1.0 / step,
+            sixth: 1.0 / (6.0 * step),
             points: Points::of(&functions, step),
             functions,
             at_infinity: Matrix6::zeros(),
@@ -158,12 +171,29 @@ impl Retardation {
         self.second(tau, out);
     }
 
+    /// Functions side by side, with those of nothing that fill up the last four.
+    pub const fn width(&self) -> usize {
+        self.points.width
+    }
+
+    /// Velocities, or slopes of them, as each of the functions acts by them.
+    pub fn side_by_side(&self, velocity: &Vector6<f64>) -> impl Iterator<Item = f64> {
+        let of = self.functions.iter().map(|function| velocity[function.j]);
+        of.chain(std::iter::repeat(0.0)).take(self.points.width)
+    }
+
     /// Adds to a convolution what changes of every function's second integral between times before now \[s\] bring, times slopes of the
-    /// velocities it acts by.
-    pub fn convolve(&self, rows: &[(f64, Vector6<f64>)], now: f64, sum: &mut [f64; PAIRS]) {
+    /// velocities it acts by, [side by side](Self::side_by_side).
+    pub fn convolve(
+        &self,
+        (rows, slopes): (&[(f64, Vector6<f64>)], &[f64]),
+        now: f64,
+        sum: &mut [f64; PAIRS],
+    ) {
         ARCH.dispatch(Convolution {
             of: self,
             rows,
+            slopes,
             now,
             sum,
         });
@@ -171,33 +201,46 @@ impl Retardation {
 
     #[inline(always)]
     fn second(&self, tau: f64, out: &mut [f64]) {
-        let (k, s) = self.place(tau);
-        let [value, first, second] = self.points.at(k);
-        let [next, next_first, _] = self.points.at(k + 1);
-        let beyond = (s - self.step).max(0.0);
-        let s = s - beyond;
-        let (square, cube) = (0.5 * s * s, s * s * s / (6.0 * self.step));
-        let values = value.iter().zip(next);
-        let integrals = first.iter().zip(second);
-        for (out, ((value, next), (first, second))) in out.iter_mut().zip(values.zip(integrals)) {
-            *out = second + s * first + square * value + cube * (next - value);
-        }
-        if beyond > 0.0 {
-            for (out, first) in out.iter_mut().zip(next_first) {
-                *out += beyond * first;
-            }
+        let at = self.place(tau);
+        for (column, out) in out[..self.points.width].chunks_exact_mut(FOUR).enumerate() {
+            out.copy_from_slice(&self.four_seconds(at, FOUR * column));
         }
     }
 
+    /// Second integrals of four functions from this one on.
+    #[inline(always)]
+    fn four_seconds(&self, (k, s): (usize, f64), first: usize) -> [f64; FOUR] {
+        let width = self.points.width;
+        let point = &self.points.numbers[3 * width * k..][..5 * width];
+        let (value, integral) = (four(point, first), four(point, width + first));
+        let second = four(point, 2 * width + first);
+        let (next, next_integral) = (
+            four(point, 3 * width + first),
+            four(point, 4 * width + first),
+        );
+        let beyond = (s - self.step).max(0.0);
+        let s = s - beyond;
+        let (square, cube) = (0.5 * s * s, s * s * s * self.sixth);
+        let mut out = [0.0; FOUR];
+        for p in 0..FOUR {
+            out[p] = second[p]
+                + s * integral[p]
+                + square * value[p]
+                + cube * (next[p] - value[p])
+                + beyond * next_integral[p];
+        }
+        out
+    }
+
     /// The interval of the grid that holds a time, the last one beyond, and the distance into it.
+    #[inline(always)]
     fn place(&self, tau: f64) -> (usize, f64) {
-        let points = self.functions.first().map_or(2, |f| f.value.len());
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "tau is not negative; large ones are clamped"
         )]
-        let k = ((tau / self.step).max(0.0) as usize).min(points - 2);
+        let k = ((tau * self.rate).max(0.0) as usize).min(self.points.last);
         (k, tau - k as f64 * self.step)
     }
 
@@ -256,6 +299,7 @@ impl Retardation {
 struct Convolution<'a> {
     of: &'a Retardation,
     rows: &'a [(f64, Vector6<f64>)],
+    slopes: &'a [f64],
     now: f64,
     sum: &'a mut [f64; PAIRS],
 }
@@ -265,30 +309,35 @@ impl WithSimd for Convolution<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let Some((first, _)) = self.rows.first() else {
+        let Some(((first, _), later)) = self.rows.split_first() else {
             return;
         };
-        let mut velocity_of = [0; PAIRS];
-        for (at, function) in velocity_of.iter_mut().zip(&self.of.functions) {
-            *at = function.j;
-        }
-        let count = self.of.points.width;
-        let (mut before, mut after) = ([0.0; PAIRS], [0.0; PAIRS]);
-        self.of.second(self.now - first, &mut before);
-        for pair in self.rows.windows(2) {
-            let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
-            self.of.second(self.now - pair[1].0, &mut after);
-            let mut slopes = [0.0; PAIRS];
-            for (own, at) in slopes[..count].iter_mut().zip(&velocity_of) {
-                *own = slope[*at];
+        let width = self.of.width();
+        for column in (0..width).step_by(FOUR) {
+            let mut sums = four(self.sum, column);
+            let mut before = self
+                .of
+                .four_seconds(self.of.place(self.now - first), column);
+            for row in 0..later.len() {
+                let after = self
+                    .of
+                    .four_seconds(self.of.place(self.now - later[row].0), column);
+                let slopes = four(self.slopes, row * width + column);
+                for p in 0..FOUR {
+                    sums[p] += (before[p] - after[p]) * slopes[p];
+                }
+                before = after;
             }
-            let sums = self.sum[..count].iter_mut().zip(&slopes);
-            for ((sum, slope), (from, to)) in sums.zip(before.iter().zip(&after)) {
-                *sum += (from - to) * slope;
-            }
-            std::mem::swap(&mut before, &mut after);
+            self.sum[column..column + FOUR].copy_from_slice(&sums);
         }
     }
+}
+
+/// Four numbers from this one on.
+#[inline(always)]
+fn four(all: &[f64], first: usize) -> [f64; FOUR] {
+    let all = &all[first..first + FOUR];
+    [all[0], all[1], all[2], all[3]]
 }
 
 /// Greatest damping of each mode.
