@@ -55,7 +55,11 @@ impl Kinematics for Scene {
     }
 
     fn update_wave_kinematics(&self, t: f64, state: &mut State) {
-        self.line.write_wave_kinematics(t, state);
+        self.write_wave_kinematics(t, None, state);
+    }
+
+    fn take_wave_kinematics_on(&self, t: f64, time: f64, before: &State, state: &mut State) {
+        self.write_wave_kinematics(t, Some((time, before)), state);
     }
 }
 

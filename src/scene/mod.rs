@@ -45,6 +45,7 @@ mod submergence;
 mod unused_inputs;
 mod vectors;
 pub mod water;
+mod wave_kinematics;
 mod waves;
 
 pub use build::build;

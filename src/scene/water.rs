@@ -13,7 +13,7 @@ use super::{AttachedBody, LumpedLine, Segment};
 
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
-use crate::physics::sea::{Sea, SeaClock, SeaReader, WaterMotion};
+use crate::physics::sea::{Sea, WaterMotion};
 use crate::solve::State;
 
 /// Waves and the surface, where the case names them.
@@ -87,7 +87,7 @@ impl Water {
     }
 
     /// Radius of a sphere of the volume of a body \[m\].
-    fn radius_of_body(&self, body: usize) -> f64 {
+    pub(super) fn radius_of_body(&self, body: usize) -> f64 {
         self.radius_of(self.by_bodies[body])
     }
 
@@ -297,36 +297,6 @@ impl LumpedLine {
     pub(super) fn surface_energy_of(&self, i: usize, state: &State) -> f64 {
         let crossed = self.water.as_ref().filter(|w| w.crossed);
         crossed.map_or(0.0, |water| water.gravity * water.lost_by(i, state))
-    }
-
-    /// The waves around the line, and whether it crosses the surface.
-    fn waves(&self) -> Option<(&Sea, bool)> {
-        let water = self.water.as_ref()?;
-        Some((water.waves.as_ref()?, water.crossed))
-    }
-
-    /// Writes the wave kinematics at the nodes at time t \[s\] into the state; nothing without waves.
-    pub(super) fn write_wave_kinematics(&self, t: f64, state: &mut State) {
-        if let Some((sea, _)) = self.waves() {
-            let mut clock = std::mem::take(&mut state.kept_waves.clock);
-            clock.move_to(sea, t);
-            self.write_wave_kinematics_by(&clock, state);
-            state.kept_waves.clock = clock;
-        }
-    }
-
-    /// The same at the time of a clock of the same sea.
-    pub(crate) fn write_wave_kinematics_by(&self, clock: &SeaClock, state: &mut State) {
-        let Some((sea, crossed)) = self.waves() else {
-            return;
-        };
-        state
-            .wave_flow
-            .resize(self.mass.len(), WaterMotion::default());
-        let mut reader = SeaReader::Again(sea, clock, &mut state.kept_waves.places);
-        for (node, (flow, x)) in state.wave_flow.iter_mut().zip(&state.x).enumerate() {
-            *flow = reader.flow(node, x, crossed);
-        }
     }
 }
 

@@ -55,6 +55,12 @@ pub trait Kinematics: Sync {
     /// state. A method calls it once for every state at which it evaluates forces, when positions are known or predicted;
     /// statics never does. Allocates at the first call only.
     fn update_wave_kinematics(&self, _t: f64, _state: &mut State) {}
+
+    /// The same from a state in which they were written a time \[s\] before, the nodes close to where they are now: for readings of an accepted
+    /// state, whose forces act no more.
+    fn take_wave_kinematics_on(&self, t: f64, _time: f64, _before: &State, state: &mut State) {
+        self.update_wave_kinematics(t, state);
+    }
 }
 
 /// The residual `R = M(x) a - f(t, x, v)` \[N\], three rows a node, and its tangent.

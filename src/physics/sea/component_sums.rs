@@ -27,6 +27,8 @@ pub(super) struct ComponentSums {
     pub(super) up_k: [f64; 2],
     pub(super) across_z: [f64; 2],
     pub(super) up_z: [f64; 2],
+    /// Across and up, weighted by a omega³.
+    pub(super) jerk: [f64; 2],
 }
 
 /// Height of the surface, its slope along the waves and its rate.
@@ -148,7 +150,7 @@ impl<P: Phasors, const BEYOND: bool> WithSimd for MotionLoop<'_, P, BEYOND> {
     fn with_simd<S: Simd>(self, _: S) -> Products {
         let furthest = self.place.ahead.abs().max(self.place.above.abs());
         let at = (self.place, self.beyond);
-        let mut sums = [[0.0; LANES]; 8];
+        let mut sums = [[0.0; LANES]; 10];
         for (number, four) in self.fours.iter().enumerate() {
             let numbered = (number, four);
             if four.most_k * furthest < Series::SHORT {
@@ -157,7 +159,7 @@ impl<P: Phasors, const BEYOND: bool> WithSimd for MotionLoop<'_, P, BEYOND> {
                 add::<BEYOND>(&mut sums, numbered, Series::long(), at, self.phasors);
             }
         }
-        let mut products = [0.0; 8];
+        let mut products = [0.0; 10];
         for (product, lanes) in products.iter_mut().zip(sums) {
             *product = total(lanes);
         }
@@ -225,7 +227,7 @@ fn add_surface(
 #[expect(clippy::needless_range_loop, reason = "a lane of many arrays at once")]
 #[inline(always)]
 fn add<const BEYOND: bool>(
-    sums: &mut [Lanes; 8],
+    sums: &mut [Lanes; 10],
     (number, four): (usize, &Four),
     series: Series,
     (place, beyond): (&Reading, f64),
@@ -254,12 +256,14 @@ fn add<const BEYOND: bool>(
         sums[5][lane] += omega * up_cos;
         sums[6][lane] += omega * (k * across_cos);
         sums[7][lane] += omega * (k * up_sin);
+        sums[8][lane] += omega * (omega * across_cos);
+        sums[9][lane] += omega * (omega * up_sin);
     }
 }
 
-/// Sums of `a omega` times `C cos`, `S sin`, `k C sin`, `k S cos`, and of these with another omega: `C sin`, `S cos`, `k C cos`, `k S sin`,
-/// with the shares C across and S up of the surface's motion.
-struct Products([f64; 8]);
+/// Sums of `a omega` times `C cos`, `S sin`, `k C sin`, `k S cos`, of these with another omega: `C sin`, `S cos`, `k C cos`, `k S sin`, and of the
+/// first two with omega², with the shares C across and S up of the surface's motion.
+struct Products([f64; 10]);
 
 impl Products {
     /// The sums of velocity and acceleration where a law leaves a share of the motion that changes with height; `decays` is 1 where the
@@ -268,7 +272,18 @@ impl Products {
     /// Velocity goes with (C cos, -S sin), acceleration by time with (-C sin, -S cos) omega, both by place with `d theta / d along = -k`;
     /// the derivative of C by z is `k S`, and that of S is `k C`.
     fn shared(&self, share: f64, by_z: f64, decays: f64) -> ComponentSums {
-        let [c_cos, s_sin, kc_sin, ks_cos, c_sin, s_cos, kc_cos, ks_sin] = self.0;
+        let [
+            c_cos,
+            s_sin,
+            kc_sin,
+            ks_cos,
+            c_sin,
+            s_cos,
+            kc_cos,
+            ks_sin,
+            by_time_across,
+            by_time_up,
+        ] = self.0;
         let (across, up) = ([c_cos, -c_sin], [-s_sin, -s_cos]);
         let (across_k, up_k) = ([kc_sin, kc_cos], [ks_cos, -ks_sin]);
         let both = |of: &dyn Fn(usize) -> f64| [of(0), of(1)];
@@ -279,6 +294,7 @@ impl Products {
             up_k: both(&|w| share * up_k[w]),
             across_z: both(&|w| decays * share * up_k[w] + by_z * across[w]),
             up_z: both(&|w| by_z * up[w] - decays * share * across_k[w]),
+            jerk: [-share * by_time_across, share * by_time_up],
         }
     }
 }

@@ -41,6 +41,18 @@ impl Sea {
         self.current.is_some()
     }
 
+    /// Whether its motion under the surface can be taken on [in time](WaterMotion::later).
+    #[must_use]
+    pub fn goes_on(&self) -> bool {
+        self.current.is_none() && self.fields.iter().all(WaveField::goes_on)
+    }
+
+    /// Greatest height that the surface can have \[m\].
+    #[must_use]
+    pub fn crest(&self) -> f64 {
+        self.fields.iter().map(WaveField::crest).sum()
+    }
+
     /// Its fields.
     #[must_use]
     pub fn fields(&self) -> &[WaveField] {
@@ -93,6 +105,7 @@ impl Sea {
             flow.gradient += part.gradient;
             flow.acceleration += part.acceleration;
             flow.acceleration_gradient += part.acceleration_gradient;
+            flow.jerk += part.jerk;
         }
         if let Some(current) = &self.current {
             let (velocity, gradient) = current.at(t, place);

@@ -82,6 +82,8 @@ pub struct WaterMotion {
     pub acceleration: V3,
     /// Its derivative by the place \[1/s²\].
     pub acceleration_gradient: M3,
+    /// Rate of the acceleration at the place \[m/s³\].
+    pub jerk: V3,
     /// Height of the surface above still water \[m\].
     pub elevation: f64,
     /// Its derivative by the place \[-\].
@@ -100,9 +102,27 @@ impl WaterMotion {
             gradient: self.gradient * factor,
             acceleration: self.acceleration * factor,
             acceleration_gradient: self.acceleration_gradient * factor,
+            jerk: self.jerk * factor,
             elevation: self.elevation * factor,
             slope: self.slope * factor,
             elevation_rate: self.elevation_rate * factor,
+        }
+    }
+
+    /// The motion under the surface a time \[s\] later at a place nearby. What is left out are `(omega time)³ / 6` and `(k distance)² / 2` of the
+    /// velocity, and an order less of the acceleration. The height of the surface stays.
+    #[must_use]
+    pub fn later(&self, time: f64, place: &V3) -> Self {
+        let moved = place - self.place;
+        let by_place = self.acceleration_gradient * time;
+        let gradient = self.gradient + by_place;
+        let half_way = self.acceleration + self.jerk * (0.5 * time);
+        Self {
+            place: *place,
+            velocity: self.velocity + gradient * moved + half_way * time,
+            gradient,
+            acceleration: self.acceleration_at(place) + self.jerk * time,
+            ..*self
         }
     }
 
@@ -241,6 +261,17 @@ impl WaveField {
         self.stretching.needs_elevation()
     }
 
+    /// Whether what they make of the water under the surface can be taken on [in time](WaterMotion::later): acceleration and jerk are the
+    /// derivatives of the velocity.
+    pub(super) fn goes_on(&self) -> bool {
+        !self.needs_elevation() && self.load == WaveLoading::Morison
+    }
+
+    /// Greatest height that the surface can have \[m\].
+    pub(super) fn crest(&self) -> f64 {
+        self.components.iter().map(|c| c.amplitude.abs()).sum()
+    }
+
     /// The surface over a place at time t \[s\].
     #[must_use]
     pub(super) fn surface_at(&self, t: f64, place: &V3, phasors: &mut impl Anchored) -> Surface {
@@ -270,7 +301,7 @@ impl WaveField {
         surface: &Surface,
         phasors: &mut impl Anchored,
     ) -> WaterMotion {
-        let (r, r1, _) = smooth_ramp(t, self.ramp);
+        let (r, r1, r2) = smooth_ramp(t, self.ramp);
         let along = self.direction.dot(place);
         let mut flow = WaterMotion {
             place: *place,
@@ -289,6 +320,8 @@ impl WaveField {
         }
         // The growing of the waves is an acceleration as well.
         flow.acceleration = acceleration * r + velocity * r1;
+        let jerk = self.direction * sums.jerk[0] + V3::z() * sums.jerk[1];
+        flow.jerk = jerk * r + acceleration * (2.0 * r1) + velocity * r2;
         flow.acceleration_gradient = its_gradient * r + gradient * r1;
         flow
     }
@@ -362,6 +395,41 @@ mod tests {
             );
             assert!((acceleration - at.acceleration_gradient.column(axis)).norm() < 1e-7);
             assert!((slope - at.slope[axis]).abs() < 1e-7);
+        }
+    }
+
+    #[test]
+    fn what_is_taken_on_in_time_and_place_is_as_close_as_its_orders() {
+        let field = irregular(&WaveSettings {
+            ramp: 10.0,
+            ..setting(60.0)
+        });
+        let place = V3::new(12.0, -7.0, -14.0);
+        // While they grow, too.
+        for t in [3.0, 61.0] {
+            let here = field.flow(t, &place);
+            let off = |time: f64, far: f64| {
+                let there = place + V3::new(0.6, 0.3, -0.5) * far;
+                let (found, exact) = (here.later(time, &there), field.flow(t + time, &there));
+                let velocity = (found.velocity - exact.velocity).norm();
+                [
+                    velocity,
+                    (found.acceleration - exact.acceleration).norm(),
+                    (found.gradient - exact.gradient).norm(),
+                ]
+            };
+            let orders = |coarse: [f64; 3], fine: [f64; 3]| {
+                std::array::from_fn::<_, 3, _>(|i| (coarse[i] / fine[i]).log2())
+            };
+            let by_time = orders(off(0.02, 0.0), off(0.01, 0.0));
+            let by_place = orders(off(0.0, 0.2), off(0.0, 0.1));
+            for (found, order) in by_time.into_iter().zip([3.0, 2.0, 2.0]) {
+                assert!((found - order).abs() < 0.1, "{by_time:?} at {t}");
+            }
+            for (found, order) in by_place.into_iter().zip([2.0, 2.0, 1.0]) {
+                assert!((found - order).abs() < 0.1, "{by_place:?} at {t}");
+            }
+            assert!(off(0.03, 0.03)[0] < 1e-4 * here.velocity.norm());
         }
     }
 

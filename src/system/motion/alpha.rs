@@ -287,7 +287,8 @@ impl SystemAlpha {
         self.jerk_weight = 1.0;
         system.follow(&mut self.end);
         self.end.swap_kept_waves(&mut self.between);
-        system.update_wave_kinematics(t + h, &mut self.end);
+        let time = self.scheme.alpha_f * h;
+        system.write_wave_kinematics(t + h, Some((time, &self.between)), &mut self.end);
         self.end.swap_kept_waves(&mut self.between);
         let alpha_f = self.scheme.alpha_f;
         if alpha_f > 0.0 {

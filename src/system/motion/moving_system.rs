@@ -14,7 +14,7 @@ use super::start::turn_bases;
 use super::system_state::SystemState;
 use super::wave_stations;
 use crate::numerics::V3;
-use crate::physics::sea::{Sea, SeaReader};
+use crate::physics::sea::Sea;
 use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Hysteresis, Kinematics, Marched, State};
@@ -514,19 +514,7 @@ impl Marched<SystemState> for MovingSystem {
     }
 
     fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
-        if let Some(sea) = &self.water {
-            let mut kept = std::mem::take(&mut state.joints.kept_waves);
-            kept.clock.move_to(sea, t);
-            let SystemState { lines, paid, .. } = &mut *state;
-            for (number, line) in lines.iter_mut().enumerate() {
-                let scene = self.scene_among(number, paid);
-                scene.line.write_wave_kinematics_by(&kept.clock, line);
-            }
-            let reader = SeaReader::Again(sea, &kept.clock, &mut kept.places);
-            wave_stations::read(self, reader, state);
-            state.joints.kept_waves = kept;
-        }
-        body_flow::prepare(self, t, state);
+        self.write_wave_kinematics(t, None, state);
     }
 
     /// The rotation vectors of the bodies count from here.

@@ -311,6 +311,7 @@ mod tests {
             gradient: M3::from_columns(&[vector(), vector(), vector()]) * 0.2,
             acceleration: vector(),
             acceleration_gradient: M3::from_columns(&[vector(), vector(), vector()]) * 0.2,
+            jerk: vector(),
             elevation: 0.3,
             slope: V3::new(0.2, -0.1, 0.0),
             elevation_rate: 0.4,

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::body_flow;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
@@ -27,6 +28,32 @@ pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
         next - count..next
     };
     bodies.iter().map(range).collect()
+}
+
+impl MovingSystem {
+    /// Writes the wave kinematics at time t \[s\] into a state; those of lines are taken on from a state in which they were written a time \[s\]
+    /// before, where one is given.
+    pub(super) fn write_wave_kinematics(
+        &self,
+        t: f64,
+        before: Option<(f64, &SystemState)>,
+        state: &mut SystemState,
+    ) {
+        if let Some(sea) = &self.water {
+            let mut kept = std::mem::take(&mut state.joints.kept_waves);
+            kept.clock.move_to(sea, t);
+            let SystemState { lines, paid, .. } = &mut *state;
+            for (number, line) in lines.iter_mut().enumerate() {
+                let scene = self.scene_among(number, paid);
+                let before = before.map(|(time, state)| (time, &state.lines[number]));
+                scene.write_wave_kinematics_by(&kept.clock, before, line);
+            }
+            let reader = SeaReader::Again(sea, &kept.clock, &mut kept.places);
+            read(self, reader, state);
+            state.joints.kept_waves = kept;
+        }
+        body_flow::prepare(self, t, state);
+    }
 }
 
 /// Reads the waves at the joints and at the stations of the bodies.
