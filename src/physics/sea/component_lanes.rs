@@ -11,8 +11,8 @@ pub(super) const LANES: usize = 4;
 /// Deeper than this, in wave numbers times depth, the bed is not felt.
 const DEEP: f64 = 20.0;
 
-/// A component that is weaker than `exp` of this at a node has no part in it: below what any solver resolves.
-const FAINT: f64 = -25.0;
+/// A component that is weaker than `exp` of this, 1e-7, of what it is at the surface has no part in a node: below the errors of all steps.
+const FAINT: f64 = -16.0;
 
 /// Four components; those that fill up the last four have no amplitude.
 #[derive(Debug, Clone, Copy, PartialEq)]
