@@ -5,6 +5,7 @@ use super::error::{ExtremesError, check_finite, check_probability};
 use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
 use super::pareto_likelihood::likely;
 use super::pareto_profile::Excesses;
+use super::pareto_sums::UnitExcesses;
 use super::special::ln_gamma;
 use super::target::{ExponentialMaximum, Target};
 use crate::numerics::random::Random;
@@ -35,19 +36,23 @@ impl ParetoFit {
     /// Where peaks are fewer than three, not finite or not above the threshold, and where the likelihood has no maximum with a
     /// shape from -1 to 5, as happens with few peaks.
     pub fn fit(peaks: &[f64], threshold: f64) -> Result<Self, ExtremesError> {
-        let excesses = excesses(peaks, threshold)?;
-        let most = excesses.iter().copied().fold(0.0, f64::max);
-        let scaled: Vec<f64> = excesses.iter().map(|y| y / most).collect();
+        Self::of_excesses(&UnitExcesses::new(&excesses(peaks, threshold)?), threshold)
+    }
+
+    /// The same of excesses over a threshold.
+    pub(super) fn of_excesses(
+        excesses: &UnitExcesses,
+        threshold: f64,
+    ) -> Result<Self, ExtremesError> {
         let (scale, shape) =
-            likely(&scaled).ok_or(ExtremesError::NoMaximum("generalized Pareto"))?;
-        let scale = scale * most;
-        let n = peaks.len() as f64;
+            likely(excesses).ok_or(ExtremesError::NoMaximum("generalized Pareto"))?;
+        let scale = scale * excesses.greatest();
         Ok(Self {
             threshold,
             scale,
             shape,
-            count: peaks.len(),
-            log_likelihood: -n * (scale.ln() + shape + 1.0),
+            count: excesses.count(),
+            log_likelihood: -(excesses.count() as f64) * (scale.ln() + shape + 1.0),
         })
     }
 
@@ -99,7 +104,7 @@ pub fn interval(
     let fit = ParetoFit::fit(peaks, threshold)?;
     let estimate = fit.value(target)?;
     let unit = UnitFigure::new(target);
-    let model = Excesses::new(excesses(peaks, threshold)?, fit, &unit);
+    let model = Excesses::new(&excesses(peaks, threshold)?, fit, &unit);
     let (low, high) = by_resampling_or_profile(&model, level, method)?;
     Interval {
         estimate,

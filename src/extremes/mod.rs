@@ -49,6 +49,7 @@ mod location_scale;
 pub mod moments;
 mod pareto_likelihood;
 mod pareto_profile;
+mod pareto_sums;
 pub mod peaks;
 pub mod rayleigh;
 #[cfg(test)]

@@ -5,51 +5,57 @@ use std::convert::Infallible;
 use super::generalized_pareto::{ParetoFit, UnitFigure, growth};
 use super::interval::Model;
 use super::pareto_likelihood::SHAPES;
-use crate::numerics::golden_section::golden_section;
+use super::pareto_sums::UnitExcesses;
+use crate::numerics::minimum::{Middle, parabolic_minimum};
 use crate::numerics::random::Random;
 
 /// Excesses over a threshold with their fit and the figure asked for, counted from the threshold.
 #[derive(Debug, Clone)]
 pub(super) struct Excesses<'a> {
-    excesses: Vec<f64>,
+    excesses: UnitExcesses,
     fit: ParetoFit,
     unit: &'a UnitFigure,
+    /// The figure over the scale at the shapes of the grid.
+    grid: Vec<f64>,
 }
 
 impl<'a> Excesses<'a> {
-    pub(super) fn new(excesses: Vec<f64>, fit: ParetoFit, unit: &'a UnitFigure) -> Self {
+    pub(super) fn new(excesses: &[f64], fit: ParetoFit, unit: &'a UnitFigure) -> Self {
+        let places = (0..=GRID).map(|i| unit.at(shape(f64::from(i))));
         Self {
-            excesses,
+            excesses: UnitExcesses::new(excesses),
             fit,
             unit,
+            grid: places.collect(),
         }
     }
 
-    /// Log-likelihood of a shape, with the scale that gives the figure; minus infinity where a peak lies above the upper end.
-    fn likelihood(&self, figure: f64, shape: f64) -> f64 {
-        let scale = figure / self.unit.at(shape);
-        if scale <= 0.0 || scale.is_nan() {
+    /// Log-likelihood of a shape, with the scale that gives the figure, which is `unit` scales; minus infinity where a peak lies
+    /// above the upper end.
+    fn likelihood(&self, figure: f64, shape: f64, unit: f64) -> f64 {
+        let scale = figure / unit;
+        let greatest = self.excesses.greatest();
+        let ratio = shape * (greatest / scale);
+        if scale <= 0.0 || scale.is_nan() || ratio <= -1.0 || !ratio.is_finite() {
             return f64::NEG_INFINITY;
         }
-        let n = self.excesses.len() as f64;
-        let mut sum = 0.0;
-        for y in &self.excesses {
-            let t = shape * y / scale;
-            if t <= -1.0 {
-                return f64::NEG_INFINITY;
-            }
-            sum += if t.abs() < 1e-9 {
-                y / scale * (1.0 - 0.5 * t)
-            } else {
-                t.ln_1p() / shape
-            };
-        }
-        -n * scale.ln() - (1.0 + shape) * sum
+        // The mean of ln(1 + shape y/scale)/shape.
+        let mean = self.excesses.means(ratio).scale * (greatest / scale);
+        -(self.excesses.count() as f64) * (scale.ln() + (1.0 + shape) * mean)
     }
 }
 
 /// Shapes tried for the greatest likelihood before it is refined.
 const GRID: u32 = 48;
+
+/// The shape at a place of the grid: even steps of the square root above -1, dense where the likelihood ends abruptly.
+fn shape(place: f64) -> f64 {
+    let width = (SHAPES.1 - SHAPES.0).sqrt();
+    SHAPES.0 + (width * place / f64::from(GRID)).powi(2)
+}
+
+/// How near to the greatest likelihood a place of the grid is refined: by the square of it, of the likelihood nothing is left.
+const REFINED: f64 = 1e-7;
 
 impl Model for Excesses<'_> {
     fn estimate(&self) -> f64 {
@@ -64,27 +70,33 @@ impl Model for Excesses<'_> {
         if value <= 0.0 {
             return f64::INFINITY;
         }
-        // Even steps of the square root above -1: dense where the likelihood ends abruptly.
-        let width = (SHAPES.1 - SHAPES.0).sqrt();
-        let shape = |i: f64| SHAPES.0 + (width * i / f64::from(GRID)).powi(2);
-        let of = |i: f64| self.likelihood(value, shape(i));
-        let best = (0..=GRID).map(|i| (f64::from(i), of(f64::from(i)))).fold(
-            (0.0, f64::NEG_INFINITY),
-            |best, next| {
-                if next.1 > best.1 { next } else { best }
-            },
-        );
-        let bounds = ((best.0 - 1.0).max(0.0), (best.0 + 1.0).min(f64::from(GRID)));
-        let Ok(refined) = golden_section(bounds, 1e-9, 40, |i| Ok::<_, Infallible>(-of(i)));
-        let most = of(refined).max(best.1);
-        (2.0 * (self.fit.log_likelihood - most)).max(0.0)
+        let fall = |place: f64, unit: f64| -self.likelihood(value, shape(place), unit);
+        let places = (0..=GRID).map(f64::from);
+        let values: Vec<f64> = places.zip(&self.grid).map(|(i, u)| fall(i, *u)).collect();
+        let least = (0..values.len()).fold(0, |best, i| match values[i] < values[best] {
+            true => i,
+            false => best,
+        });
+        let ends = [least.saturating_sub(1), (least + 1).min(values.len() - 1)];
+        let bracket = Middle {
+            ends: ends.map(|end| (end as f64, values[end])),
+            middle: (least as f64, values[least]),
+        };
+        let refined = |place: f64| Ok::<_, Infallible>(fall(place, self.unit.at(shape(place))));
+        let Ok((_, least)) = parabolic_minimum(bracket, REFINED, 60, refined);
+        (2.0 * (self.fit.log_likelihood + least)).max(0.0)
     }
 
     fn redraw(&self, random: &mut Random) -> Option<Self> {
-        let draw = |_: &f64| self.fit.scale * growth(self.fit.shape, -random.uniform().ln());
-        let excesses: Vec<f64> = self.excesses.iter().map(draw).collect();
+        let draw = |_| self.fit.scale * growth(self.fit.shape, -random.uniform().ln());
+        let excesses: Vec<f64> = (0..self.excesses.count()).map(draw).collect();
         let fit = ParetoFit::fit(&excesses, 0.0).ok()?;
-        let other = Self::new(excesses, fit, self.unit);
+        let other = Self {
+            excesses: UnitExcesses::new(&excesses),
+            fit,
+            unit: self.unit,
+            grid: self.grid.clone(),
+        };
         other.estimate().is_finite().then_some(other)
     }
 }
@@ -109,8 +121,8 @@ mod tests {
         let fit = ParetoFit::fit(&peaks, 2.0).unwrap();
         for target in [Target::quantile(0.9), Target::expected(1000.0)] {
             let unit = UnitFigure::new(target);
-            let above = peaks.iter().map(|p| p - 2.0).collect();
-            let model = Excesses::new(above, fit, &unit);
+            let above: Vec<f64> = peaks.iter().map(|p| p - 2.0).collect();
+            let model = Excesses::new(&above, fit, &unit);
             let at = model.estimate();
             assert!(model.deviance(at) < 1e-7, "{}", model.deviance(at));
             assert!(model.deviance(1.2 * at) > 0.1 && model.deviance(0.8 * at) > 0.1);

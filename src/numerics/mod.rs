@@ -3,7 +3,7 @@
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
 //! * [`Condensation`]: such a system condensed onto its first and last nodes.
 //! * [`envelope`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks.
-//! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section): roots and minima of one unknown.
+//! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section), [`minimum`]: roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`fourier`]: the components of a record.
 //! * [`depth_grid`]: a depth over a rectangular grid of places.
@@ -24,6 +24,7 @@ pub mod interpolation;
 pub mod lanes;
 pub mod log_newton;
 mod lu;
+pub mod minimum;
 pub mod piecewise;
 pub(crate) mod processor;
 pub mod quadrature;
