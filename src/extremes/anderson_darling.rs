@@ -1,76 +1,175 @@
 //! How well a generalized Pareto law fits peaks: the Anderson-Darling distance, with its probability by simulation.
 
-use super::error::ExtremesError;
-use super::generalized_pareto::ParetoFit;
+use super::generalized_pareto::{ParetoFit, growth};
+use super::pareto_sums::UnitExcesses;
 use crate::numerics::random::Random;
 
-/// Distance of peaks from a law: `-n - mean((2 i - 1)(ln F_i + ln(1 - F_(n+1-i))))` of the peaks in ascending order (Anderson and
+/// The least probability of a peak below and above it; a peak at the end of the law would have none.
+const LEAST: f64 = 1e-15;
+
+/// Distance of excesses in ascending order from a law of a scale and a shape: `-n - mean((2 i - 1)(ln F_i + ln(1 - F_(n+1-i))))` (Anderson and
 /// Darling 1954).
 #[must_use]
-pub(super) fn distance(peaks: &[f64], law: &ParetoFit) -> f64 {
-    // Away from 0 and 1, which a peak at the end of the law would give.
-    let mut probabilities: Vec<f64> = peaks
-        .iter()
-        .map(|p| law.probability(*p).clamp(1e-15, 1.0 - 1e-15))
-        .collect();
-    probabilities.sort_by(f64::total_cmp);
-    let n = peaks.len() as f64;
-    let backwards = probabilities.iter().rev();
-    let sum: f64 = probabilities
-        .iter()
-        .zip(backwards)
-        .enumerate()
-        .map(|(i, (low, high))| (2.0 * i as f64 + 1.0) * (low.ln() + (-high).ln_1p()))
-        .sum();
+pub(super) fn distance(ascending: &[f64], scale: f64, shape: f64) -> f64 {
+    let most = -LEAST.ln();
+    let n = ascending.len() as f64;
+    let mut sum = 0.0;
+    for (i, y) in ascending.iter().enumerate() {
+        let above = y / scale;
+        // Minus the logarithm of the probability of a greater one.
+        let exponent = if shape.abs() < 1e-12 {
+            above
+        } else {
+            (shape * above).max(-1.0).ln_1p() / shape
+        };
+        let below = -(-exponent).exp_m1();
+        let weight = 2.0 * i as f64 + 1.0;
+        sum += weight * below.max(LEAST).ln() - (2.0 * n - weight) * exponent.min(most);
+    }
     -n - sum / n
 }
 
-/// The share of samples drawn from the fitted law and fitted themselves that lie as far from their fit: the probability of the
-/// distance with both parameters estimated (Stute, Gonzalez Manteiga and Presedo Quindimil, Metrika 40 (1993) 243).
+/// One draw of the simulation: variables of the standard exponential law in ascending order, each with its place in the order drawn.
 ///
-/// # Errors
-/// Where none of the samples has a fit.
-pub(super) fn p_value(
-    distance_found: f64,
-    law: &ParetoFit,
-    draws: u32,
-    seed: u64,
-) -> Result<f64, ExtremesError> {
-    let redrawn = (0..u64::from(draws)).filter_map(|draw| {
+/// The variables of a draw are the first of one stream of random numbers, whatever their number: fewer are a part of more.
+#[derive(Debug)]
+pub(super) struct ExponentialDraw(Vec<(f64, u32)>);
+
+impl ExponentialDraw {
+    pub(super) fn new(seed: u64, draw: u64, count: usize) -> Self {
         let mut random = Random::new(seed, draw);
-        let peaks: Vec<f64> = (0..law.count).map(|_| law.draw(&mut random)).collect();
-        // Rounding may put a peak onto the threshold: such a sample has no fit.
-        let fit = ParetoFit::fit(&peaks, law.threshold).ok()?;
-        Some(distance(&peaks, &fit))
-    });
-    let (over, count) = redrawn.fold((0.0, 0.0), |(over, count), d| {
-        (over + f64::from(u8::from(d >= distance_found)), count + 1.0)
-    });
-    if count == 0.0 {
-        return Err(ExtremesError::NoMaximum("generalized Pareto"));
+        let uniform: Vec<f64> = (0..count).map(|_| random.uniform()).collect();
+        // The greatest uniform numbers are the least exponential ones; in even parts, of which each holds about one.
+        let part = |u: f64| ((1.0 - u) * count as f64) as usize;
+        let mut ends = vec![0_usize; count + 1];
+        for u in &uniform {
+            ends[part(*u).min(count)] += 1;
+        }
+        let mut sum = 0;
+        for end in &mut ends {
+            sum += *end;
+            *end = sum - *end;
+        }
+        let mut ordered = vec![(0.0, 0_u32); count];
+        for (place, u) in uniform.iter().enumerate() {
+            let end = &mut ends[part(*u).min(count)];
+            ordered[*end] = (*u, place as u32);
+            *end += 1;
+        }
+        // Within a part by insertion.
+        for i in 1..count {
+            let mut k = i;
+            while k > 0 && ordered[k - 1].0 < ordered[k].0 {
+                ordered.swap(k - 1, k);
+                k -= 1;
+            }
+        }
+        for (value, _) in &mut ordered {
+            *value = -value.ln();
+        }
+        Self(ordered)
     }
-    Ok((over + 1.0) / (count + 1.0))
+
+    /// Keeps the first so many in the order drawn.
+    pub(super) fn keep(&mut self, count: usize) {
+        self.0.retain(|(_, place)| (*place as usize) < count);
+    }
+
+    /// Excesses of these variables under a law of a scale of one, in ascending order.
+    fn excesses(&self, shape: f64) -> Vec<f64> {
+        self.0.iter().map(|(z, _)| growth(shape, *z)).collect()
+    }
+}
+
+/// The probability of a distance from a fit by samples of the fitted law that are fitted themselves: the share of those that lie as far from
+/// their fit, with both parameters estimated (Stute, Gonzalez Manteiga and Presedo Quindimil, Metrika 40 (1993) 243). Samples are added one by one;
+/// the share of them all is known between two bounds.
+#[derive(Debug, Clone)]
+pub(super) struct Simulation {
+    shape: f64,
+    distance: f64,
+    /// Samples drawn, those with a fit, and those as far from it.
+    drawn: u32,
+    fitted: u32,
+    over: u32,
+}
+
+impl Simulation {
+    /// Of a fit at a distance.
+    pub(super) fn new(fit: &ParetoFit, distance: f64) -> Self {
+        Self {
+            shape: fit.shape,
+            distance,
+            drawn: 0,
+            fitted: 0,
+            over: 0,
+        }
+    }
+
+    /// Adds a sample, of as many variables as values were fitted. The distance does not depend on the scale.
+    pub(super) fn add(&mut self, draw: &ExponentialDraw) {
+        let excesses = draw.excesses(self.shape);
+        self.drawn += 1;
+        if let Ok(fit) = ParetoFit::of_excesses(&UnitExcesses::new(&excesses), 0.0) {
+            self.fitted += 1;
+            let found = distance(&excesses, fit.scale, fit.shape);
+            self.over += u32::from(found >= self.distance);
+        }
+    }
+
+    /// Whether a sample has a fit.
+    pub(super) fn is_fitted(&self) -> bool {
+        self.fitted > 0
+    }
+
+    /// Least and greatest probability that so many draws in all may show; the same once they are all drawn.
+    pub(super) fn bounds(&self, draws: u32) -> [f64; 2] {
+        let left = draws.saturating_sub(self.drawn);
+        let share = |over: u32| f64::from(over + 1) / f64::from(self.fitted + left + 1);
+        [share(self.over), share(self.over + left)]
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn exponential(scale: f64, count: usize) -> ParetoFit {
-        ParetoFit {
-            threshold: 0.0,
-            scale,
-            shape: 0.0,
-            count,
-            log_likelihood: 0.0,
+    /// Distance and probability of some excesses.
+    fn judged(excesses: &[f64], draws: u32, seed: u64) -> [f64; 2] {
+        let mut ascending = excesses.to_vec();
+        ascending.sort_by(f64::total_cmp);
+        let fit = ParetoFit::fit(&ascending, 0.0).unwrap();
+        let mut simulation = Simulation::new(&fit, distance(&ascending, fit.scale, fit.shape));
+        for draw in 0..u64::from(draws) {
+            let before = simulation.bounds(draws);
+            simulation.add(&ExponentialDraw::new(seed, draw, fit.count));
+            let after = simulation.bounds(draws);
+            assert!(before[0] <= after[0] && after[1] <= before[1]);
         }
+        simulation.bounds(draws)
     }
 
     #[test]
     fn distance_of_one_peak() {
         // At the median: -1 - 2 ln(1/2).
-        let found = distance(&[2.0_f64.ln()], &exponential(1.0, 1));
+        let found = distance(&[2.0_f64.ln()], 1.0, 0.0);
         assert!((found - (2.0 * 2.0_f64.ln() - 1.0)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn draws_ascend_and_fewer_are_a_part_of_more() {
+        for count in [0, 1, 2, 7, 500] {
+            let mut draw = ExponentialDraw::new(3, 5, count);
+            let mut random = Random::new(3, 5);
+            let mut plain: Vec<f64> = (0..count).map(|_| -random.uniform().ln()).collect();
+            for kept in [count, count / 2] {
+                draw.keep(kept);
+                plain.truncate(kept);
+                let mut ascending = plain.clone();
+                ascending.sort_by(f64::total_cmp);
+                assert_eq!(draw.excesses(0.0), ascending);
+            }
+        }
     }
 
     /// Of samples of the law itself the probability is uniform; of another law it is small.
@@ -80,8 +179,9 @@ mod tests {
         for seed in 0..24 {
             let mut random = Random::new(seed, 1);
             let peaks: Vec<f64> = (0..40).map(|_| -random.uniform().ln()).collect();
-            let fit = ParetoFit::fit(&peaks, 0.0).unwrap();
-            sum += p_value(distance(&peaks, &fit), &fit, 60, seed).unwrap() / 24.0;
+            let [p, same] = judged(&peaks, 60, seed);
+            assert_eq!(p, same);
+            sum += p / 24.0;
         }
         // The mean of 24 uniform numbers: 0.06 standard deviation.
         assert!((sum - 0.5).abs() < 0.18, "{sum}");
@@ -89,7 +189,6 @@ mod tests {
         let rayleigh: Vec<f64> = (0..200)
             .map(|_| (-random.uniform().ln()).powf(0.35))
             .collect();
-        let fit = ParetoFit::fit(&rayleigh, 0.0).unwrap();
-        assert!(p_value(distance(&rayleigh, &fit), &fit, 60, 1).unwrap() < 0.05);
+        assert!(judged(&rayleigh, 60, 1)[0] < 0.05);
     }
 }

@@ -1,7 +1,7 @@
 //! The threshold of peaks over a threshold: the lowest from which on the generalized Pareto law fits, and how much the result
 //! changes with it.
 
-use super::anderson_darling::{distance, p_value};
+use super::anderson_darling::{ExponentialDraw, Simulation, distance};
 use super::error::{ExtremesError, check_finite, check_inside, check_probability};
 use super::generalized_pareto::ParetoFit;
 use super::target::{Statistic, Target};
@@ -13,8 +13,8 @@ pub struct ThresholdTrial {
     pub fit: ParetoFit,
     /// Anderson-Darling distance of the peaks from the fit.
     pub distance: f64,
-    /// Probability of as great a distance where the law holds.
-    pub p_value: f64,
+    /// Probability of as great a distance where the law holds: its least and greatest value, as near to each other as the choice needs.
+    pub p_value: [f64; 2],
     /// The figure asked for, at this threshold.
     pub estimate: f64,
 }
@@ -39,7 +39,7 @@ pub struct ThresholdSearch {
     pub fewest: usize,
     /// The rate at which thresholds are rejected falsely.
     pub significance: f64,
-    /// Samples drawn at each threshold for its probability.
+    /// Samples drawn at each threshold for its probability, at most.
     pub draws: u32,
     /// Seed of the draws.
     pub seed: u64,
@@ -77,20 +77,22 @@ impl ThresholdChoice {
         check_inside("the number of peaks", count, (1.0, 1e15), "above 1")?;
         let mut descending = peaks.to_vec();
         descending.sort_by(|a, b| b.total_cmp(a));
-        let mut trials: Vec<ThresholdTrial> = Vec::new();
+        let mut trials: Vec<(ThresholdTrial, Simulation)> = Vec::new();
         for above in numbers_above(peaks.len() - 1, fewest, search.candidates.max(1)) {
             let Some(threshold) = descending.get(above) else {
                 continue;
             };
             let part = descending.partition_point(|p| p > threshold);
             let kept = descending.get(..part).unwrap_or_default();
-            if let Ok(trial) =
-                try_threshold(kept, *threshold, peaks.len(), (statistic, count), search)
-            {
-                trials.push(trial);
-            }
+            let greatest_of = count * kept.len() as f64 / peaks.len() as f64;
+            let target = Target {
+                statistic,
+                greatest_of,
+            };
+            trials.extend(try_threshold(kept, *threshold, target).ok());
         }
-        let stop = forward_stop(&trials, search.significance);
+        let stop = simulate(&mut trials, search);
+        let trials: Vec<ThresholdTrial> = trials.into_iter().map(|(trial, _)| trial).collect();
         let last = trials
             .len()
             .checked_sub(1)
@@ -129,32 +131,75 @@ fn numbers_above(most: usize, fewest: usize, candidates: usize) -> Vec<usize> {
     numbers
 }
 
+/// The fit to peaks above a threshold, in descending order, whose probability is open.
 fn try_threshold(
     kept: &[f64],
     threshold: f64,
-    all: usize,
-    (statistic, count): (Statistic, f64),
-    search: &ThresholdSearch,
-) -> Result<ThresholdTrial, ExtremesError> {
+    target: Target,
+) -> Result<(ThresholdTrial, Simulation), ExtremesError> {
     let fit = ParetoFit::fit(kept, threshold)?;
-    let distance = distance(kept, &fit);
-    let greatest_of = count * kept.len() as f64 / all as f64;
-    Ok(ThresholdTrial {
+    let ascending: Vec<f64> = kept.iter().rev().map(|p| p - threshold).collect();
+    let distance = distance(&ascending, fit.scale, fit.shape);
+    let trial = ThresholdTrial {
         fit,
         distance,
-        p_value: p_value(distance, &fit, search.draws, search.seed)?,
-        estimate: fit.value(Target {
-            statistic,
-            greatest_of,
-        })?,
-    })
+        p_value: [0.0, 1.0],
+        estimate: fit.value(target)?,
+    };
+    Ok((trial, Simulation::new(&fit, distance)))
+}
+
+/// Draws between two looks at what is known.
+const BATCH: u32 = 10;
+
+/// How many of the first trials are rejected, by as many draws as it takes to be certain what all of them would say. Trials of whose samples none has
+/// a fit are left out. A draw serves all trials, the later ones by a part of it.
+fn simulate(trials: &mut Vec<(ThresholdTrial, Simulation)>, search: &ThresholdSearch) -> usize {
+    let draws = search.draws;
+    let (mut drawn, mut open) = (0, trials.len());
+    let mut stop = 0;
+    while open > 0 && drawn < draws {
+        let until = draws.min(drawn + BATCH);
+        for number in drawn..until {
+            add_draw(&mut trials[..open], search.seed, u64::from(number));
+        }
+        drawn = until;
+        if drawn == draws {
+            trials.retain(|(_, simulation)| simulation.is_fitted());
+        } else if trials.iter().any(|(_, simulation)| !simulation.is_fitted()) {
+            continue;
+        }
+        for (trial, simulation) in trials.iter_mut() {
+            trial.p_value = simulation.bounds(draws);
+        }
+        let [most, least] = [0, 1].map(|bound| {
+            let probabilities = trials.iter().map(|(trial, _)| trial.p_value[bound]);
+            forward_stop(probabilities, search.significance)
+        });
+        // What comes after the most that may be rejected has no say.
+        (stop, open) = (least, if least == most { 0 } else { most });
+    }
+    if draws == 0 {
+        trials.clear();
+    }
+    stop
+}
+
+/// Adds a draw to each of these trials.
+fn add_draw(trials: &mut [(ThresholdTrial, Simulation)], seed: u64, number: u64) {
+    let most = trials.iter().map(|(trial, _)| trial.fit.count).max();
+    let mut draw = ExponentialDraw::new(seed, number, most.unwrap_or(0));
+    for (trial, simulation) in trials {
+        draw.keep(trial.fit.count);
+        simulation.add(&draw);
+    }
 }
 
 /// How many of the first trials are rejected.
-fn forward_stop(trials: &[ThresholdTrial], significance: f64) -> usize {
+fn forward_stop(probabilities: impl Iterator<Item = f64>, significance: f64) -> usize {
     let (mut sum, mut rejected) = (0.0, 0);
-    for (k, trial) in trials.iter().enumerate() {
-        sum -= (-trial.p_value).ln_1p().max(-40.0);
+    for (k, probability) in probabilities.enumerate() {
+        sum -= (-probability).ln_1p().max(-40.0);
         if sum <= significance * (k + 1) as f64 {
             rejected = k + 1;
         }
