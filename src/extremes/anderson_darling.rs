@@ -7,26 +7,43 @@ use crate::numerics::random::Random;
 /// The least probability of a peak below and above it; a peak at the end of the law would have none.
 const LEAST: f64 = 1e-15;
 
+/// Probabilities whose logarithms are taken together: as products, the least of them to the power of fifteen, which does not underflow.
+const TOGETHER: usize = 6;
+
 /// Distance of excesses in ascending order from a law of a scale and a shape: `-n - mean((2 i - 1)(ln F_i + ln(1 - F_(n+1-i))))` (Anderson and
 /// Darling 1954).
 #[must_use]
 pub(super) fn distance(ascending: &[f64], scale: f64, shape: f64) -> f64 {
     let most = -LEAST.ln();
     let n = ascending.len() as f64;
-    let mut sum = 0.0;
-    for (i, y) in ascending.iter().enumerate() {
-        let above = y / scale;
-        // Minus the logarithm of the probability of a greater one.
-        let exponent = if shape.abs() < 1e-12 {
-            above
-        } else {
-            (shape * above).max(-1.0).ln_1p() / shape
-        };
-        let below = -(-exponent).exp_m1();
-        let weight = 2.0 * i as f64 + 1.0;
-        sum += weight * below.max(LEAST).ln() - (2.0 * n - weight) * exponent.min(most);
+    let (mut sum, mut weight) = (0.0, 1.0);
+    for part in ascending.chunks(TOGETHER) {
+        let mut below = [1.0; TOGETHER];
+        for (i, (y, below)) in part.iter().zip(&mut below).enumerate() {
+            let above = y / scale;
+            // Minus the logarithm of the probability of a greater one.
+            let exponent = if shape.abs() < 1e-12 {
+                above
+            } else {
+                (shape * above).max(-1.0).ln_1p() / shape
+            };
+            *below = (-(-exponent).exp_m1()).max(LEAST);
+            sum -= (2.0 * n - weight - 2.0 * i as f64) * exponent.min(most);
+        }
+        sum += weighted_logs(&below, weight);
+        weight += 2.0 * TOGETHER as f64;
     }
     -n - sum / n
+}
+
+/// The sum of `(weight + 2 i) ln f_i`, i from zero on.
+fn weighted_logs(factors: &[f64; TOGETHER], weight: f64) -> f64 {
+    let (mut product, mut powers) = (1.0, 1.0);
+    for factor in factors[1..].iter().rev() {
+        product *= factor;
+        powers *= product;
+    }
+    weight * (factors[0] * product).ln() + 2.0 * powers.ln()
 }
 
 /// One draw of the simulation: variables of the standard exponential law in ascending order, each with its place in the order drawn.
@@ -154,6 +171,19 @@ mod tests {
         // At the median: -1 - 2 ln(1/2).
         let found = distance(&[2.0_f64.ln()], 1.0, 0.0);
         assert!((found - (2.0 * 2.0_f64.ln() - 1.0)).abs() < 1e-14);
+    }
+
+    #[test]
+    fn logarithms_together_are_those_of_each() {
+        for factors in [
+            [0.9, 0.1, 1e-3, 0.5, 0.7, 1.0],
+            [LEAST; TOGETHER],
+            [1.0; TOGETHER],
+        ] {
+            let each = factors.iter().enumerate();
+            let sum: f64 = each.map(|(i, f)| (7.0 + 2.0 * i as f64) * f.ln()).sum();
+            assert!((weighted_logs(&factors, 7.0) - sum).abs() <= 1e-13 * sum.abs());
+        }
     }
 
     #[test]

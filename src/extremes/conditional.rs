@@ -126,11 +126,9 @@ fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -
     let n = above.len() as f64;
     let total: f64 = above.iter().sum();
     let ln_sum = |scale: f64| above.iter().map(|d| (-d / scale).exp()).sum::<f64>().ln();
-    // Of the logarithm of the scale.
-    let density = |log: f64| {
-        let scale = log.exp();
-        (1.0 - n) * log - total / scale - n * ln_sum(scale)
-    };
+    // Of the logarithm of the scale, given that of the sum.
+    let density_with = |log: f64, ln_sum: f64| (1.0 - n) * log - total / log.exp() - n * ln_sum;
+    let density = |log: f64| density_with(log, ln_sum(log.exp()));
     let centre = likely.ln();
     let floor = density(centre) - NEGLIGIBLE;
     let end = |side: f64| {
@@ -148,11 +146,15 @@ fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -
     let (first, last) = (end(-1.0), end(1.0));
     let mut points: Vec<Point> = (0..=count)
         .map(|i| first + (last - first) * f64::from(i) / f64::from(count))
-        .map(|log| Point {
-            weight: (density(log) - floor - NEGLIGIBLE).exp(),
-            scale: log.exp(),
-            ln_sum: ln_sum(log.exp()),
-            offset: offset(log.exp()),
+        .map(|log| {
+            let scale = log.exp();
+            let ln_sum = ln_sum(scale);
+            Point {
+                weight: (density_with(log, ln_sum) - floor - NEGLIGIBLE).exp(),
+                scale,
+                ln_sum,
+                offset: offset(scale),
+            }
         })
         .collect();
     let sum: f64 = points.iter().map(|p| p.weight).sum();

@@ -1,10 +1,8 @@
 //! How far the mean of a correlated record has converged.
 
-use nalgebra::Complex;
-
 use super::error::{ExtremesError, check_finite, check_spread};
 use super::special::normal_probability;
-use crate::numerics::fourier::real_spectrum;
+use crate::numerics::fourier::transform;
 use crate::numerics::statistics::{mean, variance};
 
 /// The mean of a record with its standard error.
@@ -87,21 +85,22 @@ impl Halves {
 /// Autocorrelations at all lags, by the transform of the power spectrum of the record with zeros appended.
 fn autocorrelation(values: &[f64], centre: f64) -> Vec<f64> {
     let length = (2 * values.len()).next_power_of_two();
-    let mut padded: Vec<f64> = values.iter().map(|v| v - centre).collect();
-    padded.resize(length, 0.0);
-    let half: Vec<f64> = real_spectrum(&padded)
-        .iter()
-        .map(Complex::norm_sqr)
-        .collect();
-    let mirrored = half.iter().rev().skip(1).take(length - half.len());
-    let power: Vec<f64> = half.iter().chain(mirrored).copied().collect();
-    let covariance = real_spectrum(&power);
-    let zero = covariance.first().map_or(1.0, |z| z.re);
-    covariance
-        .iter()
-        .take(values.len())
-        .map(|z| z.re / zero)
-        .collect()
+    let mut padded = vec![0.0; length];
+    for (place, value) in padded.iter_mut().zip(values) {
+        *place = value - centre;
+    }
+    let mut spectrum = Vec::new();
+    transform(&mut padded, &mut spectrum);
+    for (k, z) in spectrum.iter().enumerate() {
+        let power = z.norm_sqr();
+        padded[k] = power;
+        padded[(length - k) % length] = power;
+    }
+    transform(&mut padded, &mut spectrum);
+    let zero = spectrum.first().map_or(1.0, |z| z.re);
+    padded.clear();
+    padded.extend(spectrum.iter().take(values.len()).map(|z| z.re / zero));
+    padded
 }
 
 /// One plus twice the sum of the autocorrelations, as far as pairs of them are positive.

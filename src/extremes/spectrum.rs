@@ -6,7 +6,7 @@ use super::error::{ExtremesError, check_finite, check_probability};
 use super::moments::check_step;
 use super::special::chi_squared_quantile;
 use super::spectral_moments::SpectralMoments;
-use crate::numerics::fourier::real_spectrum;
+use crate::numerics::fourier::transform;
 use crate::numerics::statistics::mean;
 
 /// One-sided spectral density.
@@ -45,17 +45,16 @@ pub fn welch(values: &[f64], step: f64, segment: Option<usize>) -> Result<Spectr
     let hop = length - length / 2;
     let mut density = vec![0.0; length / 2 + 1];
     let mut segments = 0;
+    let (mut windowed, mut spectrum) = (Vec::with_capacity(length), Vec::new());
     for start in (0..=values.len() - length).step_by(hop) {
         let Some(part) = values.get(start..start + length) else {
             break;
         };
         let centre = mean(part);
-        let windowed: Vec<f64> = part
-            .iter()
-            .zip(&window)
-            .map(|(v, w)| (v - centre) * w)
-            .collect();
-        for (sum, z) in density.iter_mut().zip(real_spectrum(&windowed)) {
+        windowed.clear();
+        windowed.extend(part.iter().zip(&window).map(|(v, w)| (v - centre) * w));
+        transform(&mut windowed, &mut spectrum);
+        for (sum, z) in density.iter_mut().zip(&spectrum) {
             *sum += z.norm_sqr();
         }
         segments += 1;

@@ -16,20 +16,25 @@ const KEPT: usize = 4;
 /// The transforms used last, the latest at the end.
 static PLANS: Mutex<Vec<Plan>> = Mutex::new(Vec::new());
 
-/// `sum over n of values[n] exp(-2 pi i k n / N)` for k from 0 to N/2; nothing of no values.
+/// `sum over n of values[n] exp(-2 pi i k n / N)` for k from 0 to N/2; nothing of no values. The values are overwritten.
 #[must_use]
-pub fn real_spectrum(values: &[f64]) -> Vec<Complex<f64>> {
+pub fn real_spectrum(values: &mut [f64]) -> Vec<Complex<f64>> {
+    let mut spectrum = Vec::new();
+    transform(values, &mut spectrum);
+    spectrum
+}
+
+/// The same into a list, whose room is used again.
+pub fn transform(values: &mut [f64], spectrum: &mut Vec<Complex<f64>>) {
+    spectrum.clear();
     if values.is_empty() {
-        return Vec::new();
+        return;
     }
     let plan = plan(values.len());
-    let mut input = values.to_vec();
-    let mut output = plan.make_output_vec();
-    // It fails for buffers of another length only.
-    match plan.process(&mut input, &mut output) {
-        Ok(()) => output,
-        Err(_) => Vec::new(),
-    }
+    spectrum.resize(values.len() / 2 + 1, Complex::default());
+    // It fails for lists of another length only.
+    let done = plan.process(values, spectrum);
+    debug_assert!(done.is_ok(), "{done:?}");
 }
 
 /// The transform of this length, kept or new.
@@ -60,7 +65,7 @@ mod tests {
         let angle = |k: usize, of: usize| TAU * ((k * of) % n) as f64 / n as f64;
         let value = |k: usize| 0.25 + angle(k, 1234).cos() + 0.5 * angle(k, 100_000).sin();
         let values: Vec<f64> = (0..n).map(value).collect();
-        let spectrum = real_spectrum(&values);
+        let spectrum = real_spectrum(&mut values.clone());
         for (k, found) in spectrum.iter().enumerate() {
             let expected = match k {
                 0 => Complex::new(0.25, 0.0),
@@ -78,7 +83,7 @@ mod tests {
             let values: Vec<f64> = (0..n)
                 .map(|k| f64::from(k * k % 13) - 0.3 * f64::from(k))
                 .collect();
-            let spectrum = real_spectrum(&values);
+            let spectrum = real_spectrum(&mut values.clone());
             let n = values.len();
             assert_eq!(spectrum.len(), n / 2 + 1);
             for (sample, value) in values.iter().enumerate() {

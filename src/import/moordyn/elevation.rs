@@ -123,7 +123,7 @@ fn samples(rows: &[[f64; 2]], step: f64) -> Result<Vec<f64>, (String, String)> {
 /// The components of samples every `step` \[s\].
 fn components(samples: &[f64], step: f64) -> Elevation {
     let n = samples.len();
-    let spectrum = real_spectrum(samples);
+    let spectrum = real_spectrum(&mut samples.to_vec());
     let interval = PI / (step * (n / 2) as f64);
     let component = |k: usize| {
         let twice = if 2 * k == n { 1.0 } else { 2.0 };
