@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+
 use super::{CommandError, output::OutputFile, study_args::StudyPageArgs, study_page::print};
 use crate::case::fields::{TypedNumber, nearest};
 use crate::case::{ChannelId, ChannelQuantity, QuantityId, Statistic, Subject};
@@ -113,7 +115,7 @@ pub(super) fn statistics(args: &StatisticsArgs) -> Result<ExitCode, CommandError
         hours: args.hours,
         level: args.level,
     };
-    let views = records.into_iter().filter_map(|(id, records)| {
+    let views = records.into_par_iter().filter_map(|(id, records)| {
         let statistics = RecordStatistics::of(&records, question)?;
         let errors = [Statistic::Max, Statistic::Min].map(|of| numerical(&summaries, &id, of));
         let fatigue = component
