@@ -17,7 +17,8 @@
 //! **A kill at any moment leaves either the complete run or one marked `partial`.** The directory
 //! appears under its name with `case.toml` and `run.toml` (state `partial`) already in it; history and
 //! shapes grow while the run goes on; at the end every file is written beside its name, synced and
-//! renamed, and `run.toml` with the final state goes last. While a program computes a run it holds a lock on the
+//! renamed, and `run.toml` with the final state goes last. A load case of a sweep that ends within a second is on the disk only then: in a
+//! hidden directory that takes its name once all its files are synced, so that a kill leaves it complete or absent. While a program computes a run it holds a lock on the
 //! directory ([`is_locked`]), so that a partial run under way is distinguished from one that was killed.
 //!
 //! A checkpoint ends with a seal (`src/seal.rs`): it is whole, and belongs to the case, the history and the shapes beside it, or is refused.
@@ -31,6 +32,7 @@ mod create;
 mod fatigue_csv;
 mod growing_file;
 mod history_csv;
+mod late;
 mod list;
 mod lock;
 mod notes;
@@ -50,8 +52,8 @@ use std::{io, path::PathBuf};
 use crate::files::WriteError;
 
 pub use channel_rows::{ChannelRows, channel_rows};
-pub(crate) use create::stem;
 pub use create::{RunLocation, delete};
+pub(crate) use create::{remove_left_beside, stem};
 pub use fatigue_csv::fatigue_spots;
 pub(in crate::run) use history_csv::HistoryReader;
 pub use history_csv::write_history;

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use crate::case::fields::number;
 use crate::case::{self, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
 use crate::run::job::{self, JobEvent, Request};
-use crate::run::store::{Recorder, RunLocation, StoreError};
+use crate::run::store::{Recorder, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
 use crate::system::motion::job::{self as motion_job, SystemRequest};
 
@@ -272,7 +272,7 @@ pub(super) fn side_by_side<R: Send, T: Send>(
 /// Computes a point, and stores its run where a place is given.
 pub(super) fn outcome(
     mut job: PointJob,
-    store: Option<&RunLocation>,
+    store: Option<&Path>,
     cancel: &AtomicBool,
 ) -> PointOutcome {
     let (run, dir) = match store {
@@ -291,13 +291,13 @@ pub(super) fn outcome(
     Ok(PointRun { info, summary, dir })
 }
 
-/// Computes a job and stores its run while it is computed.
+/// Computes a job and stores its run: while it is computed, or at its end where that comes in a moment.
 fn execute_stored(
     job: &mut PointJob,
-    place: &RunLocation,
+    dir: &Path,
     cancel: &AtomicBool,
 ) -> Result<(Run, PathBuf), StoreError> {
-    let mut recorder = Recorder::begin(place, job.initial_info(), &job.text())?;
+    let mut recorder = Recorder::begin_late(dir, job.initial_info(), &job.text())?;
     job.name(recorder.id());
     let mut run = job.execute(cancel, &mut |event| {
         if !recorder.event(&event) {

@@ -364,9 +364,8 @@ fn a_study_ends_at_the_first_run_that_cannot_be_stored() {
     assert_eq!(output.status.code(), Some(1), "{output:?}");
     let page = String::from_utf8_lossy(&output.stdout);
     assert!(page.contains("its run cannot be stored"), "{page}");
-    let runs = store::list(&dir.join("runs")).unwrap();
-    assert_eq!(runs.len(), 1, "{page}");
-    assert_eq!(runs[0].info.as_ref().unwrap().state, RunState::Failed);
+    // A run of less than a second is there whole or not at all.
+    assert_eq!(store::list(&dir.join("runs")).unwrap().len(), 0, "{page}");
 }
 
 /// The workbench shows the run, and its last word is that it is not stored.

@@ -7,10 +7,12 @@ use std::{
     fs,
     path::{Path, PathBuf},
     thread,
+    time::Duration,
 };
 
 use seacable::run::{
     LineShape, OutputFrame, Progress, Run, RunState,
+    event::JobEvent,
     store::{RunLocation, RunWriter, StoreError, list, read, save},
 };
 
@@ -29,14 +31,17 @@ fn shape(run: &Run, row: usize) -> LineShape {
 /// A writer that has been given this many rows.
 fn begun(root: &Path, rows: usize) -> RunWriter {
     let run = sample::run();
-    let mut writer = RunWriter::begin(
-        &RunLocation::Below(root.to_owned()),
-        run.info.clone(),
-        &run.case_text,
-    )
-    .unwrap();
+    let place = RunLocation::Below(root.to_owned());
+    let mut writer = RunWriter::begin(&place, run.info.clone(), &run.case_text).unwrap();
+    give(&mut writer, rows);
+    writer
+}
+
+/// Gives a writer the channels and this many rows.
+fn give(writer: &mut RunWriter, rows: usize) {
+    let run = sample::run();
     let channels: Vec<_> = run.history.channels.iter().map(|c| c.id.clone()).collect();
-    writer.channels(&channels).unwrap();
+    writer.event(&JobEvent::Started { channels }).unwrap();
     for i in 0..rows {
         let frame = OutputFrame {
             time: run.history.time[i],
@@ -44,9 +49,21 @@ fn begun(root: &Path, rows: usize) -> RunWriter {
             shape: (i % 10 == 0).then(|| shape(&run, i)),
             progress: Progress::default(),
         };
-        writer.frame(&frame).unwrap();
+        writer.event(&JobEvent::Frame(Box::new(frame))).unwrap();
     }
-    writer
+}
+
+/// The sample as it reads once this many rows were streamed: the record is what was streamed, not what is kept of it in memory.
+fn streamed(id: &str, rows: usize) -> Run {
+    let mut expected = sample::run();
+    expected.info.id = id.to_owned();
+    expected.history.time.truncate(rows);
+    for channel in &mut expected.history.channels {
+        channel.values.truncate(rows);
+    }
+    let shapes = (0..rows).step_by(10).map(|i| shape(&expected, i));
+    expected.shapes = shapes.collect();
+    expected
 }
 
 #[test]
@@ -93,18 +110,57 @@ fn files_begin_with_the_promised_columns() {
 fn a_run_streamed_and_finished_is_the_run() {
     let root = tempfile::tempdir().unwrap();
     let writer = begun(root.path(), 30);
-    let mut expected = sample::run();
-    expected.info.id = writer.id().to_owned();
-    // The record is what was streamed, not what is kept of it in memory.
-    expected.history.time.truncate(30);
-    for channel in &mut expected.history.channels {
-        channel.values.truncate(30);
-    }
-    expected.shapes = [0, 10, 20].map(|i| shape(&expected, i)).to_vec();
+    let expected = streamed(writer.id(), 30);
     let dir = writer.finish(&sample::run()).unwrap();
     assert_eq!(read(&dir).unwrap(), expected);
     // Nothing but the run is left behind.
     assert_eq!(fs::read_dir(&dir).unwrap().count(), 8);
+}
+
+#[test]
+fn a_run_of_a_moment_is_there_at_once_or_not_at_all() {
+    let root = tempfile::tempdir().unwrap();
+    let run = sample::run();
+    let begin = |name: &str| {
+        let dir = root.path().join("runs").join(name);
+        let writer = RunWriter::begin_late(&dir, run.info.clone(), &run.case_text);
+        (dir, writer)
+    };
+    let entries = || fs::read_dir(root.path().join("runs")).unwrap().count();
+    let checkpoint = JobEvent::SystemCheckpoint("a = 1\n".to_owned());
+
+    let (dir, writer) = begin("whole");
+    let mut writer = writer.unwrap();
+    give(&mut writer, 30);
+    writer.event(&checkpoint).unwrap();
+    assert_eq!((writer.id(), entries()), ("whole", 0));
+    assert_eq!(writer.finish(&run).unwrap(), dir);
+    assert_eq!(read(&dir).unwrap(), streamed("whole", 30));
+    let files = fs::read_dir(&dir).unwrap().count();
+    assert_eq!((entries(), files), (1, 9));
+    assert!(matches!(begin("whole").1, Err(StoreError::Taken(_))));
+
+    // One that is dropped, as by a kill, leaves nothing.
+    let (_, writer) = begin("killed");
+    give(&mut writer.unwrap(), 30);
+    assert_eq!(entries(), 1);
+
+    // One that takes a second is there from then on, and has the same files.
+    let (long, writer) = begin("long");
+    let mut writer = writer.unwrap();
+    give(&mut writer, 30);
+    writer.event(&checkpoint).unwrap();
+    thread::sleep(Duration::from_millis(1050));
+    writer.event(&JobEvent::Estimating).unwrap();
+    assert_eq!(read(&long).unwrap().info.state, RunState::Partial);
+    assert_eq!(read(&long).unwrap().history.time.len(), 30);
+    writer.finish(&run).unwrap();
+    assert_eq!(read(&long).unwrap(), streamed("long", 30));
+    for file in fs::read_dir(&dir).unwrap() {
+        let name = file.unwrap().file_name();
+        let [one, other] = [&dir, &long].map(|dir| fs::read_to_string(dir.join(&name)).unwrap());
+        assert_eq!(one.replace("whole", "long"), other, "{name:?}");
+    }
 }
 
 #[test]

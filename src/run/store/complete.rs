@@ -37,27 +37,35 @@ pub(super) const CHANNEL_COLUMNS: [&str; 6] = [
     "time_of_min_s",
 ];
 
+/// What writes a file of a run, by its name.
+pub(super) type Put<'a> = dyn FnMut(&str, &[u8]) -> Result<(), StoreError> + 'a;
+
 /// Writes everything, `run.toml` last; the record only where it was not `streamed` while the run went on.
-pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(), StoreError> {
-    replace(dir, CASE, run.case_text.as_bytes())?;
-    replace(dir, SUMMARY, &summary(&run.summary)?)?;
-    replace(dir, ERRORS, &errors(&run.summary)?)?;
-    replace(dir, CHANNELS, &channels(&run.history.channels)?)?;
+pub(super) fn all(
+    dir: &Path,
+    id: &str,
+    run: &Run,
+    streamed: bool,
+    put: &mut Put<'_>,
+) -> Result<(), StoreError> {
+    put(CASE, run.case_text.as_bytes())?;
+    put(SUMMARY, &summary(&run.summary)?)?;
+    put(ERRORS, &errors(&run.summary)?)?;
+    put(CHANNELS, &channels(&run.history.channels)?)?;
     if !streamed {
-        replace(dir, HISTORY, &write_history(&run.history)?)?;
-        replace(dir, SHAPES, write_shapes(&run.shapes).as_bytes())?;
+        put(HISTORY, &write_history(&run.history)?)?;
+        put(SHAPES, write_shapes(&run.shapes).as_bytes())?;
     }
     let profile = &run.profile;
     let nodes = profile.nodes.len();
-    let table = columns::write(&PROFILE_COLUMNS, profile, nodes)?;
-    replace(dir, PROFILE, &table)?;
+    put(PROFILE, &columns::write(&PROFILE_COLUMNS, profile, nodes)?)?;
     if !profile.ropes.is_empty() {
         let segments = profile.ropes.arc.len();
         let table = columns::write(&ROPE_COLUMNS, &profile.ropes, segments)?;
-        replace(dir, ROPES, &table)?;
+        put(ROPES, &table)?;
     }
     if !run.fatigue.is_empty() {
-        replace(dir, FATIGUE, &write_fatigue(&run.fatigue)?)?;
+        put(FATIGUE, &write_fatigue(&run.fatigue)?)?;
     }
 
     let mut info = RunInfo {
@@ -70,7 +78,7 @@ pub(super) fn all(dir: &Path, id: &str, run: &Run, streamed: bool) -> Result<(),
             "kept from memory: {HISTORY} holds {rows} of {recorded} output times, those of all extremes among them"
         ));
     }
-    self::info(dir, &info)
+    put(RUN, info_text(dir, &info)?.as_bytes())
 }
 
 /// Writes `run.toml` alone.

@@ -2,7 +2,8 @@
 
 use std::{
     ffi::{OsStr, OsString},
-    fs, io,
+    fs,
+    io::{self, Write},
     path::{Component, Path, PathBuf},
     sync::atomic::{AtomicU64, Ordering},
 };
@@ -13,7 +14,8 @@ use super::{
     read_info,
     timestamp::{now, stamp},
 };
-use crate::files::{Target, disk};
+use crate::files::Target;
+use crate::files::disk::{self, NewFile};
 use crate::run::{RunInfo, RunState};
 use crate::strays::{self, Hidden};
 use crate::visible;
@@ -99,7 +101,8 @@ pub(crate) fn stem(case_file: &str) -> String {
     }
 }
 
-fn name_of(dir: &Path) -> String {
+/// The name of a run in a directory: that of the directory.
+pub(super) fn name_of(dir: &Path) -> String {
     dir.file_name()
         .map_or_else(|| "run".to_owned(), |n| n.to_string_lossy().into_owned())
 }
@@ -144,12 +147,85 @@ pub fn delete(dir: &Path) -> Result<(), StoreError> {
     disk::remove_dir_all(left).map_err(StoreError::io("Deleting", dir))
 }
 
-/// Fills a hidden directory beside the final one, then renames it.
+/// Makes the directory of a run that is under way, held.
 fn appear(
     dir: &Path,
     info: &RunInfo,
     case_text: &str,
 ) -> Result<Option<DirectoryLock>, StoreError> {
+    room_for(dir)?;
+    remove_left_beside(dir);
+    in_one_step(dir, |hidden| {
+        disk::create_dir(hidden).map_err(StoreError::io("Making the directory", hidden))?;
+        replace(hidden, CASE, case_text.as_bytes())?;
+        replace(hidden, RUN, info_text(hidden, info)?.as_bytes())?;
+        Ok(lock_directory(hidden))
+    })
+}
+
+/// Removes what killed processes left of runs in the directory that a run goes into.
+pub(crate) fn remove_left_beside(dir: &Path) {
+    strays::remove(&parent_of(dir), &FILES);
+}
+
+/// Makes the directory of a run that has ended: it is there with all its files, or not at all.
+pub(super) fn at_once(
+    dir: &Path,
+    fill: impl FnOnce(&mut NewDirectory) -> Result<(), StoreError>,
+) -> Result<(), StoreError> {
+    room_for(dir)?;
+    in_one_step(dir, |hidden| {
+        let mut new = NewDirectory::create(hidden, dir)?;
+        fill(&mut new)?;
+        new.sync()
+    })
+}
+
+/// A directory that nobody else sees: its files are made under their names, and synced together.
+pub(super) struct NewDirectory {
+    dir: PathBuf,
+    /// Where it goes, by which faults name it.
+    place: PathBuf,
+    files: Vec<NewFile>,
+}
+
+impl NewDirectory {
+    fn create(dir: &Path, place: &Path) -> Result<Self, StoreError> {
+        disk::create_dir(dir).map_err(StoreError::io("Making the directory", place))?;
+        Ok(Self {
+            dir: dir.to_owned(),
+            place: place.to_owned(),
+            files: Vec::new(),
+        })
+    }
+
+    /// Where it goes.
+    pub(super) fn place(&self) -> &Path {
+        &self.place
+    }
+
+    /// Makes a file.
+    pub(super) fn put(&mut self, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
+        let place = self.place.join(name);
+        let wrong = |source| StoreError::io("Writing", &place)(source);
+        let mut file = NewFile::create(&self.dir.join(name)).map_err(wrong)?;
+        file.write_all(bytes).map_err(wrong)?;
+        self.files.push(file);
+        Ok(())
+    }
+
+    /// Makes it survive a power cut.
+    fn sync(self) -> Result<(), StoreError> {
+        let wrong = StoreError::io("Writing", &self.place);
+        let synced = self.files.iter().try_for_each(NewFile::sync);
+        synced.map_err(wrong)?;
+        disk::sync_directory(&self.dir);
+        Ok(())
+    }
+}
+
+/// Makes the directory that a run goes into, where it is missing; fails where the run cannot go there.
+pub(super) fn room_for(dir: &Path) -> Result<(), StoreError> {
     refuse_if_taken(dir)?;
     let parent = parent_of(dir);
     if parent.join(RUN).is_file() {
@@ -161,15 +237,21 @@ fn appear(
         let absent = io::Error::from(io::ErrorKind::NotFound);
         return Err(StoreError::io("Opening", &parent)(absent));
     }
-    disk::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))?;
+    disk::create_dir_all(&parent).map_err(StoreError::io("Making the directory", &parent))
+}
+
+/// Fills a hidden directory beside the final one, then renames it.
+fn in_one_step<T>(
+    dir: &Path,
+    fill: impl FnOnce(&Path) -> Result<T, StoreError>,
+) -> Result<T, StoreError> {
+    let parent = parent_of(dir);
     let number = COUNTER.fetch_add(1, Ordering::Relaxed);
-    strays::remove(&parent, &FILES);
     let hidden = parent.join(hidden_name(dir, number, Hidden::NewRun));
 
-    let filled = fill(&hidden, info, case_text).and_then(|()| {
-        let held = lock_directory(&hidden);
+    let filled = fill(&hidden).and_then(|made| {
         let renamed = disk::rename(&hidden, dir);
-        renamed.map(|()| held).map_err(|error| match error.kind() {
+        renamed.map(|()| made).map_err(|error| match error.kind() {
             io::ErrorKind::DirectoryNotEmpty | io::ErrorKind::AlreadyExists => {
                 StoreError::Taken(dir.to_owned())
             }
@@ -180,15 +262,9 @@ fn appear(
         // Best effort: the error that matters is the one already in hand.
         let _ = disk::remove_dir_all(&hidden);
     }
-    let held = filled?;
+    let made = filled?;
     disk::sync_directory(&parent);
-    Ok(held)
-}
-
-fn fill(hidden: &Path, info: &RunInfo, case_text: &str) -> Result<(), StoreError> {
-    disk::create_dir(hidden).map_err(StoreError::io("Making the directory", hidden))?;
-    replace(hidden, CASE, case_text.as_bytes())?;
-    replace(hidden, RUN, info_text(hidden, info)?.as_bytes())
+    Ok(made)
 }
 
 /// `run.toml` as text.

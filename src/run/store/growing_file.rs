@@ -1,4 +1,5 @@
-//! A file that grows while a run is computed: what a full disk refuses stays in memory, and can be written again.
+//! A file that grows while a run is computed: what a full disk refuses stays in memory, and can be written again. It may be made later than
+//! its first rows.
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -15,7 +16,8 @@ const WAITING: usize = 1 << 16;
 #[derive(Debug)]
 pub(super) struct GrowingFile {
     path: PathBuf,
-    file: NewFile,
+    /// Nothing until it is made.
+    file: Option<NewFile>,
     /// What is not written yet.
     waiting: Vec<u8>,
     /// That of the file with what waits.
@@ -23,18 +25,29 @@ pub(super) struct GrowingFile {
 }
 
 impl GrowingFile {
-    /// A new file with the names of its columns.
-    pub(super) fn create(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
+    /// A file to be made, with the names of its columns.
+    pub(super) fn of(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
         let head = head.bytes()?;
-        let file = NewFile::create(&path).map_err(StoreError::io("Writing", &path))?;
         let mut stream = Self {
             path,
-            file,
+            file: None,
             waiting: Vec::with_capacity(2 * WAITING),
             digest: Digest::default(),
         };
         stream.push(&head);
         Ok(stream)
+    }
+
+    /// Makes the file.
+    pub(super) fn create(&mut self) -> Result<(), StoreError> {
+        let made = NewFile::create(&self.path).map_err(StoreError::io("Writing", &self.path))?;
+        self.file = Some(made);
+        Ok(())
+    }
+
+    /// What is not written yet: of a file that is not made, all of it.
+    pub(super) fn waiting(&self) -> &[u8] {
+        &self.waiting
     }
 
     /// Adds bytes, to be written when they are flushed.
@@ -48,14 +61,17 @@ impl GrowingFile {
         self.waiting.len() >= WAITING
     }
 
-    /// Writes what waits. What could not be written goes on waiting.
+    /// Writes what waits, once the file is made. What could not be written goes on waiting.
     pub(super) fn flush(&mut self) -> Result<(), StoreError> {
+        let Some(file) = &mut self.file else {
+            return Ok(());
+        };
         let mut written = 0;
         let result = loop {
             if written == self.waiting.len() {
                 break Ok(());
             }
-            match self.file.write(&self.waiting[written..]) {
+            match file.write(&self.waiting[written..]) {
                 Ok(0) => break Err(io::ErrorKind::WriteZero.into()),
                 Ok(more) => written += more,
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
@@ -68,7 +84,7 @@ impl GrowingFile {
 
     /// Makes what is written survive a power cut.
     pub(super) fn sync(&self) -> Result<(), StoreError> {
-        self.check(self.file.sync())
+        self.check(self.file.as_ref().map_or(Ok(()), NewFile::sync))
     }
 
     /// The digest of all that was added.

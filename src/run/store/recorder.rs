@@ -24,6 +24,17 @@ impl Recorder {
         })
     }
 
+    /// The same for a run that may be a matter of milliseconds, see [`RunWriter::begin_late`].
+    ///
+    /// # Errors
+    /// As [`RunWriter::begin_late`].
+    pub fn begin_late(dir: &Path, info: RunInfo, case_text: &str) -> Result<Self, StoreError> {
+        Ok(Self {
+            writer: RunWriter::begin_late(dir, info, case_text)?,
+            failure: None,
+        })
+    }
+
     /// The run's name.
     #[must_use]
     pub fn id(&self) -> &str {

@@ -38,6 +38,16 @@ impl Reserve {
         reserve
     }
 
+    /// None, for a run that is not on the disk yet.
+    pub(super) fn none() -> Self {
+        Self {
+            dir: PathBuf::new(),
+            file: None,
+            bytes: 0,
+            given_up: true,
+        }
+    }
+
     /// Holds room for the end of a run with a checkpoint of so many bytes.
     pub(super) fn hold(&mut self, checkpoint: usize) {
         let bytes = TIMES * checkpoint;

@@ -9,6 +9,7 @@ use super::{
     CASE, CHANNELS, CHECKPOINT, HISTORY, RunLocation, SHAPES, StoreError, complete, create,
     growing_file::GrowingFile,
     history_csv::{history_header, history_row},
+    late::Late,
     lock::DirectoryLock,
     reserve::Reserve,
     shapes_csv::{SHAPE_COLUMNS, shape_rows},
@@ -30,6 +31,8 @@ const FLUSH: Duration = Duration::from_secs(1);
 pub struct RunWriter {
     dir: PathBuf,
     id: String,
+    /// While nothing is on the disk.
+    late: Option<Late>,
     /// History and shapes, once the channels are known.
     streams: Vec<GrowingFile>,
     flushed: Instant,
@@ -62,16 +65,40 @@ impl RunWriter {
         let (dir, held) = create::create(place, &mut info, case_text)?;
         Ok(Self {
             reserve: Reserve::of(&dir),
+            _held: held,
+            ..Self::of(dir, info.id, case_text)
+        })
+    }
+
+    /// The same for a run that may be a matter of milliseconds: nothing is on the disk until it has taken a second, and a run that ends before is
+    /// there with all its files at once, or not at all.
+    ///
+    /// # Errors
+    /// The directory holds files already, or a run cannot go there.
+    pub fn begin_late(dir: &Path, mut info: RunInfo, case_text: &str) -> Result<Self, StoreError> {
+        create::room_for(dir)?;
+        info.id = create::name_of(dir);
+        Ok(Self {
+            late: Some(Late::new(info.clone(), case_text)),
+            ..Self::of(dir.to_owned(), info.id, case_text)
+        })
+    }
+
+    /// A writer of which nothing is on the disk.
+    fn of(dir: PathBuf, id: String, case_text: &str) -> Self {
+        Self {
             dir,
-            id: info.id,
+            id,
+            late: None,
             streams: Vec::new(),
             flushed: Instant::now(),
             case: Digest::of(case_text.as_bytes()),
             case_due: None,
+            reserve: Reserve::none(),
             full: None,
             unsaved: None,
-            _held: held,
-        })
+            _held: None,
+        }
     }
 
     /// The run directory.
@@ -97,6 +124,11 @@ impl RunWriter {
     /// # Errors
     /// The system refuses, for example because the disk is full.
     pub fn event(&mut self, event: &JobEvent) -> Result<(), StoreError> {
+        let waiting = self.streams.iter().map(|stream| stream.waiting().len());
+        let waiting = waiting.sum();
+        if let Some(late) = self.late.take_if(|late| late.is_due(waiting)) {
+            self.appear(late)?;
+        }
         match event {
             JobEvent::Started { channels } => self.channels(channels),
             JobEvent::Frame(frame) => self.frame(frame),
@@ -117,12 +149,36 @@ impl RunWriter {
     /// The system refuses.
     pub fn channels(&mut self, channels: &[ChannelId]) -> Result<(), StoreError> {
         let units = complete::channel_units(channels)?;
-        self.with_room(|writer| create::replace(&writer.dir, CHANNELS, &units))?;
         let header = history_header(channels.iter())?;
-        let history = GrowingFile::create(self.dir.join(HISTORY), header)?;
-        let shapes = GrowingFile::create(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
+        let history = GrowingFile::of(self.dir.join(HISTORY), header)?;
+        let shapes = GrowingFile::of(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
         self.streams = vec![history, shapes];
+        match &mut self.late {
+            Some(late) => {
+                late.units = Some(units);
+                Ok(())
+            }
+            None => self.begin_streams(&units),
+        }
+    }
+
+    fn begin_streams(&mut self, units: &[u8]) -> Result<(), StoreError> {
+        self.with_room(|writer| create::replace(&writer.dir, CHANNELS, units))?;
+        self.streams.iter_mut().try_for_each(GrowingFile::create)?;
         self.flush()
+    }
+
+    /// Brings to the disk what has waited for a run to end in a moment.
+    fn appear(&mut self, mut late: Late) -> Result<(), StoreError> {
+        let place = RunLocation::Exactly(self.dir.clone());
+        let (_, held) = create::create(&place, &mut late.info, &late.case_text)?;
+        self._held = held;
+        self.reserve = Reserve::of(&self.dir);
+        if let Some(units) = late.units {
+            self.begin_streams(&units)?;
+        }
+        late.checkpoint
+            .map_or(Ok(()), |text| self.write_checkpoint(&text))
     }
 
     /// Adds an output instant.
@@ -156,8 +212,13 @@ impl RunWriter {
     fn checkpoint_text(&mut self, text: &str) -> Result<(), StoreError> {
         self.flush()?;
         if let Some(case) = self.case_due.take() {
-            self.with_room(|writer| create::replace(&writer.dir, CASE, case.as_bytes()))?;
             self.case = Digest::of(case.as_bytes());
+            match &mut self.late {
+                Some(late) => late.case_text = case,
+                None => {
+                    self.with_room(|writer| create::replace(&writer.dir, CASE, case.as_bytes()))?;
+                }
+            }
         }
         let part = |file: usize| {
             let stream = self.streams.get(file);
@@ -174,6 +235,16 @@ impl RunWriter {
             file: self.dir.join(CHECKPOINT),
             reason: error.to_string(),
         })?;
+        match &mut self.late {
+            Some(late) => {
+                late.checkpoint = Some(text);
+                Ok(())
+            }
+            None => self.write_checkpoint(&text),
+        }
+    }
+
+    fn write_checkpoint(&mut self, text: &str) -> Result<(), StoreError> {
         self.with_room(|writer| create::replace(&writer.dir, CHECKPOINT, text.as_bytes()))?;
         self.reserve.hold(text.len());
         Ok(())
@@ -191,12 +262,22 @@ impl RunWriter {
     /// Writes the complete run, `run.toml` with its final state last. Returns the run directory.
     ///
     /// # Errors
-    /// The system refuses; the directory then reads as a failed run, or still as a partial one.
+    /// The system refuses; the directory then reads as a failed run, or still as a partial one, and is absent of a run that was a matter of
+    /// milliseconds.
     pub fn finish(mut self, run: &Run) -> Result<PathBuf, StoreError> {
+        if let Some(late) = self.late.take() {
+            let dir = self.dir.clone();
+            create::at_once(&dir, |new| late.fill(new, &self.id, run, &self.streams))?;
+            return Ok(dir);
+        }
         self.flush()?;
         self.streams.iter().try_for_each(GrowingFile::sync)?;
         let streamed = !self.streams.is_empty();
-        let all = |writer: &mut Self| complete::all(&writer.dir, &writer.id, run, streamed);
+        let all = |writer: &mut Self| {
+            let (dir, id) = (&writer.dir, &writer.id);
+            let mut put = |name: &str, bytes: &[u8]| create::replace(dir, name, bytes);
+            complete::all(dir, id, run, streamed, &mut put)
+        };
         match self.with_room(all) {
             Ok(()) => Ok(self.dir),
             Err(error) => {

@@ -33,7 +33,7 @@ use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side
 use super::vary::Variation;
 use super::vary::system::{self, SystemOutcome};
 use crate::case::{QuantityId, kind};
-use crate::run::store::RunLocation;
+use crate::run::store;
 use crate::system::SystemFile;
 use crate::system::motion::job::SystemRequest;
 
@@ -118,9 +118,12 @@ impl Sweep {
             .filter(|index| !known.contains_key(index));
         let left: Vec<usize> = left.collect();
         let compute = |index: usize| {
-            let place = folder.map(|folder| RunLocation::Exactly(folder.run(index)));
-            points::outcome(self.job(index)?, place.as_ref(), cancel)
+            let dir = folder.map(|folder| folder.run(index));
+            points::outcome(self.job(index)?, dir.as_deref(), cancel)
         };
+        if let Some(folder) = folder {
+            store::remove_left_beside(folder.dir());
+        }
         progress(count, wanted.len(), count);
         let computed = side_by_side(left.clone(), cancel, compute, |done, of, _, _| {
             progress(count + done, count + of, count);

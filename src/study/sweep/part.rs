@@ -13,7 +13,7 @@ use std::sync::atomic::AtomicBool;
 use super::{Sweep, SweepError, SweepFolder};
 use crate::files::disk;
 use crate::run::RunState;
-use crate::run::store::{DirectoryLock, RunLocation, lock_directory};
+use crate::run::store::{DirectoryLock, lock_directory};
 use crate::study::points::{self, PointOutcome, side_by_side};
 use crate::visible;
 
@@ -117,7 +117,7 @@ impl Sweep {
             return Done::Refused;
         };
         let at = own.dir.join(place.file_name().unwrap_or_default());
-        match points::outcome(job, Some(&RunLocation::Exactly(at.clone())), cancel) {
+        match points::outcome(job, Some(&at), cancel) {
             Err(why) => Done::Unstored(why),
             outcome if has_ended(&outcome) => published(&at, &place, &outcome),
             Ok(_) => Done::Stopped,
