@@ -2,6 +2,7 @@
 
 use super::generalized_pareto::{ParetoFit, growth};
 use super::pareto_sums::UnitExcesses;
+use crate::numerics::elementary::{exp_m1_each, ln_1p_each, ln_each};
 use crate::numerics::random::Random;
 
 /// The least probability of a peak below and above it; a peak at the end of the law would have none.
@@ -16,24 +17,39 @@ const TOGETHER: usize = 6;
 pub(super) fn distance(ascending: &[f64], scale: f64, shape: f64) -> f64 {
     let most = -LEAST.ln();
     let n = ascending.len() as f64;
-    let (mut sum, mut weight) = (0.0, 1.0);
-    for part in ascending.chunks(TOGETHER) {
+    let mut exponents = exponents(ascending, scale, shape);
+    let mut sum = 0.0;
+    for (i, exponent) in exponents.iter_mut().enumerate() {
+        *exponent = -exponent.min(most);
+        sum += (2.0 * (n - i as f64) - 1.0) * *exponent;
+    }
+    exp_m1_each(&mut exponents);
+    let mut weight = 1.0;
+    for part in exponents.chunks(TOGETHER) {
         let mut below = [1.0; TOGETHER];
-        for (i, (y, below)) in part.iter().zip(&mut below).enumerate() {
-            let above = y / scale;
-            // Minus the logarithm of the probability of a greater one.
-            let exponent = if shape.abs() < 1e-12 {
-                above
-            } else {
-                (shape * above).max(-1.0).ln_1p() / shape
-            };
-            *below = (-(-exponent).exp_m1()).max(LEAST);
-            sum -= (2.0 * n - weight - 2.0 * i as f64) * exponent.min(most);
+        for (below, exponential) in below.iter_mut().zip(part) {
+            *below = (-exponential).max(LEAST);
         }
         sum += weighted_logs(&below, weight);
         weight += 2.0 * TOGETHER as f64;
     }
     -n - sum / n
+}
+
+/// Minus the logarithms of the probabilities of greater excesses: `ln(1 + shape y/scale)/shape`.
+fn exponents(excesses: &[f64], scale: f64, shape: f64) -> Vec<f64> {
+    if shape.abs() < 1e-12 {
+        return excesses.iter().map(|y| y / scale).collect();
+    }
+    // An excess at the upper end has the least probability, whatever the shape.
+    let least = -1.0 + 0.5 * f64::EPSILON;
+    let scaled = excesses.iter().map(|y| (shape * y / scale).max(least));
+    let mut exponents: Vec<f64> = scaled.collect();
+    ln_1p_each(&mut exponents);
+    for exponent in &mut exponents {
+        *exponent /= shape;
+    }
+    exponents
 }
 
 /// The sum of `(weight + 2 i) ln f_i`, i from zero on.
@@ -50,7 +66,10 @@ fn weighted_logs(factors: &[f64; TOGETHER], weight: f64) -> f64 {
 ///
 /// The variables of a draw are the first of one stream of random numbers, whatever their number: fewer are a part of more.
 #[derive(Debug)]
-pub(super) struct ExponentialDraw(Vec<(f64, u32)>);
+pub(super) struct ExponentialDraw {
+    values: Vec<f64>,
+    places: Vec<u32>,
+}
 
 impl ExponentialDraw {
     pub(super) fn new(seed: u64, draw: u64, count: usize) -> Self {
@@ -81,20 +100,37 @@ impl ExponentialDraw {
                 k -= 1;
             }
         }
-        for (value, _) in &mut ordered {
-            *value = -value.ln();
+        let (mut values, places): (Vec<f64>, Vec<u32>) = ordered.into_iter().unzip();
+        ln_each(&mut values);
+        for value in &mut values {
+            *value = -*value;
         }
-        Self(ordered)
+        Self { values, places }
     }
 
     /// Keeps the first so many in the order drawn.
     pub(super) fn keep(&mut self, count: usize) {
-        self.0.retain(|(_, place)| (*place as usize) < count);
+        let mut kept = 0;
+        for i in 0..self.values.len() {
+            let place = self.places[i];
+            (self.values[kept], self.places[kept]) = (self.values[i], place);
+            kept += usize::from((place as usize) < count);
+        }
+        self.values.truncate(kept);
+        self.places.truncate(kept);
     }
 
     /// Excesses of these variables under a law of a scale of one, in ascending order.
     fn excesses(&self, shape: f64) -> Vec<f64> {
-        self.0.iter().map(|(z, _)| growth(shape, *z)).collect()
+        if shape.abs() < 1e-9 {
+            return self.values.iter().map(|z| growth(shape, *z)).collect();
+        }
+        let mut excesses: Vec<f64> = self.values.iter().map(|z| shape * z).collect();
+        exp_m1_each(&mut excesses);
+        for excess in &mut excesses {
+            *excess /= shape;
+        }
+        excesses
     }
 }
 
@@ -197,7 +233,11 @@ mod tests {
                 plain.truncate(kept);
                 let mut ascending = plain.clone();
                 ascending.sort_by(f64::total_cmp);
-                assert_eq!(draw.excesses(0.0), ascending);
+                let found = draw.excesses(0.0);
+                assert_eq!(found.len(), kept);
+                for (found, value) in found.iter().zip(&ascending) {
+                    assert!((found / value - 1.0).abs() < 1e-14);
+                }
             }
         }
     }

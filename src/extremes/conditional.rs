@@ -14,6 +14,7 @@ use super::error::{ExtremesError, check_spread};
 use super::gumbel::GumbelFit;
 use super::location_scale::Offset;
 use super::special::{incomplete_gamma_with, ln_gamma};
+use crate::numerics::elementary::sum_exp;
 use crate::numerics::roots::{Bracket, bisect, false_position};
 
 /// Points of the integral over the scale by the trapezoidal rule, whose error falls exponentially where the density vanishes at
@@ -125,7 +126,7 @@ pub(super) fn settled(difference: f64, tolerance: f64) -> f64 {
 fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -> Vec<Point> {
     let n = above.len() as f64;
     let total: f64 = above.iter().sum();
-    let ln_sum = |scale: f64| above.iter().map(|d| (-d / scale).exp()).sum::<f64>().ln();
+    let ln_sum = |scale: f64| sum_exp(above, -1.0 / scale).ln();
     // Of the logarithm of the scale, given that of the sum.
     let density_with = |log: f64, ln_sum: f64| (1.0 - n) * log - total / log.exp() - n * ln_sum;
     let density = |log: f64| density_with(log, ln_sum(log.exp()));

@@ -8,6 +8,7 @@
 //! * [`fourier`]: the components of a record.
 //! * [`depth_grid`]: a depth over a rectangular grid of places.
 //! * [`statistics`], [`random`]: moments and extremes of records; reproducible random numbers.
+//! * `elementary`: exponentials and logarithms of many numbers, several at a time.
 //! * [`double_double`], [`hyperbolic`]: arithmetic of 32 digits; hyperbolic functions without cancellation.
 
 pub mod block_band;
@@ -16,6 +17,7 @@ mod both_ends;
 pub mod condensation;
 pub mod depth_grid;
 pub mod double_double;
+pub(crate) mod elementary;
 pub mod envelope;
 pub mod fourier;
 pub mod golden_section;
