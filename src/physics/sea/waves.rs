@@ -7,8 +7,9 @@
 //!
 //! # Cost
 //! Two short series and a few multiplications a component and node, four components at a time, some 3.4 ns each on the machines at hand
-//! (`component_sums.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order),
-//! and leaves out components that do not reach down to a node.
+//! (`component_sums.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order), the
+//! readings of the accepted state at its end are taken on from there ([`WaterMotion::later`]), and components that do not reach down to a node are
+//! left out.
 
 use super::component_lanes::ComponentLanes;
 use super::component_sums::ComponentSums;

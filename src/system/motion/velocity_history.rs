@@ -3,7 +3,7 @@
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 
-use crate::system::potential_flow::retardation::Retardation;
+use crate::system::potential_flow::retardation::{Four, Retardation};
 
 /// Rows that a history has room for at the start.
 const ROOM: usize = 4096;
@@ -14,7 +14,7 @@ pub struct VelocityHistory {
     rows: Vec<(f64, Vector6<f64>)>,
     /// Slopes from each row to the next, of the velocity of each retardation function side by side; from the rows, where they are asked for.
     #[serde(skip)]
-    slopes: Vec<f64>,
+    slopes: Vec<Four>,
 }
 
 impl Default for VelocityHistory {
@@ -61,11 +61,11 @@ impl Clone for VelocityHistory {
 impl VelocityHistory {
     /// Adds the velocity at an accepted time \[s\], and forgets what is older than the memory.
     pub(super) fn push(&mut self, t: f64, velocity: Vector6<f64>, retardation: &Retardation) {
-        let width = retardation.width();
+        let fours = retardation.fours();
         if let Some(last) = self.rows.last_mut().filter(|last| last.0 >= t) {
             *last = (t, velocity);
             self.slopes
-                .truncate(self.rows.len().saturating_sub(2) * width);
+                .truncate(self.rows.len().saturating_sub(2) * fours);
         } else {
             self.rows.push((t, velocity));
         }
@@ -76,20 +76,20 @@ impl VelocityHistory {
         if old > ROOM / 4 {
             self.complete(retardation);
             self.rows.drain(..old);
-            self.slopes.drain(..old * width);
+            self.slopes.drain(..old * fours);
         }
         self.complete(retardation);
     }
 
     /// Works out the slopes that are not known yet.
     pub(super) fn complete(&mut self, retardation: &Retardation) {
-        let width = retardation.width();
-        let known = self.slopes.len().checked_div(width);
+        let fours = retardation.fours();
+        let known = self.slopes.len().checked_div(fours);
         let Some(known) = known.filter(|known| known + 2 <= self.rows.len()) else {
             return;
         };
         if self.slopes.capacity() == 0 {
-            self.slopes.reserve(ROOM * width);
+            self.slopes.reserve(ROOM * fours);
         }
         for pair in self.rows[known..].windows(2) {
             let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
@@ -102,13 +102,13 @@ impl VelocityHistory {
         &self,
         time: f64,
         retardation: &Retardation,
-    ) -> (&[(f64, Vector6<f64>)], &[f64]) {
+    ) -> (&[(f64, Vector6<f64>)], &[Four]) {
         let older = self.rows.partition_point(|row| row.0 < time);
         let first = older.saturating_sub(1);
         (
             &self.rows[first..],
             self.slopes
-                .get(first * retardation.width()..)
+                .get(first * retardation.fours()..)
                 .unwrap_or_default(),
         )
     }

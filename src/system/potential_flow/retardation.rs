@@ -30,6 +30,7 @@ const MOST_STEPS: f64 = 512.0;
 const EVEN: f64 = 1e-3;
 /// Greatest number of functions of a body.
 pub const PAIRS: usize = 36;
+const FOURS: usize = PAIRS / FOUR;
 /// Functions that are read side by side.
 const FOUR: usize = 4;
 /// Damping by that of the modes themselves that counts as none.
@@ -43,45 +44,52 @@ struct Function {
     value: Vec<f64>,
 }
 
-/// At the points of the grid the values of all functions, their integrals from 0 and the integrals of these, side by side: a convolution reads
+/// Of four functions.
+pub type Four = [f64; FOUR];
+
+/// At the points of the grid the values of all functions, their integrals from 0 and the integrals of these, four side by side: a convolution reads
 /// them together.
 #[derive(Debug, Clone, PartialEq)]
 struct Points {
-    /// Functions, with those of nothing that fill up the last four.
-    width: usize,
+    /// Fours of functions, the last filled up with those of nothing.
+    fours: usize,
     /// The last point but one.
     last: usize,
-    numbers: Vec<f64>,
+    numbers: Vec<Four>,
 }
 
 impl Points {
     /// Of functions at even times \[s\].
     fn of(functions: &[Function], step: f64) -> Self {
         let count = functions.first().map_or(2, |f| f.value.len());
-        let width = functions.len().next_multiple_of(FOUR);
-        let mut numbers = vec![0.0; 3 * width * count];
+        let fours = functions.len().div_ceil(FOUR);
+        let mut numbers = vec![[0.0; FOUR]; 3 * fours * count];
         for (p, function) in functions.iter().enumerate() {
             let (first, second) = integrals(&function.value, step);
-            for (k, point) in numbers.chunks_exact_mut(3 * width).enumerate() {
-                point[p] = function.value[k];
-                point[width + p] = first[k];
-                point[2 * width + p] = second[k];
+            for (k, point) in numbers.chunks_exact_mut(3 * fours).enumerate() {
+                let (at, lane) = (p / FOUR, p % FOUR);
+                point[at][lane] = function.value[k];
+                point[fours + at][lane] = first[k];
+                point[2 * fours + at][lane] = second[k];
             }
         }
         Self {
-            width,
+            fours,
             last: count - 2,
             numbers,
         }
     }
 
-    /// Values, integrals and integrals of these at a point.
+    /// Values, integrals and integrals of these of four functions at a point.
     #[inline(always)]
-    fn at(&self, k: usize) -> [&[f64]; 3] {
-        let point = &self.numbers[3 * self.width * k..][..3 * self.width];
-        let (value, rest) = point.split_at(self.width);
-        let (first, second) = rest.split_at(self.width);
-        [value, first, second]
+    fn at(&self, k: usize, four: usize) -> [&Four; 3] {
+        let first = 3 * self.fours * k + four;
+        let numbers = &self.numbers;
+        [
+            &numbers[first],
+            &numbers[first + self.fours],
+            &numbers[first + 2 * self.fours],
+        ]
     }
 }
 
@@ -157,36 +165,54 @@ impl Retardation {
     /// The first integral of every function over the times before tau \[s\].
     pub fn first_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
         let (k, s) = self.place(tau);
-        let [value, first, _] = self.points.at(k);
-        let [next, ..] = self.points.at(k + 1);
         let s = s.min(self.step);
         let curve = 0.5 * s * s / self.step;
-        for (p, out) in out[..self.points.width].iter_mut().enumerate() {
-            *out = first[p] + s * value[p] + curve * (next[p] - value[p]);
+        for (four, out) in out
+            .chunks_exact_mut(FOUR)
+            .take(self.points.fours)
+            .enumerate()
+        {
+            let [value, first, _] = self.points.at(k, four);
+            let [next, ..] = self.points.at(k + 1, four);
+            for p in 0..FOUR {
+                out[p] = first[p] + s * value[p] + curve * (next[p] - value[p]);
+            }
         }
     }
 
     /// The integral of that, which is straight beyond the memory.
     pub fn second_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
-        self.second(tau, out);
+        let at = self.place(tau);
+        for (four, out) in out
+            .chunks_exact_mut(FOUR)
+            .take(self.points.fours)
+            .enumerate()
+        {
+            out.copy_from_slice(&self.four_seconds(at, four));
+        }
     }
 
-    /// Functions side by side, with those of nothing that fill up the last four.
-    pub const fn width(&self) -> usize {
-        self.points.width
+    /// Fours of functions, the last filled up with those of nothing.
+    pub const fn fours(&self) -> usize {
+        self.points.fours
     }
 
     /// Velocities, or slopes of them, as each of the functions acts by them.
-    pub fn side_by_side(&self, velocity: &Vector6<f64>) -> impl Iterator<Item = f64> {
-        let of = self.functions.iter().map(|function| velocity[function.j]);
-        of.chain(std::iter::repeat(0.0)).take(self.points.width)
+    pub fn side_by_side(&self, velocity: &Vector6<f64>) -> impl Iterator<Item = Four> {
+        self.functions.chunks(FOUR).map(|functions| {
+            let mut four = [0.0; FOUR];
+            for (own, function) in four.iter_mut().zip(functions) {
+                *own = velocity[function.j];
+            }
+            four
+        })
     }
 
     /// Adds to a convolution what changes of every function's second integral between times before now \[s\] bring, times slopes of the
     /// velocities it acts by, [side by side](Self::side_by_side).
     pub fn convolve(
         &self,
-        (rows, slopes): (&[(f64, Vector6<f64>)], &[f64]),
+        (rows, slopes): (&[(f64, Vector6<f64>)], &[Four]),
         now: f64,
         sum: &mut [f64; PAIRS],
     ) {
@@ -199,25 +225,11 @@ impl Retardation {
         });
     }
 
+    /// Second integrals of four functions.
     #[inline(always)]
-    fn second(&self, tau: f64, out: &mut [f64]) {
-        let at = self.place(tau);
-        for (column, out) in out[..self.points.width].chunks_exact_mut(FOUR).enumerate() {
-            out.copy_from_slice(&self.four_seconds(at, FOUR * column));
-        }
-    }
-
-    /// Second integrals of four functions from this one on.
-    #[inline(always)]
-    fn four_seconds(&self, (k, s): (usize, f64), first: usize) -> [f64; FOUR] {
-        let width = self.points.width;
-        let point = &self.points.numbers[3 * width * k..][..5 * width];
-        let (value, integral) = (four(point, first), four(point, width + first));
-        let second = four(point, 2 * width + first);
-        let (next, next_integral) = (
-            four(point, 3 * width + first),
-            four(point, 4 * width + first),
-        );
+    fn four_seconds(&self, (k, s): (usize, f64), four: usize) -> Four {
+        let [value, integral, second] = self.points.at(k, four);
+        let [next, next_integral, _] = self.points.at(k + 1, four);
         let beyond = (s - self.step).max(0.0);
         let s = s - beyond;
         let (square, cube) = (0.5 * s * s, s * s * s * self.sixth);
@@ -240,7 +252,7 @@ impl Retardation {
             clippy::cast_sign_loss,
             reason = "tau is not negative; large ones are clamped"
         )]
-        let k = ((tau * self.rate).max(0.0) as usize).min(self.points.last);
+        let k = ((tau * self.rate) as u32 as usize).min(self.points.last);
         (k, tau - k as f64 * self.step)
     }
 
@@ -299,7 +311,7 @@ impl Retardation {
 struct Convolution<'a> {
     of: &'a Retardation,
     rows: &'a [(f64, Vector6<f64>)],
-    slopes: &'a [f64],
+    slopes: &'a [Four],
     now: f64,
     sum: &'a mut [f64; PAIRS],
 }
@@ -312,32 +324,29 @@ impl WithSimd for Convolution<'_> {
         let Some(((first, _), later)) = self.rows.split_first() else {
             return;
         };
-        let width = self.of.width();
-        for column in (0..width).step_by(FOUR) {
-            let mut sums = four(self.sum, column);
-            let mut before = self
-                .of
-                .four_seconds(self.of.place(self.now - first), column);
-            for row in 0..later.len() {
-                let after = self
-                    .of
-                    .four_seconds(self.of.place(self.now - later[row].0), column);
-                let slopes = four(self.slopes, row * width + column);
+        let of = self.of;
+        let (mut before, mut sums) = ([[0.0; FOUR]; FOURS], [[0.0; FOUR]; FOURS]);
+        let at = of.place(self.now - first);
+        for four in 0..of.fours() {
+            before[four] = of.four_seconds(at, four);
+        }
+        for row in 0..later.len() {
+            let at = of.place(self.now - later[row].0);
+            let slopes = &self.slopes[row * of.fours()..][..of.fours()];
+            for four in 0..slopes.len() {
+                let after = of.four_seconds(at, four);
                 for p in 0..FOUR {
-                    sums[p] += (before[p] - after[p]) * slopes[p];
+                    sums[four][p] += (before[four][p] - after[p]) * slopes[four][p];
                 }
-                before = after;
+                before[four] = after;
             }
-            self.sum[column..column + FOUR].copy_from_slice(&sums);
+        }
+        for (sum, four) in self.sum.chunks_exact_mut(FOUR).zip(sums) {
+            for p in 0..FOUR {
+                sum[p] += four[p];
+            }
         }
     }
-}
-
-/// Four numbers from this one on.
-#[inline(always)]
-fn four(all: &[f64], first: usize) -> [f64; FOUR] {
-    let all = &all[first..first + FOUR];
-    [all[0], all[1], all[2], all[3]]
 }
 
 /// Greatest damping of each mode.
