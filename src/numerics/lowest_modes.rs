@@ -22,8 +22,13 @@ pub struct LowestModes {
 const SHIFT: f64 = 1e-9;
 /// Residual of a vector that counts as found.
 const CONVERGED: f64 = 1e-11;
-/// Gap between two eigenvalues that a bound may lie in.
-const GAP: f64 = 1e-6;
+/// Shifts that are tried, each four times the one before.
+const MOST_SHIFTS: i32 = 40;
+/// What is above all eigenvalues, by the greatest quotient.
+const ABOVE_ALL: f64 = 1e6;
+/// Bisections for a bound, and distance of the shift from the lowest eigenvalue by the width of the slice.
+const BISECTIONS: usize = 100;
+const NEAR: f64 = 0.05;
 /// Vectors by the number wanted at which a search is given up.
 const MOST_VECTORS: usize = 20;
 /// Share of a vector that is rounding, where those known span it; of the greatest quotient, where nothing is left to be found.
@@ -40,72 +45,139 @@ pub fn lowest_modes(
     masses: &EnvelopeMatrix,
     wanted: usize,
 ) -> Option<LowestModes> {
-    let pencil = Pencil::new(stiffness, masses)?;
-    let mut modes = pencil.search(&[], wanted + 1, 0)?;
-    let is_all = modes.len() <= wanted;
-    let bound = pencil.cut(&mut modes, wanted)?;
-    let mut shifted = stiffness.clone();
-    shifted.add_scaled(masses, -bound);
-    let count = shifted.negative_pivots()?;
-    for round in 1..MOST_SEARCHES {
-        if modes.len() >= count {
+    let mut pencil = Pencil::new(stiffness, masses)?;
+    let slice = pencil.slice(wanted)?;
+    pencil.move_to_slice(&slice)?;
+    let mut modes = Vec::new();
+    for round in 0..MOST_SEARCHES {
+        if modes.len() >= slice.count {
             break;
         }
-        let missing = (count - modes.len()).min(wanted);
+        let missing = slice.count - modes.len();
         let more = pencil.search(&modes, missing, round)?;
-        modes.extend(more.into_iter().filter(|(value, _)| *value < bound));
+        modes.extend(more.into_iter().filter(|(value, _)| *value < slice.bound));
     }
     modes.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let bound = if is_all { f64::INFINITY } else { bound };
-    (modes.len() == count).then_some(LowestModes { modes, bound })
+    let bound = if slice.is_all {
+        f64::INFINITY
+    } else {
+        slice.bound
+    };
+    (modes.len() == slice.count).then_some(LowestModes { modes, bound })
+}
+
+/// The lowest eigenvalues: how many there are below a bound.
+struct Slice {
+    bound: f64,
+    count: usize,
+    /// Whether there are no others.
+    is_all: bool,
 }
 
 /// Eigenvalue and vector.
 type Mode = (f64, DVector<f64>);
 
-/// Stiffness and mass, and the factors of the shifted stiffness.
+/// Stiffness and mass, and the factors of the stiffness shifted below all eigenvalues.
 struct Pencil<'a> {
+    stiffness: &'a EnvelopeMatrix,
     masses: &'a EnvelopeMatrix,
+    /// The greatest quotient of stiffness and mass.
+    greatest: f64,
     shift: f64,
     factors: EnvelopeCholesky,
 }
 
+/// The stiffness less a multiple of the masses.
+fn shifted(stiffness: &EnvelopeMatrix, masses: &EnvelopeMatrix, shift: f64) -> EnvelopeMatrix {
+    let mut shifted = stiffness.clone();
+    shifted.add_scaled(masses, -shift);
+    shifted
+}
+
 impl<'a> Pencil<'a> {
-    fn new(stiffness: &EnvelopeMatrix, masses: &'a EnvelopeMatrix) -> Option<Self> {
+    fn new(stiffness: &'a EnvelopeMatrix, masses: &'a EnvelopeMatrix) -> Option<Self> {
         let (stiffnesses, own) = (stiffness.diagonal(), masses.diagonal());
         let pairs = stiffnesses.iter().zip(&own);
         let quotients = pairs.filter(|(_, mass)| **mass > 0.0);
         let quotients = quotients.map(|(stiffness, mass)| (stiffness / mass).abs());
-        let mut shift = -SHIFT * quotients.fold(f64::MIN_POSITIVE, f64::max);
+        let greatest = quotients.fold(f64::MIN_POSITIVE, f64::max);
         let zeros = DVector::zeros(stiffness.size());
-        for _ in 0..40 {
-            let mut shifted = stiffness.clone();
-            shifted.add_scaled(masses, -shift);
-            if let Some(factors) = EnvelopeCholesky::new(&shifted, &zeros) {
+        let shifts = (0..MOST_SHIFTS).map(|k| -SHIFT * greatest * 4_f64.powi(k));
+        for shift in shifts {
+            let factors = EnvelopeCholesky::new(&shifted(stiffness, masses, shift), &zeros);
+            if let Some(factors) = factors {
                 return Some(Self {
+                    stiffness,
                     masses,
+                    greatest,
                     shift,
                     factors,
                 });
             }
-            shift *= 4.0;
         }
         None
     }
 
-    /// Leaves the modes below a bound that lies in a gap, as many as are wanted or a little fewer, and returns the bound: above all
-    /// eigenvalues where they are all that there are.
-    fn cut(&self, modes: &mut Vec<Mode>, wanted: usize) -> Option<f64> {
-        let distance = |k: usize| modes[k].0 - self.shift;
-        if modes.len() <= wanted {
-            let last = modes.len().checked_sub(1);
-            return Some(last.map_or(0.0, |last| modes[last].0 + distance(last)));
+    /// How many eigenvalues are below a bound.
+    fn count_below(&self, bound: f64) -> Option<usize> {
+        shifted(self.stiffness, self.masses, bound).negative_pivots()
+    }
+
+    /// A bound that about as many eigenvalues are below as are wanted, not more.
+    fn slice(&self, wanted: usize) -> Option<Slice> {
+        let (mut low, mut high) = (self.shift, self.shift.abs());
+        let mut count = self.count_below(high)?;
+        while count <= wanted {
+            if high > ABOVE_ALL * self.greatest {
+                return Some(Slice {
+                    bound: high,
+                    count,
+                    is_all: true,
+                });
+            }
+            (low, high) = (high, 4.0 * high);
+            count = self.count_below(high)?;
         }
-        let is_gap = |k: &usize| distance(*k) - distance(k - 1) > GAP * distance(*k);
-        let kept = (1..=wanted).rev().find(is_gap)?;
-        let bound = 0.5 * (modes[kept - 1].0 + modes[kept].0);
-        modes.truncate(kept);
-        Some(bound)
+        let mut known = 0;
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (low + high);
+            count = self.count_below(middle)?;
+            match count <= wanted {
+                true => (low, known) = (middle, count),
+                false => high = middle,
+            }
+            if count <= wanted && 5 * count >= 4 * wanted {
+                break;
+            }
+        }
+        (known > 0).then_some(Slice {
+            bound: low,
+            count: known,
+            is_all: false,
+        })
+    }
+
+    /// Moves the shift up to the lowest eigenvalue, as near as the slice is narrow: those of a slice far from the shift look all alike.
+    fn move_to_slice(&mut self, slice: &Slice) -> Option<()> {
+        if slice.is_all {
+            return Some(());
+        }
+        let (mut low, mut high) = (self.shift, slice.bound);
+        while high - low > NEAR * (slice.bound - low) {
+            let middle = 0.5 * (low + high);
+            match self.count_below(middle)? {
+                0 => low = middle,
+                _ => high = middle,
+            }
+        }
+        let shift = low - NEAR * (slice.bound - low);
+        let zeros = DVector::zeros(self.masses.size());
+        let moved = shifted(self.stiffness, self.masses, shift);
+        if let Some(factors) = EnvelopeCholesky::new(&moved, &zeros).filter(|_| shift > self.shift)
+        {
+            (self.shift, self.factors) = (shift, factors);
+        }
+        Some(())
     }
 
     /// The lowest eigenvalues, as many as are wanted, with vectors orthogonal to those known.
