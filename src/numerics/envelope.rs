@@ -105,14 +105,6 @@ impl EnvelopeMatrix {
         }
     }
 
-    /// How many eigenvalues of a symmetric matrix are negative, by the signs of its pivots (Sylvester); nothing where a pivot vanishes.
-    #[must_use]
-    pub fn negative_pivots(&self) -> Option<usize> {
-        let factors = EnvelopeLu::new(self)?;
-        let ends = self.shape.starts.iter().skip(1);
-        Some(ends.filter(|end| factors.upper[**end - 1] < 0.0).count())
-    }
-
     /// Its symmetric part.
     #[must_use]
     pub fn symmetric_part(&self) -> Self {
@@ -373,7 +365,8 @@ impl EnvelopeCholesky {
 }
 
 /// Factors of a matrix without exchange of rows: rows of L, whose diagonal is 1, and columns of U.
-struct EnvelopeLu {
+#[derive(Debug, Clone)]
+pub struct EnvelopeLu {
     shape: Arc<EnvelopeShape>,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -381,7 +374,8 @@ struct EnvelopeLu {
 
 impl EnvelopeLu {
     /// The factors; nothing where a pivot vanishes.
-    fn new(matrix: &EnvelopeMatrix) -> Option<Self> {
+    #[must_use]
+    pub fn new(matrix: &EnvelopeMatrix) -> Option<Self> {
         let shape = Arc::clone(&matrix.shape);
         let (mut lower, mut upper) = (matrix.lower.clone(), matrix.upper.clone());
         for i in 0..shape.len() {
@@ -416,7 +410,16 @@ impl EnvelopeLu {
         })
     }
 
-    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+    /// How many eigenvalues of a symmetric matrix are negative: as many as its pivots (Sylvester).
+    #[must_use]
+    pub fn negative_pivots(&self) -> usize {
+        let ends = self.shape.starts.iter().skip(1);
+        ends.filter(|end| self.upper[**end - 1] < 0.0).count()
+    }
+
+    /// The solution for a right-hand side.
+    #[must_use]
+    pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let mut x = right.clone();
         for i in 0..self.shape.len() {
             let (from, numbers) = self.shape.row(i);

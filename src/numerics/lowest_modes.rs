@@ -1,12 +1,14 @@
 //! The lowest eigenvalues of `K x = w M x` within an envelope, with K and M symmetric, M not negative.
 //!
-//! Lanczos' method on `(K - s M)^-1 M` with all vectors kept orthogonal (Ericsson and Ruhe, *Math. Comp.* 35, 1980,
-//! doi 10.1090/S0025-5718-1980-0583502-2). It may find one vector alone of an eigenvalue that has several: how many eigenvalues are
-//! below a bound follows from the signs of the pivots of `K - b M` (Sylvester), and what is missing is sought orthogonal to what is known.
+//! How many eigenvalues are below a bound follows from the signs of the pivots of `K - b M` (Sylvester): by bisection they are divided into
+//! slices of a few, and those of each are found by Lanczos' method on `(K - s M)^-1 M` with s in the middle of the slice and all vectors kept
+//! orthogonal (Ericsson and Ruhe, *Math. Comp.* 35, 1980, doi 10.1090/S0025-5718-1980-0583502-2; Grimes, Lewis and Simon, *SIAM J. Matrix
+//! Anal. Appl.* 15, 1994, doi 10.1137/S0895479888151111). It may find one vector alone of an eigenvalue that has several: what is missing is
+//! sought orthogonal to what is known.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use super::envelope::{EnvelopeCholesky, EnvelopeMatrix};
+use super::envelope::{EnvelopeCholesky, EnvelopeLu, EnvelopeMatrix};
 use super::random::Random;
 
 /// The lowest eigenvalues in ascending order, each with its vector, and a bound below which there are no others.
@@ -18,80 +20,77 @@ pub struct LowestModes {
     pub bound: f64,
 }
 
-/// Distance of the shift below zero, by the greatest quotient of stiffness and mass: eigenvalues that are none have factors too.
-const SHIFT: f64 = 1e-9;
-/// Residual of a vector that counts as found.
-const CONVERGED: f64 = 1e-11;
-/// Shifts that are tried, each four times the one before.
-const MOST_SHIFTS: i32 = 40;
+/// Distance of the lower end below zero, by the greatest quotient of stiffness and mass: eigenvalues that are none are above it too.
+const BELOW: f64 = 1e-9;
+/// Lower ends that are tried, each four times the one before.
+const MOST_ENDS: i32 = 40;
 /// What is above all eigenvalues, by the greatest quotient.
 const ABOVE_ALL: f64 = 1e6;
-/// Bisections for a bound, and distance of the shift from the lowest eigenvalue by the width of the slice.
+/// Bisections for a bound.
 const BISECTIONS: usize = 100;
-const NEAR: f64 = 0.05;
+/// Eigenvalues of a slice, unless it is so narrow, by its place or by the greatest quotient, that they are one.
+const OF_SLICE: usize = 10;
+const NARROW: [f64; 2] = [1e-10, 1e-14];
+/// Where slices are halved, and the gap that is looked for there, by their width.
+const CUTS: [f64; 5] = [0.5, 0.45, 0.55, 0.4, 0.6];
+const GAP: f64 = 0.01;
+/// Residual of a vector that counts as found.
+const CONVERGED: f64 = 1e-11;
 /// Vectors by the number wanted at which a search is given up.
-const MOST_VECTORS: usize = 20;
+const MOST_VECTORS: usize = 60;
 /// Share of a vector that is rounding, where those known span it; of the greatest quotient, where nothing is left to be found.
 const SPANNED: f64 = 1e-10;
 const EXHAUSTED: f64 = 1e-13;
-/// Searches for vectors that are missing.
+/// Searches in a slice for vectors that are missing.
 const MOST_SEARCHES: usize = 50;
 
-/// The lowest eigenvalues, about as many as are wanted. Nothing where the search fails: unknowns without mass that nothing holds, or
-/// more eigenvalues at one place than are wanted.
+/// The lowest eigenvalues, as many as are wanted or some fewer. Nothing where the search fails: unknowns without mass that nothing holds,
+/// or more eigenvalues at one place than are wanted.
 #[must_use]
 pub fn lowest_modes(
     stiffness: &EnvelopeMatrix,
     masses: &EnvelopeMatrix,
     wanted: usize,
 ) -> Option<LowestModes> {
-    let mut pencil = Pencil::new(stiffness, masses)?;
-    let slice = pencil.slice(wanted)?;
-    pencil.move_to_slice(&slice)?;
-    let mut modes = Vec::new();
-    for round in 0..MOST_SEARCHES {
-        if modes.len() >= slice.count {
-            break;
-        }
-        let missing = slice.count - modes.len();
-        let more = pencil.search(&modes, missing, round)?;
-        modes.extend(more.into_iter().filter(|(value, _)| *value < slice.bound));
+    let pencil = Pencil::new(stiffness, masses)?;
+    let whole = pencil.below_bound(wanted)?;
+    let is_all = whole.high > ABOVE_ALL * pencil.greatest;
+    let mut slices = Vec::new();
+    pencil.divide(whole, &mut slices)?;
+    if !is_all && slices.len() > 1 {
+        // Its upper end need not lie in a gap.
+        slices.pop();
     }
-    modes.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let bound = if slice.is_all {
-        f64::INFINITY
-    } else {
-        slice.bound
-    };
-    (modes.len() == slice.count).then_some(LowestModes { modes, bound })
-}
-
-/// The lowest eigenvalues: how many there are below a bound.
-struct Slice {
-    bound: f64,
-    count: usize,
-    /// Whether there are no others.
-    is_all: bool,
+    let bound = slices.last().map(|slice| slice.high).filter(|_| !is_all);
+    let mut modes = Vec::new();
+    for slice in &slices {
+        modes.extend(pencil.modes_of(slice)?);
+    }
+    Some(LowestModes {
+        modes,
+        bound: bound.unwrap_or(f64::INFINITY),
+    })
 }
 
 /// Eigenvalue and vector.
 type Mode = (f64, DVector<f64>);
 
-/// Stiffness and mass, and the factors of the stiffness shifted below all eigenvalues.
+/// How many eigenvalues there are between two bounds.
+#[derive(Clone, Copy)]
+struct Slice {
+    low: f64,
+    high: f64,
+    count: usize,
+}
+
+/// Stiffness and mass.
 struct Pencil<'a> {
     stiffness: &'a EnvelopeMatrix,
     masses: &'a EnvelopeMatrix,
-    /// The greatest quotient of stiffness and mass.
+    /// The greatest quotient of both.
     greatest: f64,
-    shift: f64,
-    factors: EnvelopeCholesky,
-}
-
-/// The stiffness less a multiple of the masses.
-fn shifted(stiffness: &EnvelopeMatrix, masses: &EnvelopeMatrix, shift: f64) -> EnvelopeMatrix {
-    let mut shifted = stiffness.clone();
-    shifted.add_scaled(masses, -shift);
-    shifted
+    /// What is below all eigenvalues.
+    low: f64,
 }
 
 impl<'a> Pencil<'a> {
@@ -102,38 +101,42 @@ impl<'a> Pencil<'a> {
         let quotients = quotients.map(|(stiffness, mass)| (stiffness / mass).abs());
         let greatest = quotients.fold(f64::MIN_POSITIVE, f64::max);
         let zeros = DVector::zeros(stiffness.size());
-        let shifts = (0..MOST_SHIFTS).map(|k| -SHIFT * greatest * 4_f64.powi(k));
-        for shift in shifts {
-            let factors = EnvelopeCholesky::new(&shifted(stiffness, masses, shift), &zeros);
-            if let Some(factors) = factors {
-                return Some(Self {
-                    stiffness,
-                    masses,
-                    greatest,
-                    shift,
-                    factors,
-                });
-            }
-        }
-        None
+        let mut pencil = Self {
+            stiffness,
+            masses,
+            greatest,
+            low: 0.0,
+        };
+        let mut ends = (0..MOST_ENDS).map(|k| -BELOW * greatest * 4_f64.powi(k));
+        let is_below = |end: &f64| EnvelopeCholesky::new(&pencil.shifted(*end), &zeros).is_some();
+        pencil.low = ends.find(is_below)?;
+        Some(pencil)
+    }
+
+    /// The stiffness less a multiple of the masses.
+    fn shifted(&self, shift: f64) -> EnvelopeMatrix {
+        let mut shifted = self.stiffness.clone();
+        shifted.add_scaled(self.masses, -shift);
+        shifted
     }
 
     /// How many eigenvalues are below a bound.
     fn count_below(&self, bound: f64) -> Option<usize> {
-        shifted(self.stiffness, self.masses, bound).negative_pivots()
+        Some(EnvelopeLu::new(&self.shifted(bound))?.negative_pivots())
     }
 
-    /// A bound that about as many eigenvalues are below as are wanted, not more.
-    fn slice(&self, wanted: usize) -> Option<Slice> {
-        let (mut low, mut high) = (self.shift, self.shift.abs());
+    /// The eigenvalues below a bound that about as many are below as are wanted, not more.
+    fn below_bound(&self, wanted: usize) -> Option<Slice> {
+        let of = |high: f64, count: usize| Slice {
+            low: self.low,
+            high,
+            count,
+        };
+        let (mut low, mut high) = (self.low, self.low.abs());
         let mut count = self.count_below(high)?;
         while count <= wanted {
             if high > ABOVE_ALL * self.greatest {
-                return Some(Slice {
-                    bound: high,
-                    count,
-                    is_all: true,
-                });
+                return Some(of(high, count));
             }
             (low, high) = (high, 4.0 * high);
             count = self.count_below(high)?;
@@ -150,61 +153,107 @@ impl<'a> Pencil<'a> {
                 break;
             }
         }
-        (known > 0).then_some(Slice {
-            bound: low,
-            count: known,
-            is_all: false,
-        })
+        (known > 0).then_some(of(low, known))
     }
 
-    /// Moves the shift up to the lowest eigenvalue, as near as the slice is narrow: those of a slice far from the shift look all alike.
-    fn move_to_slice(&mut self, slice: &Slice) -> Option<()> {
-        if slice.is_all {
+    /// Divides a slice into such of few eigenvalues, in ascending order: the farther a shift is from them, the more they look alike.
+    fn divide(&self, slice: Slice, into: &mut Vec<Slice>) -> Option<()> {
+        let Slice { low, high, count } = slice;
+        let place = low.abs().max(high.abs());
+        let narrow = (NARROW[0] * place).max(NARROW[1] * self.greatest);
+        if count <= OF_SLICE || high - low <= narrow {
+            into.extend((count > 0).then_some(slice));
             return Some(());
         }
-        let (mut low, mut high) = (self.shift, slice.bound);
-        while high - low > NEAR * (slice.bound - low) {
-            let middle = 0.5 * (low + high);
-            match self.count_below(middle)? {
-                0 => low = middle,
-                _ => high = middle,
-            }
-        }
-        let shift = low - NEAR * (slice.bound - low);
-        let zeros = DVector::zeros(self.masses.size());
-        let moved = shifted(self.stiffness, self.masses, shift);
-        if let Some(factors) = EnvelopeCholesky::new(&moved, &zeros).filter(|_| shift > self.shift)
-        {
-            (self.shift, self.factors) = (shift, factors);
-        }
-        Some(())
+        let (cut, below) = self.cut(low, high)?;
+        let known = self.count_below(low)?;
+        let lower = below.saturating_sub(known);
+        self.divide(
+            Slice {
+                high: cut,
+                count: lower,
+                ..slice
+            },
+            into,
+        )?;
+        self.divide(
+            Slice {
+                low: cut,
+                count: count.saturating_sub(lower),
+                ..slice
+            },
+            into,
+        )
     }
 
-    /// The lowest eigenvalues, as many as are wanted, with vectors orthogonal to those known.
-    fn search(&self, known: &[Mode], wanted: usize, round: usize) -> Option<Vec<Mode>> {
+    /// Where to halve a slice, in a gap between eigenvalues if one is found, and how many are below.
+    fn cut(&self, low: f64, high: f64) -> Option<(f64, usize)> {
+        let width = high - low;
+        for place in CUTS {
+            let cut = low + place * width;
+            let [under, over] = [cut - GAP * width, cut + GAP * width];
+            let below = self.count_below(under)?;
+            if self.count_below(over)? == below {
+                return Some((cut, below));
+            }
+        }
+        let cut = low + CUTS[0] * width;
+        Some((cut, self.count_below(cut)?))
+    }
+
+    /// The modes of a slice in ascending order.
+    fn modes_of(&self, slice: &Slice) -> Option<Vec<Mode>> {
+        let Slice { low, high, count } = *slice;
+        let shift = 0.5 * (low + high);
+        let factors = EnvelopeLu::new(&self.shifted(shift))?;
+        let mut modes: Vec<Mode> = Vec::new();
+        for round in 0..MOST_SEARCHES {
+            if modes.len() >= count {
+                break;
+            }
+            let missing = count - modes.len();
+            let more = self.search((shift, &factors), &modes, missing, round)?;
+            let inside = more
+                .into_iter()
+                .filter(|(value, _)| (low..high).contains(value));
+            modes.extend(inside);
+        }
+        modes.sort_by(|a, b| a.0.total_cmp(&b.0));
+        (modes.len() == count).then_some(modes)
+    }
+
+    /// The eigenvalues nearest to a shift, as many as are wanted, with vectors orthogonal to those known.
+    fn search(
+        &self,
+        (shift, factors): (f64, &EnvelopeLu),
+        known: &[Mode],
+        wanted: usize,
+        round: usize,
+    ) -> Option<Vec<Mode>> {
         let size = self.masses.size();
         let most = (MOST_VECTORS * wanted.max(5)).min(size);
         let mut space = Space::new(size, known, self.masses);
         let mut random = Random::new(1, round as u64);
         let start = DVector::from_fn(size, |_, _| random.uniform() - 0.5);
-        let mut next = self.apply(&start);
+        let mut next = factors.solve(&self.masses.times(&start));
         let before = next.norm();
         space.orthogonalise(&mut next);
         if next.norm() <= SPANNED * before {
             return Some(Vec::new());
         }
-        let (mut diagonal, mut beside) = (Vec::new(), Vec::new());
+        let (mut diagonal, mut beside) = (Vec::<f64>::new(), Vec::new());
         let mut check = 2 * wanted + 10;
         loop {
             let moved = self.masses.times(&next);
             let norm = next.dot(&moved).max(0.0).sqrt();
             let count = diagonal.len();
-            let greatest = diagonal.iter().copied().fold(0.0, f64::max);
+            let greatest = diagonal.iter().copied().map(f64::abs).fold(0.0, f64::max);
             let is_all = norm <= EXHAUSTED * greatest || count == size;
             if is_all || count == check || count == most {
                 let found = Ritz::new(&diagonal, &beside, norm);
-                if is_all || found.converged >= wanted {
-                    return Some(space.modes(&found, wanted, self.shift));
+                let converged = found.converged.min(wanted);
+                if is_all || converged == wanted {
+                    return Some(space.modes(&found, converged, shift));
                 }
                 if count == most {
                     return None;
@@ -216,14 +265,10 @@ impl<'a> Pencil<'a> {
             }
             space.push(&(next / norm), &(moved / norm));
             let last = space.last();
-            next = self.factors.solve(&last);
+            next = factors.solve(&last);
             diagonal.push(next.dot(&last));
             space.orthogonalise(&mut next);
         }
-    }
-
-    fn apply(&self, vector: &DVector<f64>) -> DVector<f64> {
-        self.factors.solve(&self.masses.times(vector))
     }
 }
 
@@ -231,7 +276,7 @@ impl<'a> Pencil<'a> {
 struct Ritz {
     values: Vec<f64>,
     vectors: DMatrix<f64>,
-    /// The greatest first.
+    /// The greatest first, by size.
     order: Vec<usize>,
     /// How many of the first have converged.
     converged: usize,
@@ -251,7 +296,7 @@ impl Ritz {
         let eigen = SymmetricEigen::new(matrix);
         let values: Vec<f64> = eigen.eigenvalues.iter().copied().collect();
         let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
+        order.sort_by(|a, b| values[*b].abs().total_cmp(&values[*a].abs()));
         let vectors = eigen.eigenvectors;
         let residual = |k: usize| norm * vectors[(count - 1, k)].abs();
         let is_found = |k: &&usize| residual(**k) <= CONVERGED * values[**k].abs();
@@ -314,12 +359,12 @@ impl Space {
         }
     }
 
-    /// The first modes in ascending order.
+    /// The first modes.
     fn modes(&self, found: &Ritz, wanted: usize, shift: f64) -> Vec<Mode> {
         let basis = self.vectors.columns(self.known, self.count - self.known);
-        let greatest = found.order.first().map_or(0.0, |k| found.values[*k]);
+        let greatest = found.order.first().map_or(0.0, |k| found.values[*k].abs());
         let first = found.order.iter().take(wanted);
-        let first = first.filter(|k| found.values[**k] > EXHAUSTED * greatest);
+        let first = first.filter(|k| found.values[**k].abs() > EXHAUSTED * greatest);
         first
             .map(|k| {
                 let vector = basis * found.vectors.column(*k);
@@ -386,7 +431,7 @@ mod tests {
             let wanted = all(&stiffness, &masses, -1.0);
             let found = lowest_modes(&stiffness, &masses, 20).unwrap();
             assert!(
-                (15..=20).contains(&found.modes.len()),
+                (6..=20).contains(&found.modes.len()),
                 "{}",
                 found.modes.len()
             );

@@ -7,7 +7,7 @@ use seacable::numerics::V3;
 use seacable::physics::current::CurrentProfile;
 use seacable::system::SolvedSystem;
 use seacable::system::analysis::analyses::Analyses;
-use seacable::system::analysis::periods::{mass_matrix, periods};
+use seacable::system::analysis::{masses::mass_matrix, periods::periods};
 use seacable::system::body_loads::body_loads;
 use seacable::system::line_at_rest::LinePhysics;
 use seacable::system::network::{Body, HeadingLoads, Member, Network};

@@ -6,6 +6,7 @@ pub mod box_tree;
 pub mod boxed_curve;
 pub mod clearance;
 pub mod equilibria;
+pub mod masses;
 pub mod offset;
 pub mod periods;
 pub mod seek;

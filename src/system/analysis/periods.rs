@@ -6,7 +6,7 @@
 use std::collections::HashSet;
 use std::ops::Range;
 
-use nalgebra::{DMatrix, DVector, Matrix6, SMatrix, SymmetricEigen};
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
 use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
@@ -14,11 +14,10 @@ use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
 use super::super::line_at_rest::LinePhysics;
-use super::super::members;
-use super::super::network::{Body, Held, Network};
-use super::super::pose::{Pose, cross};
+use super::super::network::{Held, Network};
+use super::super::pose::cross;
 use super::super::stiffness::{contacts, take};
-use crate::numerics::V3;
+use super::masses::{MovingUnknown, axes, first_direction, mass_matrix, masses};
 use crate::numerics::envelope::EnvelopeMatrix;
 use crate::numerics::lowest_modes::lowest_modes;
 
@@ -74,8 +73,8 @@ impl NaturalModes {
 
 /// Unknowns with inertia of a part of a system whose modes are all computed, from a dense matrix.
 const DENSE: usize = 300;
-/// Modes that are computed of a larger part.
-const LOWEST: usize = 50;
+/// Modes that are computed of a larger part, or some fewer.
+const LOWEST: usize = 60;
 
 /// The natural modes of the bodies and free points that have a mass; none where nothing has one. What no line joins moves by itself: each
 /// part of the system has modes of its own, of large ones those of the longest periods.
@@ -134,14 +133,6 @@ fn stiffness(
     lying.retain(|part| points.contains(&part.first));
     stiffness_along(bed, &lying, &balance.force, &mut balance.stiffness);
     Ok(balance.stiffness)
-}
-
-/// An unknown that has inertia.
-struct MovingUnknown {
-    of: Moving,
-    direction: usize,
-    /// Its number among all.
-    unknown: usize,
 }
 
 /// What lines join, directly or over others.
@@ -223,103 +214,6 @@ fn parts(
     }
     parts.retain(|part| !part.own.is_empty());
     parts
-}
-
-/// The first direction that a body moves in: one that is pinned turns alone.
-fn first_direction(body: &Body) -> usize {
-    if body.pinned { 3 } else { 0 }
-}
-
-/// Adds the masses of the unknowns that have inertia: by row, column and value.
-fn masses(
-    network: &Network,
-    rest: &Equilibrium,
-    own: &[MovingUnknown],
-    add: &mut impl FnMut(usize, usize, f64),
-) {
-    for (k, moving) in own.iter().enumerate() {
-        match (moving.of, moving.direction) {
-            (Moving::Body(body), direction)
-                if direction == first_direction(&network.bodies[body]) =>
-            {
-                let pose = &rest.placement.bodies[body];
-                let block = mass_matrix(network, &network.bodies[body], pose);
-                let size = 6 - direction;
-                let block = block.view((direction, direction), (size, size));
-                add_block((k, k), &block.into_owned(), add);
-            }
-            (Moving::Body(_), _) => {}
-            (Moving::Point(point), direction) => {
-                let Held::Free(free) = &network.points[point].held else {
-                    continue;
-                };
-                add(k, k, free.moving_mass);
-                let lifts = lift(network, rest, point);
-                // Its other directions stand beside this one.
-                for j in k.saturating_sub(2)..own.len().min(k + 3) {
-                    if own[j].of == moving.of {
-                        let lifted = free.moving_mass * lifts[direction] * lifts[own[j].direction];
-                        add(k, j, lifted);
-                    }
-                }
-            }
-        }
-    }
-    for body in own.iter().filter(|moving| moving.direction == 3) {
-        if let Moving::Body(number) = body.of
-            && let Some((carrier, at)) = &network.bodies[number].carrier
-        {
-            carry((network, rest), own, (number, *carrier, at), add);
-        }
-    }
-}
-
-fn add_block(
-    (row, column): (usize, usize),
-    block: &DMatrix<f64>,
-    add: &mut impl FnMut(usize, usize, f64),
-) {
-    for i in 0..block.nrows() {
-        for j in 0..block.ncols() {
-            add(row + i, column + j, block[(i, j)]);
-        }
-    }
-}
-
-/// Adds the mass of a body that is pinned to another, at a place of that one, to the unknowns of that one.
-fn carry(
-    (network, rest): (&Network, &Equilibrium),
-    own: &[MovingUnknown],
-    (number, carrier, at): (usize, usize, &V3),
-    add: &mut impl FnMut(usize, usize, f64),
-) {
-    let first = |body: usize| own.iter().position(|known| known.of == Moving::Body(body));
-    let (Some(row), Some(on)) = (first(number), first(carrier)) else {
-        return;
-    };
-    let poses = &rest.placement.bodies;
-    let mass = mass_matrix(network, &network.bodies[number], &poses[number]);
-    let mut by = SMatrix::<f64, 3, 6>::identity();
-    let arm = poses[carrier].arm(at);
-    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
-    let skipped = first_direction(&network.bodies[carrier]);
-    let by = by.columns(skipped, 6 - skipped).into_owned();
-    let straight = by.transpose() * mass.fixed_view::<3, 3>(0, 0) * &by;
-    add_block((on, on), &straight, add);
-    let across = by.transpose() * mass.fixed_view::<3, 3>(0, 3);
-    let across = DMatrix::from_fn(across.nrows(), 3, |i, j| across[(i, j)]);
-    add_block((on, row), &across, add);
-    add_block((row, on), &across.transpose(), add);
-}
-
-/// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.
-fn lift(network: &Network, rest: &Equilibrium, point: usize) -> [f64; 3] {
-    let bed = network.bed.as_ref();
-    let lies = rest.contact(point) == Contact::Bed;
-    let gradient = bed
-        .filter(|_| lies)
-        .map(|bed| bed.gradient(&rest.placement.points[point]));
-    gradient.map_or([0.0; 3], |gradient| [-gradient.x, -gradient.y, 0.0])
 }
 
 /// The modes of a part.
@@ -493,34 +387,52 @@ fn is_spin(
     })
 }
 
-/// The axes of a body in the earth's, for displacements and turns.
-fn axes(pose: &Pose) -> Matrix6<f64> {
-    let mut axes = Matrix6::zeros();
-    for k in [0, 3] {
-        let mut block = axes.fixed_view_mut::<3, 3>(k, k);
-        block.copy_from(pose.matrix().matrix());
-    }
-    axes
-}
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
 
-/// Mass, inertia and added mass of a body about its origin, in the axes of the earth \[kg, kg m, kg m²\].
-#[must_use]
-pub fn mass_matrix(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
-    let arm = pose.arm(&body.centre_of_gravity);
-    let turn = pose.matrix();
-    let inertia = turn.matrix() * body.inertia * turn.matrix().transpose();
-    let lever = cross(&arm) * body.mass;
-    let axes = axes(pose);
-    let added = axes * body.added_mass * axes.transpose();
-    let mut mass = added + members::added_mass(network, body, pose);
-    for k in 0..3 {
-        mass[(k, k)] += body.mass;
+    use super::*;
+    use crate::case::kind::parse_stored;
+    use crate::system::SystemFile;
+
+    #[test]
+    fn the_longest_periods_of_a_large_part_are_those_of_its_dense_matrix() {
+        let mut text = "[system]\ntitle = \"chain\"\n[materials.w]\nmass_kg_per_m = 20.0\ndiameter_m = 0.06\nea_n = 1e8\n".to_owned();
+        for k in 0..40 {
+            let x = 50.0 * f64::from(k);
+            let mass = if k % 7 == 3 { 0.0 } else { 100.0 };
+            let _ = write!(
+                text,
+                "[points.f{k}]\nkind = \"free\"\nmass_kg = {mass:?}\n[points.x{k}]\nkind = \"fixed\"\nposition_m = [{x:?}, 0.0, 0.0]\n\
+                 [[lines]]\nname = \"u{k}\"\nfrom = \"f{k}\"\nto = \"x{k}\"\nmaterial = \"w\"\nlength_m = 100.0\n"
+            );
+            if k > 0 {
+                let _ = write!(
+                    text,
+                    "[[lines]]\nname = \"s{k}\"\nfrom = \"f{}\"\nto = \"f{k}\"\nmaterial = \"w\"\nlength_m = 60.0\n",
+                    k - 1
+                );
+            }
+        }
+        let solved = parse_stored::<SystemFile>(&text, "chain.toml").unwrap();
+        let (network, rest) = (&solved.network, &solved.rest);
+        let all = Freedoms::of(network, UnknownBodies::All);
+        let stiffness = stiffness(network, rest, &all).unwrap();
+        let parts = parts(network, rest, &all, &stiffness);
+        let [part] = &parts[..] else {
+            panic!("{} parts", parts.len())
+        };
+        let mut dense = modes(network, rest, &part.condensed(&stiffness), &part.own).unwrap();
+        dense.found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lowest = lowest(network, rest, part, &stiffness).unwrap();
+        assert!((20..=LOWEST).contains(&lowest.found.len()));
+        for (found, wanted) in lowest.found.iter().zip(&dense.found) {
+            assert!(
+                (found.0 / wanted.0 - 1.0).abs() < 1e-9,
+                "{found:?} {wanted:?}"
+            );
+        }
+        let next = dense.found[lowest.found.len()].0;
+        assert!(lowest.found.last().unwrap().0 < lowest.bound && lowest.bound <= next);
     }
-    let mut upper = mass.fixed_view_mut::<3, 3>(0, 3);
-    upper -= lever;
-    let mut lower = mass.fixed_view_mut::<3, 3>(3, 0);
-    lower += lever;
-    let mut turning = mass.fixed_view_mut::<3, 3>(3, 3);
-    turning += inertia - cross(&arm) * cross(&arm) * body.mass;
-    0.5 * (mass + mass.transpose())
 }
