@@ -9,7 +9,9 @@ use seacable::numerics::V3;
 use seacable::numerics::random::Random;
 use seacable::statics::catenary::SectionProperties;
 use seacable::system::SystemFile;
+use seacable::system::analysis::clearance::distances;
 use seacable::system::analysis::offset::HeldAway;
+use seacable::system::analysis::periods::periods;
 use seacable::system::bed::Bed;
 use seacable::system::equilibrium::search;
 use seacable::system::network::{FreePoint, Held, Line, Network, Point, reversed};
@@ -71,6 +73,85 @@ fn main() {
             1e6 * cold / (lines * evaluations) as f64
         );
     }
+    growth("bridled lines", &[100, 300, 1000, 3000], bridles);
+    growth("free points", &[100, 200, 400, 1000, 2000], chain);
+}
+
+/// Bridles of three lines around a circle, which share nothing with each other.
+fn bridles(lines: usize) -> Network {
+    let mut network = sea();
+    let add = |network: &mut Network, place: Option<V3>| {
+        let number = network.points.len();
+        network.points.push(Point {
+            name: format!("p{number}"),
+            held: place.map_or_else(|| Held::Free(mass(500.0)), Held::At),
+            motion: None,
+        });
+        number
+    };
+    let count = lines / 3;
+    for k in 0..count {
+        let (sin, cos) = (std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
+        let at = |out: f64, across: f64, z: f64| {
+            V3::new(out * cos - across * sin, out * sin + across * cos, z)
+        };
+        let middle = add(&mut network, None);
+        for (end, length) in [
+            (at(300.0, 0.0, 0.0), 120.0),
+            (at(300.0, -40.0, -200.0), 95.0),
+            (at(300.0, 40.0, -200.0), 95.0),
+        ] {
+            let end = add(&mut network, Some(end));
+            join(&mut network, (middle, end), length);
+        }
+    }
+    network
+}
+
+/// A chain of free points, each on a line of its own.
+fn chain(points: usize) -> Network {
+    let mut network = sea();
+    for k in 0..points {
+        let top = V3::new(50.0 * k as f64, 0.0, 0.0);
+        for (name, held) in [("f", Held::Free(mass(100.0))), ("x", Held::At(top))] {
+            network.points.push(Point {
+                name: format!("{name}{k}"),
+                held,
+                motion: None,
+            });
+        }
+        join(&mut network, (2 * k, 2 * k + 1), 100.0);
+        if k > 0 {
+            join(&mut network, (2 * k - 2, 2 * k), 60.0);
+        }
+    }
+    network
+}
+
+/// What a call takes of systems of these sizes, and the exponent by which it grows from the first to the last.
+fn growth(what: &str, sizes: &[usize], build: fn(usize) -> Network) {
+    let mut first = None;
+    for size in sizes {
+        let network = build(*size);
+        let mut rest = None;
+        let search = least(3, || rest = search(&network, &start(&network)).ok());
+        let Some(rest) = rest else { continue };
+        let modes = least(3, || {
+            let _ = black_box(periods(&network, &rest));
+        });
+        let near = least(3, || {
+            let _ = black_box(distances(&network, &rest));
+        });
+        let all = search + modes + near;
+        let (from, least) = *first.get_or_insert((*size, all));
+        let exponent = (all / least).ln() / (*size as f64 / from as f64).ln();
+        println!(
+            "{size:5} {what}: rest {:7.1} ms, periods {:7.1}, clearances {:7.1}; exponent {exponent:.2}",
+            1e3 * search,
+            1e3 * modes,
+            1e3 * near
+        );
+    }
 }
 
 /// The least time of one call, in s.
@@ -84,15 +165,46 @@ fn least(repeats: u32, mut call: impl FnMut()) -> f64 {
     least
 }
 
+/// Still water without a bed.
+fn sea() -> Network {
+    Network {
+        gravity: 9.806_65,
+        density: 1025.0,
+        ..Network::default()
+    }
+}
+
+/// A point of a mass \[kg\] that displaces no water.
+fn mass(mass: f64) -> FreePoint {
+    FreePoint {
+        weight: mass * 9.806_65,
+        moving_mass: mass,
+        ..FreePoint::default()
+    }
+}
+
+/// Joins two points by a line of a length \[m\].
+fn join(network: &mut Network, (from, to): (usize, usize), length: f64) {
+    let sections = vec![SectionProperties::new(length, 150.0, 3e8)];
+    network.lines.push(Line {
+        name: format!("l{}", network.lines.len()),
+        from,
+        to,
+        reversed: reversed(&sections),
+        break_loads: vec![None],
+        sections,
+        bed_contact: true,
+        displaced: vec![0.0],
+        displaced_reversed: vec![0.0],
+        ..Line::default()
+    });
+}
+
 /// A net of chains over the bed: rows of free points between anchors.
 fn web(lines: usize, free: usize) -> Network {
     let mut random = Random::new(7, lines as u64);
-    let mut network = Network {
-        gravity: 9.806_65,
-        density: 1025.0,
-        bed: Some(Bed::Level(-200.0)),
-        ..Network::default()
-    };
+    let mut network = sea();
+    network.bed = Some(Bed::Level(-200.0));
     let mut places = Vec::new();
     for k in 0..free + 2 {
         let end = k == 0 || k == free + 1;
@@ -120,29 +232,9 @@ fn web(lines: usize, free: usize) -> Network {
         });
     }
     // A chain from point to point, and an anchor line from as many as are left.
-    let join = |network: &mut Network, from: usize, to: usize, length: f64| {
-        let sections = vec![SectionProperties::new(length, 150.0, 3e8)];
-        network.lines.push(Line {
-            name: format!("l{}", network.lines.len()),
-            from,
-            to,
-            reversed: reversed(&sections),
-            added_weight: 0.0,
-            break_loads: vec![None],
-            sections,
-            still_water: false,
-            friction: 0.0,
-            releases: Default::default(),
-            discretised: None,
-            closed_where_known: false,
-            bed_contact: true,
-            displaced: vec![0.0],
-            displaced_reversed: vec![0.0],
-        });
-    };
     for k in 0..=free {
         let distance = (places[k + 1] - places[k]).norm();
-        join(&mut network, k, k + 1, 1.03 * distance);
+        join(&mut network, (k, k + 1), 1.03 * distance);
     }
     let anchored = lines.saturating_sub(free + 1);
     for (k, place) in places.iter().enumerate().skip(1).take(anchored) {
@@ -154,7 +246,7 @@ fn web(lines: usize, free: usize) -> Network {
             motion: None,
         });
         let at = network.points.len() - 1;
-        join(&mut network, at, k, 1.05 * (anchor - place).norm());
+        join(&mut network, (at, k), 1.05 * (anchor - place).norm());
     }
     network
 }

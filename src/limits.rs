@@ -14,7 +14,7 @@ pub struct Limit {
 }
 
 /// Entries of one table or list of tables in a file: sections, points, materials, published values.
-pub static TABLES: Limit = Limit::new("--limit-tables", 2e3);
+pub static TABLES: Limit = Limit::new("--limit-tables", 1e4);
 /// Segments of all lines of a scene.
 pub static SEGMENTS: Limit = Limit::new("--limit-segments", 2e5);
 /// Time steps of a run, where all are as long as allowed.

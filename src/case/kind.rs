@@ -225,12 +225,9 @@ pub fn edited_rows<K: FileKind>(text: &str, before: &str) -> (Vec<FieldRow>, Vec
         None => (before, Origin::File),
     };
     let mut rows = rows::<K>(text);
-    let keys = edited::edited(
-        &rows,
-        &self::rows::<K>(before),
-        origin,
-        edited::is_sourced(before),
-    );
+    let other = (text != before).then(|| self::rows::<K>(before));
+    let listed_before = other.as_ref().unwrap_or(&rows);
+    let keys = edited::edited(&rows, listed_before, origin, edited::is_sourced(before));
     edited::mark(&mut rows, &keys);
     (rows, keys)
 }

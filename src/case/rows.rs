@@ -97,12 +97,18 @@ impl<'a> FieldLister<'a> {
             return Vec::new();
         };
         let names = node.names();
-        let each = names.iter().flat_map(|name| {
-            self.table(
-                &format!("{table}.*"),
-                &[table, name],
-                &format!("{heading} {name}"),
-            )
+        // Looked for by their names one by one, many would take the square of their number.
+        let known: Vec<&TomlNode> = match &node.data {
+            TomlData::Table(_, entries) => entries.iter().map(|entry| &entry.node).collect(),
+            TomlData::List(items) if node.is_list_of_tables() => items.iter().collect(),
+            _ => Vec::new(),
+        };
+        let pattern = format!("{table}.*");
+        let each = names.iter().enumerate().flat_map(|(number, name)| {
+            let path = [table, name];
+            let element = known.get(number).copied();
+            let element = element.or_else(|| self.root.find(&path));
+            self.rows(element, &pattern, &path, &format!("{heading} {name}"))
         });
         each.collect()
     }
@@ -129,7 +135,17 @@ impl<'a> FieldLister<'a> {
 
     /// The rows of one table, whether the file has it or not.
     pub(crate) fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
-        let node = self.root.find(path);
+        self.rows(self.root.find(path), pattern, path, group)
+    }
+
+    /// The rows of a table at a path.
+    fn rows(
+        &self,
+        node: Option<&TomlNode>,
+        pattern: &str,
+        path: &[&str],
+        group: &str,
+    ) -> Vec<FieldRow> {
         let fields: Vec<&'static Field> = match node {
             Some(node) => fields_here(self.schema, node, pattern),
             None => self.schema.fields_of(pattern).collect(),

@@ -118,16 +118,44 @@ fn of_options(edits: &[(&str, &str)], found: Vec<Diagnostic>) -> CommandError {
     CommandError::Invalid(found.into_iter().map(of_option).collect())
 }
 
-/// The text of a file of a kind with keys set.
-pub(super) fn edited_text<K: FileKind>(
-    path: &Path,
-    words: &[String],
-    options: &ImportOptions,
-) -> Result<String, CommandError> {
-    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
-    let edits = edits(words)?;
-    let (text, _) = set_and_compute::<K>(&loaded.whole_text, &edits, path)?;
-    Ok(text)
+/// A file of a kind that is read with keys set.
+pub(super) struct EditedFile<K: FileKind> {
+    /// Its text with the keys, and the files that it names.
+    pub(super) whole_text: String,
+    /// As it is listed, and as it was without the keys.
+    texts: [String; 2],
+    /// Its result.
+    pub(super) computed: K::Computed,
+}
+
+impl<K: FileKind> EditedFile<K> {
+    /// Reads a file.
+    pub(super) fn load(
+        path: &Path,
+        words: &[String],
+        options: &ImportOptions,
+    ) -> Result<Self, CommandError> {
+        let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
+        if words.is_empty() {
+            return Ok(Self {
+                whole_text: loaded.whole_text,
+                texts: [loaded.text.clone(), loaded.text],
+                computed: loaded.computed,
+            });
+        }
+        let (text, computed) = set_and_compute::<K>(&loaded.whole_text, &edits(words)?, path)?;
+        Ok(Self {
+            whole_text: text.clone(),
+            texts: [text, loaded.text],
+            computed,
+        })
+    }
+
+    /// Its fields: many of a large file.
+    pub(super) fn fields(&self) -> Vec<FieldRow> {
+        let [now, before] = &self.texts;
+        kind::edited_rows::<K>(now, before).0
+    }
 }
 
 /// The fields of a file of a kind that is read with keys set, and its result.
@@ -136,13 +164,8 @@ pub(super) fn load_with<K: FileKind>(
     words: &[String],
     options: &ImportOptions,
 ) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
-    let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
-    let fields = |text: &str| kind::edited_rows::<K>(text, &loaded.text).0;
-    if words.is_empty() {
-        return Ok((fields(&loaded.text), loaded.computed));
-    }
-    let (text, computed) = set_and_compute::<K>(&loaded.whole_text, &edits(words)?, path)?;
-    Ok((fields(&text), computed))
+    let file = EditedFile::<K>::load(path, words, options)?;
+    Ok((file.fields(), file.computed))
 }
 
 /// What may state published values.

@@ -7,7 +7,8 @@ use std::{path::Path, process::ExitCode, sync::Arc};
 use super::{
     CommandError,
     args::RunArgs,
-    cases, jobs, output,
+    cases::EditedFile,
+    jobs, output,
     run::{StoredRun, case_of, status, stored},
     signals::StopFlag,
     verdict,
@@ -21,7 +22,7 @@ use crate::{
     },
     study::seas::SeaQuestion,
     system::{
-        SolvedSystem, SystemFile,
+        SystemFile,
         analysis::analyses::Analyses,
         motion::checkpoint::{ResumedSystem, resume_request},
         motion::job::{self, SystemRequest},
@@ -50,11 +51,11 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
             "Systems of lines do not take {why}."
         )));
     }
-    let (fields, solved) =
-        cases::load_with::<SystemFile>(&path, &args.set, &args.import.options())?;
-    if solved.file.solver.is_some() {
-        return in_motion(args, solved, stop);
+    let file = EditedFile::<SystemFile>::load(&path, &args.set, &args.import.options())?;
+    if file.computed.file.solver.is_some() {
+        return in_motion(args, file, stop);
     }
+    let solved = &file.computed;
     if args.detach {
         return Err(CommandError::Usage(
             "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run in time.".to_owned(),
@@ -65,18 +66,21 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
             "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
         ));
     }
-    let analyses = Analyses::of(&solved);
+    let analyses = match args.json {
+        true => Analyses::of_object(solved),
+        false => Analyses::of(solved),
+    };
     if let Some(stopped) = stop.status() {
         return Ok(stopped);
     }
     if args.json {
-        output::object(&json::object(&solved, &analyses))?;
+        output::object(&json::object(solved, &analyses))?;
         return Ok(ExitCode::SUCCESS);
     }
-    let question = verdict::checks(SeaQuestion::of_system(&solved))?;
-    let found = RunVerdict::of_equilibrium(&question, &solved);
-    let rows = validation::rows(&solved, None);
-    let report = views::report(&solved, &analyses, &rows, &fields);
+    let question = verdict::checks(SeaQuestion::of_system(solved))?;
+    let found = RunVerdict::of_equilibrium(&question, solved);
+    let rows = validation::rows(solved, None);
+    let report = views::report(solved, &analyses, &rows, &file.fields());
     let text = report.to_text(WIDTH, output::glyphs(args.ascii));
     output::results(&text, args.ascii)?;
     Ok(verdict::status(found.as_ref(), ExitCode::SUCCESS))
@@ -85,10 +89,10 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
 /// The run in time, stored as it is computed: its results or JSON on standard output.
 fn in_motion(
     args: &RunArgs,
-    solved: SolvedSystem,
+    file: EditedFile<SystemFile>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let request = request(args, solved)?;
+    let request = request(args, file)?;
     if args.detach {
         return detach(args, request, None);
     }
@@ -135,7 +139,7 @@ fn stored_run(
     let found = found.as_ref();
     if args.json {
         let solved = &request.solved;
-        let mut object = json::object(solved, &Analyses::of(solved));
+        let mut object = json::object(solved, &Analyses::of_object(solved));
         object["motion"] = motion::object(run, dir);
         object["checks"] = json!(found.map(RunVerdict::to_json));
         output::object(&object)?;
@@ -148,10 +152,14 @@ fn stored_run(
 }
 
 /// The run that the file with all `--set` asks for.
-fn request(args: &RunArgs, solved: SolvedSystem) -> Result<SystemRequest, CommandError> {
+fn request(args: &RunArgs, file: EditedFile<SystemFile>) -> Result<SystemRequest, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
-    let text = cases::edited_text::<SystemFile>(path, &args.set, &args.import.options())?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let request = SystemRequest::new(Arc::new(solved), &text, name.into_owned(), args.set.clone());
+    let request = SystemRequest::new(
+        Arc::new(file.computed),
+        &file.whole_text,
+        name.into_owned(),
+        args.set.clone(),
+    );
     request.ok_or_else(|| CommandError::Usage("A run in time needs a table `[solver]`.".to_owned()))
 }

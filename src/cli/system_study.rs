@@ -188,20 +188,22 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
 /// `seacable modes` on a system: the natural periods of its bodies and points.
 pub(super) fn modes(args: &SystemArgs) -> Result<ExitCode, CommandError> {
     let solved = load(args)?;
-    let modes = periods::periods(&solved.network, &solved.rest)
+    let found = periods::periods(&solved.network, &solved.rest)
         .map_err(|why| CommandError::Usage(format!("No natural periods: {why}.")))?;
-    if modes.is_empty() {
+    if found.modes.is_empty() {
         let how = "No body of the system has a mass, and no free point: give `mass_kg` and `inertia_kg_m2` to a body.";
         return Err(CommandError::Usage(how.to_owned()));
     }
     if args.json {
-        let each = modes.iter().map(|mode| {
+        let each = found.modes.iter().map(|mode| {
             let (part, direction) = mode.names(&solved.network);
             json!({"period_s": mode.period_s, "part": part, "direction": direction})
         });
-        output::object(&json!({"kind": "modes", "modes": each.collect::<Vec<_>>()}))?;
+        let each: Vec<_> = each.collect();
+        let complete_to_s = found.complete_to_s;
+        output::object(&json!({"kind": "modes", "modes": each, "complete_to_s": complete_to_s}))?;
         return Ok(ExitCode::SUCCESS);
     }
-    output::results(&views::periods(&solved, &modes).to_text(WIDTH), args.ascii)?;
+    output::results(&views::periods(&solved, &found).to_text(WIDTH), args.ascii)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -57,7 +57,8 @@ const LONGEST_ITERATION: f64 = 0.3;
 /// Stiffness added to nodes that nothing holds, relative to the stiffest.
 const LEAST_STIFFNESS: f64 = 1e-12;
 
-/// A line between two held ends, built once of its case and solved for many places of the ends.
+/// A line between two held ends, built once of its case and solved for many places of the ends. Its work arrays are allocated by the first
+/// solution.
 ///
 /// Of the case it takes the line, its materials, clumps, environment, current and bed; not the initial shape. Waves, events and
 /// loads that vary with time are left out.
@@ -92,34 +93,54 @@ impl LineBetweenEnds {
             }
         }
         let scene = scene::build(case, 1)?;
-        let search = EquilibriumSearch::default();
-        let nodes = scene.nodes();
-        let mut newton = search.newton(&scene);
-        newton.max_iterations = WARM_ITERATIONS;
-        newton.max_displacement = LONGEST_ITERATION * length(&scene);
-        let mut tangent = BlockBand::new(nodes);
-        if scene.is_pentadiagonal() {
-            tangent.widen();
-        }
-        let last = scene.initial_state();
         Ok(Self {
-            search,
-            newton,
+            search: EquilibriumSearch::default(),
+            newton: Newton::new(0, 0.0, 0),
             unstable: None,
             laid: false,
-            trial: last.clone(),
-            last,
-            residual: vec![V3::zeros(); nodes],
-            tangent,
-            condensation: Condensation::new(nodes),
-            displacement: vec![V3::zeros(); nodes],
+            trial: State::at_rest(Vec::new()),
+            last: scene.initial_state(),
+            residual: Vec::new(),
+            tangent: BlockBand::new(0),
+            condensation: Condensation::new(0),
+            displacement: Vec::new(),
             scene,
         })
     }
 
+    /// Allocates the work arrays where there are none.
+    fn allocate(&mut self) {
+        let nodes = self.scene.nodes();
+        if self.residual.len() == nodes {
+            return;
+        }
+        self.newton = self.search.newton(&self.scene);
+        self.newton.max_iterations = WARM_ITERATIONS;
+        self.newton.max_displacement = LONGEST_ITERATION * length(&self.scene);
+        self.tangent = BlockBand::new(nodes);
+        if self.scene.is_pentadiagonal() {
+            self.tangent.widen();
+        }
+        self.trial = self.last.clone();
+        self.residual = vec![V3::zeros(); nodes];
+        self.condensation = Condensation::new(nodes);
+        self.displacement = vec![V3::zeros(); nodes];
+    }
+
+    /// Frees the work arrays, several times as much as the line itself. The next solution allocates them and starts from the closed form.
+    pub fn free_work(&mut self) {
+        self.unstable = None;
+        self.newton = Newton::new(0, 0.0, 0);
+        self.tangent = BlockBand::new(0);
+        self.trial = State::at_rest(Vec::new());
+        self.residual = Vec::new();
+        self.condensation = Condensation::new(0);
+        self.displacement = Vec::new();
+    }
+
     /// The equilibrium with its ends at these places \[m\]: by Newton's method from the last one, displaced by its linear response
     /// to the motion of the ends; the first time, far from the last one or if that fails, from the closed form by
-    /// [`EquilibriumSearch`]. Allocates the result only, except from the closed form or where it slides on the bed.
+    /// [`EquilibriumSearch`]. Allocates the result only, except the first time, from the closed form or where it slides on the bed.
     ///
     /// # Errors
     /// [`LineError::NotFinite`], which changes nothing; [`LineError::NoEquilibrium`] and [`LineError::NoStiffness`], after which
@@ -133,6 +154,7 @@ impl LineBetweenEnds {
         if a.iter().chain(&b).any(|x: &f64| !x.is_finite()) {
             return Err(LineError::NotFinite);
         }
+        self.allocate();
         self.newton.iterations = 0;
         let before = self.unstable;
         let warm = self.warm_start(a, b);

@@ -3,6 +3,7 @@
 //! proportion to their number (George and Liu, *Computer Solution of Large Sparse Positive Definite Systems*, 1981, chapter 4).
 
 use std::collections::VecDeque;
+use std::ops::Range;
 use std::sync::Arc;
 
 use nalgebra::{DMatrix, DVector, Dim, Matrix, RawStorage};
@@ -33,8 +34,24 @@ impl EnvelopeShape {
         self.first.len()
     }
 
+    /// The unknowns that couplings join, directly or over others: numbered from neighbour to neighbour they follow one another.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Range<usize>> {
+        let mut parts = Vec::new();
+        let (mut least, mut end) = (self.len(), self.len());
+        for row in (0..self.len()).rev() {
+            least = least.min(self.first[row]);
+            if least == row {
+                parts.push(row..end);
+                end = row;
+            }
+        }
+        parts.reverse();
+        parts
+    }
+
     /// The first column of a row, and where its numbers stand.
-    fn row(&self, row: usize) -> (usize, std::ops::Range<usize>) {
+    fn row(&self, row: usize) -> (usize, Range<usize>) {
         (self.first[row], self.starts[row]..self.starts[row + 1])
     }
 }
@@ -68,6 +85,56 @@ impl EnvelopeMatrix {
     #[must_use]
     pub fn size(&self) -> usize {
         self.shape.len()
+    }
+
+    /// The shape.
+    #[must_use]
+    pub fn shape(&self) -> Arc<EnvelopeShape> {
+        Arc::clone(&self.shape)
+    }
+
+    /// Adds a multiple of a matrix of the same shape.
+    pub fn add_scaled(&mut self, other: &Self, factor: f64) {
+        for (own, others) in [
+            (&mut self.lower, &other.lower),
+            (&mut self.upper, &other.upper),
+        ] {
+            for (own, other) in own.iter_mut().zip(others) {
+                *own += factor * other;
+            }
+        }
+    }
+
+    /// Its symmetric part.
+    #[must_use]
+    pub fn symmetric_part(&self) -> Self {
+        let both = self.lower.iter().zip(&self.upper);
+        let mean: Vec<f64> = both.map(|(below, above)| 0.5 * (below + above)).collect();
+        Self {
+            shape: Arc::clone(&self.shape),
+            lower: mean.clone(),
+            upper: mean,
+        }
+    }
+
+    /// The unknowns that couplings join: see [`EnvelopeShape::parts`].
+    #[must_use]
+    pub fn parts(&self) -> Vec<Range<usize>> {
+        self.shape.parts()
+    }
+
+    /// The matrix of one of its parts.
+    #[must_use]
+    pub fn part(&self, unknowns: &Range<usize>) -> Self {
+        let first = self.shape.first[unknowns.clone()].iter();
+        let first = first.map(|first| first - unknowns.start).collect();
+        let starts = &self.shape.starts;
+        let numbers = starts[unknowns.start]..starts[unknowns.end];
+        Self {
+            shape: Arc::new(EnvelopeShape::new(first)),
+            lower: self.lower[numbers.clone()].to_vec(),
+            upper: self.upper[numbers].to_vec(),
+        }
     }
 
     /// Adds to a number within the envelope.
@@ -298,7 +365,8 @@ impl EnvelopeCholesky {
 }
 
 /// Factors of a matrix without exchange of rows: rows of L, whose diagonal is 1, and columns of U.
-struct EnvelopeLu {
+#[derive(Debug, Clone)]
+pub struct EnvelopeLu {
     shape: Arc<EnvelopeShape>,
     lower: Vec<f64>,
     upper: Vec<f64>,
@@ -306,7 +374,8 @@ struct EnvelopeLu {
 
 impl EnvelopeLu {
     /// The factors; nothing where a pivot vanishes.
-    fn new(matrix: &EnvelopeMatrix) -> Option<Self> {
+    #[must_use]
+    pub fn new(matrix: &EnvelopeMatrix) -> Option<Self> {
         let shape = Arc::clone(&matrix.shape);
         let (mut lower, mut upper) = (matrix.lower.clone(), matrix.upper.clone());
         for i in 0..shape.len() {
@@ -341,7 +410,16 @@ impl EnvelopeLu {
         })
     }
 
-    fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
+    /// How many eigenvalues of a symmetric matrix are negative: as many as its pivots (Sylvester).
+    #[must_use]
+    pub fn negative_pivots(&self) -> usize {
+        let ends = self.shape.starts.iter().skip(1);
+        ends.filter(|end| self.upper[**end - 1] < 0.0).count()
+    }
+
+    /// The solution for a right-hand side.
+    #[must_use]
+    pub fn solve(&self, right: &DVector<f64>) -> DVector<f64> {
         let mut x = right.clone();
         for i in 0..self.shape.len() {
             let (from, numbers) = self.shape.row(i);
@@ -502,6 +580,27 @@ mod tests {
         assert!(EnvelopeCholesky::new(&matrix, &DVector::zeros(b.len())).is_none());
         let found = matrix.solve(std::slice::from_ref(&b)).unwrap().remove(0);
         assert!((matrix.times(&found) - &b).amax() < 1e-10);
+    }
+
+    #[test]
+    fn what_no_coupling_joins_are_parts_with_matrices_of_their_own() {
+        let neighbours = [vec![3], vec![4], vec![], vec![0, 5], vec![1], vec![3]];
+        let (begins, shape) = number(&neighbours, &[3, 6, 3, 3, 3, 3]);
+        let shape = Arc::new(shape);
+        let mut sizes: Vec<usize> = shape.parts().iter().map(Range::len).collect();
+        sizes.sort_unstable();
+        assert_eq!(sizes, [3, 9, 9]);
+        let mut matrix = EnvelopeMatrix::zeros(&shape);
+        matrix.add(begins[4] + 1, begins[1] + 2, 5.0);
+        let parts = shape.parts();
+        let part = parts.iter().find(|part| part.contains(&begins[1]));
+        let part = part.unwrap();
+        let own = matrix.part(part);
+        let at = |unknown: usize| unknown - part.start;
+        assert_eq!(own.at(at(begins[4] + 1), at(begins[1] + 2)), 5.0);
+        let whole = matrix.dense();
+        let size = (part.len(), part.len());
+        assert_eq!(own.dense(), whole.view((part.start, part.start), size));
     }
 
     #[test]

@@ -46,6 +46,46 @@ pub struct UnsolvedLine {
     pub iterations: u64,
 }
 
+/// A line at rest between its points at a placement; `near` is one near by.
+///
+/// # Errors
+/// A line without a solution.
+pub fn line_at_rest(
+    network: &Network,
+    placement: &Placement,
+    index: usize,
+    physics: LinePhysics,
+    near: Option<&LineAtRest>,
+) -> Result<LineAtRest, UnsolvedLine> {
+    let line = &network.lines[index];
+    let [a, b] = [line.from, line.to].map(|point| &placement.points[point]);
+    let solved = match &line.discretised {
+        Some(element)
+            if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
+        {
+            let from = laid_from(network, placement, index).unwrap_or_default();
+            element.solve((a, b), from, near)
+        }
+        element => {
+            let laid = laid_from(network, placement, index);
+            let from = laid.filter(|_| physics == LinePhysics::Full);
+            match solve(network, line, (a, b), (physics, from), near) {
+                // It floats, or is dry between wet parts.
+                Err(CatenaryError::AtSurface(why)) => match element {
+                    Some(element) => element.solve((a, b), laid.unwrap_or_default(), near),
+                    None => Err(Unsolved::of(why)),
+                },
+                found => found.map_err(|error| Unsolved::of(&error)),
+            }
+        }
+    };
+    solved.map_err(|Unsolved { why, iterations }| UnsolvedLine {
+        line: index,
+        why,
+        iterations,
+    })
+}
+
 /// The forces at a placement; `before` are lines near by.
 ///
 /// # Errors
@@ -65,34 +105,9 @@ pub fn balance(
         tension: 0.0,
     };
     for (index, line) in network.lines.iter().enumerate() {
-        let ends = [line.from, line.to];
-        let [a, b] = ends.map(|point| &placement.points[point]);
         let near = before.and_then(|lines| lines.get(index));
-        let solved = match &line.discretised {
-            Some(element)
-                if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
-            {
-                let from = laid_from(network, placement, index).unwrap_or_default();
-                element.solve((a, b), from, near)
-            }
-            element => {
-                let laid = laid_from(network, placement, index);
-                let from = laid.filter(|_| physics == LinePhysics::Full);
-                match solve(network, line, (a, b), (physics, from), near) {
-                    // It floats, or is dry between wet parts.
-                    Err(CatenaryError::AtSurface(why)) => match element {
-                        Some(element) => element.solve((a, b), laid.unwrap_or_default(), near),
-                        None => Err(Unsolved::of(why)),
-                    },
-                    found => found.map_err(|error| Unsolved::of(&error)),
-                }
-            }
-        };
-        let at_rest = solved.map_err(|Unsolved { why, iterations }| UnsolvedLine {
-            line: index,
-            why,
-            iterations,
-        })?;
+        let at_rest = line_at_rest(network, placement, index, physics, near)?;
+        let ends = [line.from, line.to];
         let followers = ends.map(|point| follower(network, freedoms, placement, point));
         out.line(&at_rest, &followers);
         out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);

@@ -1,6 +1,8 @@
 //! Bed and surface as bounds on heights: a free point rests on the bed or floats at the surface, a free body rests on the bed. Where the bed
 //! slopes, what lies on it moves along it ([`along_bed`](super::along_bed)). The origin of a body that is pinned has no way to go at all.
 
+use std::collections::HashSet;
+
 use nalgebra::DVector;
 
 use super::bed::Bed;
@@ -20,12 +22,10 @@ pub struct Bounds {
     pins: Vec<usize>,
 }
 
-/// Whether a free point comes to rest at the surface: by its own buoyancy, or at an end of a line that floats. Through any other the surface has
-/// nothing to do, as for any place within a line.
-fn floats(network: &Network, point: usize, buoyancy: f64) -> bool {
-    let mut lines = network.lines.iter();
-    buoyancy > 0.0
-        || lines.any(|line| (line.from == point || line.to == point) && line.is_buoyant())
+/// The points at ends of lines that float.
+fn ends_of_floating_lines(network: &Network) -> HashSet<usize> {
+    let floating = network.lines.iter().filter(|line| line.is_buoyant());
+    floating.flat_map(|line| [line.from, line.to]).collect()
 }
 
 /// What bears on an unknown.
@@ -51,11 +51,14 @@ impl Bounds {
             most: vec![f64::INFINITY; freedoms.count],
             pins: Vec::new(),
         };
+        let floating = ends_of_floating_lines(network);
         for (number, (point, first)) in network.points.iter().zip(&freedoms.points).enumerate() {
             if let (Held::Free(free), Some(first)) = (&point.held, first) {
                 bounds.below[first + 2] = Some(0.0);
                 let bounded = network.density > 0.0 && !network.crossed;
-                if bounded && floats(network, number, free.buoyancy) {
+                // By its own buoyancy, or at an end of a line that floats, it comes to rest at the surface. Through any other the
+                // surface has nothing to do, as for any place within a line.
+                if bounded && (free.buoyancy > 0.0 || floating.contains(&number)) {
                     bounds.most[first + 2] = 0.0;
                 }
             }

@@ -227,6 +227,11 @@ impl DiscretisedRest {
         self.element.lay();
     }
 
+    /// Frees what it would be solved again by: see [`LineBetweenEnds::free_work`].
+    pub fn free_work(&mut self) {
+        self.element.free_work();
+    }
+
     /// Unstretched length of its longest segment \[m\].
     #[must_use]
     pub fn longest_segment_m(&self) -> f64 {

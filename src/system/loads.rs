@@ -15,14 +15,25 @@ pub fn pull(network: &Network, rest: &Equilibrium, point: usize) -> V3 {
     on_point.sum()
 }
 
+/// The same for every point.
+#[must_use]
+pub fn pulls(network: &Network, rest: &Equilibrium) -> Vec<V3> {
+    let mut pulls = vec![V3::zeros(); network.points.len()];
+    for (line, at_rest) in network.lines.iter().zip(&rest.balance.lines) {
+        pulls[line.from] += at_rest.force_a;
+        pulls[line.to] += at_rest.force_b;
+    }
+    pulls
+}
+
 /// Force \[N\] and moment about its origin \[N m\] of all lines on a body.
 #[must_use]
 pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
-    let placement = &rest.placement;
+    let (placement, pulls) = (&rest.placement, pulls(network, rest));
     let (mut force, mut moment) = (V3::zeros(), V3::zeros());
     for (index, point) in network.points.iter().enumerate() {
         if matches!(point.held, Held::On(on, _) if on == body) {
-            let here = pull(network, rest, index);
+            let here = pulls[index];
             force += here;
             moment += (placement.points[index] - placement.bodies[body].origin).cross(&here);
         }

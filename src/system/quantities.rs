@@ -1,5 +1,6 @@
 //! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
 
+use super::analysis::box_tree::BoxTree;
 use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
 use super::equilibrium::{Equilibrium, SystemError};
@@ -258,17 +259,15 @@ pub fn main_results(solved: &SolvedSystem) -> Vec<String> {
         names.extend(PIN_FORCE.map(|name| format!("{name}[{}]", body.name)));
     }
     // By number: as inputs change, modes of a part and a direction may mix.
-    let modes = periods(network, rest).unwrap_or_default();
-    let finite = modes
-        .iter()
-        .filter(|mode| mode.period_s.is_some_and(f64::is_finite));
-    names.extend((1..=finite.count()).map(|number| format!("period_s[{number}]")));
+    let found = periods(network, rest).unwrap_or_default();
+    let count = found.numbered().count();
+    names.extend((1..=count).map(|number| format!("period_s[{number}]")));
     names
 }
 
 fn clearance((network, rest): AtRest<'_>, line: usize) -> Result<f64, String> {
     let curves = boxed(network, rest);
-    let nearest = nearest_line(network, &curves, line);
+    let nearest = nearest_line(network, (&curves, &BoxTree::new(&curves)), line);
     let alone = || "Every other line shares a point with it.".to_owned();
     nearest.map(|(_, distance)| distance).ok_or_else(alone)
 }
@@ -284,23 +283,27 @@ fn period(
     if number.is_none() && direction.is_empty() {
         return None;
     }
-    let modes = match periods(network, rest) {
-        Ok(modes) => modes,
+    let found = match periods(network, rest) {
+        Ok(found) => found,
         Err(why) => return Some(Err(format!("There are no natural periods: {why}."))),
     };
-    let finite = modes
-        .iter()
-        .filter(|mode| mode.period_s.is_some_and(f64::is_finite));
-    let found = match number {
-        Some(number) => finite.clone().nth(number.wrapping_sub(1)),
-        None => finite
-            .clone()
-            .find(|mode| mode.names(network) == (subject, direction)),
+    let mut modes = found.modes.iter();
+    let period = match number {
+        Some(number) => found.numbered().nth(number.wrapping_sub(1)),
+        None => modes
+            .find(|mode| {
+                let is_finite = mode.period_s.is_some_and(f64::is_finite);
+                is_finite && mode.names(network) == (subject, direction)
+            })
+            .and_then(|mode| mode.period_s),
     };
-    let period = found.and_then(|mode| mode.period_s);
-    Some(period.ok_or_else(|| match number {
-        Some(_) => format!("There are {} natural periods.", finite.count()),
-        None => format!("No natural mode is mostly {direction} of {subject}."),
+    Some(period.ok_or_else(|| match (number, found.complete_to_s) {
+        (Some(_), Some(shortest)) => format!(
+            "There are {} natural periods above {shortest:.4} s; below it not all are computed.",
+            found.numbered().count()
+        ),
+        (Some(_), None) => format!("There are {} natural periods.", found.numbered().count()),
+        (None, _) => format!("No natural mode is mostly {direction} of {subject}."),
     }))
 }
 

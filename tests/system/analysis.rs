@@ -56,7 +56,7 @@ fn a_tethered_buoy_swings_as_an_inverted_pendulum() {
 [[lines]]\nname = \"tether\"\nfrom = \"anchor\"\nto = \"eye\"\nmaterial = \"rope\"\nlength_m = 100.0\n"
     );
     let system = solved(&text);
-    let modes = periods(&system.network, &system.rest).unwrap();
+    let modes = periods(&system.network, &system.rest).unwrap().modes;
     let tension = (2.0 * 1025.0 - 1000.0) * 9.806_65;
     let swing = std::f64::consts::TAU / (tension / 100.0 / 1000.0_f64).sqrt();
     // Yaw has nothing that restores it; the two swings follow.

@@ -7,7 +7,7 @@ use seacable::numerics::V3;
 use seacable::physics::current::CurrentProfile;
 use seacable::system::SolvedSystem;
 use seacable::system::analysis::analyses::Analyses;
-use seacable::system::analysis::periods::{mass_matrix, periods};
+use seacable::system::analysis::{masses::mass_matrix, periods::periods};
 use seacable::system::body_loads::body_loads;
 use seacable::system::line_at_rest::LinePhysics;
 use seacable::system::network::{Body, HeadingLoads, Member, Network};
@@ -481,7 +481,7 @@ added_mass_kg = 60.0
             wire("wire", ["top", "clump"], 50.0),
         ],
     );
-    let modes = periods(&system.network, &system.rest).unwrap();
+    let modes = periods(&system.network, &system.rest).unwrap().modes;
     let weight = 800.0 * 9.80665 - 0.1 * WEIGHT;
     let long = 50.0 * (1.0 + weight / 1e6);
     let swing = TAU * (860.0 * long / weight).sqrt();
@@ -529,7 +529,7 @@ diameter_m = 0.2
         ],
     );
     assert_eq!(system.stability, Stability::Stable);
-    let modes = periods(&system.network, &system.rest).unwrap();
+    let modes = periods(&system.network, &system.rest).unwrap().modes;
     assert_eq!(modes.len(), 5, "{modes:?}");
 }
 
@@ -587,7 +587,7 @@ fn periods_of_the_free_platforms_are_those_of_differences() {
             .copied()
             .collect();
         values.sort_by(f64::total_cmp);
-        let modes = periods(network, &system.rest).unwrap();
+        let modes = periods(network, &system.rest).unwrap().modes;
         for (mode, value) in modes.iter().zip(values) {
             let (exact, numeric) = (mode.period_s.unwrap(), TAU / value.sqrt());
             assert!((exact / numeric - 1.0).abs() < 1e-6, "{exact} {numeric}");

@@ -46,7 +46,7 @@ fn channel<'a>(run: &'a MotionRun, name: &str) -> &'a [f64] {
 
 /// The natural period of a direction of a body \[s\].
 fn period(system: &SolvedSystem, direction: &str) -> f64 {
-    let modes = periods(&system.network, &system.rest).unwrap();
+    let modes = periods(&system.network, &system.rest).unwrap().modes;
     let mut named = modes
         .iter()
         .filter(|mode| mode.names(&system.network).1 == direction);

@@ -34,7 +34,7 @@ fn of_run(subject: &RunSubject<'_>) -> Result<Value, Vec<Diagnostic>> {
     let run = subject.run;
     let mut object = if subject.is_of_system() {
         let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
-        let mut object = system::json::object(&solved, &Analyses::of(&solved));
+        let mut object = system::json::object(&solved, &Analyses::of_object(&solved));
         object["motion"] = motion::object(run, subject.dir);
         object
     } else {

@@ -7,7 +7,7 @@ use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::clearance::LineDistances;
 use crate::system::analysis::offset::OffsetPoint;
-use crate::system::analysis::periods::SystemMode;
+use crate::system::analysis::periods::{NaturalModes, SystemMode};
 use crate::system::analysis::seek::Sought;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
@@ -236,25 +236,33 @@ pub fn watch_chart(solved: &SolvedSystem, circle: &WatchCircle) -> Chart {
 
 /// Natural periods.
 #[must_use]
-pub fn periods(solved: &SolvedSystem, modes: &[SystemMode]) -> Table {
+pub fn periods(solved: &SolvedSystem, found: &NaturalModes) -> Table {
     let finite = |mode: &SystemMode| mode.period_s.filter(|period| period.is_finite());
-    let table = Table::of("Natural periods of bodies and points on their lines", modes)
-        .number("period", SECONDS, finite)
-        .number("frequency", NumberFormat::Digits(5, "Hz"), |mode| {
-            finite(mode).map(f64::recip)
-        })
-        .text("mostly", |mode| {
-            let (part, direction) = mode.names(&solved.network);
-            format!("{direction} of {part}")
-        })
-        .text("", |mode| match mode.period_s {
-            None => "unstable",
-            Some(period) if period.is_infinite() => "nothing restores",
-            Some(_) => "",
-        });
-    table.build().noted(vec![
-        "Without damping, and without the inertia of the lines.".to_owned(),
-    ])
+    let table = Table::of(
+        "Natural periods of bodies and points on their lines",
+        &found.modes,
+    )
+    .number("period", SECONDS, finite)
+    .number("frequency", NumberFormat::Digits(5, "Hz"), |mode| {
+        finite(mode).map(f64::recip)
+    })
+    .text("mostly", |mode| {
+        let (part, direction) = mode.names(&solved.network);
+        format!("{direction} of {part}")
+    })
+    .text("", |mode| match mode.period_s {
+        None => "unstable",
+        Some(period) if period.is_infinite() => "nothing restores",
+        Some(_) => "",
+    });
+    let mut notes = vec!["Without damping, and without the inertia of the lines.".to_owned()];
+    notes.extend(found.complete_to_s.map(|shortest| {
+        format!(
+            "Of parts that many points move in the longest periods are computed alone: below {} some are missing.",
+            SECONDS.write(shortest)
+        )
+    }));
+    table.build().noted(notes)
 }
 
 /// The equilibria found, the one that the report is of first: where the free bodies are, how each rests, what the lines carry.

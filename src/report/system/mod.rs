@@ -63,8 +63,8 @@ pub fn report(
         page.table(analysis::clearances(solved, &analyses.clearances));
     }
     match &analyses.periods {
-        Ok(modes) if modes.is_empty() => {}
-        Ok(modes) => page.table(analysis::periods(solved, modes)),
+        Ok(found) if found.modes.is_empty() => {}
+        Ok(found) => page.table(analysis::periods(solved, found)),
         Err(why) => page.paragraph(&format!("No natural periods: {why}.")),
     }
     asked(&mut page, solved, analyses);

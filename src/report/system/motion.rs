@@ -1,6 +1,7 @@
 //! A run of a system in time: tables, charts, text report, JSON.
 
 use crate::visible;
+use std::collections::HashMap;
 use std::path::Path;
 
 use serde_json::{Value, json};
@@ -30,13 +31,28 @@ struct ChannelRow<'a> {
 impl<'a> ChannelRow<'a> {
     fn all(run: &'a Run) -> Vec<Self> {
         let channels = run.history.channels.iter();
-        channels.map(|channel| Self::new(run, channel)).collect()
+        let mut by_name: HashMap<String, Vec<&Quantity>> = HashMap::new();
+        for quantity in &run.summary {
+            if let QuantityId::Statistic {
+                of: Subject::Channel(id),
+                ..
+            } = &quantity.id
+            {
+                by_name.entry(id.to_string()).or_default().push(quantity);
+            }
+        }
+        let of = |channel: &Channel| by_name.get(&channel.id.to_string());
+        channels
+            .map(|channel| Self::new(of(channel).map_or(&[][..], Vec::as_slice), channel))
+            .collect()
     }
 
-    fn new(run: &'a Run, channel: &'a Channel) -> Self {
+    /// From the quantities of a channel.
+    fn new(quantities: &[&'a Quantity], channel: &'a Channel) -> Self {
         let find = |statistic| {
             let id = QuantityId::new(Subject::Channel(channel.id.clone()), statistic, None);
-            run.summary.iter().find(|quantity| quantity.id == id)
+            let mut quantities = quantities.iter();
+            quantities.find(|quantity| quantity.id == id).copied()
         };
         Self {
             channel,

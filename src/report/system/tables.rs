@@ -404,10 +404,9 @@ pub fn points(solved: &SolvedSystem) -> Table {
     let rest = &solved.rest;
     let numbers: Vec<usize> = (0..network.points.len()).collect();
     let place = |k: &usize| rest.placement.points[*k];
-    let pulls: Vec<V3> = numbers
-        .iter()
-        .map(|k| loads::pull(network, rest, *k))
-        .collect();
+    let pulls = loads::pulls(network, rest);
+    let finer = solved.errors.finer();
+    let finer_pulls = finer.map(|finer| loads::pulls(&finer.network, &finer.rest));
     let force = balanced(solved);
     Table::of("Points", &numbers)
         .text("point", |k| network.points[*k].name.as_str())
@@ -421,17 +420,11 @@ pub fn points(solved: &SolvedSystem) -> Table {
             table
                 .number("error of place", SHORT, |k| solved.errors.points[*k])
                 .number("error of pull", NEWTONS, |k| {
-                    pull_error(solved, *k, &pulls[*k])
+                    let change = pulls[*k] - finer_pulls.as_ref()?[*k];
+                    Some(finer?.error(change.norm()) + solved.rest.residual)
                 })
         })
         .build()
-}
-
-/// Error of the pull of the lines on a point by the meshes \[N\].
-fn pull_error(solved: &SolvedSystem, point: usize, pull: &V3) -> Option<f64> {
-    let finer = solved.errors.finer()?;
-    let change = pull - loads::pull(&finer.network, &finer.rest, point);
-    Some(finer.error(change.norm()) + solved.rest.residual)
 }
 
 /// A force as it is shown: what the search leaves out of balance, or rounding, is nothing.

@@ -12,7 +12,7 @@ use super::super::stability::{Stability, stability};
 use super::clearance::{LineDistances, distances};
 use super::equilibria;
 use super::offset::{HeldAway, OffsetPoint, curve};
-use super::periods::{SystemMode, periods};
+use super::periods::{NaturalModes, periods};
 use super::seek::{Sought, seek};
 use super::watch_circle::{WatchCircle, watch_circle};
 use crate::case::schema::{TableType, WrittenKeys};
@@ -22,8 +22,8 @@ use crate::case::schema::{TableType, WrittenKeys};
 pub struct Analyses {
     /// Equilibria that searches from other poses of the free bodies find, and how they rest.
     pub others: Vec<(Equilibrium, Stability)>,
-    /// Natural modes, the longest period first, or why there are none.
-    pub periods: Result<Vec<SystemMode>, String>,
+    /// Natural modes, or why there are none.
+    pub periods: Result<NaturalModes, String>,
     /// Distances of each line from others, from bodies, bed and surface.
     pub clearances: Vec<LineDistances>,
     /// Offset curves.
@@ -52,6 +52,19 @@ impl Analyses {
     #[must_use]
     pub fn of(solved: &SolvedSystem) -> Self {
         let (file, network, rest) = (&solved.file, &solved.network, &solved.rest);
+        Self {
+            periods: periods(network, rest),
+            clearances: distances(network, rest),
+            offsets: offset_curves(file, network, rest),
+            circles: watch_circles(file, network, rest),
+            ..Self::of_object(solved)
+        }
+    }
+
+    /// Other equilibria and goals alone, which a system as an object of JSON has.
+    #[must_use]
+    pub fn of_object(solved: &SolvedSystem) -> Self {
+        let (file, network, rest) = (&solved.file, &solved.network, &solved.rest);
         // What is neutral and on no line rests wherever it is put.
         let drifts = network.lines.is_empty() && matches!(solved.stability, Stability::Neutral(_));
         let others = match drifts {
@@ -65,10 +78,10 @@ impl Analyses {
         });
         Self {
             others: others.collect(),
-            periods: periods(network, rest),
-            clearances: distances(network, rest),
-            offsets: offset_curves(file, network, rest),
-            circles: watch_circles(file, network, rest),
+            periods: Ok(NaturalModes::default()),
+            clearances: Vec::new(),
+            offsets: Vec::new(),
+            circles: Vec::new(),
             goals: goals(file),
         }
     }

@@ -36,9 +36,21 @@ impl BoxedCurve {
     /// The least distance from another.
     #[must_use]
     pub fn distance(&self, other: &Self) -> f64 {
-        let mut best = f64::INFINITY;
+        self.distance_within(other, f64::INFINITY)
+    }
+
+    /// The same where it is below a bound; else the bound.
+    #[must_use]
+    pub fn distance_within(&self, other: &Self, bound: f64) -> f64 {
+        let mut best = bound;
         self.search(self.whole(), other, other.whole(), &mut best);
         best
+    }
+
+    /// Least and greatest coordinates of the whole \[m\].
+    #[must_use]
+    pub fn bounds(&self) -> &[V3; 2] {
+        &self.boxes[0]
     }
 
     /// What the least distance is not below.
@@ -108,7 +120,7 @@ fn enclose(points: &[V3], boxes: &mut [[V3; 2]], part: &Part) -> [V3; 2] {
 }
 
 /// The distance of two boxes.
-fn apart(one: &[V3; 2], two: &[V3; 2]) -> f64 {
+pub(super) fn apart(one: &[V3; 2], two: &[V3; 2]) -> f64 {
     let gap = (two[0] - one[1]).sup(&(one[0] - two[1]));
     gap.sup(&V3::zeros()).norm()
 }

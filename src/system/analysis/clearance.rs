@@ -2,6 +2,7 @@
 
 use super::super::equilibrium::Equilibrium;
 use super::super::network::{Held, Network};
+use super::box_tree::BoxTree;
 use super::boxed_curve::BoxedCurve;
 use crate::numerics::V3;
 
@@ -25,10 +26,11 @@ pub struct LineDistances {
 #[must_use]
 pub fn distances(network: &Network, rest: &Equilibrium) -> Vec<LineDistances> {
     let curves = boxed(network, rest);
+    let boxes = BoxTree::new(&curves);
     let of = |(line, curve): (usize, &BoxedCurve)| {
         let (above_bed, below_surface) = from_bed_and_surface(network, curve.points());
         LineDistances {
-            line: nearest_line(network, &curves, line),
+            line: nearest_line(network, (&curves, &boxes), line),
             body: from_bodies(network, rest, line, curve),
             above_bed,
             below_surface,
@@ -61,27 +63,29 @@ pub fn boxed(network: &Network, rest: &Equilibrium) -> Vec<BoxedCurve> {
 
 /// The nearest of the lines that share no point with a line, the first of several, and its distance \[m\]; nothing where every line does.
 #[must_use]
-pub fn nearest_line(network: &Network, curves: &[BoxedCurve], line: usize) -> Option<(usize, f64)> {
+pub fn nearest_line(
+    network: &Network,
+    (curves, boxes): (&[BoxedCurve], &BoxTree),
+    line: usize,
+) -> Option<(usize, f64)> {
     let ends = |line: usize| [network.lines[line].from, network.lines[line].to];
-    let apart = |other: &usize| !ends(*other).iter().any(|end| ends(line).contains(end));
-    let others = (0..curves.len()).filter(apart);
-    let mut others: Vec<(f64, usize)> = others
-        .map(|other| (curves[line].distance_of_boxes(&curves[other]), other))
-        .collect();
-    others.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let own = ends(line);
     let mut best: Option<(usize, f64)> = None;
-    for (boxes, other) in others {
-        if best.is_some_and(|(_, distance)| boxes > distance) {
-            break;
+    boxes.visit(&curves[line], &mut |other| {
+        let least = best.map_or(f64::INFINITY, |(_, least)| least);
+        let joined = ends(other).iter().any(|end| own.contains(end));
+        if joined || curves[line].distance_of_boxes(&curves[other]) > least {
+            return least;
         }
         // From the first to the second, whichever is asked for: the digits are the same.
         let (one, two) = (line.min(other), line.max(other));
-        let distance = curves[one].distance(&curves[two]);
+        let distance = curves[one].distance_within(&curves[two], least.next_up());
         let first = |(known, least): (usize, f64)| (distance, other) < (least, known);
-        if best.is_none_or(first) {
+        if distance.is_finite() && best.is_none_or(first) {
             best = Some((other, distance));
         }
-    }
+        best.map_or(f64::INFINITY, |(_, least)| least)
+    });
     best
 }
 

@@ -2,9 +2,11 @@
 //! input that gives a wanted result.
 
 pub mod analyses;
+pub mod box_tree;
 pub mod boxed_curve;
 pub mod clearance;
 pub mod equilibria;
+pub mod masses;
 pub mod offset;
 pub mod periods;
 pub mod seek;

@@ -3,7 +3,10 @@
 //! K is the exact stiffness of lines, hydrostatics and weights, condensed onto the bodies and points that have a mass; M their mass and
 //! inertia with the added mass given. The lines bring no inertia here, and points without mass follow at once.
 
-use nalgebra::{DMatrix, DVector, Matrix6, SMatrix, SymmetricEigen};
+use std::collections::HashSet;
+use std::ops::Range;
+
+use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 
 use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
@@ -11,11 +14,12 @@ use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
 use super::super::line_at_rest::LinePhysics;
-use super::super::members;
-use super::super::network::{Body, Held, Network};
-use super::super::pose::{Pose, cross};
+use super::super::network::{Held, Network};
+use super::super::pose::cross;
 use super::super::stiffness::{contacts, take};
-use crate::numerics::V3;
+use super::masses::{MovingUnknown, axes, first_direction, mass_matrix, masses};
+use crate::numerics::envelope::EnvelopeMatrix;
+use crate::numerics::lowest_modes::lowest_modes;
 
 /// A natural mode.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,64 +53,146 @@ impl SystemMode {
     }
 }
 
-/// The natural modes of the bodies and free points that have a mass, the longest period first; none where nothing has one.
+/// Natural modes, the longest period first.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct NaturalModes {
+    /// The modes.
+    pub modes: Vec<SystemMode>,
+    /// Period below which there are modes that were not computed \[s\]; nothing where all were.
+    pub complete_to_s: Option<f64>,
+}
+
+impl NaturalModes {
+    /// The periods by their numbers \[s\]: those that end, as far as none is missing.
+    pub fn numbered(&self) -> impl Iterator<Item = f64> {
+        let shortest = self.complete_to_s.unwrap_or(0.0);
+        let periods = self.modes.iter().filter_map(|mode| mode.period_s);
+        periods.filter(move |period| period.is_finite() && *period >= shortest)
+    }
+}
+
+/// Unknowns with inertia of a part of a system whose modes are all computed, from a dense matrix.
+const DENSE: usize = 300;
+/// Modes that are computed of a larger part, or some fewer.
+const LOWEST: usize = 60;
+
+/// The natural modes of the bodies and free points that have a mass; none where nothing has one. What no line joins moves by itself: each
+/// part of the system has modes of its own, of large ones those of the longest periods.
 ///
 /// # Errors
-/// A body with a mass and no inertia; a line without a solution.
-pub fn periods(network: &Network, rest: &Equilibrium) -> Result<Vec<SystemMode>, String> {
+/// A body with a mass and no inertia; a line without a solution; what has no mass and nothing holds, in a large part.
+pub fn periods(network: &Network, rest: &Equilibrium) -> Result<NaturalModes, String> {
     let all = Freedoms::of(network, UnknownBodies::All);
-    let placement = &rest.placement;
-    let lines = Some(rest.balance.lines.as_slice());
-    let mut balance = balance(network, &all, placement, LinePhysics::Full, lines)
-        .map_err(|unsolved| unsolved.why)?;
-    let bed = network.bed.as_ref();
-    // Bodies keep their six directions.
-    let mut lying = on_slope(bed, (&all, placement), &contacts(rest, &all));
-    lying.retain(|part| all.points.contains(&Some(part.first)));
-    stiffness_along(bed, &lying, &balance.force, &mut balance.stiffness);
-    let (own, inner) = unknowns(network, rest, &all);
-    if own.is_empty() {
-        return Ok(Vec::new());
+    let stiffness = stiffness(network, rest, &all)?;
+    let (mut found, mut greatest, mut bound) = (Vec::new(), 0.0_f64, f64::INFINITY);
+    for part in parts(network, rest, &all, &stiffness) {
+        let modes = match part.own.len() > DENSE {
+            true => lowest(network, rest, &part, &stiffness)?,
+            false => modes(network, rest, &part.condensed(&stiffness), &part.own)?,
+        };
+        found.extend(modes.found);
+        greatest = greatest.max(modes.greatest);
+        bound = bound.min(modes.bound);
     }
-    let rows: Vec<usize> = own.iter().map(|moving| moving.unknown).collect();
-    let stiffness = balance.stiffness.dense();
-    let stiffness = 0.5 * (&stiffness + stiffness.transpose());
-    let mut condensed = take(&stiffness, &rows, &rows);
-    if !inner.is_empty()
-        && let Some(response) = take(&stiffness, &inner, &inner)
-            .lu()
-            .solve(&take(&stiffness, &inner, &rows))
-    {
-        condensed -= take(&stiffness, &rows, &inner) * response;
-    }
-    modes(network, rest, &condensed, &own)
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let modes = found.into_iter();
+    let modes = modes.map(|(value, most)| SystemMode {
+        period_s: period(value, greatest),
+        most,
+    });
+    Ok(NaturalModes {
+        modes: modes.collect(),
+        complete_to_s: bound
+            .is_finite()
+            .then(|| period(bound, greatest).unwrap_or(f64::INFINITY)),
+    })
 }
 
-/// An unknown that has inertia.
-struct MovingUnknown {
-    of: Moving,
-    direction: usize,
-    /// Its number among all.
-    unknown: usize,
+/// The period of an eigenvalue \[1/s²\]; `greatest` is that of all by size.
+fn period(value: f64, greatest: f64) -> Option<f64> {
+    if value.abs() <= 1e-12 * greatest {
+        return Some(f64::INFINITY);
+    }
+    (value > 0.0).then(|| std::f64::consts::TAU / value.sqrt())
 }
 
-/// The unknowns that have inertia, and those that follow at once; what bed or surface hold is in neither.
-fn unknowns(
+/// The stiffness of everything, held bodies included.
+fn stiffness(
     network: &Network,
     rest: &Equilibrium,
     all: &Freedoms,
-) -> (Vec<MovingUnknown>, Vec<usize>) {
-    let (mut own, mut inner) = (Vec::new(), Vec::new());
+) -> Result<EnvelopeMatrix, String> {
+    let placement = &rest.placement;
+    let lines = Some(rest.balance.lines.as_slice());
+    let mut balance = balance(network, all, placement, LinePhysics::Full, lines)
+        .map_err(|unsolved| unsolved.why)?;
+    let bed = network.bed.as_ref();
+    // Bodies keep their six directions.
+    let mut lying = on_slope(bed, (all, placement), &contacts(rest, all));
+    let points: HashSet<usize> = all.points.iter().flatten().copied().collect();
+    lying.retain(|part| points.contains(&part.first));
+    stiffness_along(bed, &lying, &balance.force, &mut balance.stiffness);
+    Ok(balance.stiffness)
+}
+
+/// What lines join, directly or over others.
+struct JoinedPart {
+    unknowns: Range<usize>,
+    /// The unknowns that have inertia.
+    own: Vec<MovingUnknown>,
+    /// Those that follow at once.
+    inner: Vec<usize>,
+}
+
+impl JoinedPart {
+    /// The stiffness condensed onto the unknowns that have inertia.
+    fn condensed(&self, stiffness: &EnvelopeMatrix) -> DMatrix<f64> {
+        let from = self.unknowns.start;
+        let rows = self.own.iter().map(|moving| moving.unknown - from);
+        let rows: Vec<usize> = rows.collect();
+        let inner: Vec<usize> = self.inner.iter().map(|unknown| unknown - from).collect();
+        let stiffness = stiffness.part(&self.unknowns).dense();
+        let stiffness = 0.5 * (&stiffness + stiffness.transpose());
+        let mut condensed = take(&stiffness, &rows, &rows);
+        if !inner.is_empty()
+            && let Some(response) = take(&stiffness, &inner, &inner)
+                .lu()
+                .solve(&take(&stiffness, &inner, &rows))
+        {
+            condensed -= take(&stiffness, &rows, &inner) * response;
+        }
+        condensed
+    }
+}
+
+/// The parts of a system in which something has inertia; what bed or surface hold is in neither of their lists.
+fn parts(
+    network: &Network,
+    rest: &Equilibrium,
+    all: &Freedoms,
+    stiffness: &EnvelopeMatrix,
+) -> Vec<JoinedPart> {
+    let mut number = vec![0; all.count];
+    let mut parts: Vec<JoinedPart> = Vec::new();
+    for unknowns in stiffness.parts() {
+        number[unknowns.clone()].fill(parts.len());
+        parts.push(JoinedPart {
+            unknowns,
+            own: Vec::new(),
+            inner: Vec::new(),
+        });
+    }
     for (body, first) in all.bodies.iter().enumerate() {
         let Some(first) = first.filter(|_| network.bodies[body].mass > 0.0) else {
             continue;
         };
         let first_free = first_direction(&network.bodies[body]);
-        own.extend((first_free..6).map(|direction| MovingUnknown {
+        let directions = (first_free..6).map(|direction| MovingUnknown {
             of: Moving::Body(body),
             direction,
             unknown: first + direction,
-        }));
+        });
+        parts[number[first]].own.extend(directions);
     }
     for (point, (here, there)) in all.points.iter().zip(&rest.freedoms.points).enumerate() {
         let (Some(here), Some(there), Held::Free(free)) =
@@ -114,109 +200,98 @@ fn unknowns(
         else {
             continue;
         };
+        let part = &mut parts[number[*here]];
         for k in (0..3).filter(|k| rest.contacts[there + k] == Contact::None) {
             match free.moving_mass > 0.0 {
-                true => own.push(MovingUnknown {
+                true => part.own.push(MovingUnknown {
                     of: Moving::Point(point),
                     direction: k,
                     unknown: here + k,
                 }),
-                false => inner.push(here + k),
+                false => part.inner.push(here + k),
             }
         }
     }
-    (own, inner)
+    parts.retain(|part| !part.own.is_empty());
+    parts
 }
 
-/// The first direction that a body moves in: one that is pinned turns alone.
-fn first_direction(body: &Body) -> usize {
-    if body.pinned { 3 } else { 0 }
+/// The modes of a part.
+struct PartModes {
+    /// Eigenvalues \[1/s²\], and what moves most in each.
+    found: Vec<(f64, (Moving, usize))>,
+    /// The greatest eigenvalue by size, spins of rods included.
+    greatest: f64,
+    /// All below this are found.
+    bound: f64,
 }
 
-/// The masses of the unknowns that have inertia.
-fn masses(network: &Network, rest: &Equilibrium, own: &[MovingUnknown]) -> DMatrix<f64> {
-    let mut masses = DMatrix::zeros(own.len(), own.len());
-    for (k, moving) in own.iter().enumerate() {
-        match (moving.of, moving.direction) {
-            (Moving::Body(body), direction)
-                if direction == first_direction(&network.bodies[body]) =>
-            {
-                let pose = &rest.placement.bodies[body];
-                let block = mass_matrix(network, &network.bodies[body], pose);
-                let size = 6 - direction;
-                let block = block.view((direction, direction), (size, size));
-                masses.view_mut((k, k), (size, size)).copy_from(&block);
-            }
-            (Moving::Body(_), _) => {}
-            (Moving::Point(point), direction) => {
-                let Held::Free(free) = &network.points[point].held else {
-                    continue;
-                };
-                masses[(k, k)] = free.moving_mass;
-                let lifts = lift(network, rest, point);
-                for (j, other) in own.iter().enumerate() {
-                    if other.of == moving.of {
-                        masses[(k, j)] +=
-                            free.moving_mass * lifts[direction] * lifts[other.direction];
-                    }
-                }
-            }
-        }
+/// The modes of a part of lowest frequency.
+fn lowest(
+    network: &Network,
+    rest: &Equilibrium,
+    part: &JoinedPart,
+    stiffness: &EnvelopeMatrix,
+) -> Result<PartModes, String> {
+    let from = part.unknowns.start;
+    let mut stiffness = stiffness.part(&part.unknowns).symmetric_part();
+    let mut held = vec![true; stiffness.size()];
+    let moving = part.own.iter().map(|moving| moving.unknown);
+    for unknown in moving.chain(part.inner.iter().copied()) {
+        held[unknown - from] = false;
     }
-    for (number, body) in network.bodies.iter().enumerate() {
-        if let Some((carrier, at)) = &body.carrier {
-            carry((network, rest), own, (number, *carrier, at), &mut masses);
-        }
-    }
-    masses
-}
-
-/// Adds the mass of a body that is pinned to another, at a place of that one, to the unknowns of that one.
-fn carry(
-    (network, rest): (&Network, &Equilibrium),
-    own: &[MovingUnknown],
-    (number, carrier, at): (usize, usize, &V3),
-    masses: &mut DMatrix<f64>,
-) {
-    let first = |body: usize| own.iter().position(|known| known.of == Moving::Body(body));
-    let (Some(row), Some(on)) = (first(number), first(carrier)) else {
-        return;
+    stiffness.hold(&held, stiffness.diagonal().amax());
+    let mut mass = EnvelopeMatrix::zeros(&stiffness.shape());
+    masses(network, rest, &part.own, &mut |row, column, value| {
+        let at = |own: usize| part.own[own].unknown - from;
+        mass.add(at(row), at(column), value);
+    });
+    let found = lowest_modes(&stiffness, &mass, LOWEST)
+        .ok_or_else(|| "something without mass is held by nothing, or bodies have no inertia: give each its mass and `inertia_kg_m2`".to_owned())?;
+    let quotients = part.own.iter().map(|moving| {
+        let at = moving.unknown - from;
+        (stiffness.at(at, at) / mass.at(at, at)).abs()
+    });
+    let mut modes = PartModes {
+        found: Vec::new(),
+        greatest: quotients.fold(0.0, f64::max),
+        bound: found.bound,
     };
-    let poses = &rest.placement.bodies;
-    let mass = mass_matrix(network, &network.bodies[number], &poses[number]);
-    let mut by = SMatrix::<f64, 3, 6>::identity();
-    let arm = poses[carrier].arm(at);
-    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
-    let skipped = first_direction(&network.bodies[carrier]);
-    let by = by.columns(skipped, 6 - skipped);
-    let size = by.ncols();
-    let straight = by.transpose() * mass.fixed_view::<3, 3>(0, 0) * by;
-    let mut block = masses.view_mut((on, on), (size, size));
-    block += straight;
-    let across = by.transpose() * mass.fixed_view::<3, 3>(0, 3);
-    masses.view_mut((on, row), (size, 3)).copy_from(&across);
-    masses
-        .view_mut((row, on), (3, size))
-        .copy_from(&across.transpose());
+    for (value, vector) in found.modes {
+        let own = part.own.iter().map(|moving| vector[moving.unknown - from]);
+        let motion = DVector::from_iterator(part.own.len(), own);
+        modes.add(value, (network, rest), &part.own, &motion);
+    }
+    Ok(modes)
 }
 
-/// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.
-fn lift(network: &Network, rest: &Equilibrium, point: usize) -> [f64; 3] {
-    let bed = network.bed.as_ref();
-    let lies = rest.contact(point) == Contact::Bed;
-    let gradient = bed
-        .filter(|_| lies)
-        .map(|bed| bed.gradient(&rest.placement.points[point]));
-    gradient.map_or([0.0; 3], |gradient| [-gradient.x, -gradient.y, 0.0])
+impl PartModes {
+    /// Adds a mode, unless it is the spin of a rod.
+    fn add(
+        &mut self,
+        value: f64,
+        (network, rest): (&Network, &Equilibrium),
+        own: &[MovingUnknown],
+        motion: &DVector<f64>,
+    ) {
+        if !is_spin(network, rest, own, motion) {
+            let most = &own[most_energy(network, rest, own, motion)];
+            self.found.push((value, (most.of, most.direction)));
+        }
+    }
 }
 
+/// All modes of a part.
 fn modes(
     network: &Network,
     rest: &Equilibrium,
     stiffness: &DMatrix<f64>,
     own: &[MovingUnknown],
-) -> Result<Vec<SystemMode>, String> {
-    let masses = masses(network, rest, own);
+) -> Result<PartModes, String> {
+    let mut masses = DMatrix::zeros(own.len(), own.len());
+    self::masses(network, rest, own, &mut |row, column, value| {
+        masses[(row, column)] += value;
+    });
     let factors = masses.clone().cholesky().ok_or_else(|| {
         "a body has mass and no moments of inertia about each axis: give `inertia_kg_m2`".to_owned()
     })?;
@@ -224,26 +299,19 @@ fn modes(
     let Some(inverse) = lower.clone().try_inverse() else {
         return Err("the masses of the bodies cannot be inverted".to_owned());
     };
-    let scaled = &inverse * stiffness * inverse.transpose();
+    let back = inverse.transpose();
+    let scaled = &inverse * stiffness * &back;
     let eigen = SymmetricEigen::new(0.5 * (&scaled + scaled.transpose()));
-    let greatest = eigen.eigenvalues.amax();
-    let mut found: Vec<(f64, SystemMode)> = Vec::new();
+    let mut modes = PartModes {
+        found: Vec::new(),
+        greatest: eigen.eigenvalues.amax(),
+        bound: f64::INFINITY,
+    };
     for (k, value) in eigen.eigenvalues.iter().enumerate() {
-        let motion = inverse.transpose() * eigen.eigenvectors.column(k);
-        if is_spin(network, rest, own, &motion) {
-            continue;
-        }
-        let most = &own[most_energy(network, rest, own, &motion)];
-        let period_s = if value.abs() <= 1e-12 * greatest {
-            Some(f64::INFINITY)
-        } else {
-            (*value > 0.0).then(|| std::f64::consts::TAU / value.sqrt())
-        };
-        let most = (most.of, most.direction);
-        found.push((*value, SystemMode { period_s, most }));
+        let motion = &back * eigen.eigenvectors.column(k);
+        modes.add(*value, (network, rest), own, &motion);
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(found.into_iter().map(|(_, mode)| mode).collect())
+    Ok(modes)
 }
 
 /// The direction that a motion is mostly of, by its share of the kinetic energy. That of a body is taken along its own axes and
@@ -319,34 +387,52 @@ fn is_spin(
     })
 }
 
-/// The axes of a body in the earth's, for displacements and turns.
-fn axes(pose: &Pose) -> Matrix6<f64> {
-    let mut axes = Matrix6::zeros();
-    for k in [0, 3] {
-        let mut block = axes.fixed_view_mut::<3, 3>(k, k);
-        block.copy_from(pose.matrix().matrix());
-    }
-    axes
-}
+#[cfg(test)]
+mod tests {
+    use std::fmt::Write as _;
 
-/// Mass, inertia and added mass of a body about its origin, in the axes of the earth \[kg, kg m, kg m²\].
-#[must_use]
-pub fn mass_matrix(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
-    let arm = pose.arm(&body.centre_of_gravity);
-    let turn = pose.matrix();
-    let inertia = turn.matrix() * body.inertia * turn.matrix().transpose();
-    let lever = cross(&arm) * body.mass;
-    let axes = axes(pose);
-    let added = axes * body.added_mass * axes.transpose();
-    let mut mass = added + members::added_mass(network, body, pose);
-    for k in 0..3 {
-        mass[(k, k)] += body.mass;
+    use super::*;
+    use crate::case::kind::parse_stored;
+    use crate::system::SystemFile;
+
+    #[test]
+    fn the_longest_periods_of_a_large_part_are_those_of_its_dense_matrix() {
+        let mut text = "[system]\ntitle = \"chain\"\n[materials.w]\nmass_kg_per_m = 20.0\ndiameter_m = 0.06\nea_n = 1e8\n".to_owned();
+        for k in 0..40 {
+            let x = 50.0 * f64::from(k);
+            let mass = if k % 7 == 3 { 0.0 } else { 100.0 };
+            let _ = write!(
+                text,
+                "[points.f{k}]\nkind = \"free\"\nmass_kg = {mass:?}\n[points.x{k}]\nkind = \"fixed\"\nposition_m = [{x:?}, 0.0, 0.0]\n\
+                 [[lines]]\nname = \"u{k}\"\nfrom = \"f{k}\"\nto = \"x{k}\"\nmaterial = \"w\"\nlength_m = 100.0\n"
+            );
+            if k > 0 {
+                let _ = write!(
+                    text,
+                    "[[lines]]\nname = \"s{k}\"\nfrom = \"f{}\"\nto = \"f{k}\"\nmaterial = \"w\"\nlength_m = 60.0\n",
+                    k - 1
+                );
+            }
+        }
+        let solved = parse_stored::<SystemFile>(&text, "chain.toml").unwrap();
+        let (network, rest) = (&solved.network, &solved.rest);
+        let all = Freedoms::of(network, UnknownBodies::All);
+        let stiffness = stiffness(network, rest, &all).unwrap();
+        let parts = parts(network, rest, &all, &stiffness);
+        let [part] = &parts[..] else {
+            panic!("{} parts", parts.len())
+        };
+        let mut dense = modes(network, rest, &part.condensed(&stiffness), &part.own).unwrap();
+        dense.found.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let lowest = lowest(network, rest, part, &stiffness).unwrap();
+        assert!((20..=LOWEST).contains(&lowest.found.len()));
+        for (found, wanted) in lowest.found.iter().zip(&dense.found) {
+            assert!(
+                (found.0 / wanted.0 - 1.0).abs() < 1e-9,
+                "{found:?} {wanted:?}"
+            );
+        }
+        let next = dense.found[lowest.found.len()].0;
+        assert!(lowest.found.last().unwrap().0 < lowest.bound && lowest.bound <= next);
     }
-    let mut upper = mass.fixed_view_mut::<3, 3>(0, 3);
-    upper -= lever;
-    let mut lower = mass.fixed_view_mut::<3, 3>(3, 0);
-    lower += lever;
-    let mut turning = mass.fixed_view_mut::<3, 3>(3, 3);
-    turning += inertia - cross(&arm) * cross(&arm) * body.mass;
-    0.5 * (mass + mass.transpose())
 }

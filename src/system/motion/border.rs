@@ -3,6 +3,8 @@
 //! Each line that borders on unknowns is condensed onto its end nodes. What is left there goes to the joints as an element: an end on a free
 //! point moves with it; an end at the arm r of a free body moves by `du + dt x r`, and its force F has the moment `r x F`.
 
+use std::collections::HashMap;
+
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::{Follows, Role};
 use super::moving_system::MovingSystem;
@@ -15,12 +17,12 @@ use crate::solve::{Factors, NewtonError, Residual, State};
 use crate::system::network::Held;
 use crate::system::pose::cross;
 
-/// Work arrays of the iteration; allocates in [`Border::new`] only.
+/// Work arrays of the iteration; solving allocates in [`Border::new`] only.
 #[derive(Debug, Clone)]
 pub struct Border {
     /// Residuals of the lines, and then their displacements.
     lines: Vec<Vec<V3>>,
-    tangents: Vec<BlockBand>,
+    tangents: Tangents,
     condensations: Vec<Condensation>,
     bodies: Vec<MovingBody>,
     matrix: BlockEnvelope,
@@ -34,6 +36,51 @@ pub struct Border {
     of_lines: f64,
     /// The lengths of lines that are unknowns.
     driven: Vec<DrivenPayout>,
+}
+
+/// The bands of the lines. A line that is condensed, or solved, needs its band no longer: lines of one shape share one, which stays in the
+/// cache of the processor.
+#[derive(Debug, Clone)]
+struct Tangents {
+    bands: Vec<BlockBand>,
+    /// The band of each line.
+    of_lines: Vec<usize>,
+}
+
+impl Tangents {
+    /// For lines of these numbers of nodes; `own`: each has a band of its own.
+    fn new(system: &MovingSystem, nodes: impl Iterator<Item = usize>, own: bool) -> Self {
+        let mut bands = Vec::new();
+        let mut known = HashMap::new();
+        let of_lines = system.scenes.iter().zip(nodes).enumerate();
+        let of_lines = of_lines.map(|(line, (scene, nodes))| {
+            let wide = scene.is_pentadiagonal();
+            let shape = (nodes, wide, if own { line } else { 0 });
+            *known.entry(shape).or_insert_with(|| {
+                let mut band = BlockBand::new(nodes);
+                if wide {
+                    band.widen();
+                }
+                bands.push(band);
+                bands.len() - 1
+            })
+        });
+        let of_lines = of_lines.collect();
+        Self { bands, of_lines }
+    }
+
+    fn of_line(&mut self, line: usize) -> &mut BlockBand {
+        &mut self.bands[self.of_lines[line]]
+    }
+
+    /// Those of all lines, each its own.
+    fn of_all(&self) -> &[BlockBand] {
+        &self.bands
+    }
+
+    fn are_own(&self) -> bool {
+        self.bands.len() == self.of_lines.len()
+    }
 }
 
 /// The equations of motion at a state, none eliminated.
@@ -150,17 +197,12 @@ impl Border {
         let nodes = || state.lines.iter().map(|line| line.x.len());
         let turns = |number: &usize| system.network.bodies[*number].turns();
         let bodies = (0..system.network.bodies.len()).filter(turns);
-        let tangent = |(scene, nodes): (&crate::scene::Scene, usize)| {
-            let mut tangent = BlockBand::new(nodes);
-            if scene.is_pentadiagonal() {
-                tangent.widen();
-            }
-            tangent
-        };
+        let driven = driven(system, state);
         let unknowns = system.joints.envelope.len();
         Self {
             lines: nodes().map(|n| vec![V3::zeros(); n]).collect(),
-            tangents: system.scenes.iter().zip(nodes()).map(tangent).collect(),
+            // Lengths that are unknowns are solved for with the bands of all lines.
+            tangents: Tangents::new(system, nodes(), !driven.is_empty()),
             condensations: nodes().map(Condensation::new).collect(),
             bodies: bodies
                 .map(|number| {
@@ -173,14 +215,14 @@ impl Border {
             joints: vec![V3::zeros(); state.joints.x.len()],
             own: vec![V3::zeros(); unknowns],
             of_lines: 0.0,
-            driven: driven(system, state),
+            driven,
         }
     }
 
     /// Solves for the lengths of lines that are unknowns, and takes what follows from the displacements found without them.
     fn drives(&mut self, system: &MovingSystem, t: f64, state: &SystemState, c: Factors) {
         let work = BorderedLines {
-            tangents: &self.tangents,
+            tangents: self.tangents.of_all(),
             condensations: &mut self.condensations,
             matrix: &self.matrix,
             rows: &mut self.rows,
@@ -266,10 +308,14 @@ impl Border {
         state: &SystemState,
         c: Factors,
     ) -> Linearised<'_> {
+        if !self.tangents.are_own() {
+            let nodes = self.lines.iter().map(Vec::len);
+            self.tangents = Tangents::new(system, nodes, true);
+        }
         self.matrix.clear();
         self.rows.fill(V3::zeros());
         for line in 0..self.lines.len() {
-            let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
+            let (r, tangent) = (&mut self.lines[line], self.tangents.of_line(line));
             system
                 .scene(line, state)
                 .linearise(t, &state.lines[line], c, r, tangent);
@@ -281,7 +327,7 @@ impl Border {
         self.points(system, state, c);
         self.free_bodies(system, state, c);
         Linearised {
-            tangents: &self.tangents,
+            tangents: self.tangents.of_all(),
             residuals: &self.lines,
             matrix: &self.matrix,
             rows: &self.rows,
@@ -322,7 +368,7 @@ impl Border {
         (line, c): (usize, Factors),
     ) -> Result<(), usize> {
         let scene = system.scene(line, state);
-        let (r, tangent) = (&mut self.lines[line], &mut self.tangents[line]);
+        let (r, tangent) = (&mut self.lines[line], self.tangents.of_line(line));
         scene.linearise(t, &state.lines[line], c, r, tangent);
         let last = r.len() - 1;
         let sizes = r[1..last].iter().map(V3::norm_squared);

@@ -3,16 +3,13 @@
 
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::start::{at_rest, still};
+use super::start::{at_rest, lines_at_rest, still};
 use super::system_state::SystemState;
 use crate::system::SolvedSystem;
-use crate::system::balance::balance;
-use crate::system::equilibrium::SystemError;
-use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
+use crate::system::freedoms::Placement;
 use crate::system::initial::BodyInitial;
-use crate::system::line_at_rest::LinePhysics;
 use crate::system::network::{Body, FreePoint, Held, Network, Point};
-use crate::system::rest::{UnsolvedSystem, refused};
+use crate::system::rest::UnsolvedSystem;
 use crate::system::start::start;
 
 /// The network with what begins where the file puts it held there: what it comes to rest as.
@@ -111,11 +108,7 @@ pub(super) fn let_go(
         bodies: network.bodies.iter().enumerate().map(pose).collect(),
     };
     placement.carry(network);
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let lines = balance(network, &freedoms, &placement, LinePhysics::Full, None);
-    let lines = lines
-        .map_err(|unsolved| refused(network, &SystemError::Line(unsolved)))?
-        .lines;
+    let lines = lines_at_rest(network, &placement)?;
     let (system, mut state) = at_rest(network.clone(), &placement, &lines);
     still(&mut state);
     system.prescribe(0.0, &mut state);

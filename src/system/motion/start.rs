@@ -17,7 +17,7 @@ use crate::numerics::V3;
 use crate::physics::sea::WaterMotion;
 use crate::solve::{Factors, NewtonError, State, StaticSearch};
 use crate::system::SolvedSystem;
-use crate::system::balance::balance;
+use crate::system::balance::{UnsolvedLine, line_at_rest};
 use crate::system::build::{AgedParts, Divided, build};
 use crate::system::discretised::SEGMENTS;
 use crate::system::equilibrium::{SystemError, weight_of_bodies};
@@ -78,6 +78,7 @@ pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, Unsolved
         lines,
     } = divided_at_rest(&file, parts, solved)?;
     let (mut system, mut state) = at_rest(held, &placement, &lines);
+    drop(lines);
     system.prescribe(0.0, &mut state);
     still(&mut state);
     system.follow(&mut state);
@@ -133,17 +134,30 @@ fn divided_at_rest(
     let mut network = moved_to_start(file, parts, Divided::All)?;
     measure(&mut network, solved, &given);
     let held = held(&network);
-    let freedoms = Freedoms::of(&held, UnknownBodies::Free);
-    let lines = balance(&held, &freedoms, &placement, LinePhysics::Full, None);
-    let lines = lines
-        .map_err(|unsolved| refused_at_rest(&held, &SystemError::Line(unsolved)))?
-        .lines;
+    let lines = lines_at_rest(&held, &placement)?;
     Ok(DividedAtRest {
         network,
         held,
         placement,
         lines,
     })
+}
+
+/// The lines at rest between points at these places, without what they would be solved again by: of many lines that is most of the memory.
+pub(super) fn lines_at_rest(
+    network: &Network,
+    placement: &Placement,
+) -> Result<Vec<LineAtRest>, UnsolvedSystem> {
+    let at_rest = |index| {
+        let mut line = line_at_rest(network, placement, index, LinePhysics::Full, None)?;
+        if let Some(divided) = &mut line.discretised {
+            divided.free_work();
+        }
+        Ok(line)
+    };
+    let lines = (0..network.lines.len()).map(at_rest);
+    let lines: Result<_, UnsolvedLine> = lines.collect();
+    lines.map_err(|unsolved| refused_at_rest(network, &SystemError::Line(unsolved)))
 }
 
 /// The system with what is moved where it is at time zero.
@@ -213,13 +227,14 @@ pub(super) fn at_rest(
         .unzip();
     let system = MovingSystem::new(network, scenes);
     let joints = &system.joints;
+    let mut point_of = vec![None; joints.roles.len()];
+    for (point, joint) in joints.points.iter().enumerate().rev() {
+        point_of[*joint] = Some(point);
+    }
     let place = |(joint, role): (usize, &Role)| match role {
         Role::Origin(body) => placement.bodies[*body].origin,
         Role::Rotation(_) | Role::Released(..) | Role::Payout(_) => V3::zeros(),
-        _ => {
-            let point = joints.points.iter().position(|known| *known == joint);
-            point.map_or_else(V3::zeros, |point| placement.points[point])
-        }
+        _ => point_of[joint].map_or_else(V3::zeros, |point| placement.points[point]),
     };
     let places: Vec<V3> = joints.roles.iter().enumerate().map(place).collect();
     let bases = placement.bodies.iter().map(|pose| pose.rotation);

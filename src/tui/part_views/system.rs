@@ -5,7 +5,7 @@ use crate::report::chart::Chart;
 use crate::report::system::{analysis, tables, views};
 use crate::report::table::Table;
 use crate::system::analysis::analyses::OffsetCurve;
-use crate::system::analysis::periods::SystemMode;
+use crate::system::analysis::periods::NaturalModes;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::tui::state::SystemView;
 use crate::tui::state::parts::{Part, PartView};
@@ -80,12 +80,12 @@ fn analyses(system: &SystemView, tab: usize) -> (Option<Chart>, Table) {
     }
 }
 
-fn periods(system: &SystemView, periods: &Result<Vec<SystemMode>, String>) -> Table {
+fn periods(system: &SystemView, periods: &Result<NaturalModes, String>) -> Table {
     match periods {
-        Ok(modes) if modes.is_empty() => Table::titled(
+        Ok(found) if found.modes.is_empty() => Table::titled(
             "No body and no free point of the system has a mass; add `mass_kg` and `inertia_kg_m2`.",
         ),
-        Ok(modes) => analysis::periods(&system.solved, modes),
+        Ok(found) => analysis::periods(&system.solved, found),
         Err(why) => Table::titled(format!("No natural periods: {why}.")),
     }
 }
