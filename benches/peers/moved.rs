@@ -36,7 +36,12 @@ pub(crate) fn in_waves(place: &Place) {
     let scene = Scene {
         title: "Three chains in waves: 120 s, fairleads moved 3 m in 12 s, 100 components of JONSWAP, Hs 6 m, Tp 10 s",
         sea: Sea::Grid,
-        here: &[(50, 0.1, ""), (20, 0.1, ""), (20, 0.1, COARSE_STEPS)],
+        here: &[
+            (50, 0.1, ""),
+            (20, 0.1, ""),
+            (20, 0.1, COARSE_STEPS),
+            (100, 0.1, COARSE_STEPS),
+        ],
         moordyn: &[(50, 0.01, 0.1), (100, 0.005, 0.1)],
         cable_dyn: &[],
     };
@@ -64,14 +69,24 @@ pub(crate) fn in_still_water(place: &Place) {
         Scene {
             title: "Three chains in still water: 120 s, fairleads moved 3 m in 12 s, calls each 0.1 s",
             sea: Sea::Still,
-            here: &[(50, 0.1, ""), (20, 0.1, ""), (20, 0.1, COARSE_STEPS)],
+            here: &[
+                (50, 0.1, ""),
+                (20, 0.1, ""),
+                (20, 0.1, COARSE_STEPS),
+                (100, 0.1, COARSE_STEPS),
+            ],
             moordyn: &[(50, 0.01, 0.1), (100, 0.005, 0.1)],
             cable_dyn: &[(50, 0.1), (20, 0.1)],
         },
         Scene {
             title: "The same, calls each 0.5 s",
             sea: Sea::Still,
-            here: &[(50, 0.5, ""), (20, 0.5, ""), (20, 0.5, COARSE_STEPS)],
+            here: &[
+                (50, 0.5, ""),
+                (20, 0.5, ""),
+                (20, 0.5, COARSE_STEPS),
+                (100, 0.5, COARSE_STEPS),
+            ],
             moordyn: &[(50, 0.01, 0.5)],
             cable_dyn: &[(50, 0.5), (20, 0.5)],
         },

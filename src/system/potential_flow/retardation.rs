@@ -319,6 +319,10 @@ struct Convolution<'a> {
 impl WithSimd for Convolution<'_> {
     type Output = ();
 
+    #[expect(
+        clippy::needless_range_loop,
+        reason = "iterators are not compiled for wide vectors everywhere"
+    )]
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let Some(((first, _), later)) = self.rows.split_first() else {
