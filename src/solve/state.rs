@@ -9,6 +9,9 @@ use crate::physics::sea::{KeptWaves, WaterMotion};
 
 /// History variables of the accepted steps. They change in [`Hysteresis`](super::Hysteresis) only, never while a step is
 /// tried: all trials of a step start from the same history.
+///
+/// What is written as tables comes last here and in [`State`]: values behind a table are inserted into the text before it, which of many
+/// lines takes the square of their number.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct HistoryVariables {
@@ -16,9 +19,19 @@ pub struct HistoryVariables {
     /// ([`freeze_drag_coefficients`](super::Hysteresis::freeze_drag_coefficients)). One entry a segment, or empty.
     #[serde(rename = "held_drag")]
     pub drag_coefficients: Vec<[f64; 2]>,
+    /// Piece of the prescribed motion of end A and of end B: how many kinks of it are passed.
+    #[serde(skip_serializing_if = "is_first")]
+    pub motion_pieces: [usize; 2],
+    /// How many kinks of the motion of a traveller are passed.
+    #[serde(skip_serializing_if = "is_zero")]
+    pub traveller_kinks: usize,
+    /// Time of the last accepted step \[s\], where ropes have a history.
+    pub time: f64,
     /// Friction springs of the bed. One entry a node, or empty.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub grips: Vec<FrictionAnchor>,
     /// Tension history of ropes with dynamic stiffness. One entry a segment, or empty: the rope is then static.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub ropes: Vec<RopeHistory>,
     /// What the one stiffness of a rope whose segments share it depends on. One entry a segment, or empty: no segment shares.
     #[serde(skip_serializing_if = "Vec::is_empty")]
@@ -29,14 +42,6 @@ pub struct HistoryVariables {
     /// Contact of bodies with the bed. One entry a body that may bear on it, or empty.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub bodies: Vec<BodyOnBed>,
-    /// Piece of the prescribed motion of end A and of end B: how many kinks of it are passed.
-    #[serde(skip_serializing_if = "is_first")]
-    pub motion_pieces: [usize; 2],
-    /// How many kinks of the motion of a traveller are passed.
-    #[serde(skip_serializing_if = "is_zero")]
-    pub traveller_kinks: usize,
-    /// Time of the last accepted step \[s\], where ropes have a history.
-    pub time: f64,
 }
 
 /// Whether no kink is passed.
@@ -115,8 +120,6 @@ pub struct State {
     pub v: Vec<V3>,
     /// Accelerations.
     pub a: Vec<V3>,
-    /// History variables.
-    pub memory: HistoryVariables,
     /// Wave kinematics at every node, written by
     /// [`update_wave_kinematics`](super::Kinematics::update_wave_kinematics). One entry a node, or empty.
     #[serde(skip)]
@@ -137,6 +140,8 @@ pub struct State {
     /// empty: mean strains are then solved for with the tensions.
     #[serde(skip)]
     pub creep_rates: Vec<f64>,
+    /// History variables.
+    pub memory: HistoryVariables,
 }
 
 impl State {
