@@ -8,7 +8,8 @@
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 
-use super::envelope::{EnvelopeCholesky, EnvelopeLu, EnvelopeMatrix};
+use super::envelope::EnvelopeMatrix;
+use super::envelope_factors::{EnvelopeCholesky, EnvelopeLu};
 use super::random::Random;
 
 /// The lowest eigenvalues in ascending order, each with its vector, and a bound below which there are no others.

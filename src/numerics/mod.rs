@@ -2,7 +2,7 @@
 //!
 //! * [`BlockBand`]: block-banded systems of 3 x 3 blocks, eliminated from both ends in two [`lanes`].
 //! * [`Condensation`]: such a system condensed onto its first and last nodes.
-//! * [`envelope`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks; [`lowest_modes`](mod@lowest_modes): eigenvalues by them.
+//! * [`envelope`], [`envelope_factors`], [`BlockEnvelope`]: factors of sparse matrices, symmetric and in blocks; [`lowest_modes`](mod@lowest_modes): eigenvalues by them.
 //! * [`roots`], [`log_newton`], [`root_isolation`], [`golden_section`](mod@golden_section), [`minimum`]: roots and minima of one unknown.
 //! * [`interpolation`], [`spline`], [`piecewise`], [`quadrature`]: tables over an ascending grid.
 //! * [`fourier`]: the components of a record.
@@ -19,6 +19,7 @@ pub mod depth_grid;
 pub mod double_double;
 pub(crate) mod elementary;
 pub mod envelope;
+pub mod envelope_factors;
 pub mod fourier;
 pub mod golden_section;
 pub mod hyperbolic;

@@ -6,7 +6,8 @@ use super::along_bed::{on_slope, stiffness_along};
 use super::bounds::Contact;
 use super::equilibrium::{Equilibrium, levers};
 use super::network::Network;
-use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
+use crate::numerics::envelope::EnvelopeMatrix;
+use crate::numerics::envelope_factors::EnvelopeCholesky;
 use crate::numerics::random::Random;
 
 /// How a system rests.

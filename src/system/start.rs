@@ -7,7 +7,8 @@ use nalgebra::DVector;
 use super::freedoms::Placement;
 use super::network::{Held, Network};
 use crate::numerics::V3;
-use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix, number};
+use crate::numerics::envelope::{EnvelopeMatrix, number};
+use crate::numerics::envelope_factors::EnvelopeCholesky;
 
 /// Bodies where they are given; free points where they are given, or else where springs in the place of the lines, the
 /// stiffer the shorter the line, would hold them.

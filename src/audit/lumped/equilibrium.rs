@@ -6,7 +6,8 @@ use nalgebra::DVector;
 
 use super::LumpedModel;
 use super::forces::{Loads, bending, dry_part};
-use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix, EnvelopeShape, number};
+use crate::numerics::envelope::{EnvelopeMatrix, EnvelopeShape, number};
+use crate::numerics::envelope_factors::EnvelopeCholesky;
 use crate::numerics::{M3, V3};
 
 /// Most iterations.

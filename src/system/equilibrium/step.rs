@@ -3,7 +3,8 @@
 use nalgebra::DVector;
 
 use super::{LinePhysics, Search, SystemError};
-use crate::numerics::envelope::{EnvelopeCholesky, EnvelopeMatrix};
+use crate::numerics::envelope::EnvelopeMatrix;
+use crate::numerics::envelope_factors::EnvelopeCholesky;
 use crate::system::along_bed::stiffness_along;
 use crate::system::balance::Balance;
 use crate::system::bounds::Contact;
