@@ -151,7 +151,7 @@ impl GeneralizedAlpha {
         self.jerk_weight = 1.0;
         swap(&mut self.end.kept_waves, &mut self.between.kept_waves);
         let time = self.scheme.alpha_f * h;
-        system.take_wave_kinematics_on(t + h, time, &self.between, &mut self.end);
+        system.extrapolate_wave_kinematics(t + h, time, &self.between, &mut self.end);
         swap(&mut self.end.kept_waves, &mut self.between.kept_waves);
         if self.scheme.alpha_f > 0.0 {
             system.correct_chord_lengths(self.scheme.alpha_f, state, &mut self.end);

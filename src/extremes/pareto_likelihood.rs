@@ -1,7 +1,7 @@
 //! The likelihood of the generalized Pareto law as a function of shape over scale alone.
 //!
 //! At a ratio `t` the scale of greatest likelihood is the mean of `ln(1 + t y)/t` and the shape `t` times that (Grimshaw, Technometrics 35 (1993)
-//! 185), so the log-likelihood a value is `-ln(scale) - shape`. Its derivative is the difference of two functions: minus that of `ln(scale)`
+//! 185, not verified), so the log-likelihood a value is `-ln(scale) - shape`. Its derivative is the difference of two functions: minus that of `ln(scale)`
 //! and that of the shape. Both are positive and fall with `t`: the scale is the integral of `y/(1 + s t y)` over s from 0 to 1, completely monotone
 //! and so convex in its logarithm; the derivative of the shape is the mean of `y/(1 + t y)`. So the sign between two ratios is often known
 //! from these functions at both, and most points of the grid on which maxima are sought need no sums.

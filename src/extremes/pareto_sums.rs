@@ -10,10 +10,8 @@ use std::f64::consts::LN_2;
 
 use pulp::{Simd, WithSimd};
 
-use crate::numerics::processor::ARCH;
+use crate::numerics::processor::{ARCH, LANES, Lanes};
 
-const LANES: usize = 4;
-type Lanes = [f64; LANES];
 /// Excesses that share divisions.
 type Rows = [Lanes; 4];
 

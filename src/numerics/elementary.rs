@@ -7,7 +7,7 @@ use std::f64::consts::LOG2_E;
 
 use pulp::{Simd, WithSimd};
 
-use super::processor::ARCH;
+use super::processor::{ARCH, LANES};
 
 /// The parts of ln 2: the first is exact times any power of two.
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
@@ -44,8 +44,8 @@ impl WithSimd for SumExp<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> f64 {
-        let mut sums = [0.0; 4];
-        let (fours, rest) = self.0.as_chunks::<4>();
+        let mut sums = [0.0; LANES];
+        let (fours, rest) = self.0.as_chunks::<LANES>();
         for four in fours {
             for (sum, x) in sums.iter_mut().zip(four) {
                 *sum += exp_m1((self.1 * x).max(-700.0)) + 1.0;

@@ -3,7 +3,7 @@
 //! How many eigenvalues are below a bound follows from the signs of the pivots of `K - b M` (Sylvester): by bisection they are divided into
 //! slices of a few, and those of each are found by Lanczos' method on `(K - s M)^-1 M` with s in the middle of the slice and all vectors kept
 //! orthogonal (Ericsson and Ruhe, *Math. Comp.* 35, 1980, doi 10.1090/S0025-5718-1980-0583502-2; Grimes, Lewis and Simon, *SIAM J. Matrix
-//! Anal. Appl.* 15, 1994, doi 10.1137/S0895479888151111). It may find one vector alone of an eigenvalue that has several: what is missing is
+//! Anal. Appl.* 15, 1994, doi 10.1137/S0895479888151111; neither verified against the paper). It may find one vector alone of an eigenvalue that has several: what is missing is
 //! sought orthogonal to what is known.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};

@@ -58,7 +58,7 @@ impl Kinematics for Scene {
         self.write_wave_kinematics(t, None, state);
     }
 
-    fn take_wave_kinematics_on(&self, t: f64, time: f64, before: &State, state: &mut State) {
+    fn extrapolate_wave_kinematics(&self, t: f64, time: f64, before: &State, state: &mut State) {
         self.write_wave_kinematics(t, Some((time, before)), state);
     }
 }

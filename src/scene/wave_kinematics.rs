@@ -15,7 +15,7 @@ impl Scene {
         Some((water, water.waves.as_ref()?))
     }
 
-    /// Writes the wave kinematics at the nodes at time t \[s\] into the state; nothing without waves. Under the surface they are taken on from a
+    /// Writes the wave kinematics at the nodes at time t \[s\] into the state; nothing without waves. Under the surface they are extrapolated from a
     /// state before where one is given and the sea allows it, which costs next to nothing.
     pub(super) fn write_wave_kinematics(
         &self,
@@ -45,13 +45,13 @@ impl Scene {
             .wave_flow
             .resize(self.line.mass.len(), WaterMotion::default());
         let deep = self.deep(water, sea);
-        let before = before.filter(|_| sea.goes_on());
+        let before = before.filter(|_| sea.can_be_extrapolated());
         let mut reader = SeaReader::Again(sea, clock, &mut state.kept_waves.places);
         for (node, (flow, x)) in state.wave_flow.iter_mut().zip(&state.x).enumerate() {
             let around = node.saturating_sub(1)..(node + 2).min(state.x.len());
             let surface = water.crossed && !state.x[around].iter().all(|x| x.z < deep);
             *flow = match before {
-                Some((time, before)) if !surface => before.wave_flow[node].later(time, x),
+                Some((time, before)) if !surface => before.wave_flow[node].extrapolated(time, x),
                 _ => reader.flow(node, x, surface),
             };
         }

@@ -58,7 +58,7 @@ pub trait Kinematics: Sync {
 
     /// The same from a state in which they were written a time \[s\] before, the nodes close to where they are now: for readings of an accepted
     /// state, whose forces act no more.
-    fn take_wave_kinematics_on(&self, t: f64, _time: f64, _before: &State, state: &mut State) {
+    fn extrapolate_wave_kinematics(&self, t: f64, _time: f64, _before: &State, state: &mut State) {
         self.update_wave_kinematics(t, state);
     }
 }

@@ -3,10 +3,8 @@
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::Component;
-use super::phasors::{Lanes, REACH};
-
-/// Components side by side.
-pub(super) const LANES: usize = 4;
+use super::phasors::REACH;
+use crate::numerics::processor::{LANES, Lanes};
 
 /// Deeper than this, in wave numbers times depth, the bed is not felt.
 const DEEP: f64 = 20.0;

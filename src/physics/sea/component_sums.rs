@@ -11,11 +11,11 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::component_lanes::{ComponentLanes, Four, LANES};
+use super::component_lanes::{ComponentLanes, Four};
 use super::decay::DepthDecay;
-use super::phasors::{Anchored, Decay, Lanes, Phasor, Phasors, Series};
+use super::phasors::{Anchored, Decay, Phasor, Phasors, Series};
 use super::stretching::StretchedHeight;
-use crate::numerics::processor::ARCH;
+use crate::numerics::processor::{ARCH, LANES, Lanes};
 
 /// Sums over the components: `c`, `s` stand for cosine and sine of theta, `k` for another wave number in the sum.
 #[derive(Debug, Clone, Copy, Default)]
@@ -281,8 +281,8 @@ impl Products {
             s_cos,
             kc_cos,
             ks_sin,
-            by_time_across,
-            by_time_up,
+            c_cos_twice,
+            s_sin_twice,
         ] = self.0;
         let (across, up) = ([c_cos, -c_sin], [-s_sin, -s_cos]);
         let (across_k, up_k) = ([kc_sin, kc_cos], [ks_cos, -ks_sin]);
@@ -294,7 +294,7 @@ impl Products {
             up_k: both(&|w| share * up_k[w]),
             across_z: both(&|w| decays * share * up_k[w] + by_z * across[w]),
             up_z: both(&|w| by_z * up[w] - decays * share * across_k[w]),
-            jerk: [-share * by_time_across, share * by_time_up],
+            jerk: [-share * c_cos_twice, share * s_sin_twice],
         }
     }
 }

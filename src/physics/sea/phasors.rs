@@ -8,9 +8,7 @@ use std::ops::{Div, Mul};
 use wide::f64x4;
 
 use super::component_lanes::{ComponentLanes, Four};
-
-/// Real numbers of four components side by side.
-pub(super) type Lanes = [f64; 4];
+use crate::numerics::processor::Lanes;
 
 /// Greatest wave number times the distance to an anchor.
 pub(super) const REACH: f64 = 0.25;

@@ -41,10 +41,10 @@ impl Sea {
         self.current.is_some()
     }
 
-    /// Whether its motion under the surface can be taken on [in time](WaterMotion::later).
+    /// Whether its motion under the surface can be [extrapolated](WaterMotion::extrapolated).
     #[must_use]
-    pub fn goes_on(&self) -> bool {
-        self.current.is_none() && self.fields.iter().all(WaveField::goes_on)
+    pub fn can_be_extrapolated(&self) -> bool {
+        self.current.is_none() && self.fields.iter().all(WaveField::can_be_extrapolated)
     }
 
     /// Greatest height that the surface can have \[m\].

@@ -8,7 +8,7 @@
 //! # Cost
 //! Two short series and a few multiplications a component and node, four components at a time, some 3.4 ns each on the machines at hand
 //! (`component_sums.rs`). So a line takes the water once a step, not in every iteration ([`WaterMotion`] goes on from there to first order), the
-//! readings of the accepted state at its end are taken on from there ([`WaterMotion::later`]), and components that do not reach down to a node are
+//! readings of the accepted state at its end are extrapolated from there ([`WaterMotion::extrapolated`]), and components that do not reach down to a node are
 //! left out.
 
 use super::component_lanes::ComponentLanes;
@@ -113,7 +113,7 @@ impl WaterMotion {
     /// The motion under the surface a time \[s\] later at a place nearby. What is left out are `(omega time)³ / 6` and `(k distance)² / 2` of the
     /// velocity, and an order less of the acceleration. The height of the surface stays.
     #[must_use]
-    pub fn later(&self, time: f64, place: &V3) -> Self {
+    pub fn extrapolated(&self, time: f64, place: &V3) -> Self {
         let moved = place - self.place;
         let by_place = self.acceleration_gradient * time;
         let gradient = self.gradient + by_place;
@@ -262,9 +262,9 @@ impl WaveField {
         self.stretching.needs_elevation()
     }
 
-    /// Whether what they make of the water under the surface can be taken on [in time](WaterMotion::later): acceleration and jerk are the
+    /// Whether what they make of the water under the surface can be [extrapolated](WaterMotion::extrapolated): acceleration and jerk are the
     /// derivatives of the velocity.
-    pub(super) fn goes_on(&self) -> bool {
+    pub(super) fn can_be_extrapolated(&self) -> bool {
         !self.needs_elevation() && self.load == WaveLoading::Morison
     }
 
@@ -400,7 +400,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_taken_on_in_time_and_place_is_as_close_as_its_orders() {
+    fn an_extrapolated_motion_is_as_close_as_its_orders() {
         let field = irregular(&WaveSettings {
             ramp: 10.0,
             ..setting(60.0)
@@ -411,7 +411,10 @@ mod tests {
             let here = field.flow(t, &place);
             let off = |time: f64, far: f64| {
                 let there = place + V3::new(0.6, 0.3, -0.5) * far;
-                let (found, exact) = (here.later(time, &there), field.flow(t + time, &there));
+                let (found, exact) = (
+                    here.extrapolated(time, &there),
+                    field.flow(t + time, &there),
+                );
                 let velocity = (found.velocity - exact.velocity).norm();
                 [
                     velocity,

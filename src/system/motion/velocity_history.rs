@@ -3,7 +3,8 @@
 use nalgebra::Vector6;
 use serde::{Deserialize, Serialize};
 
-use crate::system::potential_flow::retardation::{Four, Retardation};
+use crate::numerics::processor::Lanes;
+use crate::system::potential_flow::retardation::Retardation;
 
 /// Rows that a history has room for at the start.
 const ROOM: usize = 4096;
@@ -14,7 +15,7 @@ pub struct VelocityHistory {
     rows: Vec<(f64, Vector6<f64>)>,
     /// Slopes from each row to the next, of the velocity of each retardation function side by side; from the rows, where they are asked for.
     #[serde(skip)]
-    slopes: Vec<Four>,
+    slopes: Vec<Lanes>,
 }
 
 impl Default for VelocityHistory {
@@ -102,7 +103,7 @@ impl VelocityHistory {
         &self,
         time: f64,
         retardation: &Retardation,
-    ) -> (&[(f64, Vector6<f64>)], &[Four]) {
+    ) -> (&[(f64, Vector6<f64>)], &[Lanes]) {
         let older = self.rows.partition_point(|row| row.0 < time);
         let first = older.saturating_sub(1);
         (

@@ -31,7 +31,7 @@ pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
 }
 
 impl MovingSystem {
-    /// Writes the wave kinematics at time t \[s\] into a state; those of lines are taken on from a state in which they were written a time \[s\]
+    /// Writes the wave kinematics at time t \[s\] into a state; those of lines are extrapolated from a state in which they were written a time \[s\]
     /// before, where one is given.
     pub(super) fn write_wave_kinematics(
         &self,

@@ -17,7 +17,7 @@ use pulp::{Simd, WithSimd};
 
 use super::RadiationTable;
 use crate::numerics::interpolation::linear_clamped;
-use crate::numerics::processor::ARCH;
+use crate::numerics::processor::{ARCH, LANES, Lanes};
 
 /// Points of the grid in a period of the highest frequency.
 const POINTS: f64 = 24.0;
@@ -30,9 +30,8 @@ const MOST_STEPS: f64 = 512.0;
 const EVEN: f64 = 1e-3;
 /// Greatest number of functions of a body.
 pub const PAIRS: usize = 36;
-const FOURS: usize = PAIRS / FOUR;
-/// Functions that are read side by side.
-const FOUR: usize = 4;
+/// Fours of functions.
+const FOURS: usize = PAIRS / LANES;
 /// Damping by that of the modes themselves that counts as none.
 const NOTHING: f64 = 1e-5;
 
@@ -44,9 +43,6 @@ struct Function {
     value: Vec<f64>,
 }
 
-/// Of four functions.
-pub type Four = [f64; FOUR];
-
 /// At the points of the grid the values of all functions, their integrals from 0 and the integrals of these, four side by side: a convolution reads
 /// them together.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,19 +51,19 @@ struct Points {
     fours: usize,
     /// The last point but one.
     last: usize,
-    numbers: Vec<Four>,
+    numbers: Vec<Lanes>,
 }
 
 impl Points {
     /// Of functions at even times \[s\].
     fn of(functions: &[Function], step: f64) -> Self {
         let count = functions.first().map_or(2, |f| f.value.len());
-        let fours = functions.len().div_ceil(FOUR);
-        let mut numbers = vec![[0.0; FOUR]; 3 * fours * count];
+        let fours = functions.len().div_ceil(LANES);
+        let mut numbers = vec![[0.0; LANES]; 3 * fours * count];
         for (p, function) in functions.iter().enumerate() {
             let (first, second) = integrals(&function.value, step);
             for (k, point) in numbers.chunks_exact_mut(3 * fours).enumerate() {
-                let (at, lane) = (p / FOUR, p % FOUR);
+                let (at, lane) = (p / LANES, p % LANES);
                 point[at][lane] = function.value[k];
                 point[fours + at][lane] = first[k];
                 point[2 * fours + at][lane] = second[k];
@@ -82,7 +78,7 @@ impl Points {
 
     /// Values, integrals and integrals of these of four functions at a point.
     #[inline(always)]
-    fn at(&self, k: usize, four: usize) -> [&Four; 3] {
+    fn at(&self, k: usize, four: usize) -> [&Lanes; 3] {
         let first = 3 * self.fours * k + four;
         let numbers = &self.numbers;
         [
@@ -168,13 +164,13 @@ impl Retardation {
         let s = s.min(self.step);
         let curve = 0.5 * s * s / self.step;
         for (four, out) in out
-            .chunks_exact_mut(FOUR)
+            .chunks_exact_mut(LANES)
             .take(self.points.fours)
             .enumerate()
         {
             let [value, first, _] = self.points.at(k, four);
             let [next, ..] = self.points.at(k + 1, four);
-            for p in 0..FOUR {
+            for p in 0..LANES {
                 out[p] = first[p] + s * value[p] + curve * (next[p] - value[p]);
             }
         }
@@ -184,7 +180,7 @@ impl Retardation {
     pub fn second_integrals(&self, tau: f64, out: &mut [f64; PAIRS]) {
         let at = self.place(tau);
         for (four, out) in out
-            .chunks_exact_mut(FOUR)
+            .chunks_exact_mut(LANES)
             .take(self.points.fours)
             .enumerate()
         {
@@ -198,9 +194,9 @@ impl Retardation {
     }
 
     /// Velocities, or slopes of them, as each of the functions acts by them.
-    pub fn side_by_side(&self, velocity: &Vector6<f64>) -> impl Iterator<Item = Four> {
-        self.functions.chunks(FOUR).map(|functions| {
-            let mut four = [0.0; FOUR];
+    pub fn side_by_side(&self, velocity: &Vector6<f64>) -> impl Iterator<Item = Lanes> {
+        self.functions.chunks(LANES).map(|functions| {
+            let mut four = [0.0; LANES];
             for (own, function) in four.iter_mut().zip(functions) {
                 *own = velocity[function.j];
             }
@@ -212,7 +208,7 @@ impl Retardation {
     /// velocities it acts by, [side by side](Self::side_by_side).
     pub fn convolve(
         &self,
-        (rows, slopes): (&[(f64, Vector6<f64>)], &[Four]),
+        (rows, slopes): (&[(f64, Vector6<f64>)], &[Lanes]),
         now: f64,
         sum: &mut [f64; PAIRS],
     ) {
@@ -227,14 +223,14 @@ impl Retardation {
 
     /// Second integrals of four functions.
     #[inline(always)]
-    fn four_seconds(&self, (k, s): (usize, f64), four: usize) -> Four {
+    fn four_seconds(&self, (k, s): (usize, f64), four: usize) -> Lanes {
         let [value, integral, second] = self.points.at(k, four);
         let [next, next_integral, _] = self.points.at(k + 1, four);
         let beyond = (s - self.step).max(0.0);
         let s = s - beyond;
         let (square, cube) = (0.5 * s * s, s * s * s * self.sixth);
-        let mut out = [0.0; FOUR];
-        for p in 0..FOUR {
+        let mut out = [0.0; LANES];
+        for p in 0..LANES {
             out[p] = second[p]
                 + s * integral[p]
                 + square * value[p]
@@ -311,7 +307,7 @@ impl Retardation {
 struct Convolution<'a> {
     of: &'a Retardation,
     rows: &'a [(f64, Vector6<f64>)],
-    slopes: &'a [Four],
+    slopes: &'a [Lanes],
     now: f64,
     sum: &'a mut [f64; PAIRS],
 }
@@ -329,7 +325,7 @@ impl WithSimd for Convolution<'_> {
             return;
         };
         let of = self.of;
-        let (mut before, mut sums) = ([[0.0; FOUR]; FOURS], [[0.0; FOUR]; FOURS]);
+        let (mut before, mut sums) = ([[0.0; LANES]; FOURS], [[0.0; LANES]; FOURS]);
         let at = of.place(self.now - first);
         for four in 0..of.fours() {
             before[four] = of.four_seconds(at, four);
@@ -339,14 +335,14 @@ impl WithSimd for Convolution<'_> {
             let slopes = &self.slopes[row * of.fours()..][..of.fours()];
             for four in 0..slopes.len() {
                 let after = of.four_seconds(at, four);
-                for p in 0..FOUR {
+                for p in 0..LANES {
                     sums[four][p] += (before[four][p] - after[p]) * slopes[four][p];
                 }
                 before[four] = after;
             }
         }
-        for (sum, four) in self.sum.chunks_exact_mut(FOUR).zip(sums) {
-            for p in 0..FOUR {
+        for (sum, four) in self.sum.chunks_exact_mut(LANES).zip(sums) {
+            for p in 0..LANES {
                 sum[p] += four[p];
             }
         }
