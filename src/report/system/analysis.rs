@@ -258,7 +258,7 @@ pub fn periods(solved: &SolvedSystem, found: &NaturalModes) -> Table {
     let mut notes = vec!["Without damping, and without the inertia of the lines.".to_owned()];
     notes.extend(found.complete_to_s.map(|shortest| {
         format!(
-            "Of parts that many points move in the longest periods are computed alone: below {} some are missing.",
+            "Of large parts the longest periods are computed alone: below {} some are missing.",
             SECONDS.write(shortest)
         )
     }));
