@@ -40,45 +40,41 @@
 //! Conventions: SI inside, z up with z = 0 at still water, arc length from end A to end B in the
 //! order in which the case lists its sections, angles in radians inside and in degrees in files.
 
-pub mod audit;
-pub mod background;
-pub mod case;
-pub mod checks;
 pub mod cli;
-pub mod comparison;
-pub mod crash_log;
-pub mod dynamics;
 pub mod equations;
-pub mod export;
-pub mod extremes;
-pub mod fatigue;
-pub mod files;
-mod grace;
-pub mod import;
 pub mod jobs;
-pub mod kinds;
-pub mod limits;
-pub mod line_between_ends;
-pub mod line_types;
-pub mod modes;
-pub mod number;
 pub mod numerics;
-mod padding;
 pub mod physics;
-pub mod places;
-pub mod reference;
 pub mod report;
-pub mod ropeway;
-pub mod run;
-pub mod scene;
-mod seal;
-pub mod section;
-pub mod ship;
-pub mod solve;
-pub mod statics;
-mod strays;
-pub mod study;
-pub mod system;
-pub mod templates;
 pub mod tui;
-pub mod visible;
+
+#[path = "base/lib.rs"]
+mod base;
+#[path = "display/lib.rs"]
+mod display;
+#[path = "engine/lib.rs"]
+mod engine;
+#[path = "foreign/lib.rs"]
+mod foreign;
+#[path = "model/lib.rs"]
+mod model;
+#[path = "runs/lib.rs"]
+mod runs;
+#[path = "statistics/lib.rs"]
+mod statistics;
+#[path = "studies/lib.rs"]
+mod studies;
+#[path = "systems/lib.rs"]
+mod systems;
+
+pub use base::{background, crash_log, files, limits, number, places, visible};
+use base::{grace, padding, seal, strays};
+pub use display::{chart, plain, table};
+use display::{markup, wrap};
+pub use engine::{dynamics, line_between_ends, modes, scene, solve, statics};
+pub use foreign::{audit, export, import};
+pub use model::{case, checks, kinds, line_types, section, templates};
+pub use runs::{reference, run};
+pub use statistics::{extremes, fatigue};
+pub use studies::{comparison, study};
+pub use systems::{ropeway, ship, system};

@@ -17,8 +17,8 @@ use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, StudyArgs};
 use super::sweep_args::SweepArgs;
 use crate::case::Method;
+use crate::chart::Glyphs;
 use crate::kinds::FileType;
-use crate::report::chart::Glyphs;
 use crate::report::document::ReportFormat;
 
 /// A terminal workbench for marine cables.

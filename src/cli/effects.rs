@@ -12,8 +12,8 @@ use super::{
 };
 use crate::number::duration;
 use crate::report::effects::TornadoView;
-use crate::report::table::Table;
 use crate::study::effects;
+use crate::table::Table;
 
 pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];

@@ -12,7 +12,7 @@ use crate::extremes::ExtremesError;
 use crate::extremes::coverage::{Coverage, CoverageStudy, Distribution, default_method, measure};
 use crate::extremes::sequential_study::{self, Rule, SequentialOutcome, SequentialStudy};
 use crate::extremes::target::Target;
-use crate::report::table::{Align, Cell, Table};
+use crate::table::{Align, Cell, Table};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct IntervalsArgs {

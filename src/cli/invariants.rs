@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
 use crate::files::{Target, disk};
 use crate::report::run_json;
-use crate::report::table::{NumberFormat, Table};
 use crate::study::invariants::{Held, Invariant, KINDS, Outcome, file, one, run, text};
+use crate::table::{NumberFormat, Table};
 
 /// What came of an invariant over all systems.
 struct Tally<'a> {

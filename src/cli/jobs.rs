@@ -12,8 +12,8 @@ use crate::jobs::list::JobEntry;
 use crate::jobs::{
     JobPhase, JobRequest, JobState, JobsDir, Launcher, Submission, client, identity, survival,
 };
-use crate::report::table::{Cell, Column, Table};
 use crate::report::text::WIDTH;
+use crate::table::{Cell, Column, Table};
 use crate::visible;
 
 #[derive(Debug, clap::Args)]

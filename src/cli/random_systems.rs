@@ -7,8 +7,8 @@ use super::{
     system_args::SystemsArgs,
 };
 use crate::report::run_json;
-use crate::report::table::{NumberFormat, Table};
 use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
+use crate::table::{NumberFormat, Table};
 
 /// What came of a kind.
 struct KindTally {

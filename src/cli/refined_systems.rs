@@ -5,9 +5,9 @@ use std::process::ExitCode;
 use super::random_systems::frequent;
 use super::{CommandError, output, system_args::SystemsArgs};
 use crate::report::run_json;
-use crate::report::table::{NumberFormat, Table};
 use crate::study::random_systems::divided::DIVIDED_KINDS;
 use crate::study::random_systems::refined::{RefinedSystem, RefinedTally, run, tally};
+use crate::table::{NumberFormat, Table};
 
 /// What came of a kind, or of all.
 struct KindTally {

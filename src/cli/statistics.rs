@@ -14,12 +14,12 @@ use crate::fatigue::curve_library::{PUBLISHED, published};
 use crate::files::read;
 use crate::numerics::statistics::Statistics as Moments;
 use crate::report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
-use crate::report::table::{Align, Cell, Columns, Table};
 use crate::run::Quantity;
 use crate::run::store::{ChannelRows, channel_rows, read_results};
 use crate::study::record_statistics::{
     self, ChannelRecord, ExtremeMethod, ExtremeQuestion, GreatestValue, RecordStatistics,
 };
+use crate::table::{Align, Cell, Columns, Table};
 use crate::visible;
 
 #[derive(Debug, clap::Args)]

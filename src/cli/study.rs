@@ -14,9 +14,8 @@ use super::{
     system_study, vary,
 };
 use crate::case::Case;
-use crate::report::chart::draw;
+use crate::chart::draw;
 use crate::report::run_json as study_json;
-use crate::report::table::Table;
 use crate::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
@@ -24,6 +23,7 @@ use crate::study::{
     speed::{self, SpeedError},
     tally, varied,
 };
+use crate::table::Table;
 
 /// Columns of the page.
 const WIDTH: usize = 160;

@@ -9,12 +9,12 @@ use super::{
     study_args::StudyPageArgs,
 };
 use crate::case::{self, Case, QuantityId};
-use crate::report::chart::{Chart, draw};
+use crate::chart::{Chart, draw};
 use crate::report::seas::SeasView;
-use crate::report::table::Table;
 use crate::report::{plain, run_json};
 use crate::study::points::{BaseCase, PointProgress};
 use crate::study::results::{main_results, named_result};
+use crate::table::Table;
 
 /// Rows of a chart, and its columns at most.
 const CHART: (usize, usize) = (18, 100);

@@ -22,7 +22,7 @@ use crate::case::load_cases::LoadCaseError;
 use crate::checks::utilisation::Verdict;
 use crate::files::read;
 use crate::kinds::FileType;
-use crate::report::number::duration;
+use crate::number::duration;
 use crate::report::sweep::{SweepPage, SweepReport};
 use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{

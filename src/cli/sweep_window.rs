@@ -12,7 +12,7 @@ use super::{
 };
 use crate::case::kind;
 use crate::kinds::FileType;
-use crate::report::plain;
+use crate::plain;
 use crate::report::window::WindowView;
 use crate::study::seas::{SeaQuestion, seas};
 use crate::study::sweep::{Sweep, SweepError, SweepFolder};

@@ -9,13 +9,13 @@ use super::{
     system_args::{OffsetsArgs, SeekArgs, SystemArgs, WatchArgs},
 };
 use crate::case::kind;
-use crate::report::chart::draw;
+use crate::chart::draw;
 use crate::report::system::analysis as views;
-use crate::report::table::Table;
 use crate::system::analysis::offset::{HeldAway, OffsetPoint, curve};
 use crate::system::analysis::{periods, seek, watch_circle};
 use crate::system::quantities::unit;
 use crate::system::{SolvedSystem, SystemFile};
+use crate::table::Table;
 
 /// Columns of the page, columns and rows of a chart.
 const WIDTH: usize = 140;
@@ -48,11 +48,7 @@ fn body(solved: &SolvedSystem, name: Option<&str>) -> Result<usize, CommandError
     })
 }
 
-fn print(
-    table: &Table,
-    chart: &crate::report::chart::Chart,
-    ascii: bool,
-) -> Result<(), CommandError> {
+fn print(table: &Table, chart: &crate::chart::Chart, ascii: bool) -> Result<(), CommandError> {
     let drawn = draw(chart, PLOT.0, PLOT.1, output::glyphs(ascii)).to_text();
     output::results(&format!("{}\n{drawn}\n", table.to_text(WIDTH)), ascii)
 }

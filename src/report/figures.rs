@@ -30,7 +30,7 @@ pub use study::along_studies;
 pub use time_histories::{against_time, against_time_at, payload_position};
 
 use crate::case::ChannelQuantity;
-use crate::report::chart::Series;
+use crate::chart::Series;
 use crate::run::{History, LineShape, Profile, Run};
 
 /// A run to be drawn, complete or still running.

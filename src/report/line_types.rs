@@ -4,7 +4,7 @@ use crate::line_types::{
     LINE_TYPES, Library, LibraryType, LineProperties, LineType, OuterDiameter, Property,
 };
 use crate::number::{digits, si};
-use crate::report::table::{NumberFormat, Table};
+use crate::table::{NumberFormat, Table};
 
 /// A property in a table: what it is, its unit, its value with formula and source.
 type Entry<'a> = (&'static str, &'static str, &'a Property);

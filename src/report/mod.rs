@@ -1,20 +1,17 @@
 //! What every view shares: tables, charts and the wording of numbers, as plain text.
 
 pub mod audit;
-pub mod chart;
 pub mod comparison;
 pub mod document;
 pub mod effects;
 pub mod figures;
 pub mod limits;
 pub mod line_types;
-mod markup;
 pub mod modes;
 pub mod nodes;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod physics;
-pub mod plain;
 pub mod quick_look;
 pub mod record_statistics;
 pub mod response;
@@ -28,12 +25,10 @@ pub mod ship;
 pub mod subject;
 pub mod sweep;
 pub mod system;
-pub mod table;
 pub mod text;
 pub mod validation;
 pub mod variation;
 pub mod verdict;
 pub mod window;
-pub(crate) mod wrap;
 
-pub use crate::number;
+pub use crate::{chart, number, plain, table};

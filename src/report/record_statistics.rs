@@ -4,10 +4,10 @@ use crate::case::ChannelId;
 use crate::extremes::interval::Interval;
 use crate::extremes::spectrum::Spectrum;
 use crate::number::{range as range_text, si, with_error};
-use crate::report::table::{Align, Cell, CellStyle, Table};
 use crate::study::record_statistics::{
     ExtremeQuestion, GreatestValue, RecordFatigue, RecordStatistics,
 };
+use crate::table::{Align, Cell, CellStyle, Table};
 
 /// A channel with its statistics.
 #[derive(Debug, Clone)]

@@ -34,9 +34,9 @@ use super::update::edit_check;
 use super::view::last_screen;
 use super::{case_library, draw, external_editor, recovery, settings, update};
 use crate::background::lower_priority;
+use crate::chart::Glyphs;
 use crate::crash_log;
 use crate::files::{Target, disk, root};
-use crate::report::chart::Glyphs;
 use crate::run::job::JobEvent;
 
 /// How the workbench is opened.

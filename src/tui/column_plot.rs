@@ -3,7 +3,7 @@
 use super::run_cells::{axis_name, cell};
 use super::state::run_list::ColumnName;
 use super::state::{RunColumn, RunEntry, RunList};
-use crate::report::chart::{self, Axis, AxisScale, Chart, Glyphs, Series};
+use crate::chart::{self, Axis, AxisScale, Chart, Glyphs, Series};
 
 /// Two columns of the table of runs.
 #[derive(Debug, Clone, PartialEq, Eq)]

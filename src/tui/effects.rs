@@ -48,10 +48,10 @@ use super::state::value_check::ValueCheck;
 use super::state::{JobNumber, JobRequest, RunCurves, Severity, VariantPlan, VariedRuns};
 use crate::background::lower_priority;
 use crate::modes;
-use crate::report::table::Table;
 use crate::run::coarse;
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{self, RunLocation, RunWriter, StoreError};
+use crate::table::Table;
 
 /// What is outside of the state.
 #[derive(Debug)]

@@ -1,9 +1,9 @@
 //! The tables of a run's line: its nodes and, where it was recorded, its response.
 
 use super::facade;
-use crate::report::table::Table;
 use crate::report::{nodes, response};
 use crate::run::Run;
+use crate::table::Table;
 
 /// The tables, in the order in which they are leafed through.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -22,8 +22,8 @@ use super::state::{
     RunCurves, RunEntry, Severity, VariantPlan, VariedRuns,
 };
 use crate::case::{Case, QuantityId};
+use crate::chart::Glyphs;
 use crate::modes::LineModes;
-use crate::report::chart::Glyphs;
 use crate::run::Run;
 use crate::run::index::{RunColumns, SyncProgress};
 use crate::run::job::JobEvent;

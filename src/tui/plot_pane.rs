@@ -10,11 +10,11 @@ use ratatui::layout::Rect;
 
 use self::picture_memo::PictureMemo;
 use super::theme::Theme;
-use crate::report::chart::{
+use crate::chart::{
     self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, Picture, PlotFrame,
     Readout, Series,
 };
-use crate::report::number;
+use crate::number;
 
 /// What can be done with a chart.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::state::RunCurves;
 use super::state::runs_view::{Charted, CoarseAnswer};
+use crate::chart::{AxisRange, Chart, Limit, LimitLine};
 use crate::comparison::points_less;
-use crate::report::chart::{AxisRange, Chart, Limit, LimitLine};
 use crate::report::figures::{FigureAxis, FigureData, FigureId, PlottedRun};
 use crate::run::Run;
 

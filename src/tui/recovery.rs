@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use rustix::process::{Pid, test_kill_process};
 
 use super::case_library::state_dir;
+use crate::chart::Glyphs;
 use crate::files::{Target, disk, read};
-use crate::report::chart::Glyphs;
 use crate::strays;
 
 /// What a session left of a case.

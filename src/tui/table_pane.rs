@@ -13,8 +13,8 @@ use ratatui::layout::Rect;
 use self::layout_memo::{LayoutKey, LayoutMemo};
 use super::state::Filter;
 use super::theme::Theme;
-use crate::report::chart::Glyphs;
-use crate::report::table::{LineKind, Table, TableLayout};
+use crate::chart::Glyphs;
+use crate::table::{LineKind, Table, TableLayout};
 
 /// What can be done with a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

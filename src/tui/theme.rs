@@ -6,8 +6,8 @@
 use ratatui::style::{Color, Modifier, Style};
 
 use super::terminal::capabilities::Capabilities;
-use crate::report::chart::PicturePart;
-use crate::report::table::CellStyle;
+use crate::chart::PicturePart;
+use crate::table::CellStyle;
 
 /// The colours of the screen.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use super::{Finding, Surroundings};
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::recovery::remembered_glyphs;
 use crate::tui::settings::Settings;
 use crate::tui::terminal::capabilities::{decide, synchronizes};

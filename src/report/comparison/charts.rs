@@ -1,8 +1,8 @@
 //! Difference curves as a chart.
 
 use crate::case::ChannelQuantity;
+use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::comparison::{CurveDifference, differences, letter};
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::report::document::Report;
 use crate::run::Run;
 

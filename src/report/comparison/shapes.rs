@@ -1,9 +1,9 @@
 //! The lines of compared runs at a common time: where they are furthest apart, and at the end.
 
+use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
 use crate::comparison::{common_times, distances, letter, shapes_at};
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::number::si;
 use crate::report::document::Report;
-use crate::report::number::si;
 use crate::run::{LineShape, Run};
 
 /// Rows of a chart.

@@ -1,9 +1,9 @@
 //! Inputs, settings, channels, published values and cost of compared runs.
 
 use crate::comparison::{ComparedInput, ComparedSetting, Comparison, InputValue, letter};
+use crate::number::si;
 use crate::reference::Outcome;
-use crate::report::number::si;
-use crate::report::table::{Align, Cell, CellStyle, Table};
+use crate::table::{Align, Cell, CellStyle, Table};
 
 /// Inputs that differ, a column a run.
 #[must_use]
@@ -117,7 +117,7 @@ pub fn validation_table(comparison: &Comparison) -> Table {
                 };
                 let number = known.computed.map(|value| match known.error {
                     Some(error) if error > 0.0 => {
-                        crate::report::number::with_error(value, Some(error), &known.unit)
+                        crate::number::with_error(value, Some(error), &known.unit)
                     }
                     Some(_) => format!("{} ± 0", si(value, &known.unit)),
                     None => format!("{} ± ?", si(value, &known.unit)),

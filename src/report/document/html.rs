@@ -3,9 +3,9 @@
 use unicode_width::UnicodeWidthStr;
 
 use super::Block;
-use crate::report::chart::svg::svg;
-use crate::report::markup::escaped;
-use crate::report::table::{Align, CellStyle, Column, Table};
+use crate::chart::svg::svg;
+use crate::markup::escaped;
+use crate::table::{Align, CellStyle, Column, Table};
 
 const STYLE: &str = "\
 @page { size: A4; margin: 15mm }
@@ -194,7 +194,7 @@ const fn style(ink: CellStyle) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::table::Cell;
+    use crate::table::Cell;
 
     /// The luminance of a colour such as `#a00` (WCAG 2.1).
     fn luminance(colour: &str) -> f64 {

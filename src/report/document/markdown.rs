@@ -1,8 +1,8 @@
 //! A report as Markdown with tables (GitHub's dialect).
 
 use super::Block;
-use crate::report::chart::{Glyphs, draw};
-use crate::report::table::{Align, Table};
+use crate::chart::{Glyphs, draw};
+use crate::table::{Align, Table};
 use crate::visible;
 
 /// Columns of a chart.
@@ -127,7 +127,7 @@ fn inline(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::table::{Cell, Column};
+    use crate::table::{Cell, Column};
 
     #[test]
     fn a_paragraph_begins_no_list_and_no_fence() {

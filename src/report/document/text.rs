@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 use super::Block;
-use crate::report::chart::{Glyphs, draw};
-use crate::report::plain;
-use crate::report::table::Table;
-use crate::report::wrap::WideWords;
+use crate::chart::{Glyphs, draw};
+use crate::plain;
+use crate::table::Table;
 use crate::visible;
+use crate::wrap::WideWords;
 
 /// Columns of a chart at most.
 const CHART_WIDTH: usize = 100;
@@ -122,7 +122,7 @@ impl Page {
 
 /// Words in lines of at most so many characters, whatever lines they were in; a longer word gets a line of its own.
 pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
-    crate::report::wrap::wrap(&words.replace('\n', " "), width, WideWords::Whole)
+    crate::wrap::wrap(&words.replace('\n', " "), width, WideWords::Whole)
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What changes along the line: tension, curvature, bending moment, stiffness, over unstretched arc length.
 
 use super::{PlottedRun, named, series, slots};
-use crate::report::chart::{Axis, Chart, extent};
+use crate::chart::{Axis, Chart, extent};
 use crate::run::Profile;
 
 /// Names of the curves of an envelope.

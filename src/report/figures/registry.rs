@@ -12,8 +12,8 @@ use super::{
     trajectory, wave_amplitudes, wavelengths,
 };
 use crate::case::{Case, ChannelQuantity};
+use crate::chart::{Chart, extent};
 use crate::reference::ValidationRow;
-use crate::report::chart::{Chart, extent};
 use crate::run::Run;
 
 /// A figure, in the order of [`FIGURES`].

@@ -4,9 +4,9 @@ use std::f64::consts::TAU;
 
 use super::PlottedRun;
 use super::profiles::{over_arc, points};
+use crate::chart::{Axis, AxisRange, Chart, GridMap, extent};
 use crate::modes::LinePlane;
 use crate::numerics::V3;
-use crate::report::chart::{Axis, AxisRange, Chart, GridMap, extent};
 use crate::run::{LineShape, Profile};
 
 /// What a map of the response shows.

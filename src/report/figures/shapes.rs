@@ -2,8 +2,8 @@
 
 use super::{PlottedRun, body, named, series, slots, values};
 use crate::case::ChannelQuantity;
-use crate::report::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
-use crate::report::number;
+use crate::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
+use crate::number;
 use crate::run::LineShape;
 
 /// Path of the payload, z against x \[m\], to equal scale; with the place of the payload at an

@@ -1,8 +1,8 @@
 //! What a case states along its studies: published and computed numbers over the key that is varied.
 
 use crate::case::{Case, Statistic, Study};
+use crate::chart::{Axis, Chart, Series};
 use crate::reference::ValidationRow;
-use crate::report::chart::{Axis, Chart, Series};
 use crate::run::{self, QuantityId};
 
 /// What a number is: of which study, of which channel, which statistic, within which window or stretch, which of

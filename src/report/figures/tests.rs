@@ -1,7 +1,7 @@
 //! What the charts of runs are made of.
 
 use super::*;
-use crate::report::chart::{Chart, LimitLine};
+use crate::chart::{Chart, LimitLine};
 use crate::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
@@ -233,7 +233,7 @@ fn limits_and_published_values_are_drawn_where_the_case_states_them() {
 
 #[test]
 fn a_bound_beyond_the_plot_is_named_at_its_edge() {
-    use crate::report::chart::{Axis, Glyphs, Limit, Series, draw};
+    use crate::chart::{Axis, Glyphs, Limit, Series, draw};
     let series = vec![Series::new("top", 0, vec![(0.0, 0.0), (600.0, 2.0e6)])];
     let mut chart = Chart::new(
         "t",

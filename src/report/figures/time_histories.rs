@@ -3,7 +3,7 @@
 use super::profiles::points;
 use super::{PlottedRun, body, histories, named, places, series, slots, values};
 use crate::case::ChannelQuantity;
-use crate::report::chart::{Axis, Chart};
+use crate::chart::{Axis, Chart};
 
 /// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
 #[must_use]

@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::tables::{METRES, NEWTONS};
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::percent;
-use crate::report::table::{Align, NumberFormat, Table};
+use crate::chart::{Axis, Chart, Series};
+use crate::number::percent;
 use crate::ropeway::SolvedRopeway;
 use crate::ropeway::dynamic_crossing::CrossingState;
 use crate::ropeway::oscillator::{CargoOscillator, CargoState, taut_string_rad_per_s};
+use crate::table::{Align, NumberFormat, Table};
 
 /// A period.
 const SECONDS: NumberFormat = NumberFormat::Decimals(3, "s");

@@ -1,6 +1,6 @@
 //! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
+use crate::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
 use crate::ropeway::unloaded::UnloadedRope;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 

@@ -1,10 +1,10 @@
 //! A ropeway at rest in tables: its models side by side, the crossing, the ropes; warnings.
 
-use crate::report::number::{percent, rounded};
-use crate::report::table::{Align, Cell, NumberFormat, Table};
+use crate::number::{percent, rounded};
 use crate::ropeway::elastic::{Carrier, RopeEquilibrium};
 use crate::ropeway::weight_check::WeightCheck;
 use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::table::{Align, Cell, NumberFormat, Table};
 
 /// A force in newtons as the paper prints them.
 pub(super) const NEWTONS: NumberFormat = NumberFormat::With(newtons);

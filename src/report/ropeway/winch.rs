@@ -1,14 +1,14 @@
 //! Hauling the rope out and the winch on the moving ship, in tables and charts.
 
 use super::tables::{METRES, NEWTONS, metres, newtons};
+use crate::chart::{Axis, Chart, Series};
+use crate::number::{percent, si};
 use crate::numerics::statistics::Statistics;
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::{percent, si};
-use crate::report::table::{NumberFormat, Table};
 use crate::ropeway::hauling::{HaulingPoint, haul};
 use crate::ropeway::rope_motion::{MovingRope, RopeMotion};
 use crate::ropeway::winch::{WinchSample, WinchState, statistics};
 use crate::ropeway::{SolvedRopeway, WinchRun};
+use crate::table::{NumberFormat, Table};
 
 /// Steps of the chart of hauling.
 const HAULS: usize = 80;

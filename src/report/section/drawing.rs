@@ -5,7 +5,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::report::chart::{Axis, Chart, Outline, Series};
+use crate::chart::{Axis, Chart, Outline, Series};
 use crate::section::{CableElement, Design, Helix, LaidLayer};
 
 /// Corners of an outline that is drawn as a circle.

@@ -6,10 +6,10 @@ pub mod tables;
 use crate::case::{FieldRow, edited};
 use crate::reference;
 use crate::report::document::Report;
-use crate::report::table::Table;
 use crate::report::text;
 use crate::section::stiffness::EndRotation;
 use crate::section::{Design, validation};
+use crate::table::Table;
 
 /// Tension of the load sharing where no strength is known \[N\].
 const SAMPLE: f64 = 1e5;

@@ -1,11 +1,11 @@
 //! A cross-section in tables: layers, stiffness, weight and strength, load sharing.
 
-use crate::report::number::{digits, percent, si};
-use crate::report::table::{Align, Cell, NumberFormat, Table};
+use crate::number::{digits, percent, si};
 use crate::section::model::{Core, Voids};
 use crate::section::stiffness::{EndRotation, StiffnessMatrix, ea_with_core_pressure};
 use crate::section::strength::load_shares;
 use crate::section::{Design, Helix, LaidLayer};
+use crate::table::{Align, Cell, NumberFormat, Table};
 
 /// A length in millimetres.
 const MM: NumberFormat = NumberFormat::With(mm);

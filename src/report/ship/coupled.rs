@@ -1,10 +1,10 @@
 //! Coupled analysis of ship and anchor line in charts and tables.
 
 use super::motion::DRAWN;
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::{digits, percent};
-use crate::report::table::{NumberFormat, Table};
+use crate::chart::{Axis, Chart, Series};
+use crate::number::{digits, percent};
 use crate::ship::coupled::{CHANNELS, CoupledAnalysis};
+use crate::table::{NumberFormat, Table};
 
 /// Channels of the charts of ship and line.
 const SHIP: [usize; 3] = [0, 1, 5];

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
+use crate::chart::{Axis, Chart, Series};
+use crate::number::{digits, percent};
 use crate::numerics::statistics::{Statistics, expected_gaussian_maximum};
 use crate::physics::sea::{DEGREES, Moments};
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::{digits, percent};
-use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use crate::ship::motion::{DegreeOfFreedom, NarrowBand};
 use crate::ship::quantities::{UNITS, scale};
 use crate::ship::{MotionAnalysis, WaveRealisation};
+use crate::table::{Align, Cell, CellStyle, NumberFormat, Table};
 
 /// Time that is drawn \[s\].
 pub(super) const DRAWN: f64 = 300.0;

@@ -1,6 +1,6 @@
 //! Plan view of a ship: its anchor, every equilibrium position, and the directions of wind, current and waves.
 
-use crate::report::chart::{Axis, Chart, Outline, Series, extent};
+use crate::chart::{Axis, Chart, Outline, Series, extent};
 use crate::ship::loads::EnvironmentalLoad;
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{MooredEquilibrium, StaticAnalysis};

@@ -1,15 +1,15 @@
 //! The rope between the moving ship and a platform in charts and tables.
 
 use super::motion::DRAWN;
+use crate::chart::{Axis, Chart, Series};
+use crate::number::{digits, percent, si};
 use crate::numerics::statistics::Statistics;
-use crate::report::chart::{Axis, Chart, Series};
-use crate::report::number::{digits, percent, si};
 use crate::report::ropeway::winch;
-use crate::report::table::{Columns, NumberFormat, Table};
 use crate::ropeway::RopewayError;
 use crate::ropeway::winch::{WinchSample, statistics as samples_statistics};
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::rope::dynamic::DynamicRope;
+use crate::table::{Columns, NumberFormat, Table};
 
 const FORCE: NumberFormat = NumberFormat::Si("N");
 

@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use nalgebra::Complex;
 
-use crate::report::chart::{Axis, Chart, Limit, LimitLine, Series};
-use crate::report::number::{digits, si};
-use crate::report::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
+use crate::number::{digits, si};
 use crate::ship::loads::PlanarLoad;
 use crate::ship::mooring::MooringSolution;
 use crate::ship::stability::{DynamicStability, PlanarDynamics};
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{MooredEquilibrium, StaticAnalysis};
+use crate::table::{Align, Cell, CellStyle, NumberFormat, Table};
 
 /// Points of a curve over all headings.
 const POINTS: u32 = 720;

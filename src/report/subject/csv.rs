@@ -5,8 +5,8 @@ use crate::case::{Diagnostic, Subject};
 use crate::comparison::Comparison;
 use crate::report::comparison;
 use crate::report::document::{Block, Report};
-use crate::report::table::{Align, Cell, Table};
 use crate::run::{Quantity, Run};
+use crate::table::{Align, Cell, Table};
 
 /// The file of a run's directory that has the record of a channel.
 const RECORD: &str = "history.csv";

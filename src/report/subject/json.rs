@@ -4,14 +4,14 @@ use serde_json::{Value, json};
 
 use super::{ReportSubject, RunSubject};
 use crate::case::{self, Diagnostic, kind};
+use crate::chart::{Axis, Chart};
 use crate::comparison::Comparison;
-use crate::report::chart::{Axis, Chart};
 use crate::report::document::{Block, Report};
 use crate::report::system::{self, motion};
-use crate::report::table::Table;
 use crate::report::{comparison, run_json};
 use crate::system::SystemFile;
 use crate::system::analysis::analyses::Analyses;
+use crate::table::Table;
 
 impl ReportSubject<'_> {
     /// The results: of runs, sweeps and systems what the commands that compute them print with `--json`; of other files their tables and

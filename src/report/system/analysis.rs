@@ -1,8 +1,7 @@
 //! Analyses of a system in tables and charts: offsets, watch circle, natural periods, clearances.
 
-use crate::report::chart::{Axis, Chart, Outline, Series};
-use crate::report::number::rounded;
-use crate::report::table::{NumberFormat, Table};
+use crate::chart::{Axis, Chart, Outline, Series};
+use crate::number::rounded;
 use crate::system::SolvedSystem;
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::clearance::LineDistances;
@@ -13,6 +12,7 @@ use crate::system::analysis::watch_circle::WatchCircle;
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::GoalInputs;
 use crate::system::stability::Stability;
+use crate::table::{NumberFormat, Table};
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");

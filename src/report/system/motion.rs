@@ -9,15 +9,15 @@ use serde_json::{Value, json};
 use crate::case::{
     ChannelQuantity, Diagnostic, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
 };
+use crate::chart::{Chart, Glyphs};
 use crate::number::{si, with_error};
-use crate::report::chart::{Chart, Glyphs};
 use crate::report::document::Report;
 use crate::report::figures::{FigureData, FigureId, PlottedRun, against_time_at};
-use crate::report::table::{Align, Cell, NumberFormat, Table};
 use crate::report::text::{self, WIDTH, inputs};
 use crate::run::{Channel, Quantity, Run, edited_inputs};
 use crate::system::motion::job::STATISTICS;
 use crate::system::{SolvedSystem, SystemFile, validation};
+use crate::table::{Align, Cell, NumberFormat, Table};
 
 /// Lines of a chart.
 const LINES: usize = 16;

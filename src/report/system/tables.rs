@@ -2,7 +2,6 @@
 
 use super::displaced_twice::displaced_twice;
 use crate::numerics::V3;
-use crate::report::table::{Align, Cell, Column, NumberFormat, Table};
 use crate::scene::steep_waves;
 use crate::system::analysis::clearance::curves;
 use crate::system::bounds::Contact;
@@ -14,6 +13,7 @@ use crate::system::network::{Body, Held};
 use crate::system::potential_flow::wave_loads::energy_above;
 use crate::system::stability::{Stability, stability as rests};
 use crate::system::{SolvedSystem, SystemFile};
+use crate::table::{Align, Cell, Column, NumberFormat, Table};
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");

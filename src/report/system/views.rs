@@ -1,7 +1,7 @@
 //! A system drawn: from above, from the side, and obliquely from above.
 
+use crate::chart::{Axis, Chart, Outline, Series};
 use crate::numerics::V3;
-use crate::report::chart::{Axis, Chart, Outline, Series};
 use crate::system::SolvedSystem;
 use crate::system::network::Held;
 

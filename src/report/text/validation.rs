@@ -1,8 +1,8 @@
 //! Published values against a run: the table with its notes, and the tally.
 
 use super::WIDTH;
+use crate::chart::Glyphs;
 use crate::reference::{self, ValidationRow};
-use crate::report::chart::Glyphs;
 use crate::report::document::Report;
 
 /// The validation table on 80 columns, a note to every row, and the tally.

@@ -4,7 +4,7 @@ use super::{JudgedPaper, is_of_a_paper};
 use crate::reference::papers::FileRows;
 use crate::reference::{Outcome, ValidationRow, table};
 use crate::report::document::Block;
-use crate::report::table::{Align, Cell, CellStyle, Table};
+use crate::table::{Align, Cell, CellStyle, Table};
 
 pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
     let beside: Vec<&FileRows<'_>> = files

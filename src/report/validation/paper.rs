@@ -4,7 +4,7 @@ use super::JudgedPaper;
 use crate::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
 use crate::reference::{Outcome, RowKind, ValidationRow, table};
 use crate::report::document::Block;
-use crate::report::table::{Align, Cell, CellStyle, Table};
+use crate::table::{Align, Cell, CellStyle, Table};
 
 /// Results that agree, by what that is worth.
 const GROUPS: [(&str, &[RowKind]); 3] = [

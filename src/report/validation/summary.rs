@@ -4,7 +4,7 @@ use super::{JudgedPaper, is_of_a_paper};
 use crate::reference::papers::{AnswerCounts, FileRows, count_answers};
 use crate::reference::{Outcome, RowKind, ValidationRow};
 use crate::report::document::Block;
-use crate::report::table::{Align, Cell, CellStyle, Table};
+use crate::table::{Align, Cell, CellStyle, Table};
 
 pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
     let mut blocks = vec![Block::Title("Published results against ours".to_owned())];

@@ -2,7 +2,7 @@
 
 use super::{ResultColumn, ResultView, VariationView};
 use crate::number::si;
-use crate::report::table::{Align, Cell, Table};
+use crate::table::{Align, Cell, Table};
 
 /// A result over all points that have it.
 struct Extremes<'a> {

@@ -4,10 +4,10 @@ use super::file::EVERYWHERE;
 use super::names::{name, pane_name};
 use super::registry::{FIXED, declared};
 use super::{BoundKeys, KeyTable, Scope};
-use crate::report::table::Table;
-use crate::report::wrap::{WideWords, wrap};
+use crate::table::Table;
 use crate::tui::command::Command;
 use crate::tui::pane::PaneId;
+use crate::wrap::{WideWords, wrap};
 
 /// Columns of the comments.
 const WIDTH: usize = 100;

@@ -126,7 +126,7 @@ pub fn columns(state: &AppState, hidden: bool) -> Vec<Argument> {
     let wanted = all.filter(|(place, _)| shown.contains(place) != hidden);
     let each = wanted.map(|(_, column)| Argument {
         text: column.head.clone(),
-        help: crate::report::table::explanations::words(&table.title, &column.head),
+        help: crate::table::explanations::words(&table.title, &column.head),
     });
     each.collect()
 }

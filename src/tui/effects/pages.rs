@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::outbox::Outbox;
+use crate::chart::Glyphs;
 use crate::comparison::Comparison;
 use crate::number::duration;
-use crate::report::chart::Glyphs;
 use crate::report::comparison;
 use crate::report::effects::TornadoView;
 use crate::report::physics;

@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::{AppState, CaseEntry, CaseList};

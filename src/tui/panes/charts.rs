@@ -6,9 +6,9 @@ use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart::{self, GridMap, svg::svg};
+use crate::chart::{self, GridMap, svg::svg};
+use crate::number;
 use crate::report::figures::{FIGURES, FigureAxis, FigureId};
-use crate::report::number;
 use crate::tui::command::{self, Command, CommandId, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart;
+use crate::chart;
 use crate::tui::command::{self, Command, CommandId, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::parts::Part;

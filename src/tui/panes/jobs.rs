@@ -3,7 +3,7 @@
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::number;
+use crate::number;
 use crate::run::Progress;
 use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main};
 use crate::tui::msg::Effect;

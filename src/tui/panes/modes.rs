@@ -8,7 +8,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::{Pane, PaneInfo, about};
 use crate::modes::LineModes;
 use crate::report::modes as views;
-use crate::report::table::Table;
+use crate::table::Table;
 use crate::tui::command::{COLUMNS, Command, CommandId, LIST, TABLE, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;

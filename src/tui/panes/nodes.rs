@@ -6,7 +6,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
 use crate::report::limits;
-use crate::report::table::Table;
+use crate::table::Table;
 use crate::tui::command::{
     self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other,
 };

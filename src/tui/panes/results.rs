@@ -5,7 +5,7 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::command::{self, Command, CommandId, LIST, main, other};
 use crate::tui::msg::{Effect, StudyOf};
 use crate::tui::result_lines::{self, ResultLine};

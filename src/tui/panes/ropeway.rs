@@ -3,9 +3,9 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::report::chart::Glyphs;
-use crate::report::number::{percent, rounded};
-use crate::report::table::CellStyle;
+use crate::chart::Glyphs;
+use crate::number::{percent, rounded};
+use crate::table::CellStyle;
 use crate::tui::command::{Command, CommandId, main, other};
 use crate::tui::msg::Effect;
 use crate::tui::state::parts::{Part, PartView};

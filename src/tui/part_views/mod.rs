@@ -9,8 +9,8 @@ pub mod system;
 
 use super::state::DocumentContent;
 use super::state::parts::{Part, PartView};
-use crate::report::chart::Chart;
-use crate::report::table::Table;
+use crate::chart::Chart;
+use crate::table::Table;
 
 /// A part of a model.
 #[must_use]

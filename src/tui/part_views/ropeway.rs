@@ -1,12 +1,12 @@
 //! Drawing and tables of a ropeway with its cargo where the user has put it.
 
 use super::with_table;
-use crate::report::chart::Chart;
-use crate::report::number::rounded;
+use crate::chart::Chart;
+use crate::number::rounded;
 use crate::report::ropeway::{cargo, drawing, tables, winch};
-use crate::report::table::{CellStyle, Table};
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::table::{CellStyle, Table};
 use crate::tui::state::RopewayView;
 use crate::tui::state::parts::{Part, PartView};
 

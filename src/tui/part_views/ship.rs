@@ -1,19 +1,19 @@
 //! Plan view, headings and tables of a ship at rest and at sea.
 
 use super::with_table;
-use crate::report::chart::{Chart, marker};
-use crate::report::number::{digits, si};
+use crate::chart::{Chart, marker};
+use crate::number::{digits, si};
 use crate::report::ship::{coupled, motion, plan, rope, statics};
-use crate::report::table::{CellStyle, Table};
-use crate::report::wrap::{WideWords, wrap};
 use crate::ship::model::MotionSettings;
 use crate::ship::rope::RopeAnalysis;
 use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis};
+use crate::table::{CellStyle, Table};
 use crate::tui::state::ShipView;
 use crate::tui::state::parts::{Part, PartView};
 use crate::tui::state::ship::{AT_SEA, MOTIONS};
+use crate::wrap::{WideWords, wrap};
 
 /// Columns of the list of headings.
 pub const LIST: u16 = 34;

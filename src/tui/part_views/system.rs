@@ -1,12 +1,12 @@
 //! Views, tables and analyses of a system of lines.
 
 use super::with_table;
-use crate::report::chart::Chart;
+use crate::chart::Chart;
 use crate::report::system::{analysis, tables, views};
-use crate::report::table::Table;
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::periods::NaturalModes;
 use crate::system::analysis::watch_circle::WatchCircle;
+use crate::table::Table;
 use crate::tui::state::SystemView;
 use crate::tui::state::parts::{Part, PartView};
 

@@ -4,7 +4,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use crate::report::chart::{self, Chart, Glyphs, Picture};
+use crate::chart::{self, Chart, Glyphs, Picture};
 
 /// A picture, and all that it depends on. It is no part of the state: copies are without, and all are equal.
 #[derive(Debug, Default)]
@@ -53,7 +53,7 @@ impl PartialEq for PictureMemo {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::chart::Series;
+    use crate::chart::Series;
 
     #[test]
     fn a_picture_is_drawn_anew_when_anything_changes_that_it_depends_on() {

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
-use crate::report::chart::{Axis, PicturePart};
+use crate::chart::{Axis, PicturePart};
 
 const SIZE: (usize, usize) = (80, 20);
 

@@ -1,7 +1,7 @@
 //! The look of the screen as the user sets it in `config.toml`.
 
 use crate::case::{Diagnostic, Finding, TomlNode, diagnose, nearest, tree_of};
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::theme::Palette;
 
 /// The look of the screen; what is absent is decided by the program.

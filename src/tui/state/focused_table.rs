@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use super::AppState;
 use super::sweeps::SweepTab;
 use crate::report::modes as mode_views;
-use crate::report::table::Table;
+use crate::table::Table;
 use crate::tui::pane::PaneId;
 use crate::tui::panes::modes::is_narrow;
 use crate::tui::table_pane::TablePane;

@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use super::document::DocumentContent;
-use crate::report::chart::Chart;
-use crate::report::table::{CellStyle, Table};
+use crate::chart::Chart;
 use crate::run::Run;
+use crate::table::{CellStyle, Table};
 use crate::tui::line_tables::LineTable;
 use crate::tui::part_views;
 

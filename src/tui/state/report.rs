@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::document::DocumentContent;
 
+use crate::chart::Glyphs;
 use crate::reference::ValidationRow;
-use crate::report::chart::Glyphs;
 use crate::report::document::ReportFormat;
 use crate::report::subject::{ReportSubject, RunSubject, StudyTable};
 use crate::run::Run;

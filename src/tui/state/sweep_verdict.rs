@@ -3,10 +3,10 @@
 
 use crate::number::duration;
 use crate::report::seas::SeasView;
-use crate::report::table::Table;
 use crate::study::load_case_table::{LoadCaseColumn, used_columns};
 use crate::study::seas::{CheckResult, SeaResults};
 use crate::study::sweep::SweepSnapshot;
+use crate::table::Table;
 
 /// What load cases say together.
 #[derive(Debug, Clone, Default)]

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use super::JobNumber;
 use crate::report::subject::StudyTable;
-use crate::report::table::Table;
 use crate::study::{TrialVerdict, hard_cases};
+use crate::table::Table;
 use crate::tui::table_pane::TablePane;
 
 /// Whose trials.

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use crate::case::{Case, EditedKey, StudyPoint};
 use crate::reference;
-use crate::report::table::Table;
 use crate::run::Run;
+use crate::table::Table;
 use crate::tui::facade::{self, ValidationRow};
 
 /// Whether the validation table is being made.

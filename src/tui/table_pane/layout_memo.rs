@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use crate::report::table::{Table, TableLayout};
+use crate::table::{Table, TableLayout};
 
 /// A layout, and all that it depends on. It is no part of the state: copies are without, and all are equal.
 #[derive(Debug, Default)]

@@ -4,9 +4,9 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthChar;
 
-use crate::report::chart::Glyphs;
-use crate::report::plain;
-use crate::report::table::{LineKind, TableLayout, TableLine};
+use crate::chart::Glyphs;
+use crate::plain;
+use crate::table::{LineKind, TableLayout, TableLine};
 use crate::tui::theme::Theme;
 
 /// Columns of text by which a long cell is shown further, where cells are below each other.
@@ -52,7 +52,7 @@ pub(super) fn draw_line(
     let mut column = 0_usize;
     for piece in &line.pieces {
         let style = match line.kind {
-            LineKind::Title => theme.chart(crate::report::chart::PicturePart::Title),
+            LineKind::Title => theme.chart(crate::chart::PicturePart::Title),
             LineKind::Head => theme.strong(),
             _ => theme.cell(piece.ink),
         };

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::TablePane;
-use crate::report::table::Table;
+use crate::table::Table;
 use crate::tui::fuzzy::FuzzyFilter;
 
 impl TablePane {

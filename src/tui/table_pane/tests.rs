@@ -1,7 +1,7 @@
 //! Tables as the user has them.
 
 use super::*;
-use crate::report::table::{Align, Cell, CellStyle};
+use crate::table::{Align, Cell, CellStyle};
 use ratatui::style::Modifier;
 
 fn table() -> Table {

@@ -1,6 +1,6 @@
 //! What the terminal can show: glyphs and colours, decided from flags and environment alone.
 
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::theme::Palette;
 
 /// What was decided, and whether the user should be asked.

@@ -161,7 +161,7 @@ fn holds(state: &AppState) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::chart::Glyphs;
+    use crate::chart::Glyphs;
     use crate::tui::terminal::capabilities::Capabilities;
     use crate::tui::theme::Palette;
     use crate::tui::view::paint::wrap;

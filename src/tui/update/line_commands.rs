@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::{edit, keys, overlay, quit, tables, vary};
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::tui::bindings::names::pane_of;
 use crate::tui::command_line::LineCommand;
 use crate::tui::key::KeyPress;

@@ -9,7 +9,7 @@ use super::{
     build, column_plot, command_line, curves, edit, export, jobs, keys, line_types, pages, quit,
     resume, run_table, runs, studies, sweeps, tables, trials, tutorial, vary,
 };
-use crate::report::chart::Glyphs;
+use crate::chart::Glyphs;
 use crate::report::document::ReportFormat;
 use crate::tui::command::CommandId;
 use crate::tui::key::KeyPress;

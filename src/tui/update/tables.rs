@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::motion::table_verb;
 use super::notice::info;
-use crate::report::table::explanations;
+use crate::table::explanations;
 use crate::tui::command::CommandId;
 use crate::tui::msg::Effect;
 use crate::tui::pane::PaneId;

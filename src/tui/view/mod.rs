@@ -27,8 +27,8 @@ use super::panes;
 use super::state::line::RunningStudy;
 use super::state::{AppState, JobPurpose, JobState, Severity};
 use super::theme::Theme;
-use crate::report::chart::Glyphs;
-use crate::report::number;
+use crate::chart::Glyphs;
+use crate::number;
 
 /// Draws the whole screen.
 pub fn draw(state: &AppState, frame: &mut Frame) {

@@ -8,7 +8,7 @@ use unicode_width::UnicodeWidthStr;
 
 use super::paint::{over, row, wrap};
 use super::painter::Painter;
-use crate::report::chart::marker;
+use crate::chart::marker;
 use crate::tui::bindings::BoundCommand;
 use crate::tui::bindings::names::name;
 use crate::tui::column_plot::ColumnPair;

@@ -10,10 +10,10 @@ use ratatui::symbols::border;
 use ratatui::widgets::{Block, Clear, Widget};
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
-use crate::report::chart::Glyphs;
-use crate::report::plain::ascii;
-use crate::report::wrap::WideWords;
+use crate::chart::Glyphs;
+use crate::plain::ascii;
 use crate::visible;
+use crate::wrap::WideWords;
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
 pub(in crate::tui) fn text(
@@ -187,7 +187,7 @@ pub(in crate::tui) fn over(
 
 /// Breaks text into lines of a width, between words where it can.
 pub(in crate::tui) fn wrap(words: &str, width: usize) -> Vec<String> {
-    crate::report::wrap::wrap(words, width, WideWords::Broken)
+    crate::wrap::wrap(words, width, WideWords::Broken)
 }
 
 /// Replaces what ASCII lacks, on the whole screen: text of case files may hold anything.

@@ -7,9 +7,9 @@ use tui_input::Input;
 use unicode_width::UnicodeWidthStr;
 
 use super::paint::{below_head, cut, first_line, rest, right, row, span, tabs_seen, text, wrap};
-use crate::report::chart::{Chart, Glyphs};
-use crate::report::plain::ascii;
-use crate::report::table::Table;
+use crate::chart::{Chart, Glyphs};
+use crate::plain::ascii;
+use crate::table::Table;
 use crate::tui::plot_pane::draw_chart;
 use crate::tui::state::parts::{Part, PartView};
 use crate::tui::state::{AppState, Filter};

@@ -2,7 +2,7 @@
 
 use ratatui::style::Style;
 
-use crate::report::chart::{Glyphs, PicturePart};
+use crate::chart::{Glyphs, PicturePart};
 use crate::tui::view::painter::Painter;
 
 /// How many shades there are.

@@ -1,0 +1,5 @@
+//! Files of other programs: read, written, audited.
+
+pub mod audit;
+pub mod export;
+pub mod import;

@@ -1,0 +1,4 @@
+//! Studies of cases, and runs compared.
+
+pub mod comparison;
+pub mod study;

@@ -1,0 +1,374 @@
+//! Accuracy as an input, held against the truth: what a search for it found, beside a run on twice the mesh of what was found and of
+//! the case, with a time error four times as small, and what it cost, beside the cheapest of some settings that are as accurate.
+//!
+//! A setting is as accurate as asked where [`WITHIN`] of its results are, as shares of what [`result_scales`] says. It knows that where
+//! so many of the errors that it expects are as small: only such a setting can be chosen without the truth.
+
+use std::sync::atomic::AtomicBool;
+
+use rayon::prelude::*;
+use rustix::time::{ClockId, clock_gettime};
+
+use crate::case::{self, Case};
+use crate::numerics::statistics::median;
+use crate::run::job::{self, Request};
+use crate::run::{QuantityId, Run, RunState, result_scales};
+use crate::table::{NumberFormat, Table};
+
+/// Share of the results that must be as accurate as asked.
+pub const WITHIN: f64 = 0.95;
+/// The mesh of the run that counts as true by that found, and its steps.
+const FINER_MESH: usize = 2;
+const SHORTER_STEPS: f64 = 0.5;
+/// Segments and steps of the settings compared with, by those of the case.
+const MESHES: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
+const STEPS: [f64; 5] = [8.0, 4.0, 2.0, 1.0, 0.5];
+
+/// A case and the accuracy asked of it.
+#[derive(Debug, Clone)]
+pub struct AccuracyTrial {
+    /// The case's name.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// What it says.
+    pub case: Case,
+    /// The accuracy asked, as a share.
+    pub asked: f64,
+    /// Wall time that the search may take \[s\].
+    pub budget_s: f64,
+}
+
+/// The outcome of a trial.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AccuracyFinding {
+    /// The case's name.
+    pub name: String,
+    /// The accuracy asked.
+    pub asked: f64,
+    /// Whether the run says that it is reached.
+    pub said: bool,
+    /// Results that have an accuracy.
+    pub results: usize,
+    /// Those that are as accurate as asked.
+    pub within: usize,
+    /// CPU time of the search, its run included \[s\].
+    pub cpu_s: f64,
+    /// The cheapest setting that is as accurate; none where none of those tried is.
+    pub cheapest: Option<Setting>,
+    /// The cheapest that is as accurate and knows it, with its error bars.
+    pub knowing: Option<Setting>,
+}
+
+/// Segments and steps that do not change during a run.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Setting {
+    /// Segments by those of the case.
+    pub segments: f64,
+    /// Steps by those of the case.
+    pub steps: f64,
+    /// CPU time of its run \[s\].
+    pub cpu_s: f64,
+}
+
+impl Setting {
+    fn words(self) -> String {
+        format!("{} x segments, {} x steps", self.segments, self.steps)
+    }
+}
+
+impl AccuracyFinding {
+    /// CPU time by that of the cheapest setting.
+    #[must_use]
+    pub fn cost(&self) -> Option<f64> {
+        self.cheapest.map(|setting| self.cpu_s / setting.cpu_s)
+    }
+
+    /// CPU time by that of the cheapest setting that knows how accurate it is.
+    #[must_use]
+    pub fn cost_by_knowing(&self) -> Option<f64> {
+        self.knowing.map(|setting| self.cpu_s / setting.cpu_s)
+    }
+}
+
+/// A trial with its outcome, or the reason why it has none.
+pub type AccuracyRow = (AccuracyTrial, Result<AccuracyFinding, String>);
+
+/// Searches, and holds against the truth. The search is computed alone, so that its CPU time is that of the process.
+///
+/// # Errors
+/// The reason for which the search or the run that counts as true did not come to its end.
+pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFinding, String> {
+    let mut asked = trial.case.clone();
+    asked.solver.accuracy = Some(trial.asked);
+    asked.solver.budget_s = Some(trial.budget_s);
+    let begun = cpu(ClockId::ProcessCPUTime);
+    let run = run(asked, &trial.text, cancel)?;
+    let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
+    let found = case::parse(&run.case_text, &trial.name).map_err(|_| "its case is not read")?;
+    let exact = self::run(finer(&trial.case, &found), "", cancel)
+        .map_err(|why| format!("true run: {why}"))?;
+    let judge = Judge {
+        scales: result_scales(&found, &run),
+        exact: &exact,
+        asked: trial.asked,
+    };
+    let (results, within) = judge.count(&run);
+    let met = met(&trial.case, &judge, cancel);
+    Ok(AccuracyFinding {
+        name: trial.name.clone(),
+        asked: trial.asked,
+        said: !run
+            .info
+            .warnings
+            .iter()
+            .any(|w| w.contains("is not reached")),
+        results,
+        within,
+        cpu_s,
+        cheapest: met.first().copied(),
+        knowing: knowing(&trial.case, &judge, &met, cancel),
+    })
+}
+
+/// Holds runs against the true one.
+struct Judge<'a> {
+    scales: Vec<(QuantityId, f64)>,
+    exact: &'a Run,
+    asked: f64,
+}
+
+impl Judge<'_> {
+    /// Results that have an accuracy, and those of them that are as accurate as asked.
+    fn count(&self, run: &Run) -> (usize, usize) {
+        let value = |run: &Run, id: &QuantityId| {
+            let found = run.summary.iter().find(|q| q.id == *id);
+            found.map(|q| q.value)
+        };
+        let share = |(id, scale): &(QuantityId, f64)| {
+            Some((value(run, id)? - value(self.exact, id)?).abs() / scale)
+        };
+        let shares: Vec<f64> = self.scales.iter().filter_map(share).collect();
+        let within = shares.iter().filter(|share| **share <= self.asked).count();
+        (shares.len(), within)
+    }
+
+    fn is_met(&self, run: &Run) -> bool {
+        let (results, within) = self.count(run);
+        within as f64 >= WITHIN * results as f64
+    }
+
+    /// Whether a run expects to be as accurate as asked.
+    fn is_expected(&self, run: &Run) -> bool {
+        let share = |(id, scale): &(QuantityId, f64)| {
+            let found = run.summary.iter().find(|q| q.id == *id)?;
+            Some(found.expected_error()? / scale)
+        };
+        let shares: Vec<f64> = self.scales.iter().filter_map(share).collect();
+        let within = shares.iter().filter(|share| **share <= self.asked).count();
+        within as f64 >= WITHIN * shares.len() as f64
+    }
+}
+
+/// The settings that are as accurate as asked, the cheapest first; without error bars.
+fn met(case: &Case, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
+    let settings = MESHES
+        .iter()
+        .flat_map(|mesh| STEPS.map(|steps| (*mesh, steps)));
+    let settings: Vec<(f64, f64)> = settings.collect();
+    let met = settings.into_par_iter().filter_map(|(segments, steps)| {
+        let begun = cpu(ClockId::ThreadCPUTime);
+        let run = run(with(case, segments, steps), "", cancel).ok()?;
+        let cpu_s = cpu(ClockId::ThreadCPUTime) - begun;
+        judge.is_met(&run).then_some(Setting {
+            segments,
+            steps,
+            cpu_s,
+        })
+    });
+    let mut met: Vec<Setting> = met.collect();
+    met.sort_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s));
+    met
+}
+
+/// The cheapest of those that are as accurate which knows it. Each is computed alone, since its companions have threads of their own.
+fn knowing(
+    case: &Case,
+    judge: &Judge<'_>,
+    met: &[Setting],
+    cancel: &AtomicBool,
+) -> Option<Setting> {
+    let mut cheapest: Option<Setting> = None;
+    for setting in met {
+        // With bars it costs more than without.
+        if cheapest.is_some_and(|cheapest| cheapest.cpu_s <= setting.cpu_s) {
+            break;
+        }
+        let mut case = with(case, setting.segments, setting.steps);
+        case.solver.error_estimate = true;
+        let begun = cpu(ClockId::ProcessCPUTime);
+        let Ok(run) = run(case, "", cancel) else {
+            continue;
+        };
+        let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
+        if judge.is_expected(&run) && cheapest.is_none_or(|cheapest| cpu_s < cheapest.cpu_s) {
+            cheapest = Some(Setting { cpu_s, ..*setting });
+        }
+    }
+    cheapest
+}
+
+/// Twice as fine as what was found and as the case itself.
+fn finer(own: &Case, found: &Case) -> Case {
+    let mut finer = with(found, FINER_MESH as f64, SHORTER_STEPS);
+    let own = with(own, FINER_MESH as f64, SHORTER_STEPS);
+    for (section, other) in finer.line.iter_mut().zip(&own.line) {
+        section.segments = section.segments.max(other.segments);
+    }
+    let (solver, other) = (&mut finer.solver, &own.solver);
+    solver.step_tolerance = solver.step_tolerance.min(other.step_tolerance);
+    solver.time_step_s = match (solver.time_step_s, other.time_step_s) {
+        (Some(found), Some(own)) => Some(found.min(own)),
+        (found, own) => found.or(own),
+    };
+    // Where it is longer than that of the case, the case has its own.
+    solver.longest_step_s = None;
+    finer
+}
+
+/// The case with these segments and steps by its own, without a search or bars.
+fn with(case: &Case, mesh: f64, steps: f64) -> Case {
+    let mut case = case.clone();
+    for section in &mut case.line {
+        section.segments = ((section.segments as f64 * mesh).ceil() as usize).max(1);
+    }
+    let solver = &mut case.solver;
+    solver.accuracy = None;
+    solver.error_estimate = false;
+    // The error in a step grows with one power more than that of the run.
+    solver.step_tolerance = (solver.step_tolerance * steps.powi(3)).min(1.0);
+    solver.time_step_s = solver.time_step_s.map(|step| step * steps);
+    case
+}
+
+fn run(case: Case, text: &str, cancel: &AtomicBool) -> Result<Run, String> {
+    let request = Request {
+        case,
+        text: text.to_owned(),
+        file: String::new(),
+        overrides: Vec::new(),
+        id: "accuracy".to_owned(),
+    };
+    let run = job::execute(&request, cancel, &mut |_| {});
+    match run.info.state {
+        RunState::Done => Ok(run),
+        _ => Err(run.info.failure.unwrap_or_else(|| "stopped".to_owned())),
+    }
+}
+
+/// CPU time by this clock \[s\].
+fn cpu(clock: ClockId) -> f64 {
+    let t = clock_gettime(clock);
+    t.tv_sec as f64 + 1e-9 * t.tv_nsec as f64
+}
+
+/// The table: a row a trial.
+#[must_use]
+pub fn table(rows: &[AccuracyRow]) -> Table {
+    let found = |row: &AccuracyRow| row.1.as_ref().ok().cloned();
+    Table::of("Accuracy asked, and the true one", rows)
+        .text("case", |row| row.0.name.clone())
+        .number("asked", NumberFormat::Digits(2, ""), |row| row.0.asked)
+        .text("said", move |row| match found(row) {
+            Some(found) if found.said => "reached".to_owned(),
+            Some(_) => "not reached".to_owned(),
+            None => String::new(),
+        })
+        .number("results", NumberFormat::Decimals(0, ""), move |row| {
+            found(row).map(|found| found.results as f64)
+        })
+        .number("within", NumberFormat::Percent, move |row| {
+            let found = found(row).filter(|found| found.results > 0)?;
+            Some(found.within as f64 / found.results as f64)
+        })
+        .number("CPU", NumberFormat::Digits(3, "s"), move |row| {
+            found(row).map(|found| found.cpu_s)
+        })
+        .number("cheapest", NumberFormat::Digits(3, "s"), move |row| {
+            found(row)?.cheapest.map(|setting| setting.cpu_s)
+        })
+        .number("CPU by it", NumberFormat::Digits(2, ""), move |row| {
+            found(row)?.cost()
+        })
+        .text("its setting", move |row| {
+            let cheapest = found(row).and_then(|found| found.cheapest);
+            cheapest.map_or_else(String::new, Setting::words)
+        })
+        .number("that knows it", NumberFormat::Digits(3, "s"), move |row| {
+            found(row)?.knowing.map(|setting| setting.cpu_s)
+        })
+        .number("CPU by that", NumberFormat::Digits(2, ""), move |row| {
+            found(row)?.cost_by_knowing()
+        })
+        .text("not computed", |row| {
+            row.1.as_ref().err().cloned().unwrap_or_default()
+        })
+        .build()
+}
+
+/// All trials of each accuracy together.
+#[must_use]
+pub fn totals(rows: &[AccuracyRow]) -> Table {
+    let mut asked: Vec<f64> = rows.iter().map(|(trial, _)| trial.asked).collect();
+    asked.sort_by(|a, b| b.total_cmp(a));
+    asked.dedup();
+    let of = |asked: f64| {
+        let all = rows.iter().filter_map(|(_, found)| found.as_ref().ok());
+        all.filter(|found| found.asked == asked).cloned().collect()
+    };
+    let totals: Vec<(f64, Vec<AccuracyFinding>)> =
+        asked.into_iter().map(|asked| (asked, of(asked))).collect();
+    let share = |found: &[AccuracyFinding], counts: fn(&AccuracyFinding) -> bool| {
+        let counted = || found.iter().filter(|found| counts(found));
+        let results: usize = counted().map(|found| found.results).sum();
+        let within: usize = counted().map(|found| found.within).sum();
+        (results > 0).then(|| within as f64 / results as f64)
+    };
+    Table::of("All of them", &totals)
+        .number("asked", NumberFormat::Digits(2, ""), |row| row.0)
+        .number("cases", NumberFormat::Decimals(0, ""), |row| {
+            row.1.len() as f64
+        })
+        .number("said reached", NumberFormat::Decimals(0, ""), |row| {
+            row.1.iter().filter(|found| found.said).count() as f64
+        })
+        .number("results within", NumberFormat::Percent, move |row| {
+            share(&row.1, |_| true)
+        })
+        .number("of those said reached", NumberFormat::Percent, move |row| {
+            share(&row.1, |found| found.said)
+        })
+        .number(
+            "of those that a setting meets",
+            NumberFormat::Percent,
+            move |row| share(&row.1, |found| found.cheapest.is_some()),
+        )
+        .number(
+            "median of CPU by the cheapest",
+            NumberFormat::Digits(2, ""),
+            |row| median(row.1.iter().filter_map(AccuracyFinding::cost).collect()),
+        )
+        .number(
+            "by the cheapest that knows it",
+            NumberFormat::Digits(2, ""),
+            |row| {
+                median(
+                    row.1
+                        .iter()
+                        .filter_map(AccuracyFinding::cost_by_knowing)
+                        .collect(),
+                )
+            },
+        )
+        .build()
+}

@@ -1,0 +1,57 @@
+//! Systems of lines in motion: all lines, points and bodies in one Newton iteration.
+//!
+//! The unknowns are the inner nodes of the lines, the free points, and of every free body its origin and a rotation vector from where it
+//! was at the last accepted step, in its own axes ([`SystemState`]). All are vectors of three numbers, so that generalized-alpha
+//! treats them alike ([`SystemAlpha`]); the order is kept since the velocity that belongs to the rotation vector is the angular
+//! velocity along the body's axes to second order (Brüls and Cardona 2010, doi 10.1115/1.4001370).
+//!
+//! The tangent is an arrowhead: the band of each line, bordered by the joints at its ends. Each line is condensed onto its end
+//! nodes ([`Condensation`](crate::numerics::Condensation)), the joints are solved for together ([`border`]), and the lines follow. A line
+//! between prescribed ends has no border and costs what it costs alone.
+
+pub mod along;
+pub mod alpha;
+mod body_damping;
+pub mod body_equation;
+pub mod body_flow;
+pub mod border;
+pub mod breaks;
+pub mod channels;
+pub(in crate::systems::system) mod check;
+pub(in crate::systems::system) mod check_payout;
+pub mod checkpoint;
+mod differences;
+pub mod energy;
+pub mod foot;
+pub mod frequency;
+pub mod inputs;
+pub mod job;
+pub mod joints;
+mod let_go;
+mod march;
+mod mesh_of_ends;
+pub mod method;
+pub mod moving_system;
+mod new_node;
+pub mod payout;
+mod payout_border;
+pub mod pins;
+mod point_loads;
+pub mod pose_motion;
+pub mod recorder;
+pub mod release;
+pub mod responses;
+pub mod rk4;
+pub mod run;
+pub mod settings;
+pub mod start;
+pub mod surplus;
+pub mod system_state;
+pub mod velocity_history;
+mod wave_stations;
+
+pub use alpha::SystemAlpha;
+pub use moving_system::MovingSystem;
+pub use pose_motion::{BodyMotion, PoseMotion};
+pub use rk4::SystemRk4;
+pub use system_state::SystemState;
