@@ -67,13 +67,14 @@ mod studies;
 #[path = "systems/lib.rs"]
 mod systems;
 
-pub use base::{background, crash_log, files, limits, number, places, visible};
+pub use base::{VERSION, background, clock, crash_log, files, limits, number, places, visible};
 use base::{grace, padding, seal, strays};
 pub use display::{chart, plain, table};
 use display::{markup, wrap};
 pub use engine::{dynamics, line_between_ends, modes, scene, solve, statics};
-pub use foreign::{audit, export, import};
-pub use model::{case, checks, kinds, line_types, section, templates};
+pub use foreign::{audit, export, import, open};
+
+pub use model::{case, checks, kinds, line_types, published, section, templates};
 pub use runs::{reference, run};
 pub use statistics::{extremes, fatigue};
 pub use studies::{comparison, study};

@@ -5,10 +5,10 @@ use std::io;
 use std::panic::PanicHookInfo;
 use std::path::PathBuf;
 
+use crate::VERSION;
+use crate::clock::{now, rfc3339};
 use crate::files::{Target, disk, read};
 use crate::places::state_dir;
-use crate::run::VERSION;
-use crate::run::store::{now, rfc3339};
 
 /// The last fault.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -9,6 +9,7 @@ use crate::{
     files::{read, root, walk::Search},
     import::ImportOptions,
     kinds::FileType,
+    open,
     run::store,
 };
 
@@ -135,7 +136,7 @@ impl<K: FileKind> EditedFile<K> {
         words: &[String],
         options: &ImportOptions,
     ) -> Result<Self, CommandError> {
-        let loaded = kind::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
+        let loaded = open::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
         if words.is_empty() {
             return Ok(Self {
                 whole_text: loaded.whole_text,

@@ -11,9 +11,9 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use crate::{
-    case::kind,
     files,
     import::{self, ImportOptions},
+    open,
     system::SystemFile,
 };
 
@@ -95,7 +95,7 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
         );
         return Err(CommandError::Usage(what));
     }
-    let loaded = kind::load_as::<SystemFile>(path, options);
+    let loaded = open::load_as::<SystemFile>(path, options);
     Ok(loaded.map_err(CommandError::Invalid)?.text)
 }
 

@@ -17,12 +17,12 @@ use super::{
     sweep_slurm::{self, Watched},
     sweep_window,
 };
-use crate::case::kind;
 use crate::case::load_cases::LoadCaseError;
 use crate::checks::utilisation::Verdict;
 use crate::files::read;
 use crate::kinds::FileType;
 use crate::number::duration;
+use crate::open;
 use crate::report::sweep::{SweepPage, SweepReport};
 use crate::study::seas::SeaQuestion;
 use crate::study::sweep::{
@@ -256,7 +256,7 @@ fn system(
     csv: &[(String, String)],
 ) -> Result<SweepPlan, CommandError> {
     let name = path.display().to_string();
-    let loaded = kind::load_as::<SystemFile>(path, &args.import.options());
+    let loaded = open::load_as::<SystemFile>(path, &args.import.options());
     let loaded = loaded.map_err(CommandError::Invalid)?;
     let set = args.overrides();
     let edits = cases::edits(&set)?;

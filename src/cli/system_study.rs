@@ -8,8 +8,8 @@ use super::{
     BAD_RESULT, CommandError, cases, output,
     system_args::{OffsetsArgs, SeekArgs, SystemArgs, WatchArgs},
 };
-use crate::case::kind;
 use crate::chart::draw;
+use crate::open;
 use crate::report::system::analysis as views;
 use crate::system::analysis::offset::{HeldAway, OffsetPoint, curve};
 use crate::system::analysis::{periods, seek, watch_circle};
@@ -130,7 +130,7 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
     let file =
-        kind::load_as::<SystemFile>(&args.system.case.file, &args.system.case.import.options())
+        open::load_as::<SystemFile>(&args.system.case.file, &args.system.case.import.options())
             .map_err(CommandError::Invalid)?;
     let edits = cases::edits(&args.system.case.set)?;
     let path = &args.system.case.file;

@@ -4,5 +4,6 @@ pub mod case;
 pub mod checks;
 pub mod kinds;
 pub mod line_types;
+pub mod published;
 pub mod section;
 pub mod templates;

@@ -87,7 +87,7 @@ fn ropeways() {
 #[test]
 fn ships() {
     for (path, text) in SHIPS {
-        let statics = kind::load::<Ship>(&place(path)).unwrap().computed;
+        let statics = seacable::open::load::<Ship>(&place(path)).unwrap().computed;
         let fields = kind::rows::<Ship>(text);
         written(path, &ReportSubject::Ship(&statics, None, &fields));
     }
@@ -96,7 +96,9 @@ fn ships() {
 #[test]
 fn systems_at_rest() {
     for (path, text) in SYSTEMS {
-        let solved = kind::load::<SystemFile>(&place(path)).unwrap().computed;
+        let solved = seacable::open::load::<SystemFile>(&place(path))
+            .unwrap()
+            .computed;
         let fields = kind::rows::<SystemFile>(text);
         let analyses = Analyses::of(&solved);
         let rows = validation::rows(&solved, None);

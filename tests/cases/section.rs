@@ -35,7 +35,7 @@ fn umbilical() -> Design {
 }
 
 fn load(name: &str) -> Design {
-    match kind::load::<CrossSection>(&shipped(name)) {
+    match seacable::open::load::<CrossSection>(&shipped(name)) {
         Ok(loaded) => loaded.computed,
         Err(faults) => panic!("{}", messages(&faults)),
     }
@@ -590,7 +590,7 @@ fn a_section_and_a_line_case_are_distinguished() {
         "{}",
         messages(&found)
     );
-    assert!(kind::load::<CrossSection>(Path::new("/nowhere.toml")).is_err());
+    assert!(seacable::open::load::<CrossSection>(Path::new("/nowhere.toml")).is_err());
 }
 
 #[test]

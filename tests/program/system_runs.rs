@@ -107,7 +107,7 @@ fn the_tension_where_sections_meet_is_recorded_and_known_at_rest() {
         "{bottom} {meeting} {top}"
     );
     let file = dir.path().join("spread.toml");
-    let loaded = kind::load::<SystemFile>(&file).unwrap();
+    let loaded = seacable::open::load::<SystemFile>(&file).unwrap();
     let rest = value(&loaded.computed, "tension_n[mooring@120|1]").unwrap();
     assert!((meeting / rest - 1.0).abs() < 0.01, "{meeting} {rest}");
     assert!(value(&loaded.computed, "tension_n[mooring@120|2]").is_err());

@@ -18,7 +18,7 @@ fn folder(name: &str) -> std::path::PathBuf {
 }
 
 fn load(path: &Path, options: &ImportOptions) -> SolvedSystem {
-    let loaded = kind::load_as::<SystemFile>(path, options);
+    let loaded = seacable::open::load_as::<SystemFile>(path, options);
     loaded
         .unwrap_or_else(|found| panic!("{}: {found:?}", path.display()))
         .computed

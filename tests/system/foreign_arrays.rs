@@ -2,7 +2,6 @@
 
 use std::fs;
 
-use seacable::case::kind;
 use seacable::system::SystemFile;
 use seacable::system::quantities::value;
 
@@ -65,7 +64,7 @@ fn turbines_share_the_lines_of_a_file() {
     let path = dir.path().join("farm.yaml");
     let rows = "    - [1, 1, 1, 0, 0, 0]\n    - [1, 1, 1, 880, 0, 180]\narray_mooring:\n  file: shared.dat\n";
     fs::write(&path, array(rows)).unwrap();
-    let loaded = kind::load::<SystemFile>(&path).unwrap();
+    let loaded = seacable::open::load::<SystemFile>(&path).unwrap();
     let network = &loaded.computed.network;
     assert_eq!((network.bodies.len(), network.lines.len()), (2, 7));
     let ends =
@@ -119,14 +118,14 @@ fn fairleads_of_famodel_may_be_a_list_or_in_a_file() {
     let dir = tempfile::tempdir().unwrap();
     let path = dir.path().join("array.yaml");
     fs::write(&path, FAMODEL.replace(own, "- !include volturn.yaml\n")).unwrap();
-    let all = kind::load::<SystemFile>(&path).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&path).unwrap_err();
     assert_eq!(
         (all.len(), all[0].line, all[0].column),
         (1, 19, 3),
         "{all:#?}"
     );
     fs::write(dir.path().join("volturn.yaml"), "rFair: 58\n").unwrap();
-    let all = kind::load::<SystemFile>(&path).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&path).unwrap_err();
     assert!(all[0].key.contains("volturn.yaml.zFair"), "{all:#?}");
     assert_eq!(all[0].line, 19);
     for (included, place) in [
@@ -135,13 +134,13 @@ fn fairleads_of_famodel_may_be_a_list_or_in_a_file() {
         ("rFair: 58\nrFair: 58\nzFair: -14\n", "line 2, column 1"),
     ] {
         fs::write(dir.path().join("volturn.yaml"), included).unwrap();
-        let all = kind::load::<SystemFile>(&path).unwrap_err();
+        let all = seacable::open::load::<SystemFile>(&path).unwrap_err();
         let problem = &all[0].problem;
         let place = format!("in `volturn.yaml`, {place}: ");
         assert!(problem.starts_with(&place) && all[0].line == 19, "{all:#?}");
     }
     fs::write(dir.path().join("volturn.yaml"), "rFair: 58\nzFair: -14\n").unwrap();
-    let loaded = kind::load::<SystemFile>(&path).unwrap();
+    let loaded = seacable::open::load::<SystemFile>(&path).unwrap();
     assert_fairlead(&loaded.computed, "two-1-s1", raft, 1e-9);
 }
 

@@ -257,7 +257,7 @@ fn what_the_case_finds_is_shown_at_the_row_of_the_file() {
         "1     Fixed     853.87  0       -350.0",
     );
     fs::write(&path, &text).unwrap();
-    let all = kind::load::<SystemFile>(&path).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&path).unwrap_err();
     assert_eq!(all[0].line, 10, "{all:#?}");
 }
 
@@ -269,8 +269,8 @@ fn a_file_and_its_case_are_the_same_system() {
         fs::write(&path, text).unwrap();
         path
     };
-    let file = kind::load::<SystemFile>(&put("oc3.dat", OC3)).unwrap();
-    let case = kind::load::<SystemFile>(&put("oc3.toml", &file.text)).unwrap();
+    let file = seacable::open::load::<SystemFile>(&put("oc3.dat", OC3)).unwrap();
+    let case = seacable::open::load::<SystemFile>(&put("oc3.toml", &file.text)).unwrap();
     assert_eq!(file.text, case.text);
     assert_eq!(file.computed.file, case.computed.file);
     let key = "tension_n[line2|a]";
@@ -341,7 +341,7 @@ fn syrope_ropes_take_their_curves_from_files() {
     );
     let path = dir.path().join("line.txt");
     fs::write(&path, rope("SYROPE:rope.dat|1.53e8|23.12", "5e10|1e5")).unwrap();
-    let loaded = kind::load::<SystemFile>(&path).unwrap_or_else(|all| panic!("{all:#?}"));
+    let loaded = seacable::open::load::<SystemFile>(&path).unwrap_or_else(|all| panic!("{all:#?}"));
     for key in [
         "strain = [0.0, 0.01, 0.02, 0.05]",
         "working_curve_ea_n = 125000000.0",
@@ -351,7 +351,7 @@ fn syrope_ropes_take_their_curves_from_files() {
         assert!(loaded.text.contains(key), "{key}\n{}", loaded.text);
     }
     put("rope.dat", "owc.dat OWC\nCUBIC WCType\n1.25e8 k1\n0.0 k2\n");
-    let all = kind::load::<SystemFile>(&path).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&path).unwrap_err();
     assert_eq!(all[0].line, 4, "{all:#?}");
 }
 
@@ -475,7 +475,7 @@ fn a_sea_floor_over_a_grid_is_that_of_the_case() {
     let read = |text: &str, slope: f64| {
         fs::write(folder.join("depths.txt"), seafloor(slope)).unwrap();
         fs::write(&path, text).unwrap();
-        kind::load_as::<SystemFile>(&path, &ImportOptions::default())
+        seacable::open::load_as::<SystemFile>(&path, &ImportOptions::default())
     };
     let tension = |text: &str, slope: f64| {
         let solved = read(text, slope).unwrap().computed;
@@ -487,7 +487,8 @@ fn a_sea_floor_over_a_grid_is_that_of_the_case() {
     assert!(steep.is_ok() || !steep.unwrap_err().is_empty());
     fs::remove_file(folder.join("depths.txt")).unwrap();
     fs::write(&path, &over_grid).unwrap();
-    let found = kind::load_as::<SystemFile>(&path, &ImportOptions::default()).unwrap_err();
+    let found =
+        seacable::open::load_as::<SystemFile>(&path, &ImportOptions::default()).unwrap_err();
     let row = over_grid
         .lines()
         .position(|row| row.contains("SeafloorFile"));

@@ -73,14 +73,15 @@ impl Folder {
     }
 
     fn solved(&self) -> SolvedSystem {
-        let found = kind::load_as::<SystemFile>(&self.path(), &ImportOptions::default());
+        let found = seacable::open::load_as::<SystemFile>(&self.path(), &ImportOptions::default());
         found.unwrap_or_else(|all| panic!("{all:#?}")).computed
     }
 
     #[track_caller]
     fn assert_fault(&self, row: &str, problem: &str) {
         let found: Vec<Diagnostic> =
-            kind::load_as::<SystemFile>(&self.path(), &ImportOptions::default()).unwrap_err();
+            seacable::open::load_as::<SystemFile>(&self.path(), &ImportOptions::default())
+                .unwrap_err();
         let wanted = self
             .text
             .lines()

@@ -4,8 +4,9 @@ use std::fs;
 use std::path::Path;
 
 use seacable::case::{Diagnostic, kind};
-use seacable::import::yaml::{self, library};
+use seacable::import::yaml::library;
 use seacable::import::{self, ImportOptions, Imported};
+use seacable::kinds::foreign;
 use seacable::system::quantities::value;
 use seacable::system::{SolvedSystem, SystemFile};
 
@@ -151,7 +152,7 @@ fn json_and_windows_rows_and_other_encodings_are_read() {
         "points": [{"name": "a", "type": "fixed", "location": [0, 0, -100]}, {"name": "b", "type": "vessel", "location": [60, 0, -10]}],
         "lines": [{"name": "l", "endA": "a", "endB": "b", "type": "t", "length": 120}],
         "line_types": [{"name": "t", "diameter": 0.1, "mass_density": 20, "stiffness": "1e8"}]}}"#;
-    assert!(yaml::is_design(json) && yaml::is_design(RAFT) && yaml::is_design(ONTOLOGY));
+    assert!(foreign::is_design(json) && foreign::is_design(RAFT) && foreign::is_design(ONTOLOGY));
     let system = solved(&case_of(json));
     assert!(value(&system, "tension_n[l|b]").unwrap() > 0.0);
     let dir = tempfile::tempdir().unwrap();
@@ -159,7 +160,7 @@ fn json_and_windows_rows_and_other_encodings_are_read() {
     let mut bytes = RAFT.as_bytes().to_vec();
     bytes.extend(b"# caf\xe9\n");
     fs::write(&path, &bytes).unwrap();
-    assert!(kind::load::<SystemFile>(&path).is_ok());
+    assert!(seacable::open::load::<SystemFile>(&path).is_ok());
 }
 
 #[test]
@@ -168,11 +169,11 @@ fn a_design_and_its_case_are_the_same_system() {
     for (name, text) in [("raft", RAFT), ("ontology", ONTOLOGY)] {
         let path = dir.path().join(name).with_extension("yaml");
         fs::write(&path, text).unwrap();
-        let file = kind::load::<SystemFile>(&path).unwrap();
+        let file = seacable::open::load::<SystemFile>(&path).unwrap();
         let case = import::case_path(&path);
         assert_eq!(case, path.with_extension("toml"));
         fs::write(&case, &file.text).unwrap();
-        let case = kind::load::<SystemFile>(&case).unwrap();
+        let case = seacable::open::load::<SystemFile>(&case).unwrap();
         assert_eq!(file.computed.file, case.computed.file);
         let key = "tension_n[line2|a]";
         let bits = [&file, &case].map(|of| value(&of.computed, key).unwrap().to_bits());
@@ -212,7 +213,7 @@ fn a_file_that_a_design_names_is_read_beside_it() {
         "design.yaml",
         "mooring:\n  water_depth: 320\n  file: lines.dat\n",
     );
-    let loaded = kind::load::<SystemFile>(&design).unwrap();
+    let loaded = seacable::open::load::<SystemFile>(&design).unwrap();
     assert!(
         loaded.text.contains("# lines.dat line 13, UnstrLen"),
         "{}",
@@ -226,7 +227,7 @@ fn a_file_that_a_design_names_is_read_beside_it() {
     // MAP++, without friction of the bed.
     assert_fairlead(&loaded.computed, "line1", 911_089.0, 1e-3);
     put("lines.dat", &MOORDYN.replace("1 main 1 2", "1 main 1 3"));
-    let all = kind::load::<SystemFile>(&design).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&design).unwrap_err();
     assert_eq!((all[0].line, all[0].column), (3, 9), "{all:#?}");
     assert!(
         all[0]
@@ -238,7 +239,7 @@ fn a_file_that_a_design_names_is_read_beside_it() {
         "lines.dat",
         &MOORDYN.replace("853.87 0 -320", "853.87 0 -350"),
     );
-    let all = kind::load::<SystemFile>(&design).unwrap_err();
+    let all = seacable::open::load::<SystemFile>(&design).unwrap_err();
     assert_eq!((all[0].line, all[0].column), (3, 9), "{all:#?}");
     assert!(
         all[0].problem.contains("in `lines.dat`, line 8"),
@@ -248,9 +249,9 @@ fn a_file_that_a_design_names_is_read_beside_it() {
 
 #[test]
 fn a_text_is_a_design_by_its_top_keys() {
-    assert!(!yaml::is_design("[system]\nmooring = 1\n"));
-    assert!(!yaml::is_design("    mooring: x\n"));
-    assert!(yaml::is_named(Path::new("a/b.YML")));
+    assert!(!foreign::is_design("[system]\nmooring = 1\n"));
+    assert!(!foreign::is_design("    mooring: x\n"));
+    assert!(foreign::is_named_yaml(Path::new("a/b.YML")));
     assert!(!import::is_foreign("[case]\nmooring: 3\n"));
 }
 

@@ -22,7 +22,7 @@ pub(crate) fn file(name: &str) -> PathBuf {
 }
 
 pub(crate) fn read(name: &str) -> SolvedSystem {
-    kind::load_as::<SystemFile>(&file(name), &ImportOptions::default())
+    seacable::open::load_as::<SystemFile>(&file(name), &ImportOptions::default())
         .unwrap()
         .computed
 }

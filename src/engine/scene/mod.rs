@@ -33,6 +33,7 @@ mod mixed_iteration;
 mod node_tensions;
 pub mod outputs;
 mod placed_ends;
+pub mod rao_file;
 pub mod rope;
 #[expect(clippy::module_inception, reason = "the type of the room")]
 pub mod scene;

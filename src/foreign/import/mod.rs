@@ -24,7 +24,8 @@ use self::fault::Fault;
 use self::mooring::Mooring;
 use crate::case::Diagnostic;
 use crate::files;
-use crate::kinds::FileType;
+use crate::kinds::foreign::{is_design, is_named_yaml};
+pub use crate::kinds::foreign::{is_foreign, is_foreign_file};
 
 /// What is said about a file besides its text.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -97,33 +98,13 @@ impl Imported {
     }
 }
 
-/// Whether a text is a file of another program rather than a case: rows of dashes or tables of a design, and no table that cases
-/// begin with.
-#[must_use]
-pub fn is_foreign(text: &str) -> bool {
-    let text = text.trim_start_matches('\u{feff}');
-    let lines = || text.lines().map(str::trim_start);
-    let is_case = |line: &str| {
-        let is_of = |kind: FileType| line.starts_with(&format!("[{}]", kind.table()));
-        FileType::ALL.into_iter().any(is_of)
-    };
-    let has_dashes = lines().any(|line| line.starts_with("---"));
-    (has_dashes || yaml::is_design(text)) && !lines().any(is_case)
-}
-
-/// Whether a file with this text is of another program, by its name or its text.
-#[must_use]
-pub fn is_foreign_file(path: &Path, text: &str) -> bool {
-    yaml::is_named(path) || is_foreign(text)
-}
-
 /// Whether a file is a design in YAML rather than a file with rows of dashes.
 fn is_yaml(path: &Path, text: &str) -> bool {
     let has_sections = || {
         let sections = moordyn::sections::Sections::of(text, 0);
         !sections.blocks.is_empty()
     };
-    yaml::is_named(path) || yaml::is_design(text) && !has_sections()
+    is_named_yaml(path) || is_design(text) && !has_sections()
 }
 
 /// Where the case of a file is saved: a case onto itself, one of another program beside its file.

@@ -1,4 +1,4 @@
-//! Reading, listing and editing of a file of any kind: `kind::load::<Ship>(path)`.
+//! Reading, listing and editing of a text of any kind: `kind::parse::<Ship>(text, file)`.
 
 // The kinds are closed: files are checked by types that stay in the crate.
 #![expect(private_bounds)]
@@ -21,7 +21,6 @@ use super::schema::{TableNode, WrittenKeys};
 use super::shipped;
 use super::tree::TomlNode;
 use crate::files::root;
-use crate::import::{self, ImportOptions};
 
 /// A file with its text and its result.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,39 +35,23 @@ pub struct LoadedFile<T> {
     pub path: PathBuf,
 }
 
-/// Reads, checks and computes a file.
+/// Reads, checks and computes a file in TOML.
 ///
 /// # Errors
 ///
 /// Everything that is wrong, at once: a missing file, a directory, a binary or empty file, TOML syntax, every invalid key
 /// and value, or what shows only in the computation.
-pub fn load<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    load_as::<K>(path, &ImportOptions::default())
-}
-
-/// The same; what is said about a file of another program besides its text is in the options.
-///
-/// # Errors
-///
-/// Everything that is wrong, at once; of a file of another program each at its row.
-pub fn load_as<K: FileKind>(
-    path: &Path,
-    options: &ImportOptions,
-) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
+pub fn load_toml<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
     let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
-    if !import::is_foreign_file(path, &text) {
-        return loaded::<K>(text, path);
-    }
-    let file = path.display().to_string();
-    let imported = import::read(&text, &file, options)?;
-    loaded::<K>(imported.text.clone(), path).map_err(|found| {
-        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, &file, &text);
-        found.iter().map(at_its_row).collect()
-    })
+    loaded::<K>(text, path)
 }
 
 /// The file with this text.
-fn loaded<K: FileKind>(
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn loaded<K: FileKind>(
     text: String,
     path: &Path,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {

@@ -76,6 +76,6 @@ pub(crate) use check::{
 };
 pub(crate) use diagnostic::Finding;
 pub(crate) use fields::{is_name, join, nearest, split};
-pub(crate) use read::{diagnose, tree_of};
+pub(crate) use read::{diagnose, text_of, tree_of};
 
 pub(crate) use tree::TomlNode;

@@ -19,8 +19,8 @@ use super::size;
 use super::tree::TomlNode;
 use super::warm_start;
 use crate::files::{read, root};
-use crate::import::is_foreign_file;
 use crate::kinds::FileType;
+use crate::kinds::foreign::is_foreign_file;
 
 /// A case with the text and the file it came from.
 #[derive(Debug, Clone, PartialEq)]

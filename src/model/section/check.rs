@@ -6,7 +6,7 @@ use super::model::{CentreKeys, LayerKeys, SectionKeys, TubeKeys, UnitKeys};
 use super::quantities::QUANTITIES;
 use crate::case::schema::{Key, TableNode};
 use crate::case::{Finding, TomlNode, unknown, unknown_name, used_twice};
-use crate::reference::published_number;
+use crate::published::number as published_number;
 
 /// Armour layers a section may have: as many as the program of Lin et al. 2016 (section 2.1) takes.
 pub const MOST_ARMOUR: usize = 4;

@@ -6,7 +6,7 @@ use std::fmt;
 use crate::case::fields::ValueType::Name;
 use crate::case::fields::{Range, of, positive};
 use crate::case::schema::{table, variants, words};
-use crate::reference::PublishedNumber;
+use crate::published::PublishedNumber;
 
 const LENGTH: Range = positive(10.0);
 const DENSITY: Range = of(0.0, 3e4);

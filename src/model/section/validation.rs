@@ -2,7 +2,7 @@
 
 use super::design::Design;
 use super::quantities::find;
-use crate::reference::ValidationRow;
+use crate::published::ValidationRow;
 
 /// A row for every published value, in the order of the file. What is computed is a closed form, exact to rounding.
 #[must_use]

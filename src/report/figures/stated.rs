@@ -4,7 +4,7 @@ use super::{FigureData, FigureId};
 use crate::case::{Case, ChannelQuantity, Material, Published, Seabed, Statistic, Subject};
 use crate::chart::{Chart, Limit, LimitLine};
 use crate::number::si;
-use crate::reference::{Outcome, tolerance};
+use crate::published::{Outcome, tolerance};
 
 /// Adds the limits of a case to a figure, and the published values of the places that are shown.
 pub(super) fn add(chart: &mut Chart, id: FigureId, data: &FigureData, shown: &[String]) {

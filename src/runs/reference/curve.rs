@@ -1,7 +1,6 @@
 //! Comparison of a channel with a published curve: the difference, its numerical error, and a chart of both.
 
-use super::row::{CurveOverlay, ValidationRow};
-use super::value::compare;
+use crate::published::{CurveOverlay, ValidationRow, compare};
 use crate::{
     case::{PublishedCurve, StudyPoint},
     run::{Run, RunState, published_curve},

@@ -18,8 +18,6 @@ mod outcome_counts;
 pub mod papers;
 mod plan;
 pub(crate) mod published_history;
-pub(crate) mod published_number;
-mod row;
 pub(crate) mod table;
 mod trend;
 mod value;
@@ -30,13 +28,13 @@ pub use edited::judge_plain as set_edited_aside;
 pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_history::PublishedHistory;
-pub use published_number::PublishedNumber;
-pub use row::{CalibrationBasis, Outcome, RowKind, TrendLine, TrendPoint, ValidationRow};
 pub use trend::{TrendStatement, compare_trend};
-pub use value::compare;
-pub(crate) use value::tolerance;
 pub use variant::{Variant, rows_of_run, variant};
 
+pub use crate::published::{
+    CalibrationBasis, Outcome, PublishedNumber, RowKind, TrendLine, TrendPoint, ValidationRow,
+    compare,
+};
 use crate::{
     case::{Case, EditedKey, StudyPoint},
     run::Run,

@@ -1,12 +1,11 @@
 //! A published curve over time of a system in motion, and its comparison with a channel of a run.
 
-use super::row::{CurveOverlay, ValidationRow};
-use super::value::compare;
 use crate::case::fields::{of, positive};
 use crate::case::schema::table;
 use crate::case::{ChannelId, Evidence, Finding, Provenance};
 use crate::numerics::interpolation::interval;
 use crate::numerics::richardson::Refinement;
+use crate::published::{CurveOverlay, ValidationRow, compare};
 use crate::run::{Channel, History};
 
 table! {

@@ -2,10 +2,8 @@
 
 use std::cmp::Ordering;
 
-use super::{
-    Outcome, RowKind, TrendLine, TrendPoint, ValidationRow,
-    value::{REACHED, find},
-};
+use super::{Outcome, RowKind, TrendLine, TrendPoint, ValidationRow, value::find};
+use crate::published::comparison::REACHED;
 use crate::{
     case::{Case, Direction, StudyPoint, StudyValue, Trend},
     run::Run,

@@ -8,8 +8,7 @@ use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
 use crate::numerics::richardson::OBSERVED;
 
-/// Version of the program, written into every run.
-pub const VERSION: &str = env!("CARGO_PKG_VERSION");
+pub use crate::VERSION;
 
 /// The results of one execution of a case.
 #[derive(Debug, Clone, PartialEq)]

@@ -44,13 +44,13 @@ mod reserve;
 mod run_writer;
 mod shapes_csv;
 mod table;
-mod timestamp;
 
 use crate::visible;
 use std::{io, path::PathBuf};
 
 use crate::files::WriteError;
 
+pub use crate::clock::{now, rfc3339, stamp};
 pub use channel_rows::{ChannelRows, channel_rows};
 pub use create::{RunLocation, delete};
 pub(crate) use create::{remove_left_beside, stem};
@@ -66,7 +66,6 @@ pub use read::{case_text, channel_extremes, read, read_info, read_results, resum
 pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::runs::run) use shapes_csv::ShapeReader;
-pub use timestamp::{now, rfc3339, stamp};
 
 /// The directory under which runs are kept unless the user says otherwise.
 pub const DEFAULT_ROOT: &str = "runs";

@@ -10,7 +10,7 @@ use crate::case::fields::{Schema, either};
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::{Key, schema_of};
 use crate::case::{FieldLister, FieldRow, Finding, nearest};
-use crate::reference::published_number;
+use crate::published::number as published_number;
 
 /// The ropeway file.
 pub static ROPEWAY: LazyLock<Schema> = LazyLock::new(|| {

@@ -11,7 +11,7 @@ const LENGTH: Range = positive(1e4);
 const FORCE: Range = positive(1e9);
 
 use crate::case::{Direction, Mark};
-use crate::reference::PublishedNumber;
+use crate::published::PublishedNumber;
 
 table! {
     /// Everything a ropeway file says. The platform stands at x = 0 and holds end A, the ship holds end B

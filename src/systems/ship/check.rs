@@ -12,7 +12,7 @@ use crate::case::Finding;
 use crate::case::schema::{Key, TableType};
 use crate::number::digits;
 use crate::physics::sea::DEGREES;
-use crate::reference::published_number;
+use crate::published::number as published_number;
 
 /// Greatest number of instants of a record, and of steps of the coupled analysis.
 const MAX_INSTANTS: f64 = 1e6;

@@ -13,7 +13,7 @@ pub use motion::{MotionSettings, MotionSource, SpectrumKind};
 use crate::case::Mark;
 use crate::case::fields::{of, positive};
 use crate::case::schema::{table, words};
-use crate::reference::PublishedNumber;
+use crate::published::PublishedNumber;
 
 table! {
     /// A ship file.

@@ -3,7 +3,7 @@
 use super::model::Ship;
 use super::motion_analysis::{MotionAnalysis, MotionError};
 use super::quantities::{quantity, unit};
-use crate::reference::ValidationRow;
+use crate::published::ValidationRow;
 
 /// A row for every published value, in the order of the file.
 #[must_use]

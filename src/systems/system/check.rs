@@ -17,7 +17,8 @@ use crate::case::{
     Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
     used_twice,
 };
-use crate::reference::{published_history, published_number};
+use crate::published::number as published_number;
+use crate::reference::published_history;
 
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {

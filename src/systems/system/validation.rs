@@ -3,7 +3,7 @@
 use super::motion::run::MotionRun;
 use super::quantities::{error, unit, value};
 use super::solved::SolvedSystem;
-use crate::reference::ValidationRow;
+use crate::published::ValidationRow;
 use crate::run::History;
 
 /// Rows for every published value of a system at rest, then for every published curve of its run in time, in the order of its file.

@@ -16,6 +16,7 @@ use crate::case::judging_rows::judging_rows;
 use crate::case::structure::{self, OutlineRow};
 use crate::case::{self, Case, Diagnostic, kind};
 use crate::kinds::FileType;
+use crate::open;
 use crate::ropeway::Ropeway;
 use crate::section::CrossSection;
 use crate::ship::Ship;
@@ -152,22 +153,22 @@ pub fn read_file(path: &Path) -> Result<(String, DocumentContent), Vec<Diagnosti
             )
         }
         FileType::Section => {
-            let file = kind::load::<CrossSection>(path)?;
+            let file = open::load::<CrossSection>(path)?;
             let view = SectionView::new(file.computed);
             (file.text, DocumentContent::Section(Box::new(view)))
         }
         FileType::Ropeway => {
-            let file = kind::load::<Ropeway>(path)?;
+            let file = open::load::<Ropeway>(path)?;
             let view = RopewayView::new(file.computed);
             (file.text, DocumentContent::Ropeway(Box::new(view)))
         }
         FileType::Ship => {
-            let file = kind::load::<Ship>(path)?;
+            let file = open::load::<Ship>(path)?;
             let view = ShipView::new(file.computed);
             (file.text, DocumentContent::Ship(Box::new(view)))
         }
         FileType::System => {
-            let file = kind::load::<SystemFile>(path)?;
+            let file = open::load::<SystemFile>(path)?;
             let view = SystemView::new(file.computed);
             (file.text, DocumentContent::System(Box::new(view)))
         }

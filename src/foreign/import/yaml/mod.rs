@@ -29,45 +29,6 @@ pub const GRAVITY: f64 = 9.81;
 /// Density \[kg/m³\] that MoorPy takes where none is given, also for RAFT and WISDEM.
 pub const DENSITY: f64 = 1025.0;
 
-/// Top keys by which a text is known for a design.
-const TOP_KEYS: [&str; 8] = [
-    "mooring",
-    "moorings",
-    "array_mooring",
-    "components",
-    "lineProps",
-    "mooring_systems",
-    "mooring_line_configs",
-    "line_types",
-];
-
-/// Whether a file has the name of a YAML or JSON file.
-#[must_use]
-pub fn is_named(path: &Path) -> bool {
-    let extension = path.extension().unwrap_or_default();
-    ["yaml", "yml", "json"]
-        .iter()
-        .any(|one| extension.eq_ignore_ascii_case(one))
-}
-
-/// Whether a text is a design by its top keys, whatever the name of its file.
-#[must_use]
-pub fn is_design(text: &str) -> bool {
-    let starts_key = |line: &str| {
-        let mut keys = TOP_KEYS.iter();
-        keys.any(|key| {
-            let rest = line.strip_prefix(key).map(str::trim_start);
-            rest.is_some_and(|rest| rest.starts_with(':'))
-        })
-    };
-    let begins = text.trim_start_matches('\u{feff}').trim_start();
-    let in_json = || {
-        let mut keys = TOP_KEYS.iter();
-        keys.any(|key| begins.contains(&format!("\"{key}\"")))
-    };
-    text.lines().any(starts_key) || begins.starts_with('{') && in_json()
-}
-
 /// Reads the mooring of a design. Files that it names are looked for in this folder.
 ///
 /// # Errors

@@ -12,8 +12,8 @@ use super::{
     CASE, FILES, RUN, StoreError,
     lock::{DirectoryLock, lock_directory},
     read_info,
-    timestamp::{now, stamp},
 };
+use crate::clock::{now, stamp};
 use crate::files::Target;
 use crate::files::disk::{self, NewFile};
 use crate::run::{RunInfo, RunState};

@@ -4,7 +4,6 @@
 //! determine their phases. Motions by [`wave_response`] respond to one sea. Ship axes: x forward, y to port, z up; right-handed
 //! rotations of first order.
 
-pub mod rao_file;
 pub mod record;
 pub mod spectral_band;
 pub mod wave_response;

@@ -5,10 +5,10 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use super::DegreeOfFreedom;
-use super::rao_file;
 use crate::case::Diagnostic;
 use crate::files::root;
 use crate::physics::sea::{Component, Rao, RaoResponse, Spectrum, synthesise};
+use crate::scene::rao_file;
 use crate::ship::model::{MotionSettings, SpectrumKind};
 use crate::ship::motion::spectral_band::MotionRms;
 

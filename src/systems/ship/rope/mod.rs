@@ -56,7 +56,7 @@ impl RopeAnalysis {
     pub fn load(hang_off: &HangOffMotion<'_>, folder: &Path) -> Result<Self, String> {
         let name = &hang_off.rope.ropeway;
         let place = root::place(folder, name).map_err(|error| format!("{name}: {error}"))?;
-        let loaded = kind::load::<Ropeway>(&folder.join(name)).map_err(|all| {
+        let loaded = kind::load_toml::<Ropeway>(&folder.join(name)).map_err(|all| {
             match all.first().filter(|_| !place.is_outside) {
                 Some(first) => first.to_string(),
                 None => "it cannot be read".to_owned(),

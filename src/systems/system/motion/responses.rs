@@ -5,7 +5,7 @@ use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::{Harmonics, Sea};
-use crate::ship::motion::rao_file::{self, HeadingRao};
+use crate::scene::rao_file::{self, HeadingRao};
 use crate::system::model::{BodyInputs, SystemFile};
 use crate::system::motion::PoseMotion;
 

@@ -17,7 +17,7 @@ use super::{ExcitationTable, RadiationTable};
 use crate::numerics::V3;
 use crate::numerics::interpolation::{interval, share};
 use crate::physics::sea::{Rao, Sea};
-use crate::ship::motion::rao_file::{self, HeadingRao};
+use crate::scene::rao_file::{self, HeadingRao};
 use crate::system::body_loads::body_loads;
 use crate::system::line_at_rest::LinePhysics;
 use crate::system::motion::body_equation::MovingBody;

@@ -1,4 +1,6 @@
-//! The kinds of file, distinguished by the table that every file of a kind begins with.
+//! The kinds of file, distinguished by the table that every file of a kind begins with, and by what files of other programs have.
+
+pub mod foreign;
 
 use std::path::Path;
 
@@ -55,7 +57,7 @@ impl FileType {
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
-        match crate::import::yaml::is_named(path) {
+        match foreign::is_named_yaml(path) {
             true => Self::System,
             false => Self::of_text(&crate::files::read::text_lossy(path).unwrap_or_default()),
         }
@@ -70,7 +72,7 @@ impl FileType {
                 .any(|line| line.trim_start().starts_with(&header))
         };
         let others = Self::ALL.into_iter().filter(|kind| *kind != Self::Line);
-        let foreign = || match crate::import::is_foreign(text) {
+        let foreign = || match foreign::is_foreign(text) {
             true => Self::System,
             false => Self::Line,
         };

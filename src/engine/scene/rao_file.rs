@@ -9,11 +9,11 @@
 use std::cmp::Ordering;
 use std::f64::consts::{PI, TAU};
 
+use super::response_entry;
 use crate::case::attachments::{PlacedNumber, placed, response_columns, without_mark};
 use crate::case::{Diagnostic, Finding};
 use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};
-use crate::scene::response_entry;
 
 /// Upper limits of amplitudes that are physical: metres and degrees per metre of wave amplitude.
 const LIMITS: [f64; 2] = [20.0, 90.0];

@@ -58,7 +58,7 @@ impl ValidationRow {
     }
 
     /// A row without a computed value, which reads NOT RUN.
-    pub(super) fn not_run(name: &str, source: &str, unit: String) -> Self {
+    pub(crate) fn not_run(name: &str, source: &str, unit: String) -> Self {
         Self {
             name: name.to_owned(),
             source: source.to_owned(),
