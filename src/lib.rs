@@ -40,42 +40,19 @@
 //! Conventions: SI inside, z up with z = 0 at still water, arc length from end A to end B in the
 //! order in which the case lists its sections, angles in radians inside and in degrees in files.
 
-pub mod cli;
 pub mod equations;
-pub mod jobs;
-pub mod numerics;
-pub mod physics;
-pub mod report;
-pub mod tui;
 
-#[path = "base/lib.rs"]
-mod base;
-#[path = "display/lib.rs"]
-mod display;
-#[path = "engine/lib.rs"]
-mod engine;
-#[path = "foreign/lib.rs"]
-mod foreign;
-#[path = "model/lib.rs"]
-mod model;
-#[path = "runs/lib.rs"]
-mod runs;
-#[path = "statistics/lib.rs"]
-mod statistics;
-#[path = "studies/lib.rs"]
-mod studies;
-#[path = "systems/lib.rs"]
-mod systems;
-
-pub use base::{VERSION, background, clock, crash_log, files, limits, number, places, visible};
-use base::{grace, padding, seal, strays};
-pub use display::{chart, plain, table};
-use display::{markup, wrap};
-pub use engine::{dynamics, line_between_ends, modes, scene, solve, statics};
-pub use foreign::{audit, export, import, open};
-
-pub use model::{case, checks, kinds, line_types, published, section, templates};
-pub use runs::{reference, run};
-pub use statistics::{extremes, fatigue};
-pub use studies::{comparison, study};
-pub use systems::{ropeway, ship, system};
+pub use seacable_base::{background, clock, crash_log, files, limits, number, places, visible};
+pub use seacable_cli as cli;
+pub use seacable_engine::{dynamics, line_between_ends, modes, scene, solve, statics};
+pub use seacable_foreign::{audit, export, import, open};
+pub use seacable_jobs as jobs;
+pub use seacable_model::{case, checks, kinds, line_types, published, section, templates};
+pub use seacable_numerics as numerics;
+pub use seacable_physics as physics;
+pub use seacable_report as report;
+pub use seacable_runs::{reference, run};
+pub use seacable_statistics::{extremes, fatigue};
+pub use seacable_studies::{comparison, study};
+pub use seacable_systems::{ropeway, ship, system};
+pub use seacable_tui as tui;

@@ -7,13 +7,13 @@
 //! Files are read by [`read`] only, and made, renamed and removed by `disk` only; [`root`] says where files lie that cases name, [`walk`]
 //! lists those below a directory.
 
-pub(crate) mod disk;
+pub mod disk;
 pub(crate) mod faults;
-pub(crate) mod lock;
+pub mod lock;
 pub mod read;
 pub mod root;
-pub(crate) mod shallow;
-pub(crate) mod unsaved;
+pub mod shallow;
+pub mod unsaved;
 pub mod walk;
 
 use crate::visible;

@@ -21,7 +21,7 @@ const LONGEST_GRACE: Duration = Duration::from_millis(600);
 const NAP: Duration = Duration::from_millis(10);
 
 /// Waits until the time is up, which begins anew while results wait to be written.
-pub(crate) fn wait() {
+pub fn wait() {
     let mut clocks = Clocks::now();
     while unsaved::any() || !clocks.have_passed() {
         if unsaved::any() {

@@ -4,13 +4,13 @@ pub mod background;
 pub mod clock;
 pub mod crash_log;
 pub mod files;
-pub(crate) mod grace;
+pub mod grace;
 pub mod limits;
 pub mod number;
-pub(crate) mod padding;
+pub mod padding;
 pub mod places;
-pub(crate) mod seal;
-pub(crate) mod strays;
+pub mod seal;
+pub mod strays;
 pub mod visible;
 
 /// The version of the program.

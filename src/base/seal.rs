@@ -14,27 +14,27 @@ use sha2::{Digest as _, Sha256};
 
 /// A SHA-256 of bytes that follow one another.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Digest {
+pub struct Digest {
     sha: Sha256,
     bytes: u64,
 }
 
 /// Length and digest of a file, or of its beginning.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct SealedPart {
+pub struct SealedPart {
     bytes: u64,
     sha256: String,
 }
 
 /// What a checkpoint belongs to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Seal {
+pub struct Seal {
     /// The whole case.
-    pub(crate) case: SealedPart,
+    pub case: SealedPart,
     /// The history so far, with its header.
-    pub(crate) history: SealedPart,
+    pub history: SealedPart,
     /// The shapes so far, with their header.
-    pub(crate) shapes: SealedPart,
+    pub shapes: SealedPart,
 }
 
 /// The table as it is written.
@@ -48,20 +48,20 @@ const BODY: &str = "[seal.body]\nsha256 = \"";
 
 impl Digest {
     /// That of some bytes.
-    pub(crate) fn of(bytes: &[u8]) -> Self {
+    pub fn of(bytes: &[u8]) -> Self {
         let mut digest = Self::default();
         digest.update(bytes);
         digest
     }
 
     /// Takes in what follows.
-    pub(crate) fn update(&mut self, bytes: &[u8]) {
+    pub fn update(&mut self, bytes: &[u8]) {
         self.sha.update(bytes);
         self.bytes += bytes.len() as u64;
     }
 
     /// Length and digest so far.
-    pub(crate) fn part(&self) -> SealedPart {
+    pub fn part(&self) -> SealedPart {
         SealedPart {
             bytes: self.bytes,
             sha256: self.text(),
@@ -69,7 +69,7 @@ impl Digest {
     }
 
     /// The digest so far, 64 hexadecimal digits.
-    pub(crate) fn text(&self) -> String {
+    pub fn text(&self) -> String {
         let mut text = String::with_capacity(64);
         for byte in self.sha.clone().finalize() {
             // A string refuses nothing.
@@ -81,7 +81,7 @@ impl Digest {
 
 impl SealedPart {
     /// Whether a file begins with it.
-    pub(crate) fn begins(&self, file: impl Read) -> io::Result<bool> {
+    pub fn begins(&self, file: impl Read) -> io::Result<bool> {
         let mut digest = Digest::default();
         let mut rest = file.take(self.bytes);
         let mut block = vec![0; 1 << 16];
@@ -95,7 +95,7 @@ impl SealedPart {
     }
 
     /// Whether a text is it.
-    pub(crate) fn is(&self, text: &str) -> bool {
+    pub fn is(&self, text: &str) -> bool {
         Digest::of(text.as_bytes()).part() == *self
     }
 }
@@ -104,7 +104,7 @@ impl SealedPart {
 ///
 /// # Errors
 /// Never for a seal; the writer of TOML may refuse.
-pub(crate) fn sealed(checkpoint: &str, seal: Seal) -> Result<String, toml::ser::Error> {
+pub fn sealed(checkpoint: &str, seal: Seal) -> Result<String, toml::ser::Error> {
     let mut text = format!("{checkpoint}\n{}\n", toml::to_string(&SealTable { seal })?);
     let tail = tail(&text);
     text.push_str(&tail);
@@ -120,7 +120,7 @@ fn tail(before: &str) -> String {
 ///
 /// # Errors
 /// Why it is refused, in words: it is damaged, or holds a number that is not finite.
-pub(crate) fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), String> {
+pub fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), String> {
     let Some((before, _)) = text.rsplit_once(BODY) else {
         return Err("it has no seal by which it is known to be whole".to_owned());
     };
@@ -140,7 +140,7 @@ pub(crate) fn opened<C: DeserializeOwned>(text: &str) -> Result<(C, Seal), Strin
 ///
 /// # Errors
 /// Which one is not, in words.
-pub(crate) fn check_finite(table: &toml::Table) -> Result<(), String> {
+pub fn check_finite(table: &toml::Table) -> Result<(), String> {
     let mut all = table.iter();
     match all.find_map(|(key, value)| not_finite(key, value)) {
         Some(key) => Err(format!("{key} is not finite")),

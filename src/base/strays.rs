@@ -18,7 +18,7 @@ const OLD: Duration = Duration::from_secs(60);
 
 /// What is written under a hidden name before it takes its own, or on its way out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Hidden {
+pub enum Hidden {
     /// A file before it takes its name.
     File,
     /// A run before it takes its name.
@@ -29,7 +29,7 @@ pub(crate) enum Hidden {
 
 impl Hidden {
     /// How their names end.
-    pub(crate) const fn suffix(self) -> &'static str {
+    pub const fn suffix(self) -> &'static str {
         match self {
             Self::File => ".tmp",
             Self::NewRun => ".new",
@@ -39,7 +39,7 @@ impl Hidden {
 }
 
 /// How hidden names begin that this process gives for this name: something of its own and the suffix follow.
-pub(crate) fn prefix(name: &OsStr) -> OsString {
+pub fn prefix(name: &OsStr) -> OsString {
     let mut prefix = OsString::from(".");
     prefix.push(name);
     prefix.push(format!(".{}-", process::id()));
@@ -47,12 +47,12 @@ pub(crate) fn prefix(name: &OsStr) -> OsString {
 }
 
 /// Removes what killed processes left in a directory. What holds anything else than `files` is left.
-pub(crate) fn remove(directory: &Path, files: &[&str]) {
+pub fn remove(directory: &Path, files: &[&str]) {
     remove_older(directory, files, OLD);
 }
 
 /// The same, however young it is: for directories that no other machine writes in.
-pub(crate) fn remove_of_this_host(directory: &Path, files: &[&str]) {
+pub fn remove_of_this_host(directory: &Path, files: &[&str]) {
     remove_older(directory, files, Duration::ZERO);
 }
 

@@ -126,7 +126,7 @@ const LONGEST: usize = 1000;
 
 /// A message without the middle of words that are pages long.
 #[must_use]
-pub(crate) fn shortened(text: String) -> String {
+pub fn shortened(text: String) -> String {
     let cut = |from: usize| text.char_indices().nth(from).map(|(at, _)| at);
     // As long as its bytes at most.
     if text.len() <= LONGEST {

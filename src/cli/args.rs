@@ -16,10 +16,10 @@ use super::rules::RulesArgs;
 use super::statistics::StatisticsArgs;
 use super::study_args::{CompareArgs, StudyArgs};
 use super::sweep_args::SweepArgs;
-use crate::case::Method;
-use crate::chart::Glyphs;
-use crate::kinds::FileType;
-use crate::report::document::ReportFormat;
+use seacable_display::chart::Glyphs;
+use seacable_model::case::Method;
+use seacable_model::kinds::FileType;
+use seacable_report::document::ReportFormat;
 
 /// A terminal workbench for marine cables.
 ///

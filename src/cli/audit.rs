@@ -1,6 +1,6 @@
 //! `seacable audit`: a second opinion on a file of another program.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{path::PathBuf, process::ExitCode};
 
 use super::{
@@ -8,7 +8,10 @@ use super::{
     import::ImportArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{audit, files, import, report::audit as page};
+use seacable_base::files;
+use seacable_foreign::audit;
+use seacable_foreign::import;
+use seacable_report::audit as page;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct AuditArgs {

@@ -5,10 +5,10 @@ use std::process::ExitCode;
 use serde_json::json;
 
 use super::{CommandError, about_args::BindingsArgs, output};
-use crate::case::render_all;
-use crate::tui::bindings::listing::{self, ListedCommand};
-use crate::tui::settings::{Settings, keys_file};
-use crate::visible;
+use seacable_base::visible;
+use seacable_model::case::render_all;
+use seacable_tui::bindings::listing::{self, ListedCommand};
+use seacable_tui::settings::{Settings, keys_file};
 
 /// Exit status of a file of keys with faults.
 const FAULTS: u8 = 1;

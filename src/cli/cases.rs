@@ -1,17 +1,17 @@
 //! Cases as the command line names them.
 
-use crate::visible;
+use seacable_base::visible;
 use std::path::{Path, PathBuf};
 
 use super::CommandError;
-use crate::{
-    case::{self, Case, Diagnostic, FieldRow, edit, file_kind::FileKind, kind, shipped},
-    files::{read, root, walk::Search},
-    import::ImportOptions,
-    kinds::FileType,
-    open,
-    run::store,
+use seacable_base::files::{read, root, walk::Search};
+use seacable_foreign::import::ImportOptions;
+use seacable_foreign::open;
+use seacable_model::case::{
+    self, Case, Diagnostic, FieldRow, edit, file_kind::FileKind, kind, shipped,
 };
+use seacable_model::kinds::FileType;
+use seacable_runs::run::store;
 
 /// Where the cases that come with the program lie in its source.
 pub(super) const FOLDER: &str = "cases";

@@ -1,6 +1,6 @@
 //! `seacable catenary`: a table of lines at rest.
 
-use crate::visible;
+use seacable_base::visible;
 use std::process::ExitCode;
 
 use super::{
@@ -8,7 +8,8 @@ use super::{
     args::CatenaryArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{files::read, study::lines};
+use seacable_base::files::read;
+use seacable_studies::study::lines;
 
 pub(super) fn catenary(args: &CatenaryArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.input.clone()];

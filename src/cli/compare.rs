@@ -7,11 +7,9 @@ use super::{
     output::{self, FileFormat, OutputFile},
     study_args::CompareArgs,
 };
-use crate::{
-    comparison::Comparison,
-    report::comparison,
-    run::{Run, store},
-};
+use seacable_report::comparison;
+use seacable_runs::run::{Run, store};
+use seacable_studies::comparison::Comparison;
 
 pub(super) fn compare(args: &CompareArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(

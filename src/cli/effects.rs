@@ -1,6 +1,6 @@
 //! `seacable study effects`: which inputs matter to a result.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{process::ExitCode, time::Instant};
 
 use super::{
@@ -10,10 +10,10 @@ use super::{
     study_args::EffectsArgs,
     study_page::{base_case, print, results, variants_told},
 };
-use crate::number::duration;
-use crate::report::effects::TornadoView;
-use crate::study::effects;
-use crate::table::Table;
+use seacable_base::number::duration;
+use seacable_display::table::Table;
+use seacable_report::effects::TornadoView;
+use seacable_studies::study::effects;
 
 pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];

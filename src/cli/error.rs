@@ -6,7 +6,10 @@ use std::{
 };
 
 use super::{BAD_INPUT, BAD_RESULT, output};
-use crate::{case::Diagnostic, files::WriteError, run::store::StoreError, tui::OpenError};
+use seacable_base::files::WriteError;
+use seacable_model::case::Diagnostic;
+use seacable_runs::run::store::StoreError;
+use seacable_tui::OpenError;
 
 /// Why a command failed.
 #[derive(Debug)]

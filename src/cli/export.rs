@@ -1,6 +1,6 @@
 //! `seacable export`: the file of another program that a case is.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -11,10 +11,8 @@ use super::{
     import::ImportArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{
-    export::{self, ExportOptions, Exported, Target, Unsayable},
-    system::SystemFile,
-};
+use seacable_foreign::export::{self, ExportOptions, Exported, Target, Unsayable};
+use seacable_systems::system::SystemFile;
 
 #[derive(Debug, clap::Args)]
 #[command(group = clap::ArgGroup::new("target").required(true).args(["moordyn", "map"]))]

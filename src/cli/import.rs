@@ -1,6 +1,6 @@
 //! `seacable import`: the case that a file of another program is.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -10,12 +10,10 @@ use super::{
     CommandError,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{
-    files,
-    import::{self, ImportOptions},
-    open,
-    system::SystemFile,
-};
+use seacable_base::files;
+use seacable_foreign::import::{self, ImportOptions};
+use seacable_foreign::open;
+use seacable_systems::system::SystemFile;
 
 /// What a file of another program does not say.
 #[derive(Debug, Clone, Default, clap::Args)]

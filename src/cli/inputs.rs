@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 
 use toml::Value;
 
-use crate::files::read;
-use crate::files::shallow::shallow;
-use crate::run::store;
+use seacable_base::files::read;
+use seacable_base::files::shallow::shallow;
+use seacable_runs::run::store;
 
 /// The files that a command reads which is given these paths: the files themselves, the case files below directories,
 /// the files of stored runs, and all files that TOML files name in a value.

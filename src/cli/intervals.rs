@@ -8,11 +8,15 @@ use super::{
     CommandError, args::TableArgs, output, output::OutputFile, study_args::StudyPageArgs,
     study_page::print,
 };
-use crate::extremes::ExtremesError;
-use crate::extremes::coverage::{Coverage, CoverageStudy, Distribution, default_method, measure};
-use crate::extremes::sequential_study::{self, Rule, SequentialOutcome, SequentialStudy};
-use crate::extremes::target::Target;
-use crate::table::{Align, Cell, Table};
+use seacable_display::table::{Align, Cell, Table};
+use seacable_statistics::extremes::ExtremesError;
+use seacable_statistics::extremes::coverage::{
+    Coverage, CoverageStudy, Distribution, default_method, measure,
+};
+use seacable_statistics::extremes::sequential_study::{
+    self, Rule, SequentialOutcome, SequentialStudy,
+};
+use seacable_statistics::extremes::target::Target;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct IntervalsArgs {

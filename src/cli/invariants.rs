@@ -4,10 +4,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
-use crate::files::{Target, disk};
-use crate::report::run_json;
-use crate::study::invariants::{Held, Invariant, KINDS, Outcome, file, one, run, text};
-use crate::table::{NumberFormat, Table};
+use seacable_base::files::{Target, disk};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_report::run_json;
+use seacable_studies::study::invariants::{Held, Invariant, KINDS, Outcome, file, one, run, text};
 
 /// What came of an invariant over all systems.
 struct Tally<'a> {
@@ -152,7 +152,7 @@ fn listed(outcome: &Outcome) -> String {
 
 /// Writes the files of the systems that answer otherwise, or of all.
 fn write(folder: &Path, outcomes: &[Outcome], all: bool) -> Result<(), CommandError> {
-    let failed = |source: crate::files::WriteError| CommandError::Write {
+    let failed = |source: seacable_base::files::WriteError| CommandError::Write {
         option: "--write",
         source,
     };

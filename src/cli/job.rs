@@ -10,7 +10,7 @@ use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
 use signal_hook::flag;
 
 use super::CommandError;
-use crate::jobs::process;
+use seacable_jobs::process;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct JobArgs {

@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 
 use super::progress::ProgressLine;
 use super::{BAD_RESULT, CommandError, output};
-use crate::jobs::list::JobEntry;
-use crate::jobs::{
+use seacable_base::visible;
+use seacable_display::table::{Cell, Column, Table};
+use seacable_jobs::list::JobEntry;
+use seacable_jobs::{
     JobPhase, JobRequest, JobState, JobsDir, Launcher, Submission, client, identity, survival,
 };
-use crate::report::text::WIDTH;
-use crate::table::{Cell, Column, Table};
-use crate::visible;
+use seacable_report::text::WIDTH;
 
 #[derive(Debug, clap::Args)]
 #[command(args_conflicts_with_subcommands = true)]

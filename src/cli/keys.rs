@@ -11,11 +11,9 @@ use super::{
     kinds,
     output::{self, FileFormat},
 };
-use crate::{
-    case::fields::{Field, Schema, TableSchema, json_schema},
-    padding::at_left,
-    report::{document::wrap, text::WIDTH},
-};
+use seacable_base::padding::at_left;
+use seacable_model::case::fields::{Field, Schema, TableSchema, json_schema};
+use seacable_report::{document::wrap, text::WIDTH};
 
 pub(super) fn keys(args: &KeysArgs) -> Result<ExitCode, CommandError> {
     let schema = kinds::schema(args.kind);

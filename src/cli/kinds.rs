@@ -6,17 +6,15 @@ use super::{
     CommandError,
     cases::{self, OtherFile},
 };
-use crate::{
-    case::{CASE, fields::Schema, kind},
-    kinds::FileType,
-    reference::{self, ValidationRow},
-    ropeway::{self, ROPEWAY, Ropeway},
-    section::{self, CrossSection, SECTION},
-    ship::{self, MotionAnalysis, SHIP, Ship},
-    system::{
-        self, SYSTEM, SolvedSystem, SystemFile,
-        motion::{self, run::MotionRun},
-    },
+use seacable_model::case::{CASE, fields::Schema, kind};
+use seacable_model::kinds::FileType;
+use seacable_model::section::{self, CrossSection, SECTION};
+use seacable_runs::reference::{self, ValidationRow};
+use seacable_systems::ropeway::{self, ROPEWAY, Ropeway};
+use seacable_systems::ship::{self, MotionAnalysis, SHIP, Ship};
+use seacable_systems::system::{
+    self, SYSTEM, SolvedSystem, SystemFile,
+    motion::{self, run::MotionRun},
 };
 
 /// The tables and keys of a kind.

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::limits;
+use seacable_base::limits;
 
 /// Limits on the work that a file may ask for.
 #[derive(Debug, clap::Args)]

@@ -1,21 +1,20 @@
 //! `seacable lines`: the library of line types.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
 };
 
 use super::{CommandError, model_args::LinesArgs, output, output::FileFormat, study_page};
-use crate::{
-    case, files,
-    import::yaml::library,
-    line_types::{
-        LINE_TYPES, Library, LineProperties, LineType, find, material_name, material_table,
-        nominal_diameter, properties,
-    },
-    report::line_types as tables,
+use seacable_base::files;
+use seacable_foreign::import::yaml::library;
+use seacable_model::case;
+use seacable_model::line_types::{
+    LINE_TYPES, Library, LineProperties, LineType, find, material_name, material_table,
+    nominal_diameter, properties,
 };
+use seacable_report::line_types as tables;
 
 pub(super) fn lines(args: &LinesArgs) -> Result<ExitCode, CommandError> {
     let inputs: Vec<PathBuf> = args.library.iter().cloned().collect();

@@ -65,13 +65,13 @@ mod verdict;
 mod words;
 mod workbench;
 
-use crate::report::sweep::SweepPage;
-use crate::visible;
+use seacable_base::visible;
+use seacable_report::sweep::SweepPage;
 use std::{panic, process::ExitCode};
 
 use clap::Parser;
 
-use crate::files::{read, root};
+use seacable_base::files::{read, root};
 
 use args::{Args, CliCommand};
 use limit_args::ReadingArgs;

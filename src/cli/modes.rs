@@ -9,12 +9,10 @@ use super::{
     system_args::SystemArgs,
     system_study,
 };
-use crate::{
-    kinds::FileType,
-    modes,
-    report::{chart, modes as views, run_json},
-    visible,
-};
+use seacable_base::visible;
+use seacable_engine::modes;
+use seacable_model::kinds::FileType;
+use seacable_report::{chart, modes as views, run_json};
 
 /// Columns and lines of the page.
 const WIDTH: usize = 108;

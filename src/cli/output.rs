@@ -11,13 +11,11 @@ use std::{
 };
 
 use super::{BAD_INPUT, CommandError, inputs};
-use crate::{
-    files::{Existing, Target, WriteError},
-    report::{chart::Glyphs, plain},
-    run::store,
-    tui::terminal::capabilities,
-    visible,
-};
+use seacable_base::files::{Existing, Target, WriteError};
+use seacable_base::visible;
+use seacable_report::{chart::Glyphs, plain};
+use seacable_runs::run::store;
+use seacable_tui::terminal::capabilities;
 
 /// Prints results.
 pub(super) fn results(text: &str, ascii: bool) -> Result<(), CommandError> {
@@ -100,7 +98,7 @@ impl<'a> OutputFile<'a> {
     }
 
     /// Writes the file.
-    pub(super) fn write(&self, text: &[u8], format: FileFormat) -> Result<(), CommandError> {
+    pub(crate) fn write(&self, text: &[u8], format: FileFormat) -> Result<(), CommandError> {
         let written = self.target().write(format.visible(text).as_bytes());
         written.map_err(|source| CommandError::Write {
             option: self.option,

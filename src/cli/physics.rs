@@ -1,6 +1,6 @@
 //! `seacable study physics`: which effects a case needs.
 
-use crate::visible;
+use seacable_base::visible;
 use std::process::ExitCode;
 
 use super::{
@@ -10,8 +10,8 @@ use super::{
     study_args::EffectsArgs,
     study_page::{base_case, print, results, variants_told},
 };
-use crate::report::physics as report;
-use crate::study::physics;
+use seacable_report::physics as report;
+use seacable_studies::study::physics;
 
 pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];

@@ -6,7 +6,8 @@ use std::{
 };
 
 use super::output;
-use crate::{report::number::duration, run::Progress};
+use seacable_report::number::duration;
+use seacable_runs::run::Progress;
 
 /// How often the line changes.
 const EVERY: Duration = Duration::from_millis(100);

@@ -3,9 +3,9 @@
 use std::process::ExitCode;
 
 use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
-use crate::report::run_json;
-use crate::study::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};
-use crate::table::{NumberFormat, Table};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_report::run_json;
+use seacable_studies::study::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     let outcomes = run_all(args.count as usize, args.seed);

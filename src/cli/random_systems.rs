@@ -6,9 +6,9 @@ use super::{
     BAD_RESULT, CommandError, invariants, output, random_motion, refined_systems,
     system_args::SystemsArgs,
 };
-use crate::report::run_json;
-use crate::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
-use crate::table::{NumberFormat, Table};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_report::run_json;
+use seacable_studies::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
 
 /// What came of a kind.
 struct KindTally {

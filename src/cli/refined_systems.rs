@@ -4,10 +4,10 @@ use std::process::ExitCode;
 
 use super::random_systems::frequent;
 use super::{CommandError, output, system_args::SystemsArgs};
-use crate::report::run_json;
-use crate::study::random_systems::divided::DIVIDED_KINDS;
-use crate::study::random_systems::refined::{RefinedSystem, RefinedTally, run, tally};
-use crate::table::{NumberFormat, Table};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_report::run_json;
+use seacable_studies::study::random_systems::divided::DIVIDED_KINDS;
+use seacable_studies::study::random_systems::refined::{RefinedSystem, RefinedTally, run, tally};
 
 /// What came of a kind, or of all.
 struct KindTally {

@@ -12,25 +12,23 @@ use super::{
     cases,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{
-    case::{Diagnostic, FieldRow, file_kind::FileKind},
-    files::read,
-    import::ImportOptions,
-    kinds::FileType,
-    report::{
-        chart::Glyphs,
-        document::ReportFormat,
-        subject::{ReportSubject, RunSubject, StudyTable},
-        sweep::SweepReport,
-    },
-    ropeway::Ropeway,
-    run::store,
-    section::CrossSection,
-    ship::{DynamicAnalysis, MotionError, Ship},
-    study::sweep::{SweepFolder, SweepPlan, SweepResults},
-    system::{SystemFile, analysis::analyses::Analyses, validation},
-    visible,
+use seacable_base::files::read;
+use seacable_base::visible;
+use seacable_foreign::import::ImportOptions;
+use seacable_model::case::{Diagnostic, FieldRow, file_kind::FileKind};
+use seacable_model::kinds::FileType;
+use seacable_model::section::CrossSection;
+use seacable_report::{
+    chart::Glyphs,
+    document::ReportFormat,
+    subject::{ReportSubject, RunSubject, StudyTable},
+    sweep::SweepReport,
 };
+use seacable_runs::run::store;
+use seacable_studies::study::sweep::{SweepFolder, SweepPlan, SweepResults};
+use seacable_systems::ropeway::Ropeway;
+use seacable_systems::ship::{DynamicAnalysis, MotionError, Ship};
+use seacable_systems::system::{SystemFile, analysis::analyses::Analyses, validation};
 
 pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let mut inputs: Vec<PathBuf> = vec![args.dir.clone()];

@@ -7,11 +7,9 @@ use super::{
     model_args::RopewayArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{
-    import::ImportOptions,
-    report::{self, text::WIDTH},
-    ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line},
-};
+use seacable_foreign::import::ImportOptions;
+use seacable_report::{self as report, text::WIDTH};
+use seacable_systems::ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line};
 
 pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];

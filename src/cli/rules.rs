@@ -9,10 +9,10 @@ use super::{
     study_args::StudyPageArgs,
     study_page::print,
 };
-use crate::case::{nearest, rule_sets};
-use crate::files::read;
-use crate::report::{rules, table::Table};
-use crate::visible;
+use seacable_base::files::read;
+use seacable_base::visible;
+use seacable_model::case::{nearest, rule_sets};
+use seacable_report::{rules, table::Table};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct RulesArgs {

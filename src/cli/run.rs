@@ -1,6 +1,6 @@
 //! `seacable run`: a case computed and kept.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{
     path::{Path, PathBuf},
     process::ExitCode,
@@ -11,20 +11,18 @@ use super::{
     BAD_RESULT, CommandError, args::RunArgs, cases, jobs, output, progress, signals::StopFlag,
     system, verdict,
 };
-use crate::{
-    case,
-    jobs::JobRequest,
-    kinds::FileType,
-    report::{limits, run_json, text, verdict::RunVerdict},
-    run::{
-        Run, RunInfo, RunState,
-        job::{self, JobEvent, Request},
-        resume_request,
-        store::{self, Recorder, RunLocation},
-    },
-    strays,
-    study::seas::SeaQuestion,
+use seacable_base::strays;
+use seacable_jobs::JobRequest;
+use seacable_model::case;
+use seacable_model::kinds::FileType;
+use seacable_report::{limits, run_json, text, verdict::RunVerdict};
+use seacable_runs::run::{
+    Run, RunInfo, RunState,
+    job::{self, JobEvent, Request},
+    resume_request,
+    store::{self, Recorder, RunLocation},
 };
+use seacable_studies::study::seas::SeaQuestion;
 use serde_json::json;
 
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {

@@ -7,11 +7,9 @@ use super::{
     model_args::SectionArgs,
     output::{self, FileFormat, OutputFile},
 };
-use crate::{
-    import::ImportOptions,
-    report::{self, plain, text::WIDTH},
-    section::{self, CrossSection},
-};
+use seacable_foreign::import::ImportOptions;
+use seacable_model::section::{self, CrossSection};
+use seacable_report::{self as report, plain, text::WIDTH};
 
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];

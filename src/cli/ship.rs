@@ -3,11 +3,9 @@
 use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool};
 
 use super::{CommandError, cases, model_args::ShipArgs, output};
-use crate::{
-    import::ImportOptions,
-    report::{ship, text::WIDTH},
-    ship::{DynamicAnalysis, MotionError, Ship},
-};
+use seacable_foreign::import::ImportOptions;
+use seacable_report::{ship, text::WIDTH};
+use seacable_systems::ship::{DynamicAnalysis, MotionError, Ship};
 
 pub(super) fn ship(args: &ShipArgs) -> Result<ExitCode, CommandError> {
     let (fields, rest) =

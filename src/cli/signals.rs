@@ -17,8 +17,8 @@ use std::{
 };
 
 use super::{CommandError, output};
-use crate::files::read;
-use crate::grace;
+use seacable_base::files::read;
+use seacable_base::grace;
 use signal_hook::{
     consts::{SIGHUP, SIGINT, SIGTERM},
     flag,

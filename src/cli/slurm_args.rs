@@ -1,7 +1,7 @@
 //! The arguments by which a sweep is computed on a cluster.
 
-use crate::study::sweep::Part;
-use crate::study::sweep::slurm::check_option;
+use seacable_studies::study::sweep::Part;
+use seacable_studies::study::sweep::slurm::check_option;
 
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Cluster")]

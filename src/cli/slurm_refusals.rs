@@ -1,8 +1,8 @@
 //! What a cluster has to do with sweeps that are not computed there: those that cannot be, and those that are already.
 
 use super::{CommandError, slurm_words, sweep_args::SweepArgs};
-use crate::study::sweep::slurm::{CommandFailed, Queue, SlurmFile};
-use crate::study::sweep::{Sweep, SweepError, SweepFolder, SweepResults};
+use seacable_studies::study::sweep::slurm::{CommandFailed, Queue, SlurmFile};
+use seacable_studies::study::sweep::{Sweep, SweepError, SweepFolder, SweepResults};
 
 /// That a system at rest has no use of a cluster.
 pub(super) fn at_rest() -> CommandError {

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use crate::files::read;
-use crate::study::sweep::slurm::{CommandFailed, Queue, SlurmRecord, array_list};
-use crate::visible::{self, quoted};
+use seacable_base::files::read;
+use seacable_base::visible::{self, quoted};
+use seacable_studies::study::sweep::slurm::{CommandFailed, Queue, SlurmRecord, array_list};
 
 /// Missing load cases that are named, at most.
 const MOST_NAMED: usize = 200;

@@ -6,21 +6,21 @@ use std::process::ExitCode;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::{CommandError, output::OutputFile, study_args::StudyPageArgs, study_page::print};
-use crate::case::fields::{TypedNumber, nearest};
-use crate::case::{ChannelId, ChannelQuantity, QuantityId, Statistic, Subject};
-use crate::fatigue::component::Component;
-use crate::fatigue::curve_file::read_curve;
-use crate::fatigue::curve_library::{PUBLISHED, published};
-use crate::files::read;
-use crate::numerics::statistics::Statistics as Moments;
-use crate::report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
-use crate::run::Quantity;
-use crate::run::store::{ChannelRows, channel_rows, read_results};
-use crate::study::record_statistics::{
+use seacable_base::files::read;
+use seacable_base::visible;
+use seacable_display::table::{Align, Cell, Columns, Table};
+use seacable_model::case::fields::{TypedNumber, nearest};
+use seacable_model::case::{ChannelId, ChannelQuantity, QuantityId, Statistic, Subject};
+use seacable_numerics::statistics::Statistics as Moments;
+use seacable_report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
+use seacable_runs::run::Quantity;
+use seacable_runs::run::store::{ChannelRows, channel_rows, read_results};
+use seacable_statistics::fatigue::component::Component;
+use seacable_statistics::fatigue::curve_file::read_curve;
+use seacable_statistics::fatigue::curve_library::{PUBLISHED, published};
+use seacable_studies::study::record_statistics::{
     self, ChannelRecord, ExtremeMethod, ExtremeQuestion, GreatestValue, RecordStatistics,
 };
-use crate::table::{Align, Cell, Columns, Table};
-use crate::visible;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct StatisticsArgs {

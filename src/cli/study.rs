@@ -13,17 +13,17 @@ use super::{
     study_args::{AccuracyArgs, BarsArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
     system_study, vary,
 };
-use crate::case::Case;
-use crate::chart::draw;
-use crate::report::run_json as study_json;
-use crate::study::{
+use seacable_display::chart::draw;
+use seacable_display::table::Table;
+use seacable_model::case::Case;
+use seacable_report::run_json as study_json;
+use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
     speed::{self, SpeedError},
     tally, varied,
 };
-use crate::table::Table;
 
 /// Columns of the page.
 const WIDTH: usize = 160;

@@ -8,13 +8,13 @@ use super::{
     progress::ProgressLine,
     study_args::StudyPageArgs,
 };
-use crate::case::{self, Case, QuantityId};
-use crate::chart::{Chart, draw};
-use crate::report::seas::SeasView;
-use crate::report::{plain, run_json};
-use crate::study::points::{BaseCase, PointProgress};
-use crate::study::results::{main_results, named_result};
-use crate::table::Table;
+use seacable_display::chart::{Chart, draw};
+use seacable_display::table::Table;
+use seacable_model::case::{self, Case, QuantityId};
+use seacable_report::seas::SeasView;
+use seacable_report::{plain, run_json};
+use seacable_studies::study::points::{BaseCase, PointProgress};
+use seacable_studies::study::results::{main_results, named_result};
 
 /// Rows of a chart, and its columns at most.
 const CHART: (usize, usize) = (18, 100);

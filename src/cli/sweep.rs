@@ -17,20 +17,20 @@ use super::{
     sweep_slurm::{self, Watched},
     sweep_window,
 };
-use crate::case::load_cases::LoadCaseError;
-use crate::checks::utilisation::Verdict;
-use crate::files::read;
-use crate::kinds::FileType;
-use crate::number::duration;
-use crate::open;
-use crate::report::sweep::{SweepPage, SweepReport};
-use crate::study::seas::SeaQuestion;
-use crate::study::sweep::{
+use seacable_base::files::read;
+use seacable_base::number::duration;
+use seacable_base::visible;
+use seacable_foreign::open;
+use seacable_model::case::load_cases::LoadCaseError;
+use seacable_model::checks::utilisation::Verdict;
+use seacable_model::kinds::FileType;
+use seacable_report::sweep::{SweepPage, SweepReport};
+use seacable_studies::study::seas::SeaQuestion;
+use seacable_studies::study::sweep::{
     PlanChoices, PlanError, StoredSweep, Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan,
     SweepProgress, SweepResults,
 };
-use crate::system::SystemFile;
-use crate::visible;
+use seacable_systems::system::SystemFile;
 
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";

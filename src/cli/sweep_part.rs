@@ -9,8 +9,8 @@ use super::{
     sweep::{pool, resumed},
     sweep_args::SweepArgs,
 };
-use crate::study::sweep::{Part, PartDone, SweepFolder, SweepResults};
-use crate::visible;
+use seacable_base::visible;
+use seacable_studies::study::sweep::{Part, PartDone, SweepFolder, SweepResults};
 
 /// Computes the part and prints one line.
 pub(super) fn compute(args: &SweepArgs, part: Part) -> Result<ExitCode, CommandError> {

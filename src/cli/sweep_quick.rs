@@ -12,12 +12,12 @@ use super::{
     sweep::{pool, words},
     sweep_args::SweepArgs,
 };
-use crate::checks::utilisation::Verdict;
-use crate::report::quick_look::QuickView;
-use crate::study::points::PointOutcome;
-use crate::study::seas::{Difference, QuickSeas, StoredRun, look_at_seas};
-use crate::study::sweep::{SweepFolder, SweepPlan, SweepProgress, SweepResults};
-use crate::visible;
+use seacable_base::visible;
+use seacable_model::checks::utilisation::Verdict;
+use seacable_report::quick_look::QuickView;
+use seacable_studies::study::points::PointOutcome;
+use seacable_studies::study::seas::{Difference, QuickSeas, StoredRun, look_at_seas};
+use seacable_studies::study::sweep::{SweepFolder, SweepPlan, SweepProgress, SweepResults};
 
 /// What has no quick looks.
 const AT_REST: &str =

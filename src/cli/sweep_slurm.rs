@@ -13,13 +13,13 @@ use super::{
     sweep::words,
     sweep_args::SweepArgs,
 };
-use crate::files::{read, unsaved::Unsaved};
-use crate::limits;
-use crate::study::sweep::slurm::{
+use seacable_base::files::{read, unsaved::Unsaved};
+use seacable_base::limits;
+use seacable_studies::study::sweep::slurm::{
     CommandFailed, Division, Queue, Script, SlurmFile, SlurmRecord, Submission, array_list,
     check_of_file, submit,
 };
-use crate::study::sweep::{
+use seacable_studies::study::sweep::{
     Sweep, SweepError, SweepFolder, SweepOutcomes, SweepProgress, SweepResults,
 };
 

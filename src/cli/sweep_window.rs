@@ -10,16 +10,16 @@ use super::{
     sweep::compute,
     sweep_args::SweepArgs,
 };
-use crate::case::kind;
-use crate::kinds::FileType;
-use crate::plain;
-use crate::report::window::WindowView;
-use crate::study::seas::{SeaQuestion, seas};
-use crate::study::sweep::{Sweep, SweepError, SweepFolder};
-use crate::study::vary::{Variation, VariedKey};
-use crate::study::window::{WindowKey, WindowRow};
-use crate::system::SystemFile;
-use crate::visible;
+use seacable_base::visible;
+use seacable_display::plain;
+use seacable_model::case::kind;
+use seacable_model::kinds::FileType;
+use seacable_report::window::WindowView;
+use seacable_studies::study::seas::{SeaQuestion, seas};
+use seacable_studies::study::sweep::{Sweep, SweepError, SweepFolder};
+use seacable_studies::study::vary::{Variation, VariedKey};
+use seacable_studies::study::window::{WindowKey, WindowRow};
+use seacable_systems::system::SystemFile;
 
 /// Columns of the report in the folder.
 const REPORT_WIDTH: usize = 80;

@@ -1,6 +1,6 @@
 //! `seacable run` on a system of lines: at rest, or in time where its file has a table `[solver]`; as a report or as JSON.
 
-use crate::visible;
+use seacable_base::visible;
 use serde_json::json;
 use std::{path::Path, process::ExitCode, sync::Arc};
 
@@ -13,21 +13,19 @@ use super::{
     signals::StopFlag,
     verdict,
 };
-use crate::{
-    jobs::JobRequest,
-    report::{
-        system::{self as views, json, motion},
-        text::WIDTH,
-        verdict::RunVerdict,
-    },
-    study::seas::SeaQuestion,
-    system::{
-        SystemFile,
-        analysis::analyses::Analyses,
-        motion::checkpoint::{ResumedSystem, resume_request},
-        motion::job::{self, SystemRequest},
-        validation,
-    },
+use seacable_jobs::JobRequest;
+use seacable_report::{
+    system::{self as views, json, motion},
+    text::WIDTH,
+    verdict::RunVerdict,
+};
+use seacable_studies::study::seas::SeaQuestion;
+use seacable_systems::system::{
+    SystemFile,
+    analysis::analyses::Analyses,
+    motion::checkpoint::{ResumedSystem, resume_request},
+    motion::job::{self, SystemRequest},
+    validation,
 };
 
 pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, CommandError> {

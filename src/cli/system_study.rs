@@ -8,14 +8,14 @@ use super::{
     BAD_RESULT, CommandError, cases, output,
     system_args::{OffsetsArgs, SeekArgs, SystemArgs, WatchArgs},
 };
-use crate::chart::draw;
-use crate::open;
-use crate::report::system::analysis as views;
-use crate::system::analysis::offset::{HeldAway, OffsetPoint, curve};
-use crate::system::analysis::{periods, seek, watch_circle};
-use crate::system::quantities::unit;
-use crate::system::{SolvedSystem, SystemFile};
-use crate::table::Table;
+use seacable_display::chart::draw;
+use seacable_display::table::Table;
+use seacable_foreign::open;
+use seacable_report::system::analysis as views;
+use seacable_systems::system::analysis::offset::{HeldAway, OffsetPoint, curve};
+use seacable_systems::system::analysis::{periods, seek, watch_circle};
+use seacable_systems::system::quantities::unit;
+use seacable_systems::system::{SolvedSystem, SystemFile};
 
 /// Columns of the page, columns and rows of a chart.
 const WIDTH: usize = 140;
@@ -48,7 +48,11 @@ fn body(solved: &SolvedSystem, name: Option<&str>) -> Result<usize, CommandError
     })
 }
 
-fn print(table: &Table, chart: &crate::chart::Chart, ascii: bool) -> Result<(), CommandError> {
+fn print(
+    table: &Table,
+    chart: &seacable_display::chart::Chart,
+    ascii: bool,
+) -> Result<(), CommandError> {
     let drawn = draw(chart, PLOT.0, PLOT.1, output::glyphs(ascii)).to_text();
     output::results(&format!("{}\n{drawn}\n", table.to_text(WIDTH)), ascii)
 }

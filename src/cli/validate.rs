@@ -14,23 +14,21 @@ use super::{
     kinds, output, progress,
     signals::StopFlag,
 };
-use crate::{
-    case::{Case, EditedKey, StudyPoint, kind},
-    reference::{
-        self, OutcomeCounts, ValidationRow,
-        papers::{self, FileRows, Paper},
-    },
-    report::{
-        chart::Glyphs,
-        document::{Block, Report},
-        run_json, text,
-        validation::{self, Extent, JudgedPaper},
-    },
-    run::{
-        Run,
-        job::{self, Request},
-    },
-    visible,
+use seacable_base::visible;
+use seacable_model::case::{Case, EditedKey, StudyPoint, kind};
+use seacable_report::{
+    chart::Glyphs,
+    document::{Block, Report},
+    run_json, text,
+    validation::{self, Extent, JudgedPaper},
+};
+use seacable_runs::reference::{
+    self, OutcomeCounts, ValidationRow,
+    papers::{self, FileRows, Paper},
+};
+use seacable_runs::run::{
+    Run,
+    job::{self, Request},
 };
 
 pub(super) fn validate(args: &ValidateArgs) -> Result<ExitCode, CommandError> {

@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use super::{CommandError, sweep, sweep_args::SweepArgs};
 
-use crate::report::sweep::SweepPage;
+use seacable_report::sweep::SweepPage;
 
 pub(super) fn vary(args: &SweepArgs) -> Result<ExitCode, CommandError> {
     if args.vary.is_empty() && args.resume.is_none() {

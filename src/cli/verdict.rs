@@ -4,10 +4,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::{BAD_RESULT, CommandError, output};
-use crate::checks::utilisation::Verdict;
-use crate::report::{text::WIDTH, verdict::RunVerdict};
-use crate::run::{Run, RunState};
-use crate::study::seas::SeaQuestion;
+use seacable_model::checks::utilisation::Verdict;
+use seacable_report::{text::WIDTH, verdict::RunVerdict};
+use seacable_runs::run::{Run, RunState};
+use seacable_studies::study::seas::SeaQuestion;
 
 /// The checks of a file, or why they cannot be used: said before anything is computed.
 pub(super) fn checks(question: Result<SeaQuestion, String>) -> Result<SeaQuestion, CommandError> {
@@ -21,7 +21,7 @@ pub(super) fn of_run(question: &SeaQuestion, run: &Run, dir: &Path) -> Option<Ru
 }
 
 /// Below the results of a run.
-pub(super) fn text(verdict: Option<&RunVerdict>) -> String {
+pub(crate) fn text(verdict: Option<&RunVerdict>) -> String {
     let table = verdict.map(|found| found.table().to_text(output::page_width(Some(WIDTH))));
     table.map_or_else(String::new, |table| format!("\n{table}"))
 }

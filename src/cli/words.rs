@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use clap::{CommandFactory, error::ErrorKind};
 
 use super::{BAD_INPUT, args::Args, output};
-use crate::visible;
+use seacable_base::visible;
 
 /// Whether this is an option of every command; each takes a value.
 fn is_global(name: &str) -> bool {

@@ -1,18 +1,16 @@
 //! `seacable [CASE|DIR]`: the screen, when there is one.
 
-use crate::visible;
+use seacable_base::visible;
 use std::{path::Path, process::ExitCode};
 
 use clap::CommandFactory;
 use strsim::levenshtein;
 
 use super::{CommandError, args::Args};
-use crate::{
-    report::chart::Glyphs,
-    tui::{self, WorkbenchOptions},
-};
+use seacable_report::chart::Glyphs;
+use seacable_tui::{self as tui, WorkbenchOptions};
 
-pub(super) fn open(args: Args) -> Result<ExitCode, CommandError> {
+pub(crate) fn open(args: Args) -> Result<ExitCode, CommandError> {
     if let Some(path) = args.path.as_deref().filter(|path| !path.exists()) {
         return Err(CommandError::Usage(absent(path)));
     }

@@ -1,7 +1,10 @@
 //! Tables and charts in characters and SVG, of anything.
 
+use seacable_base::{number, padding, visible};
+use seacable_numerics as numerics;
+
 pub mod chart;
-pub(crate) mod markup;
+pub mod markup;
 pub mod plain;
 pub mod table;
-pub(crate) mod wrap;
+pub mod wrap;

@@ -3,7 +3,7 @@
 use crate::visible;
 
 /// Words on one line in which nothing is markup, nor invisible.
-pub(crate) fn escaped(words: &str) -> String {
+pub fn escaped(words: &str) -> String {
     let mut out = String::new();
     for letter in visible::line(&words.replace('\n', " ")).chars() {
         match letter {

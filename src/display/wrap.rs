@@ -7,7 +7,7 @@ use crate::visible;
 
 /// What becomes of words that are wider than a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum WideWords {
+pub enum WideWords {
     /// They have lines of their own.
     Whole,
     /// They are broken inside.
@@ -17,7 +17,7 @@ pub(crate) enum WideWords {
 }
 
 /// The text in lines no wider than `width`, broken between words.
-pub(crate) fn wrap(text: &str, width: usize, wide: WideWords) -> Vec<String> {
+pub fn wrap(text: &str, width: usize, wide: WideWords) -> Vec<String> {
     let breaks = |word: &str| match wide {
         WideWords::Whole => false,
         WideWords::Broken => true,

@@ -1,7 +1,5 @@
 //! Opening of a file of any kind, of this program or of another: `open::load::<SystemFile>(path)`.
 
-#![expect(private_bounds)]
-
 use std::path::Path;
 
 use crate::case::file_kind::FileKind;

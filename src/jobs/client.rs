@@ -152,7 +152,7 @@ fn withdraw(folder: &JobFolder) -> io::Result<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::jobs::protocol::Hello;
+    use crate::protocol::Hello;
 
     #[test]
     fn what_another_version_says_is_not_heard() {

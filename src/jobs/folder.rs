@@ -224,7 +224,7 @@ mod tests {
 
     use super::super::jobs_dir::tests::{jobs_dir, submission};
     use super::*;
-    use crate::jobs::JobPhase;
+    use crate::JobPhase;
 
     #[test]
     fn a_folder_says_how_its_job_is() {

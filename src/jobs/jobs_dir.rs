@@ -263,7 +263,7 @@ pub(super) fn check_private(path: &Path) -> Result<(), JobError> {
 pub(super) mod tests {
     use super::*;
 
-    pub(in crate::jobs) fn jobs_dir(dir: &Path) -> JobsDir {
+    pub(crate) fn jobs_dir(dir: &Path) -> JobsDir {
         let jobs = JobsDir {
             all: dir.join("jobs"),
             dir: dir.join("jobs/here"),
@@ -273,7 +273,7 @@ pub(super) mod tests {
         jobs
     }
 
-    pub(in crate::jobs) fn submission() -> Submission {
+    pub(crate) fn submission() -> Submission {
         let request = super::super::SweepRequest {
             kind: crate::kinds::FileType::Line,
             text: "[case]\n".to_owned(),

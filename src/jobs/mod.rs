@@ -13,6 +13,13 @@
 //! A request is kept before a process is started for it, so that none is lost. Whether a job is computed says the lock of its folder
 //! alone, which the system releases however the process ends.
 
+use seacable_base::{background, files, grace, limits, places, strays, visible};
+use seacable_model::{case, kinds};
+use seacable_report as report;
+use seacable_runs::run;
+use seacable_studies::study;
+use seacable_systems::system;
+
 mod board;
 pub mod client;
 pub mod folder;
@@ -37,5 +44,5 @@ pub use launch::Launcher;
 pub use request::JobRequest;
 pub use spec::{JobSpec, JobWork, Submission};
 pub use status::{JobPhase, JobStatus};
-pub(crate) use sweep::on_all_cores_but_one;
+pub use sweep::on_all_cores_but_one;
 pub use sweep::{EndedSweep, SweepEvent, SweepRequest, compute_sweep};

@@ -144,7 +144,7 @@ pub fn line(message: &impl Serialize) -> std::io::Result<String> {
 mod tests {
     use super::*;
     use crate::case::ChannelQuantity;
-    use crate::jobs::status::{JobPhase, VERSION};
+    use crate::status::{JobPhase, VERSION};
 
     #[test]
     fn a_message_is_a_line_and_read_back_to_the_same_bits() {

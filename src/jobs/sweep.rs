@@ -191,7 +191,7 @@ fn not_stored(outcomes: &SweepOutcomes) -> Option<String> {
 }
 
 /// Computes on all cores but the one of the screen.
-pub(crate) fn on_all_cores_but_one<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+pub fn on_all_cores_but_one<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(cores.saturating_sub(1).max(1))

@@ -176,7 +176,7 @@ impl<T: Pivot> BlockEnvelope<T> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::{M3, V3};
+    use crate::{M3, V3};
     use nalgebra::{Complex, DMatrix, DVector};
     use proptest::prelude::*;
 

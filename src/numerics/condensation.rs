@@ -225,7 +225,7 @@ fn advance<T: Pivot, const BEYOND: usize>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::{BlockBand, M3, V3};
+    use crate::{BlockBand, M3, V3};
     use nalgebra::{Complex, DMatrix};
     use proptest::prelude::*;
 

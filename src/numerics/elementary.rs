@@ -17,22 +17,22 @@ const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 const WHOLE: f64 = 6_755_399_441_055_744.0;
 
 /// Replaces each number from -700 to 700 by `exp(x) - 1`.
-pub(crate) fn exp_m1_each(numbers: &mut [f64]) {
+pub fn exp_m1_each(numbers: &mut [f64]) {
     ARCH.dispatch(Each(numbers, exp_m1));
 }
 
 /// Replaces each positive number that is not subnormal by its logarithm.
-pub(crate) fn ln_each(numbers: &mut [f64]) {
+pub fn ln_each(numbers: &mut [f64]) {
     ARCH.dispatch(Each(numbers, ln));
 }
 
 /// Replaces each number above -1 by `ln(1 + x)`.
-pub(crate) fn ln_1p_each(numbers: &mut [f64]) {
+pub fn ln_1p_each(numbers: &mut [f64]) {
     ARCH.dispatch(Each(numbers, ln_1p));
 }
 
 /// The sum of `exp(factor x)` over numbers, of which no product is above 700; one below -700 counts as nothing.
-pub(crate) fn sum_exp(numbers: &[f64], factor: f64) -> f64 {
+pub fn sum_exp(numbers: &[f64], factor: f64) -> f64 {
     ARCH.dispatch(SumExp(numbers, factor))
 }
 
@@ -134,7 +134,7 @@ mod tests {
     use std::f64::consts::LN_2;
 
     use super::*;
-    use crate::numerics::random::Random;
+    use crate::random::Random;
 
     /// Within a few units of the last place of the standard library's.
     #[test]

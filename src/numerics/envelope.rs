@@ -360,8 +360,8 @@ pub fn number(neighbours: &[Vec<usize>], sizes: &[usize]) -> (Vec<usize>, Envelo
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::envelope_factors::EnvelopeCholesky;
-    use crate::numerics::random::Random;
+    use crate::envelope_factors::EnvelopeCholesky;
+    use crate::random::Random;
 
     /// A ring of nodes of three and six unknowns with a hub, diagonal numbers as given.
     fn ring(nodes: usize, diagonal: f64, oblique: f64) -> EnvelopeMatrix {

@@ -380,7 +380,7 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::numerics::envelope::number;
+    use crate::envelope::number;
 
     /// Masses on springs in a row, each moving in three directions of which two are alike; every fifth has no mass.
     fn chain(nodes: usize, grounded: f64) -> (EnvelopeMatrix, EnvelopeMatrix) {

@@ -8,10 +8,10 @@ use std::sync::LazyLock;
 use pulp::Arch;
 
 /// Numbers that such code takes side by side, and partial sums that it has, whatever the processor.
-pub(crate) const LANES: usize = 4;
+pub const LANES: usize = 4;
 
 /// So many numbers side by side.
-pub(crate) type Lanes = [f64; LANES];
+pub type Lanes = [f64; LANES];
 
 /// What this processor has.
-pub(crate) static ARCH: LazyLock<Arch> = LazyLock::new(Arch::new);
+pub static ARCH: LazyLock<Arch> = LazyLock::new(Arch::new);

@@ -6,10 +6,12 @@
 //! another order than that of the method: there the factor and the constants below are those by which the errors of all shipped
 //! cases lie inside as often as they must (`seacable study bars`).
 
-/// Factor of safety of an observed order that is that of the method, of one that is not, and of one that is presumed.
-pub(crate) const OBSERVED: f64 = 1.25;
-pub(crate) const UNLIKE: f64 = 1.7;
-pub(crate) const PRESUMED: f64 = 3.0;
+/// Factor of safety of an observed order that is that of the method.
+pub const OBSERVED: f64 = 1.25;
+/// The same of an observed order that is not that of the method.
+pub const UNLIKE: f64 = 1.7;
+/// The same of an order that is presumed.
+pub const PRESUMED: f64 = 3.0;
 /// The share of itself by which an order differs from that of the method where it is no longer like it: with what is usual among
 /// the results of the run, and of a single result so near to it that it cannot be by chance.
 const LIKE: f64 = 0.1;
@@ -29,22 +31,22 @@ const NOTABLE: f64 = 0.032;
 
 /// What is known of a family of results.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Refinement {
+pub struct Refinement {
     /// Step or segment of a coarser result by that of the next finer one.
-    pub(crate) ratio: f64,
+    pub ratio: f64,
     /// The order of the method.
-    pub(crate) order: f64,
+    pub order: f64,
 }
 
 impl Refinement {
     /// Error of a result from the next coarser one.
-    pub(crate) fn presumed(&self, value: f64, coarse: f64) -> f64 {
+    pub fn presumed(&self, value: f64, coarse: f64) -> f64 {
         PRESUMED * (value - coarse).abs() / (self.ratio.powf(self.order) - 1.0).abs()
     }
 
     /// Error of a result by its difference from a coarser one and by the next difference further on, between runs coarser still.
     /// `usual` is the quotient of the two that is usual among the results of the run (see [`usual_quotient`]).
-    pub(crate) fn observed(&self, [near, far]: [f64; 2], usual: f64) -> f64 {
+    pub fn observed(&self, [near, far]: [f64; 2], usual: f64) -> f64 {
         if near <= 0.0 {
             return 0.0;
         }
@@ -78,7 +80,7 @@ impl Refinement {
 }
 
 /// The median quotient of the differences `[near, far]` of results of these values; zero of none.
-pub(crate) fn usual_quotient(results: impl Iterator<Item = (f64, [f64; 2])>) -> f64 {
+pub fn usual_quotient(results: impl Iterator<Item = (f64, [f64; 2])>) -> f64 {
     const ROUNDING: f64 = 1e-12;
     let quotient = |(value, [near, far]): (f64, [f64; 2])| {
         (far > ROUNDING * value.abs()).then(|| far / near.max(f64::MIN_POSITIVE))
@@ -89,7 +91,7 @@ pub(crate) fn usual_quotient(results: impl Iterator<Item = (f64, [f64; 2])>) -> 
 }
 
 /// Whether runs differ by a notable share of the value and do not approach each other.
-pub(crate) fn is_unsettled(value: f64, [near, far]: [f64; 2]) -> bool {
+pub fn is_unsettled(value: f64, [near, far]: [f64; 2]) -> bool {
     near > far && near > NOTABLE * value.abs()
 }
 

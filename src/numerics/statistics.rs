@@ -165,7 +165,7 @@ impl Gumbel {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::random::Random;
+    use crate::random::Random;
 
     #[test]
     fn root_mean_square_and_greatest() {

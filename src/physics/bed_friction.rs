@@ -414,7 +414,7 @@ fn free_pull(c: &FrictionContact<'_>, grip: &FrictionAnchor) -> V3 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::ElasticBed;
+    use crate::ElasticBed;
 
     fn bed() -> ElasticBed {
         ElasticBed {

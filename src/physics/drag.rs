@@ -72,7 +72,7 @@ struct HalfCoefficients {
 
 /// The relative velocities of the water at both nodes of a segment in parts, normal and tangential to it.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct VelocityParts {
+pub struct VelocityParts {
     /// Normal parts \[m/s\].
     un: TwoV3,
     /// Their sizes \[m/s\].
@@ -86,7 +86,7 @@ pub(crate) struct VelocityParts {
 impl VelocityParts {
     /// Of the relative velocities at both nodes \[m/s\], along and across the tangent t.
     #[inline(always)]
-    pub(crate) fn new(t: &V3, u: [&V3; 2]) -> Self {
+    pub fn new(t: &V3, u: [&V3; 2]) -> Self {
         let (t, u) = (lanes::twice(t), lanes::vectors(u[0], u[1]));
         let ut = dot(&t, &u);
         let un = u - t * ut;
@@ -112,7 +112,7 @@ impl DragProperties {
 
     /// The same by relative velocities in parts.
     #[inline(always)]
-    pub(crate) fn by_parts(
+    pub fn by_parts(
         &self,
         t: &V3,
         parts: &VelocityParts,

@@ -1,6 +1,8 @@
 //! Forces on a line, one file a law: each gives its value and its exact tangent, in SI, without reference to a solver or a
 //! case file.
 
+use seacable_numerics as numerics;
+
 pub mod added_mass;
 pub mod bed_friction;
 pub mod bed_reaction;

@@ -192,7 +192,7 @@ pub fn omega(period: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::{Spectrum, synthesise};
+    use crate::sea::{Spectrum, synthesise};
 
     #[test]
     fn velocity_and_acceleration_are_derivatives() {

@@ -4,14 +4,14 @@ use super::chart::Glyphs;
 use super::document::Report;
 use super::table::{NumberFormat, Table};
 use super::text::WIDTH;
-use crate::audit::finding::Finding;
-use crate::audit::lumped::relaxation::Ended;
-use crate::audit::mesh::LineAudit;
-use crate::audit::start::StartAudit;
-use crate::audit::step::{StepAudit, StepByRk2};
-use crate::audit::{Audit, settings};
-use crate::import::mooring::Program;
-use crate::number::{digits, percent, si, with_error};
+use seacable_base::number::{digits, percent, si, with_error};
+use seacable_foreign::audit::finding::Finding;
+use seacable_foreign::audit::lumped::relaxation::Ended;
+use seacable_foreign::audit::mesh::LineAudit;
+use seacable_foreign::audit::start::StartAudit;
+use seacable_foreign::audit::step::{StepAudit, StepByRk2};
+use seacable_foreign::audit::{Audit, settings};
+use seacable_foreign::import::mooring::Program;
 
 /// Lines of the table at most: the rest of many is left to `seacable run`.
 const LINES: usize = 12;

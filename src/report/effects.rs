@@ -3,9 +3,9 @@
 use super::comparison::result_text;
 use super::number::{percent, si};
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::case::QuantityId;
-use crate::run::Quantity;
-use crate::study::effects::{Effect, InputEffects, InputTolerance, VariedInput};
+use seacable_model::case::QuantityId;
+use seacable_runs::run::Quantity;
+use seacable_studies::study::effects::{Effect, InputEffects, InputTolerance, VariedInput};
 
 /// Characters of a bar to either side of the middle, at least and at most, and what a line of the chart needs besides.
 const HALF: (usize, usize) = (9, 30);

@@ -29,9 +29,9 @@ pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;
 pub use time_histories::{against_time, against_time_at, payload_position};
 
-use crate::case::ChannelQuantity;
-use crate::chart::Series;
-use crate::run::{History, LineShape, Profile, Run};
+use seacable_display::chart::Series;
+use seacable_model::case::ChannelQuantity;
+use seacable_runs::run::{History, LineShape, Profile, Run};
 
 /// A run to be drawn, complete or still running.
 #[derive(Debug, Clone, Copy)]

@@ -2,9 +2,9 @@
 
 use super::number::percent;
 use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
-use crate::case::Case;
-use crate::run::Profile;
-use crate::run::limits::{self, LimitCheck};
+use seacable_model::case::Case;
+use seacable_runs::run::Profile;
+use seacable_runs::run::limits::{self, LimitCheck};
 
 /// The word for a limit that is exceeded.
 pub const EXCEEDED: &str = "EXCEEDED";

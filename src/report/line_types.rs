@@ -1,10 +1,10 @@
 //! The library of line types in tables: the list of types, and one type at a diameter.
 
-use crate::line_types::{
+use seacable_base::number::{digits, si};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_model::line_types::{
     LINE_TYPES, Library, LibraryType, LineProperties, LineType, OuterDiameter, Property,
 };
-use crate::number::{digits, si};
-use crate::table::{NumberFormat, Table};
 
 /// A property in a table: what it is, its unit, its value with formula and source.
 type Entry<'a> = (&'static str, &'static str, &'a Property);

@@ -31,4 +31,7 @@ pub mod variation;
 pub mod verdict;
 pub mod window;
 
-pub use crate::{chart, number, plain, table};
+pub use seacable_base::number;
+pub use seacable_display::chart;
+pub use seacable_display::plain;
+pub use seacable_display::table;

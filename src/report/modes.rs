@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use super::chart::{Axis, Chart, Series, extent};
 use super::number::{digits, rounded};
 use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
-use crate::modes::{LineModes, ModeKind, NamedMode, WkbMedium};
-use crate::numerics::V3;
+use seacable_engine::modes::{LineModes, ModeKind, NamedMode, WkbMedium};
+use seacable_numerics::V3;
 
 /// The modes, from the lowest frequency up: frequency and its error from the mesh, period, what moves, which one of its
 /// kind it is, half waves.

@@ -2,7 +2,7 @@
 
 use super::number::{digits, rounded};
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::run::Profile;
+use seacable_runs::run::Profile;
 
 /// A column of numbers: its head and values, and of those whose greatest value is marked the name and node of the mark.
 struct Numbers {

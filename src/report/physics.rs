@@ -3,9 +3,9 @@
 use super::comparison::result_text;
 use super::number::{duration, percent, rounded, si};
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::case::QuantityId;
-use crate::run::Quantity;
-use crate::study::physics::{KEPT, Omission, PhysicsStudy, PhysicsVariant};
+use seacable_model::case::QuantityId;
+use seacable_runs::run::Quantity;
+use seacable_studies::study::physics::{KEPT, Omission, PhysicsStudy, PhysicsVariant};
 
 /// Smaller changes are shown as less than this.
 const LEAST: f64 = 1e-4;
@@ -73,7 +73,7 @@ fn change_text(omission: &Omission, unit: &str) -> String {
 fn ratio(
     variant: &PhysicsVariant,
     own: f64,
-    of: impl Fn(&crate::study::points::PointRun) -> f64,
+    of: impl Fn(&seacable_studies::study::points::PointRun) -> f64,
 ) -> Cell {
     match variant.run() {
         Ok(run) if own > 0.0 => Cell::plain(format!("x {}", rounded(of(run) / own, 2))),

@@ -4,9 +4,9 @@
 use super::number::duration;
 use super::seas::{SeasView, series_word};
 use super::table::{Align, Cell, Table};
-use crate::case::StatisticsInputs;
-use crate::number::si;
-use crate::study::seas::{Difference, QuickSeas, Series};
+use seacable_base::number::si;
+use seacable_model::case::StatisticsInputs;
+use seacable_studies::study::seas::{Difference, QuickSeas, Series};
 
 /// The looks, and the runs that they are held against.
 #[derive(Debug, Clone, Copy)]

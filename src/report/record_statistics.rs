@@ -1,13 +1,13 @@
 //! Statistics of channels as tables: moments, greatest values with their intervals, fatigue.
 
-use crate::case::ChannelId;
-use crate::extremes::interval::Interval;
-use crate::extremes::spectrum::Spectrum;
-use crate::number::{range as range_text, si, with_error};
-use crate::study::record_statistics::{
+use seacable_base::number::{range as range_text, si, with_error};
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_model::case::ChannelId;
+use seacable_statistics::extremes::interval::Interval;
+use seacable_statistics::extremes::spectrum::Spectrum;
+use seacable_studies::study::record_statistics::{
     ExtremeQuestion, GreatestValue, RecordFatigue, RecordStatistics,
 };
-use crate::table::{Align, Cell, CellStyle, Table};
 
 /// A channel with its statistics.
 #[derive(Debug, Clone)]

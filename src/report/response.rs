@@ -5,9 +5,9 @@ use std::f64::consts::TAU;
 
 use super::number::digits;
 use super::table::{Align, Cell, CellStyle, NumberFormat, Table};
-use crate::case::{Case, LineQuantity, Statistic};
-use crate::run::response::peaks_and_valleys;
-use crate::run::{Profile, along_line};
+use seacable_model::case::{Case, LineQuantity, Statistic};
+use seacable_runs::run::response::peaks_and_valleys;
+use seacable_runs::run::{Profile, along_line};
 
 /// Peaks and valleys from end A to end B: arc length, height, root mean square in metres and diameters with its numerical
 /// error, tension there, all at the end of the run but the root mean square. Empty where the run did not record it.

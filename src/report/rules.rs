@@ -1,7 +1,7 @@
 //! Sets of rules as tables: what comes with the program, and the rules of one.
 
 use super::table::{Align, Cell, Table};
-use crate::case::{CheckInputs, RuleSet};
+use seacable_model::case::{CheckInputs, RuleSet};
 
 /// The sets, by name.
 #[must_use]

@@ -1,16 +1,16 @@
 //! A run, and rows of validation tables, as JSON objects for scripts; keys end in their units.
 
-use crate::visible;
+use seacable_base::visible;
 use std::path::Path;
 
 use serde_json::{Value, json};
 
 use super::table::Table;
-use crate::case::{Provenance, StudyValue};
-use crate::modes::LineModes;
-use crate::reference::papers::{Answer, JudgedStatement, Paper};
-use crate::reference::{TrendLine, ValidationRow};
-use crate::run::{Quantity, Run};
+use seacable_engine::modes::LineModes;
+use seacable_model::case::{Provenance, StudyValue};
+use seacable_runs::reference::papers::{Answer, JudgedStatement, Paper};
+use seacable_runs::reference::{TrendLine, ValidationRow};
+use seacable_runs::run::{Quantity, Run};
 
 /// The results of a run, each with the parts of its error, and the directory that holds all else.
 #[must_use]

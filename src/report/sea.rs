@@ -1,10 +1,10 @@
 //! Irregular seas and motions against the spectra they were asked for.
 
 use super::table::{NumberFormat, Table};
-use crate::case::Case;
-use crate::numerics::statistics;
-use crate::physics::sea::{Component, Moments};
-use crate::scene::{IrregularRecord, records};
+use seacable_engine::scene::{IrregularRecord, records};
+use seacable_model::case::Case;
+use seacable_numerics::statistics;
+use seacable_physics::sea::{Component, Moments};
 
 /// Samples of the shortest component's period.
 const SAMPLES: f64 = 20.0;
@@ -135,7 +135,7 @@ mod tests {
             .replace("height_m = 3.0", "significant_height_m = 5.0")
             .replace("\"waves.height_m\"", "\"waves.significant_height_m\"")
             .replace("period_s = 10.0", "peak_period_s = 11.0");
-        let mut case = crate::case::parse(&text, "irregular.toml").unwrap();
+        let mut case = seacable_model::case::parse(&text, "irregular.toml").unwrap();
         case.solver.duration_s = 20_000.0;
         let table = table(&case);
         let number = |column: usize| -> f64 { table.cell(1, column).text.parse().unwrap() };

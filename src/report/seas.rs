@@ -6,10 +6,10 @@ use serde_json::{Value, json};
 
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::case::{CheckKind, GreatestMethod, StatisticsInputs};
-use crate::checks::utilisation::{Utilisation, Verdict};
-use crate::number::{digits, range as range_text, si, with_error};
-use crate::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
+use seacable_base::number::{digits, range as range_text, si, with_error};
+use seacable_model::case::{CheckKind, GreatestMethod, StatisticsInputs};
+use seacable_model::checks::utilisation::{Utilisation, Verdict};
+use seacable_studies::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
 
 /// The rows that are printed of a check's places; all stand in checks.csv.
 const MOST_PLACES: usize = 40;

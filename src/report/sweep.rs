@@ -9,9 +9,9 @@ use super::plain;
 use super::seas::SeasView;
 use super::table::Table;
 use super::variation::VariationView;
-use crate::study::seas::{SeaQuestion, SeaResults};
-use crate::study::sweep::{Sweep, SweepError, SweepFolder, SweepOutcomes};
-use crate::visible;
+use seacable_base::visible;
+use seacable_studies::study::seas::{SeaQuestion, SeaResults};
+use seacable_studies::study::sweep::{Sweep, SweepError, SweepFolder, SweepOutcomes};
 
 /// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
 const MOST_ROWS: usize = 100;

@@ -10,13 +10,15 @@ pub use about::numerical_damping;
 pub(crate) use about::{head, settings, warnings, work};
 pub(crate) use inputs::list as inputs;
 pub use results::summary;
-pub(crate) use validation::add_validation;
+pub use validation::add_validation;
 pub use validation::validation;
 
 use super::chart::Glyphs;
 use super::document::Report;
 use super::{limits, sea};
-use crate::{case::Case, reference::ValidationRow, run::Run};
+use seacable_model::case::Case;
+use seacable_runs::reference::ValidationRow;
+use seacable_runs::run::Run;
 
 /// Columns of a report.
 pub const WIDTH: usize = 80;
@@ -31,7 +33,7 @@ pub fn report(run: &Run, case: &Case, rows: &[ValidationRow], glyphs: Glyphs) ->
 /// The report of a run: what was computed and with which settings, inputs with their standing,
 /// results with their errors, charts, comparison with published values, work and cost.
 ///
-/// `rows` are the published rows of the case ([`reference::rows`](crate::reference::rows)).
+/// `rows` are the published rows of the case ([`reference::rows`](seacable_runs::reference::rows)).
 #[must_use]
 pub fn of_run(run: &Run, case: &Case, rows: &[ValidationRow]) -> Report {
     let mut page = Report::default();

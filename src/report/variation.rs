@@ -12,10 +12,10 @@ use std::ops::Range;
 use super::chart::{Axis, AxisScale, Chart, GridMap, Series};
 use super::number::duration;
 use super::table::{Align, Cell, CellStyle, LineKind, Table};
-use crate::case::{Spacing, StudyValue};
-use crate::number::si;
-use crate::study::points::Point;
-use crate::study::vary::{Variation, VariedKey};
+use seacable_base::number::si;
+use seacable_model::case::{Spacing, StudyValue};
+use seacable_studies::study::points::Point;
+use seacable_studies::study::vary::{Variation, VariedKey};
 
 /// Curves of a chart, at most; a finer grid is drawn as a map.
 const MOST_CURVES: usize = 6;

@@ -7,11 +7,11 @@ use serde_json::Value;
 use super::document::Report;
 use super::seas::SeasView;
 use super::table::Table;
-use crate::case::StatisticsInputs;
-use crate::checks::utilisation::Verdict;
-use crate::run::Quantity;
-use crate::study::seas::{SeaQuestion, SeaResults};
-use crate::system::SolvedSystem;
+use seacable_model::case::StatisticsInputs;
+use seacable_model::checks::utilisation::Verdict;
+use seacable_runs::run::Quantity;
+use seacable_studies::study::seas::{SeaQuestion, SeaResults};
+pub use seacable_systems::system::SolvedSystem;
 
 /// The checks of a file with what one run, or its equilibrium, makes of them.
 #[derive(Debug, Clone)]

@@ -2,10 +2,10 @@
 
 use super::chart::{Axis, Chart, Series};
 use super::table::{Align, Cell, CellStyle, Table};
-use crate::checks::utilisation::Verdict;
-use crate::number::si;
-use crate::study::points::Setting;
-use crate::study::window::{WindowKey, WindowRow};
+use seacable_base::number::si;
+use seacable_model::checks::utilisation::Verdict;
+use seacable_studies::study::points::Setting;
+use seacable_studies::study::window::{WindowKey, WindowRow};
 
 /// Curves of the chart, at most.
 const MOST_CURVES: usize = 6;
@@ -76,7 +76,8 @@ impl WindowView<'_> {
         };
         let key = &self.key.key.path;
         let governing =
-            |row: &WindowRow, read: &dyn Fn(&crate::study::window::Governing) -> String| {
+            |row: &WindowRow,
+             read: &dyn Fn(&seacable_studies::study::window::Governing) -> String| {
                 row.governing.as_ref().map_or_else(String::new, read)
             };
         table

@@ -1,5 +1,18 @@
 //! Systems of lines, and the ropeways and ships that are computed as such.
 
+use seacable_base::{background, files, limits, number, visible};
+use seacable_engine::{dynamics, line_between_ends, modes, scene, solve, statics};
+use seacable_model::{case, checks, published};
+#[cfg(test)]
+use seacable_model::{kinds, section, templates};
+use seacable_numerics as numerics;
+use seacable_physics as physics;
+use seacable_runs::{reference, run};
+use seacable_statistics::fatigue;
+
 pub mod ropeway;
 pub mod ship;
 pub mod system;
+
+#[cfg(test)]
+mod every_kind;

@@ -36,8 +36,8 @@ use super::{case_library, draw, external_editor, recovery, settings, update};
 use crate::background::lower_priority;
 use crate::chart::Glyphs;
 use crate::crash_log;
-use crate::files::{Target, disk, root};
 use crate::run::job::JobEvent;
+use seacable_base::files::{Target, disk, root};
 
 /// How the workbench is opened.
 #[derive(Debug, Clone, Default)]

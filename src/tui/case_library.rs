@@ -6,9 +6,9 @@ use std::path::{Path, PathBuf};
 use super::state::reading::read_file;
 use super::state::{CaseEntry, DocumentContent};
 use crate::case::{self, render_all};
-use crate::files::walk::{Found, Search};
-use crate::files::{Target, disk};
 use crate::run::store::RUN;
+use seacable_base::files::walk::{Found, Search};
+use seacable_base::files::{Target, disk};
 
 use crate::case::shipped::{BESIDE, BY_KIND};
 use crate::places::data_dir;

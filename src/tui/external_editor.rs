@@ -99,7 +99,7 @@ mod tests {
 
     #[test]
     fn files_of_every_kind_are_read() {
-        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        let cases = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
         for (file, kind) in [
             ("pendulous/manifold.toml", FileType::Line),
             ("umbilical/section.toml", FileType::Section),

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::msg::Msg;
 use super::state::Severity;
-use crate::files::{Existing, Target, WriteError};
 use crate::visible;
+use seacable_base::files::{Existing, Target, WriteError};
 
 /// Saves a case: to a new file, or over the file that links lead to, which should still hold `expected`.
 pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {

@@ -10,6 +10,19 @@
 //! [`terminal`] is the only place that touches the terminal's modes. Each
 //! pane lists its commands with their keys in [`panes`].
 
+use seacable_base::{background, crash_log, number, padding, places, strays, visible};
+use seacable_display::{chart, plain, table, wrap};
+use seacable_engine::modes;
+use seacable_foreign::{import, open};
+use seacable_jobs as jobs;
+use seacable_model::{case, kinds, line_types, section, templates};
+use seacable_numerics as numerics;
+use seacable_physics as physics;
+use seacable_report as report;
+use seacable_runs::{reference, run};
+use seacable_studies::{comparison, study};
+use seacable_systems::{ropeway, ship, system};
+
 pub mod app;
 pub mod bindings;
 pub mod case_library;

@@ -11,8 +11,8 @@ use rustix::process::{Pid, test_kill_process};
 
 use super::case_library::state_dir;
 use crate::chart::Glyphs;
-use crate::files::{Target, disk, read};
 use crate::strays;
+use seacable_base::files::{Target, disk, read};
 
 /// What a session left of a case.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -16,7 +16,7 @@ const NEW_FILE_MODE: u32 = 0o666;
 
 /// A file that this program made and writes.
 #[derive(Debug)]
-pub(crate) struct NewFile {
+pub struct NewFile {
     file: File,
     path: PathBuf,
 }
@@ -26,7 +26,7 @@ impl NewFile {
     ///
     /// # Errors
     /// Something exists there, or the system refuses.
-    pub(crate) fn create(path: &Path) -> io::Result<Self> {
+    pub fn create(path: &Path) -> io::Result<Self> {
         faults::met(Operation::Create, path)?;
         let file = OpenOptions::new()
             .write(true)
@@ -43,7 +43,7 @@ impl NewFile {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn nameless_in(dir: &Path) -> io::Result<Self> {
+    pub fn nameless_in(dir: &Path) -> io::Result<Self> {
         faults::met(Operation::Create, dir)?;
         Ok(Self {
             file: tempfile::tempfile_in(dir)?,
@@ -55,13 +55,13 @@ impl NewFile {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn sync(&self) -> io::Result<()> {
+    pub fn sync(&self) -> io::Result<()> {
         faults::met(Operation::Sync, &self.path)?;
         self.file.sync_all()
     }
 
     /// The file, to be read and measured.
-    pub(crate) const fn open(&self) -> &File {
+    pub const fn open(&self) -> &File {
         &self.file
     }
 
@@ -69,7 +69,7 @@ impl NewFile {
     ///
     /// # Errors
     /// There is no such room, or the file system cannot hold any.
-    pub(crate) fn hold(&self, bytes: u64) -> io::Result<()> {
+    pub fn hold(&self, bytes: u64) -> io::Result<()> {
         use rustix::fs::{FallocateFlags, fallocate};
         faults::met(Operation::Write, &self.path)?;
         Ok(fallocate(&self.file, FallocateFlags::empty(), 0, bytes)?)
@@ -151,7 +151,7 @@ impl Beside {
 ///
 /// # Errors
 /// As [`fs::rename`].
-pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
+pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
     faults::met(Operation::Rename, to)?;
     fs::rename(from, to)
 }
@@ -160,7 +160,7 @@ pub(crate) fn rename(from: &Path, to: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`fs::create_dir`].
-pub(crate) fn create_dir(path: &Path) -> io::Result<()> {
+pub fn create_dir(path: &Path) -> io::Result<()> {
     faults::met(Operation::Create, path)?;
     fs::create_dir(path)
 }
@@ -169,7 +169,7 @@ pub(crate) fn create_dir(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`fs::create_dir`].
-pub(crate) fn create_private_dir(path: &Path) -> io::Result<()> {
+pub fn create_private_dir(path: &Path) -> io::Result<()> {
     faults::met(Operation::Create, path)?;
     fs::DirBuilder::new().mode(0o700).create(path)
 }
@@ -178,7 +178,7 @@ pub(crate) fn create_private_dir(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`OpenOptions::open`].
-pub(crate) fn append_private(path: &Path) -> io::Result<File> {
+pub fn append_private(path: &Path) -> io::Result<File> {
     faults::met(Operation::Create, path)?;
     let mut options = OpenOptions::new();
     options.append(true).create(true).mode(0o600).open(path)
@@ -188,7 +188,7 @@ pub(crate) fn append_private(path: &Path) -> io::Result<File> {
 ///
 /// # Errors
 /// As [`fs::create_dir_all`].
-pub(crate) fn create_dir_all(path: &Path) -> io::Result<()> {
+pub fn create_dir_all(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Ok(());
     }
@@ -200,7 +200,7 @@ pub(crate) fn create_dir_all(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`fs::remove_file`].
-pub(crate) fn remove_file(path: &Path) -> io::Result<()> {
+pub fn remove_file(path: &Path) -> io::Result<()> {
     faults::met(Operation::Remove, path)?;
     fs::remove_file(path)
 }
@@ -209,7 +209,7 @@ pub(crate) fn remove_file(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`fs::remove_dir`].
-pub(crate) fn remove_dir(path: &Path) -> io::Result<()> {
+pub fn remove_dir(path: &Path) -> io::Result<()> {
     faults::met(Operation::Remove, path)?;
     fs::remove_dir(path)
 }
@@ -218,13 +218,13 @@ pub(crate) fn remove_dir(path: &Path) -> io::Result<()> {
 ///
 /// # Errors
 /// As [`fs::remove_dir_all`].
-pub(crate) fn remove_dir_all(path: &Path) -> io::Result<()> {
+pub fn remove_dir_all(path: &Path) -> io::Result<()> {
     faults::met(Operation::Remove, path)?;
     fs::remove_dir_all(path)
 }
 
 /// Makes renames in a directory survive a power cut. A file system that cannot sync a directory is left alone.
-pub(crate) fn sync_directory(directory: &Path) {
+pub fn sync_directory(directory: &Path) {
     if let Ok(open) = File::open(directory) {
         // Not every file system syncs directories, and the file itself is synced already.
         let _ = open.sync_all();

@@ -18,7 +18,7 @@ const LONGEST: u64 = 1 << 16;
 
 /// A lock, released when dropped. Its file may hold a text, such as the name of its process.
 #[derive(Debug)]
-pub(crate) struct LockFile {
+pub struct LockFile {
     file: File,
     is_exclusive: bool,
 }
@@ -28,7 +28,7 @@ impl LockFile {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn take(path: &Path) -> io::Result<Option<Self>> {
+    pub fn take(path: &Path) -> io::Result<Option<Self>> {
         faults::met(Operation::Create, path)?;
         let file = open(path, true)?;
         match flock(&file, FlockOperation::NonBlockingLockExclusive) {
@@ -45,7 +45,7 @@ impl LockFile {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn wait(path: &Path) -> io::Result<Self> {
+    pub fn wait(path: &Path) -> io::Result<Self> {
         faults::met(Operation::Create, path)?;
         let file = open(path, true)?;
         match flock(&file, FlockOperation::LockExclusive) {
@@ -70,12 +70,12 @@ impl LockFile {
     }
 
     /// Whether no other process can hold it; false where the file system has no locks.
-    pub(crate) const fn is_exclusive(&self) -> bool {
+    pub const fn is_exclusive(&self) -> bool {
         self.is_exclusive
     }
 
     /// The text of its file; empty where it cannot be read.
-    pub(crate) fn text(&mut self) -> String {
+    pub fn text(&mut self) -> String {
         let mut bytes = Vec::new();
         let read = self
             .file
@@ -90,7 +90,7 @@ impl LockFile {
     ///
     /// # Errors
     /// The system refuses.
-    pub(crate) fn write(&mut self, text: &str) -> io::Result<()> {
+    pub fn write(&mut self, text: &str) -> io::Result<()> {
         self.file.rewind()?;
         self.file.set_len(0)?;
         self.file.write_all(text.as_bytes())
@@ -99,7 +99,7 @@ impl LockFile {
 
 /// Whether a process holds the lock of this file.
 #[must_use]
-pub(crate) fn is_held(path: &Path) -> bool {
+pub fn is_held(path: &Path) -> bool {
     open(path, false).is_ok_and(|file| {
         let tried = flock(&file, FlockOperation::NonBlockingLockShared);
         tried == Err(Errno::WOULDBLOCK)

@@ -11,7 +11,7 @@ const DEEPEST: usize = 100;
 
 /// A text in TOML up to where it nests too deep; there is a fault of its syntax before that place then.
 #[must_use]
-pub(crate) fn shallow(text: &str) -> &str {
+pub fn shallow(text: &str) -> &str {
     let mut open = Vec::with_capacity(DEEPEST);
     for token in Source::new(text).lex() {
         match token.kind() {

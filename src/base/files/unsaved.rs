@@ -7,11 +7,11 @@ static HOLDERS: AtomicUsize = AtomicUsize::new(0);
 
 /// Held by what computes results and writes them at its end, from its first result until all are on disk.
 #[derive(Debug)]
-pub(crate) struct Unsaved(());
+pub struct Unsaved(());
 
 impl Unsaved {
     /// Results are computed from now on.
-    pub(crate) fn begin() -> Self {
+    pub fn begin() -> Self {
         HOLDERS.fetch_add(1, Ordering::SeqCst);
         Self(())
     }

@@ -13,7 +13,7 @@ use serde_json::json;
 
 use super::about_args::DoctorArgs;
 use super::{BAD_RESULT, CommandError, output};
-use crate::padding::{at_left, blanks};
+use seacable_base::padding::{at_left, blanks};
 
 /// How much something matters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

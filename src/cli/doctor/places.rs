@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use rustix::fs::{Access, access, statvfs};
 
 use super::{Finding, Surroundings};
-use crate::run::store::DEFAULT_ROOT;
-use crate::{places, visible};
+use seacable_base::places;
+use seacable_base::visible;
+use seacable_runs::run::store::DEFAULT_ROOT;
 
 const TOPIC: &str = "folders";
 

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::Finding;
-use crate::files::read;
-use crate::run::VERSION;
-use crate::visible;
+use seacable_base::files::read;
+use seacable_base::visible;
+use seacable_runs::run::VERSION;
 
 const TOPIC: &str = "program";
 

@@ -4,12 +4,14 @@ use std::fs;
 use std::path::Path;
 
 use super::{Finding, Surroundings};
-use crate::cli::manual::installed::{self, Installed};
-use crate::jobs::list::JobEntry;
-use crate::jobs::{JobsDir, survival};
-use crate::run::store::DEFAULT_ROOT;
-use crate::tui::settings::{Settings, config_file, keys_file};
-use crate::{crash_log, places, visible};
+use crate::manual::installed::{self, Installed};
+use seacable_base::crash_log;
+use seacable_base::places;
+use seacable_base::visible;
+use seacable_jobs::list::JobEntry;
+use seacable_jobs::{JobsDir, survival};
+use seacable_runs::run::store::DEFAULT_ROOT;
+use seacable_tui::settings::{Settings, config_file, keys_file};
 
 const TOPIC: &str = "session";
 

@@ -3,11 +3,11 @@
 use std::process::Command;
 
 use super::{Finding, Surroundings};
-use crate::chart::Glyphs;
-use crate::tui::recovery::remembered_glyphs;
-use crate::tui::settings::Settings;
-use crate::tui::terminal::capabilities::{decide, synchronizes};
-use crate::tui::view::layout::SMALLEST;
+use seacable_display::chart::Glyphs;
+use seacable_tui::recovery::remembered_glyphs;
+use seacable_tui::settings::Settings;
+use seacable_tui::terminal::capabilities::{decide, synchronizes};
+use seacable_tui::view::layout::SMALLEST;
 
 const TOPIC: &str = "terminal";
 
@@ -157,7 +157,8 @@ fn synchronized(around: &Surroundings<'_>) -> Finding {
 }
 
 fn clipboard(around: &Surroundings<'_>) -> Finding {
-    let file = crate::places::state_dir().map(|dir| crate::visible::path(&dir.join("copied.txt")));
+    let file = seacable_base::places::state_dir()
+        .map(|dir| seacable_base::visible::path(&dir.join("copied.txt")));
     let file = file.unwrap_or_else(|error| error.to_string());
     let found = Finding::fine(
         TOPIC,
@@ -182,7 +183,7 @@ fn editor(around: &Surroundings<'_>) -> Finding {
         Some(path) => Finding::fine(
             TOPIC,
             "editor",
-            format!("{words} ({from}): {}", crate::visible::path(&path)),
+            format!("{words} ({from}): {}", seacable_base::visible::path(&path)),
         ),
         None => Finding::fine(TOPIC, "editor", format!("{words} ({from}): not found"))
             .note("set EDITOR to an editor that is installed"),

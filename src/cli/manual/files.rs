@@ -6,26 +6,26 @@ use clap::{Command, CommandFactory};
 use clap_complete::{Shell, generate};
 use clap_mangen::Man;
 
-use crate::cli::args::Args;
+use crate::args::Args;
 
 /// By this a file is known to be the program's own.
-pub(in crate::cli) const MARK: &str = "written by `seacable install-manual`";
+pub(crate) const MARK: &str = "written by `seacable install-manual`";
 
 /// The shells that look for completions in a folder of the user.
-pub(in crate::cli) const SHELLS: [Shell; 3] = [Shell::Bash, Shell::Zsh, Shell::Fish];
+pub(crate) const SHELLS: [Shell; 3] = [Shell::Bash, Shell::Zsh, Shell::Fish];
 
 /// A file that is put in place.
 #[derive(Debug, Clone)]
-pub(in crate::cli) struct ManualFile {
+pub(crate) struct ManualFile {
     /// Its name.
-    pub(in crate::cli) name: String,
+    pub(crate) name: String,
     /// Where it goes, below the user's folder for data.
-    pub(in crate::cli) path: PathBuf,
-    pub(in crate::cli) text: String,
+    pub(crate) path: PathBuf,
+    pub(crate) text: String,
 }
 
 /// All files: pages, and completions of these shells.
-pub(in crate::cli) fn all(shells: &[Shell]) -> Vec<ManualFile> {
+pub(crate) fn all(shells: &[Shell]) -> Vec<ManualFile> {
     let mut files = pages();
     files.extend(shells.iter().filter_map(|shell| {
         let path = PathBuf::from(place(*shell)?);
@@ -39,13 +39,13 @@ pub(in crate::cli) fn all(shells: &[Shell]) -> Vec<ManualFile> {
 }
 
 /// The name of the page of a command: `seacable-study-vary.1`.
-pub(in crate::cli) fn page(command: &[String]) -> String {
+pub(crate) fn page(command: &[String]) -> String {
     let words = std::iter::once("seacable").chain(command.iter().map(String::as_str));
     format!("{}.1", words.collect::<Vec<_>>().join("-"))
 }
 
 /// The pages of all commands.
-pub(in crate::cli) fn pages() -> Vec<ManualFile> {
+pub(crate) fn pages() -> Vec<ManualFile> {
     let mut command = Args::command().disable_help_subcommand(true);
     command.build();
     let mut pages = Vec::new();
@@ -75,7 +75,7 @@ fn roff(command: &Command, name: &str) -> String {
 }
 
 /// The completions of a shell.
-pub(in crate::cli) fn completion(shell: Shell) -> String {
+pub(crate) fn completion(shell: Shell) -> String {
     let mut text = Vec::new();
     generate(shell, &mut Args::command(), "seacable", &mut text);
     String::from_utf8_lossy(&text).into_owned()
@@ -93,7 +93,7 @@ fn marked_completion(shell: Shell) -> String {
 }
 
 /// Where a shell looks for completions, below the user's folder for data.
-pub(in crate::cli) const fn place(shell: Shell) -> Option<&'static str> {
+pub(crate) const fn place(shell: Shell) -> Option<&'static str> {
     match shell {
         Shell::Bash => Some("bash-completion/completions/seacable"),
         Shell::Fish => Some("fish/vendor_completions.d/seacable.fish"),

@@ -6,11 +6,11 @@ use std::path::Path;
 use clap_complete::Shell;
 
 use super::files::{self, MARK};
-use crate::files::{Target, disk, read};
+use seacable_base::files::{Target, disk, read};
 
 /// What became of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::cli) enum Written {
+pub(crate) enum Written {
     /// It is new.
     New,
     /// It was there in another form.
@@ -27,7 +27,7 @@ pub(in crate::cli) enum Written {
 
 impl Written {
     /// A line on the file; nothing where nothing became of it.
-    pub(in crate::cli) fn words(self, path: &str) -> Option<String> {
+    pub(crate) fn words(self, path: &str) -> Option<String> {
         match self {
             Self::New => Some(format!("written   {path}")),
             Self::Replaced => Some(format!("replaced  {path}")),
@@ -45,7 +45,7 @@ impl Written {
 ///
 /// # Errors
 /// The system refuses.
-pub(in crate::cli) fn write(path: &Path, text: &str, force: bool) -> io::Result<Written> {
+pub(crate) fn write(path: &Path, text: &str, force: bool) -> io::Result<Written> {
     let now = text_of(path)?;
     match &now {
         Some(now) if now == text => return Ok(Written::Same),
@@ -66,7 +66,7 @@ pub(in crate::cli) fn write(path: &Path, text: &str, force: bool) -> io::Result<
 ///
 /// # Errors
 /// The system refuses.
-pub(in crate::cli) fn remove(path: &Path) -> io::Result<Written> {
+pub(crate) fn remove(path: &Path) -> io::Result<Written> {
     match text_of(path)? {
         None => Ok(Written::Absent),
         Some(text) if !text.contains(MARK) => Ok(Written::Kept),
@@ -85,16 +85,16 @@ fn text_of(path: &Path) -> io::Result<Option<String>> {
 
 /// How many of the files are in place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::cli) enum Installed {
+pub(crate) enum Installed {
     None,
     Some,
     All,
 }
 
 /// How many files are in place as this program writes them, and how many there are.
-pub(in crate::cli) fn state(shells: &[Shell]) -> (usize, usize) {
+pub(crate) fn state(shells: &[Shell]) -> (usize, usize) {
     let all = files::all(shells);
-    let home = crate::places::data_home();
+    let home = seacable_base::places::data_home();
     let is_there = |file: &&files::ManualFile| {
         let path = home.as_ref().map(|home| home.join(&file.path));
         let text = path.ok().and_then(|path| text_of(&path).ok()?);
@@ -104,7 +104,7 @@ pub(in crate::cli) fn state(shells: &[Shell]) -> (usize, usize) {
 }
 
 /// The same in a word.
-pub(in crate::cli) const fn verdict(there: usize, all: usize) -> Installed {
+pub(crate) const fn verdict(there: usize, all: usize) -> Installed {
     match there {
         0 => Installed::None,
         there if there == all => Installed::All,
@@ -113,7 +113,7 @@ pub(in crate::cli) const fn verdict(there: usize, all: usize) -> Installed {
 }
 
 /// The shells that are installed, of those with a folder for completions.
-pub(in crate::cli) fn shells(is_there: &dyn Fn(&str) -> bool) -> Vec<Shell> {
+pub(crate) fn shells(is_there: &dyn Fn(&str) -> bool) -> Vec<Shell> {
     let shells = files::SHELLS.into_iter();
     shells
         .filter(|shell| is_there(&shell.to_string()))
@@ -121,7 +121,7 @@ pub(in crate::cli) fn shells(is_there: &dyn Fn(&str) -> bool) -> Vec<Shell> {
 }
 
 /// Whether a program is in the search path.
-pub(in crate::cli) fn is_in_path(name: &str) -> bool {
+pub(crate) fn is_in_path(name: &str) -> bool {
     let path = std::env::var_os("PATH").unwrap_or_default();
     std::env::split_paths(&path).any(|dir| dir.join(name).is_file())
 }

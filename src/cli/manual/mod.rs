@@ -14,7 +14,7 @@ use super::about_args::{CompletionsArgs, InstallManualArgs, ManArgs};
 use super::args::Args;
 use super::output::{self, FileFormat};
 use super::{BAD_RESULT, CommandError};
-use crate::visible;
+use seacable_base::visible;
 
 /// `seacable completions SHELL`.
 pub(super) fn completions(args: &CompletionsArgs) -> Result<ExitCode, CommandError> {
@@ -56,8 +56,8 @@ pub(super) fn install(args: &InstallManualArgs) -> Result<ExitCode, CommandError
         true => files::all(&files::SHELLS),
         false => files::all(&shells),
     };
-    let home =
-        crate::places::data_home().map_err(|error| CommandError::Usage(error.to_string()))?;
+    let home = seacable_base::places::data_home()
+        .map_err(|error| CommandError::Usage(error.to_string()))?;
     let mut words = Vec::new();
     let mut kept = 0;
     for file in &all {

@@ -200,13 +200,7 @@ impl Picture {
     }
 
     /// Writes text from a column on, at most to the picture's edge; returns the column after it.
-    pub(super) fn write(
-        &mut self,
-        column: usize,
-        row: usize,
-        text: &str,
-        ink: PicturePart,
-    ) -> usize {
+    pub fn write(&mut self, column: usize, row: usize, text: &str, ink: PicturePart) -> usize {
         let mut at = column;
         for ch in visible::line(text).chars() {
             let wide = ch.width().unwrap_or(0);

@@ -345,7 +345,7 @@ fn lump(
 }
 
 /// Still water unless the case has a current.
-pub(crate) fn current(
+pub fn current(
     current: Option<&case::Current>,
     files: &BTreeMap<String, Attachment>,
 ) -> CurrentProfile {

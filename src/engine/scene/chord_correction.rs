@@ -11,12 +11,7 @@ impl LumpedLine {
     /// `e = s (1 - s) |D normal to d|² / 2 |d|` up to fourth order of the angle. The balance holds for the length of the mix, so
     /// that the excesses before and after mix to e: `(1 - s) e1 + s e0 = e`. Slack segments have none. The line before is another where it is
     /// paid out: the unstretched lengths mix, too.
-    pub(crate) fn chord_corrections(
-        &self,
-        share: f64,
-        (line, before): (&Self, &State),
-        end: &mut State,
-    ) {
+    pub fn chord_corrections(&self, share: f64, (line, before): (&Self, &State), end: &mut State) {
         end.chord_correction.resize(self.segments.len(), 0.0);
         for (i, segment) in self.segments.iter().enumerate() {
             let (l0, l1) = (line.segments[i].axial.length, segment.axial.length);

@@ -128,7 +128,7 @@ impl LumpedLine {
     }
 
     /// Writes the rates of the mean strains, where a method integrates these.
-    pub(crate) fn write_creep_rates(&self, t: f64, state: &mut State) {
+    pub fn write_creep_rates(&self, t: f64, state: &mut State) {
         for i in 0..state.creep_rates.len() {
             let rate = {
                 let chord = self.chord(i, state);

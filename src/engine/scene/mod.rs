@@ -50,7 +50,7 @@ mod wave_kinematics;
 mod waves;
 
 pub use build::build;
-pub(crate) use build::current as current_profile;
+pub use build::current as current_profile;
 pub use elements::{
     BedContact, DrumPull, Elements, FedEnd, Flexure, MassDamping, PaidOut, RigidPayload,
     TravellingBody,
@@ -65,8 +65,8 @@ pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};
 pub use rope::RopeStiffness;
 pub use scene::{InitialState, Scene};
 pub use step_reading::EnergyRates;
-pub(crate) use submergence::{LostBuoyancy, lost_buoyancy};
-pub(crate) use unused_inputs::loads_without_effect;
+pub use submergence::{LostBuoyancy, lost_buoyancy};
+pub use unused_inputs::loads_without_effect;
 pub use water::Water;
 pub use waves::records;
-pub(crate) use waves::{sea, steep_waves};
+pub use waves::{sea, steep_waves};

@@ -19,14 +19,14 @@ use crate::physics::sea::{DEGREES, Rao};
 const LIMITS: [f64; 2] = [20.0, 90.0];
 
 /// Entries of the file at one heading.
-pub(crate) struct HeadingRao {
+pub struct HeadingRao {
     /// Angle from the bow \[rad\]; none in a file without headings.
     heading: Option<f64>,
     rao: Rao,
 }
 
 /// The RAOs of a file by ascending heading; a single one for a file without headings.
-pub(crate) fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
+pub fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
     let has_headings = has_headings(text);
     let rows = rows(text, file, has_headings)?;
     let rao = |block: &[Vec<PlacedNumber>]| {
@@ -131,7 +131,7 @@ fn check(row: &[PlacedNumber], columns: &[String]) -> Result<(), Finding> {
 }
 
 /// The RAO at an angle \[rad\] from the bow, between 0 and 2π, interpolated between the headings of the file.
-pub(crate) fn at_angle(raos: &[HeadingRao], angle: f64, file: &str) -> Result<Rao, Diagnostic> {
+pub fn at_angle(raos: &[HeadingRao], angle: f64, file: &str) -> Result<Rao, Diagnostic> {
     let headings: Vec<f64> = raos.iter().filter_map(|one| one.heading).collect();
     let (Some(first), Some(last)) = (headings.first(), headings.last()) else {
         // Without headings the RAO is that of the ship as it lies.

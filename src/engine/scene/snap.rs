@@ -8,11 +8,7 @@ impl LumpedLine {
     /// The greatest acceleration \[m/s²\] that segments which are slack in a state between and taut at the end give a node there. Between,
     /// the line is another where it is paid out.
     #[must_use]
-    pub(crate) fn acceleration_by_snaps(
-        &self,
-        (line, between): (&Self, &State),
-        end: &State,
-    ) -> f64 {
+    pub fn acceleration_by_snaps(&self, (line, between): (&Self, &State), end: &State) -> f64 {
         let mut jolt = 0.0_f64;
         for (i, segment) in self.segments.iter().enumerate() {
             let taut = |line: &Self, s: &State| {
@@ -30,7 +26,7 @@ impl LumpedLine {
     /// Whether the displacements `-d` that led to this state, and lengths paid out at the ends with them, turned a segment taut or slack: the
     /// derivative of its tension jumps there.
     #[must_use]
-    pub(crate) fn turns_taut_or_slack(&self, d: &[V3], out: [f64; 2], state: &State) -> bool {
+    pub fn turns_taut_or_slack(&self, d: &[V3], out: [f64; 2], state: &State) -> bool {
         let last = self.segments.len() - 1;
         self.segments.iter().enumerate().any(|(i, segment)| {
             let length = segment.axial.length;

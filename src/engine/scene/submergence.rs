@@ -27,17 +27,17 @@ pub(super) struct NodeHeight {
 
 /// Buoyancy lost by the dry part of a segment.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct LostBuoyancy {
+pub struct LostBuoyancy {
     /// Potential per weight of the water displaced by the segment \[m\].
-    pub(crate) energy: f64,
+    pub energy: f64,
     /// Fractions of the buoyancy of the segment lost at its first and second node.
-    pub(crate) lost: [f64; 2],
+    pub lost: [f64; 2],
     /// Their derivatives by the heights of first and second node \[1/m\].
-    pub(crate) by: [[f64; 2]; 2],
+    pub by: [[f64; 2]; 2],
 }
 
 /// Buoyancy lost by a segment of radius r \[m\] between nodes at these heights above the surface \[m\].
-pub(crate) fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
+pub fn lost_buoyancy(r: f64, [p, q]: [f64; 2]) -> LostBuoyancy {
     if p.max(q) <= -r {
         return LostBuoyancy::default();
     }

@@ -21,7 +21,7 @@ pub(super) fn remarks(case: &Case) -> Vec<String> {
 }
 
 /// Bodies that the current does not act on, for want of a drag area.
-pub(crate) fn loads_without_effect(case: &Case) -> Option<String> {
+pub fn loads_without_effect(case: &Case) -> Option<String> {
     let flows = |current: &Current| match &current.speed_m_per_s {
         Some(OneOrMany::One(speed)) => *speed != 0.0,
         Some(OneOrMany::Many(speeds)) => speeds.iter().any(|speed| *speed != 0.0),

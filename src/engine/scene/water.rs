@@ -120,7 +120,7 @@ pub(super) struct BodyInWater {
 
 impl LumpedLine {
     /// Puts waves into the water around the line, of this density \[kg/m³\] and under this gravity \[m/s²\].
-    pub(crate) fn put_into_waves(&mut self, sea: &Sea, (density, gravity): (f64, f64)) {
+    pub fn put_into_waves(&mut self, sea: &Sea, (density, gravity): (f64, f64)) {
         let bodies = &self.bodies;
         let water = self.water.get_or_insert_with(|| {
             Water::around(&self.segments, bodies, (density, gravity), None, false)
@@ -197,7 +197,7 @@ impl LumpedLine {
 
     /// Lost buoyancy of half of segment i, a load downwards \[N\].
     #[inline(always)]
-    pub(super) fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
+    pub fn lost_buoyancy(&self, i: usize, half: usize, state: &State) -> V3 {
         let Some(water) = self.water.as_ref().filter(|w| w.crossed) else {
             return V3::zeros();
         };

@@ -32,7 +32,7 @@ impl Scene {
     }
 
     /// The same at the time of a clock of the same sea.
-    pub(crate) fn write_wave_kinematics_by(
+    pub fn write_wave_kinematics_by(
         &self,
         clock: &SeaClock,
         before: Option<Before<'_>>,

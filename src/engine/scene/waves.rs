@@ -165,11 +165,7 @@ fn given_components(periods: &[f64], heights: &[f64], phases: Option<&[f64]>) ->
 ///
 /// # Errors
 /// Waves without height or period.
-pub(crate) fn sea(
-    given: &[case::Waves],
-    bed: Option<f64>,
-    gravity: f64,
-) -> Result<Sea, SceneError> {
+pub fn sea(given: &[case::Waves], bed: Option<f64>, gravity: f64) -> Result<Sea, SceneError> {
     let mut fields = Vec::new();
     for (number, waves) in (0_u64..).zip(given) {
         let setting = setting(waves, depth(waves, bed), gravity);
@@ -215,7 +211,7 @@ fn setting(said: &case::Waves, depth: f64, gravity: f64) -> WaveSettings {
 }
 
 /// A remark on waves of a system that are close to breaking.
-pub(crate) fn steep_waves(waves: &case::Waves, bed: Option<f64>, gravity: f64) -> Option<String> {
+pub fn steep_waves(waves: &case::Waves, bed: Option<f64>, gravity: f64) -> Option<String> {
     steep(waves, depth(waves, bed), gravity)
 }
 

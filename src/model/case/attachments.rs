@@ -16,13 +16,13 @@ use crate::files::root;
 use crate::physics::sea::DEGREES;
 
 /// Columns of a table of places over time.
-pub(crate) const PLACES: [&str; 4] = ["time_s", "x_m", "y_m", "z_m"];
+pub const PLACES: [&str; 4] = ["time_s", "x_m", "y_m", "z_m"];
 
 /// Columns of a table of a curve's points.
 const POINTS: [&str; 2] = ["time_s", "value"];
 
 /// Columns of a table of responses: period, then amplitude and phase of the six degrees of freedom.
-pub(crate) fn response_columns() -> Vec<String> {
+pub fn response_columns() -> Vec<String> {
     let of = |(i, name): (usize, &&str)| {
         let unit = if i < 3 { "m_per_m" } else { "deg_per_m" };
         [format!("{name}_{unit}"), format!("{name}_phase_deg")]
@@ -35,10 +35,13 @@ pub(crate) fn response_columns() -> Vec<String> {
 
 /// A file that is being read: its tree, its text, what it is called and the folder it stands in.
 #[derive(Clone, Copy)]
-pub(crate) struct FileSource<'a> {
-    pub(crate) root: &'a TomlNode,
-    pub(crate) text: &'a str,
-    pub(crate) file: &'a str,
+pub struct FileSource<'a> {
+    /// Its tree.
+    pub root: &'a TomlNode,
+    /// Its text.
+    pub text: &'a str,
+    /// What it is called.
+    pub file: &'a str,
     pub(crate) folder: &'a Path,
 }
 
@@ -99,7 +102,7 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
 
 impl FileSource<'_> {
     /// Sees to it that a file that is named at a key is carried; what it is called in words.
-    pub(crate) fn take(
+    pub fn take(
         &self,
         files: &mut BTreeMap<String, Attachment>,
         name: &str,
@@ -185,7 +188,7 @@ pub fn stand_alone<'t>(text: &'t str, case: &Case) -> Cow<'t, str> {
 }
 
 /// The text with these files carried in it.
-pub(crate) fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Cow<'t, str> {
+pub fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Cow<'t, str> {
     if files.is_empty() {
         return Cow::Borrowed(text);
     }
@@ -212,11 +215,11 @@ pub(super) type PlacedWord<'t> = (&'t str, Range<usize>);
 
 /// A number and where it stands in the text.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct PlacedNumber {
+pub struct PlacedNumber {
     /// The number.
-    pub(crate) value: f64,
+    pub value: f64,
     /// Its place.
-    pub(crate) span: Range<usize>,
+    pub span: Range<usize>,
 }
 
 /// Reads a table of numbers: a first line with the names of the columns, in any order, then one line a row, words
@@ -224,11 +227,7 @@ pub(crate) struct PlacedNumber {
 ///
 /// # Errors
 /// The first fault, with its line and column.
-pub(crate) fn numbers(
-    text: &str,
-    file: &str,
-    columns: &[String],
-) -> Result<Vec<Vec<f64>>, Diagnostic> {
+pub fn numbers(text: &str, file: &str, columns: &[String]) -> Result<Vec<Vec<f64>>, Diagnostic> {
     let rows = placed(text, file, columns)?.into_iter();
     Ok(rows
         .map(|row| row.into_iter().map(|placed| placed.value).collect())
@@ -239,7 +238,7 @@ pub(crate) fn numbers(
 ///
 /// # Errors
 /// As [`numbers`].
-pub(crate) fn placed(
+pub fn placed(
     text: &str,
     file: &str,
     columns: &[String],
@@ -318,7 +317,7 @@ fn row(
 }
 
 /// A text behind its byte order mark, which spreadsheets write before a table, and where it begins.
-pub(crate) fn without_mark(text: &str) -> (usize, &str) {
+pub fn without_mark(text: &str) -> (usize, &str) {
     let behind = text.trim_start_matches('\u{feff}');
     (text.len() - behind.len(), behind)
 }

@@ -43,7 +43,7 @@ pub fn current_grid(
 ///
 /// # Errors
 /// The first fault, with its line and column.
-pub(crate) fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagnostic> {
+pub fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagnostic> {
     let rows = match head(text) {
         Some(columns) => of_table(placed(text, file, &columns)?, &columns),
         None => foreign_current(text).map_err(|fault| fault.at(file, text))?,
@@ -113,7 +113,7 @@ fn of_table(rows: Vec<Vec<PlacedNumber>>, columns: &[String]) -> Vec<CurrentRow>
 
 impl FileSource<'_> {
     /// Sees to it that the file of a current is carried, and that it is a grid, which it returns.
-    pub(crate) fn take_current(
+    pub fn take_current(
         &self,
         files: &mut BTreeMap<String, Attachment>,
         current: &Current,

@@ -75,7 +75,7 @@ impl Seabed {
 
 impl FileSource<'_> {
     /// Sees to it that the file of depths of a bed at this key is carried, and that it is a grid.
-    pub(crate) fn take_depths(
+    pub fn take_depths(
         &self,
         files: &mut BTreeMap<String, Attachment>,
         (depth_file, interpolation): (Option<&str>, BedInterpolation),

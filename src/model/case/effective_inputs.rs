@@ -21,7 +21,7 @@ pub struct EffectiveInput {
 }
 
 /// Tables that describe, record or judge a case and are no input of it.
-pub(crate) const NO_INPUTS: [&str; 11] = [
+pub const NO_INPUTS: [&str; 11] = [
     "case",
     "system",
     "marks",
@@ -40,7 +40,7 @@ pub(crate) const NO_INPUTS: [&str; 11] = [
 ///
 /// # Errors
 /// Everything that is wrong with the text.
-pub(crate) fn effective_inputs<K: FileKind>(
+pub fn effective_inputs<K: FileKind>(
     text: &str,
     file: &str,
 ) -> Result<Vec<EffectiveInput>, Vec<Diagnostic>> {

@@ -18,7 +18,7 @@ pub trait FileContent {
 }
 
 /// A kind of file.
-pub(crate) trait FileKind: FileContent + TableType {
+pub trait FileKind: FileContent + TableType {
     /// Its tables and fields.
     fn schema() -> &'static Schema;
 

@@ -12,7 +12,6 @@ const CHECKS: &str = "checks";
 
 /// The fields of load cases, statistics and checks that a file has, in reading order. A text that is not TOML has none.
 #[must_use]
-#[expect(private_bounds)]
 pub fn judging_rows<K: FileKind>(text: &str) -> Vec<FieldRow> {
     let Ok(root) = TomlNode::parse(text) else {
         return Vec::new();

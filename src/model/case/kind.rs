@@ -1,8 +1,5 @@
 //! Reading, listing and editing of a text of any kind: `kind::parse::<Ship>(text, file)`.
 
-// The kinds are closed: files are checked by types that stay in the crate.
-#![expect(private_bounds)]
-
 use crate::visible;
 use std::path::{Path, PathBuf};
 
@@ -173,7 +170,7 @@ pub fn compute<K: FileKind>(content: K) -> Result<K::Computed, Vec<Diagnostic>> 
 ///
 /// # Errors
 /// What is wrong with it, and what would be right.
-pub(crate) fn varied_field<K: FileKind>(
+pub fn varied_field<K: FileKind>(
     text: &str,
     path: &str,
 ) -> Result<&'static Field, (String, String)> {

@@ -90,7 +90,7 @@ pub fn read(text: &str, file: &str, field: FieldOf<'_>) -> Result<LoadCases, Dia
 
 impl FileSource<'_> {
     /// Sees to it that the files of load cases are carried, and that they are such tables.
-    pub(crate) fn take_load_cases(
+    pub fn take_load_cases(
         &self,
         files: &mut BTreeMap<String, Attachment>,
         tables: &[LoadCaseInputs],

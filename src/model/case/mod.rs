@@ -6,76 +6,72 @@
 //! single values and keeps the rest of the file; [`channels`](mod@channels) names what a run of the
 //! case records, [`LineQuantity`] the quantities of the whole line.
 
-pub(crate) mod attachments;
+pub mod attachments;
 mod channel_id;
 pub mod channels;
 mod check;
 mod current_file;
 mod current_formats;
-mod decimal;
 mod depth_file;
 mod depth_formats;
-mod diagnostic;
 mod digest;
 pub mod edit;
 pub mod edited;
 mod effective_inputs;
-pub mod fields;
 mod file;
-pub(crate) mod file_kind;
+pub mod file_kind;
 pub mod judging_rows;
 pub mod kind;
 mod line_quantity;
 mod load_case_file;
 pub mod load_cases;
 pub mod model;
-pub(crate) mod parameters;
+#[cfg(test)]
+mod near_keys;
 mod placed_words;
 mod quantity_id;
 mod read;
 mod rows;
 pub mod rule_sets;
-pub(crate) mod schema;
 pub mod shipped;
-mod size;
-pub mod structure;
 mod subject;
-mod text_lines;
-mod tree;
-mod typed_value;
 mod value_range;
 mod warm_start;
 mod write;
+
+use seacable_keys::size;
+pub use seacable_keys::{diagnostic, fields, parameters, schema, structure, tree};
 
 pub use attachments::stand_alone;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
 pub use current_file::current_grid;
-pub(crate) use current_file::read_current;
+pub use current_file::read_current;
 pub use depth_file::depth_grid;
 pub use diagnostic::{Diagnostic, Excerpt, render_all};
 pub use digest::{TextDigest, digests};
 pub use edited::{EditedKey, Origin, ReplacedValue, YOURS};
 pub use effective_inputs::EffectiveInput;
-pub(crate) use effective_inputs::{NO_INPUTS, effective_inputs};
+pub use effective_inputs::{NO_INPUTS, effective_inputs};
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
 pub use quantity_id::QuantityId;
 pub use read::{LoadedCase, load, parse, parse_beside, parse_keys, parse_stored};
-pub(crate) use rows::FieldLister;
+pub use rows::FieldLister;
 pub use rows::FieldRow;
 pub use subject::{ModePlane, Subject};
 pub use value_range::{RangeError, Spacing, ValueRange};
 pub use write::write;
 
 // What another kind of file needs to be read, checked and complained about in the same way.
-pub(crate) use check::{
+pub use check::{
     increasing, of_checks, of_current, of_load_cases, of_material, of_waves, takes_values,
-    too_many_rows, too_many_steps, unknown, unknown_name, used_twice,
+    too_many_rows, too_many_steps,
 };
-pub(crate) use diagnostic::Finding;
-pub(crate) use fields::{is_name, join, nearest, split};
-pub(crate) use read::{diagnose, text_of, tree_of};
+pub use diagnostic::Finding;
+pub use fields::{is_name, join, nearest, split};
+pub use read::{diagnose, text_of, tree_of};
 
-pub(crate) use tree::TomlNode;
+pub use seacable_keys::check::{unknown, unknown_name, used_twice};
+pub use tree::TomlNode;

@@ -35,7 +35,7 @@ pub use line::{
     Bore, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats,
     Material, Modules, Section, StiffnessScope, TensionInterpolation, Traveller, WorkingCurveShape,
 };
-pub(crate) use line::{BoreKeys, MaterialKeys};
+pub use line::{BoreKeys, MaterialKeys};
 pub use load_cases::LoadCaseInputs;
 pub(crate) use load_cases::LoadCaseKeys;
 pub(crate) use sea::WavesKeys;
@@ -59,6 +59,7 @@ pub use validation_data::{
 pub static CASE: LazyLock<Schema> = LazyLock::new(|| {
     let least = "a case has at least [case], [materials.<name>], [[line]] and [ends.a], [ends.b]";
     schema_of::<Case>("case", least)
+        .with_example("name a key as in `materials.<name>.ea_n`, `line.<section>.length_m`, `ends.b.position_m`")
         .with_parameters()
         .with_coordinates("ends.*.position_m", POSITION.0, POSITION.1)
         .with_coordinates(

@@ -54,13 +54,13 @@ impl FieldRow {
 }
 
 /// Lists the fields of a file.
-pub(crate) struct FieldLister<'a> {
+pub struct FieldLister<'a> {
     /// Kind of the file.
-    pub(crate) schema: &'static Schema,
+    pub schema: &'static Schema,
     /// Its text.
     pub(crate) text: &'a str,
     /// The text as a tree.
-    pub(crate) root: &'a TomlNode,
+    pub root: &'a TomlNode,
     /// Where its values come from, by key path.
     marks: BTreeMap<String, Mark>,
 }
@@ -79,12 +79,12 @@ impl<'a> FieldLister<'a> {
     }
 
     /// The rows of a table under a heading of its own, whether the file has it or not.
-    pub(crate) fn always(&self, table: &str) -> Vec<FieldRow> {
+    pub fn always(&self, table: &str) -> Vec<FieldRow> {
         self.table(table, &[table], table)
     }
 
     /// The rows of a table, if the file has it.
-    pub(crate) fn if_given(&self, path: &[&str], group: &str) -> Vec<FieldRow> {
+    pub fn if_given(&self, path: &[&str], group: &str) -> Vec<FieldRow> {
         match self.root.find(path) {
             Some(_) => self.table(&path.join("."), path, group),
             None => Vec::new(),
@@ -92,7 +92,7 @@ impl<'a> FieldLister<'a> {
     }
 
     /// The rows of every table under `table`, by name.
-    pub(crate) fn named(&self, table: &str, heading: &str) -> Vec<FieldRow> {
+    pub fn named(&self, table: &str, heading: &str) -> Vec<FieldRow> {
         let Some(node) = self.root.get(table) else {
             return Vec::new();
         };
@@ -134,7 +134,7 @@ impl<'a> FieldLister<'a> {
     }
 
     /// The rows of one table, whether the file has it or not.
-    pub(crate) fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
+    pub fn table(&self, pattern: &str, path: &[&str], group: &str) -> Vec<FieldRow> {
         self.rows(self.root.find(path), pattern, path, group)
     }
 

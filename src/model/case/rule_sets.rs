@@ -60,7 +60,7 @@ impl FileSource<'_> {
     ///
     /// # Errors
     /// A file that cannot be read, or is no set of rules or no section.
-    pub(crate) fn take_checks(
+    pub fn take_checks(
         &self,
         files: &mut BTreeMap<String, Attachment>,
         checks: &[CheckInputs],

@@ -228,7 +228,7 @@ mod tests {
     }
 
     fn same(list: &[Shipped], kind: FileType) {
-        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases");
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../cases");
         let mut found = BTreeMap::new();
         let mut folders: Vec<PathBuf> = vec![root.clone()];
         while let Some(folder) = folders.pop() {

@@ -26,7 +26,7 @@ mod tests {
     #[test]
     fn a_written_case_reads_as_the_same_case() {
         for (path, text) in SHIPPED {
-            let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/");
+            let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/");
             let case = parse(text, &format!("{folder}{path}")).unwrap();
             // The files that a case names are part of it once it is read, as are the points of curves in them.
             if case.published_curve.iter().any(|c| c.points_file.is_some()) {

@@ -21,7 +21,7 @@ pub fn compare(
 }
 
 /// The greatest difference that passes; with both tolerances given, the wider one.
-pub(crate) fn tolerance(value: f64, relative: Option<f64>, absolute: Option<f64>) -> f64 {
+pub fn tolerance(value: f64, relative: Option<f64>, absolute: Option<f64>) -> f64 {
     match (relative.map(|t| t * value.abs()), absolute) {
         (Some(r), Some(a)) => r.max(a),
         (r, a) => r.or(a).unwrap_or(0.0),
@@ -54,5 +54,5 @@ fn judge(row: &mut ValidationRow, out_of_reach: Option<&str>, (value, error): (f
 }
 
 /// Why a row reads PASS though its case states that it cannot.
-pub(crate) const REACHED: &str =
+pub const REACHED: &str =
     "The case declares this out of reach, and yet it is reached: the declaration can go.";

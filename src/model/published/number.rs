@@ -53,7 +53,7 @@ impl PublishedNumber {
 }
 
 /// Checks of published numbers: a known quantity, as `unknown` says, and a tolerance.
-pub(crate) fn check(
+pub fn check(
     list: &[(String, PublishedNumberKeys<'_>)],
     unknown: impl Fn(&Key<'_, String>) -> Option<Finding>,
 ) -> Vec<Finding> {

@@ -58,7 +58,7 @@ impl ValidationRow {
     }
 
     /// A row without a computed value, which reads NOT RUN.
-    pub(crate) fn not_run(name: &str, source: &str, unit: String) -> Self {
+    pub fn not_run(name: &str, source: &str, unit: String) -> Self {
         Self {
             name: name.to_owned(),
             source: source.to_owned(),
@@ -69,7 +69,7 @@ impl ValidationRow {
 
     /// The row with the reason that its file states for all tolerances, where it has a tolerance and no reason of its own.
     #[must_use]
-    pub(crate) fn with_common_reason(mut self, reason: Option<&str>) -> Self {
+    pub fn with_common_reason(mut self, reason: Option<&str>) -> Self {
         if self.tolerance.is_some() && self.tolerance_reason.is_none() {
             self.tolerance_reason = reason.map(str::to_owned);
         }

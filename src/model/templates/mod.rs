@@ -239,6 +239,3 @@ const fn diameter(value: &'static str) -> TemplateInput {
         )
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -16,7 +16,7 @@
 //! 10.11583/DTU.31408806).
 //!
 //! The dampers push no rope: with the elastic part `E = T_m + K (e - x)` the tension is held between 0 and 2 E, as that of any
-//! segment ([`tension`](crate::physics::tension)), and a slack rope recovers by `S z' = -T_m`.
+//! segment ([`tension`](crate::tension)), and a slack rope recovers by `S z' = -T_m`.
 
 use serde::{Deserialize, Serialize};
 

@@ -303,9 +303,9 @@ impl Products {
 mod tests {
     use super::*;
     use crate::numerics::random::Random;
-    use crate::physics::sea::decay::plain::share;
-    use crate::physics::sea::phasors::{Fresh, Kept, PlacePhasors, TimePhasors};
-    use crate::physics::sea::{Component, wave_number};
+    use crate::sea::decay::plain::share;
+    use crate::sea::phasors::{Fresh, Kept, PlacePhasors, TimePhasors};
+    use crate::sea::{Component, wave_number};
 
     /// A hundred components over 200 m of water.
     fn hundred() -> (Vec<Component>, Vec<f64>, ComponentLanes) {

@@ -122,7 +122,7 @@ impl Harmonics {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::{Spectrum, synthesise};
+    use crate::sea::{Spectrum, synthesise};
 
     #[test]
     fn rates_are_derivatives_and_the_rms_is_the_one_asked_for() {

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use super::Component;
 use super::phasors::{FieldPhasors, Fresh};
 use super::waves::{Surface, WaterMotion, WaveField};
+use crate::CurrentGrid;
 use crate::numerics::V3;
-use crate::physics::CurrentGrid;
 
 /// Wave systems that run together, and a current that changes with time; their surfaces and their kinematics add up.
 #[derive(Debug, Clone, PartialEq)]
@@ -119,9 +119,7 @@ impl Sea {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::{
-        DepthDecay, Spectrum, Stretching, WaveLoad, WaveSettings, synthesise,
-    };
+    use crate::sea::{DepthDecay, Spectrum, Stretching, WaveLoad, WaveSettings, synthesise};
 
     fn field(direction: f64, seed: u64, stretching: Stretching) -> WaveField {
         let setting = WaveSettings {

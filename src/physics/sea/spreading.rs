@@ -69,7 +69,7 @@ fn directions(exponent: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::{Spectrum, synthesise};
+    use crate::sea::{Spectrum, synthesise};
 
     #[test]
     fn directions_have_the_spread_of_the_distribution() {

@@ -38,7 +38,7 @@ pub fn synthesise(spectrum: &Spectrum, count: usize, seed: u64, stream: u64) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::Moments;
+    use crate::sea::Moments;
 
     #[test]
     fn the_same_by_seed_and_of_the_asked_variance() {

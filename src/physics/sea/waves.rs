@@ -18,7 +18,7 @@ use super::phasors::{Anchored, Fresh, TimePhasors};
 use super::stretching::{StretchedHeight, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
-use crate::physics::ramp::smooth_ramp;
+use crate::ramp::smooth_ramp;
 
 /// Long-crested waves.
 #[derive(Debug, Clone, PartialEq)]
@@ -357,7 +357,7 @@ impl WaveField {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::physics::sea::{Spectrum, synthesise};
+    use crate::sea::{Spectrum, synthesise};
 
     fn setting(depth: f64) -> WaveSettings {
         WaveSettings {

@@ -1,10 +1,10 @@
 //! Difference curves as a chart.
 
-use crate::case::ChannelQuantity;
-use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
-use crate::comparison::{CurveDifference, differences, letter};
-use crate::report::document::Report;
-use crate::run::Run;
+use crate::document::Report;
+use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_model::case::ChannelQuantity;
+use seacable_runs::run::Run;
+use seacable_studies::comparison::{CurveDifference, differences, letter};
 
 /// The difference curves of one quantity, a curve a place, about a line at zero. `words` say which run less which.
 #[must_use]

@@ -1,7 +1,7 @@
 //! A comparison for other programs: one row an item and run, every digit kept.
 
-use crate::comparison::{Change, Comparison, error_bar, letter};
-use crate::run::Quantity;
+use seacable_runs::run::Quantity;
+use seacable_studies::comparison::{Change, Comparison, error_bar, letter};
 
 /// Columns of the table.
 const COLUMNS: [&str; 12] = [
@@ -72,8 +72,11 @@ fn plain(section: &str, name: &str, unit: &str, run: usize, value: String) -> Ro
     row
 }
 
-fn of_settings(section: &str, settings: &[crate::comparison::ComparedSetting]) -> Vec<Row> {
-    let row = |setting: &crate::comparison::ComparedSetting| {
+fn of_settings(
+    section: &str,
+    settings: &[seacable_studies::comparison::ComparedSetting],
+) -> Vec<Row> {
+    let row = |setting: &seacable_studies::comparison::ComparedSetting| {
         let values = setting.values.iter().enumerate();
         let rows = values.map(|(run, value)| plain(section, setting.name, "", run, value.clone()));
         rows.collect::<Vec<Row>>()

@@ -15,8 +15,8 @@ pub use tables::{channels_table, cost_table, inputs_table, settings_table, valid
 
 use super::document::Report;
 use super::table::Table;
-use crate::comparison::{Comparison, letter};
-use crate::run::Run;
+use seacable_runs::run::Run;
+use seacable_studies::comparison::{Comparison, letter};
 
 /// Columns from which the table of results has a column for the verdict.
 const WIDE: usize = 110;
@@ -49,7 +49,7 @@ pub fn tables(comparison: &Comparison, width: usize) -> Report {
 }
 
 /// What a run is: its name, case, overrides.
-fn about(run: &crate::run::RunInfo) -> String {
+fn about(run: &seacable_runs::run::RunInfo) -> String {
     let set = match run.overrides.is_empty() {
         true => String::new(),
         false => format!(" with {}", run.overrides.join(", ")),

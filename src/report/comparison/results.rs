@@ -1,9 +1,9 @@
 //! The results of compared runs: values with their errors, difference, verdict.
 
-use crate::comparison::{Agreement, Change, ComparedResult, Comparison, letter};
-use crate::number::{percent, range, si, with_error};
-use crate::run::Quantity;
-use crate::table::{Align, Cell, CellStyle, Table};
+use seacable_base::number::{percent, range, si, with_error};
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_runs::run::Quantity;
+use seacable_studies::comparison::{Agreement, Change, ComparedResult, Comparison, letter};
 
 /// Every result with its error in each run, its difference from the first run and whether the error bars overlap; a row for each
 /// run but the first. A difference has the digits that the errors of both results together support. `narrow` puts the verdict behind

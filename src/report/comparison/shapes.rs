@@ -1,10 +1,10 @@
 //! The lines of compared runs at a common time: where they are furthest apart, and at the end.
 
-use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
-use crate::comparison::{common_times, distances, letter, shapes_at};
-use crate::number::si;
-use crate::report::document::Report;
-use crate::run::{LineShape, Run};
+use crate::document::Report;
+use seacable_base::number::si;
+use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_runs::run::{LineShape, Run};
+use seacable_studies::comparison::{common_times, distances, letter, shapes_at};
 
 /// Rows of a chart.
 const LINES: usize = 18;

@@ -1,9 +1,11 @@
 //! Inputs, settings, channels, published values and cost of compared runs.
 
-use crate::comparison::{ComparedInput, ComparedSetting, Comparison, InputValue, letter};
-use crate::number::si;
-use crate::reference::Outcome;
-use crate::table::{Align, Cell, CellStyle, Table};
+use seacable_base::number::si;
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_runs::reference::Outcome;
+use seacable_studies::comparison::{
+    ComparedInput, ComparedSetting, Comparison, InputValue, letter,
+};
 
 /// Inputs that differ, a column a run.
 #[must_use]
@@ -117,7 +119,7 @@ pub fn validation_table(comparison: &Comparison) -> Table {
                 };
                 let number = known.computed.map(|value| match known.error {
                     Some(error) if error > 0.0 => {
-                        crate::number::with_error(value, Some(error), &known.unit)
+                        seacable_base::number::with_error(value, Some(error), &known.unit)
                     }
                     Some(_) => format!("{} ± 0", si(value, &known.unit)),
                     None => format!("{} ± ?", si(value, &known.unit)),

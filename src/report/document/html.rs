@@ -3,9 +3,9 @@
 use unicode_width::UnicodeWidthStr;
 
 use super::Block;
-use crate::chart::svg::svg;
-use crate::markup::escaped;
-use crate::table::{Align, CellStyle, Column, Table};
+use seacable_display::chart::svg::svg;
+use seacable_display::markup::escaped;
+use seacable_display::table::{Align, CellStyle, Column, Table};
 
 const STYLE: &str = "\
 @page { size: A4; margin: 15mm }
@@ -194,7 +194,7 @@ const fn style(ink: CellStyle) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::Cell;
+    use seacable_display::table::Cell;
 
     /// The luminance of a colour such as `#a00` (WCAG 2.1).
     fn luminance(colour: &str) -> f64 {

@@ -1,9 +1,9 @@
 //! A report as Markdown with tables (GitHub's dialect).
 
 use super::Block;
-use crate::chart::{Glyphs, draw};
-use crate::table::{Align, Table};
-use crate::visible;
+use seacable_base::visible;
+use seacable_display::chart::{Glyphs, draw};
+use seacable_display::table::{Align, Table};
 
 /// Columns of a chart.
 const CHART_WIDTH: usize = 80;
@@ -127,7 +127,7 @@ fn inline(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::{Cell, Column};
+    use seacable_display::table::{Cell, Column};
 
     #[test]
     fn a_paragraph_begins_no_list_and_no_fence() {

@@ -9,7 +9,7 @@ mod markdown;
 mod text;
 
 pub use format::ReportFormat;
-pub(crate) use text::wrap;
+pub use text::wrap;
 
 use super::chart::{Chart, Glyphs};
 use super::table::Table;
@@ -145,7 +145,7 @@ impl Report {
     }
 
     /// A table, with a gap above.
-    pub(crate) fn table(&mut self, table: Table) {
+    pub fn table(&mut self, table: Table) {
         self.gap();
         self.close_table(table);
     }
@@ -162,7 +162,7 @@ impl Report {
     }
 
     /// A chart of so many lines, with a gap above.
-    pub(crate) fn chart(&mut self, chart: Chart, lines: usize) {
+    pub fn chart(&mut self, chart: Chart, lines: usize) {
         self.gap();
         self.close_chart(chart, lines);
     }

@@ -5,11 +5,11 @@ use std::borrow::Cow;
 use unicode_width::UnicodeWidthStr;
 
 use super::Block;
-use crate::chart::{Glyphs, draw};
-use crate::plain;
-use crate::table::Table;
-use crate::visible;
-use crate::wrap::WideWords;
+use seacable_base::visible;
+use seacable_display::chart::{Glyphs, draw};
+use seacable_display::plain;
+use seacable_display::table::Table;
+use seacable_display::wrap::WideWords;
 
 /// Columns of a chart at most.
 const CHART_WIDTH: usize = 100;
@@ -121,14 +121,14 @@ impl Page {
 }
 
 /// Words in lines of at most so many characters, whatever lines they were in; a longer word gets a line of its own.
-pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
-    crate::wrap::wrap(&words.replace('\n', " "), width, WideWords::Whole)
+pub fn wrap(words: &str, width: usize) -> Vec<String> {
+    seacable_display::wrap::wrap(&words.replace('\n', " "), width, WideWords::Whole)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::document::Report;
+    use crate::document::Report;
 
     #[test]
     fn words_are_broken_at_the_width() {

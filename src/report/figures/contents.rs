@@ -1,9 +1,9 @@
 //! What a case has, by which its figures are chosen.
 
-use crate::case::{
+use seacable_model::case::{
     self, Case, ChannelLocation, ChannelQuantity, ChannelSpec, End, Method, OneOrMany, WaveKind,
 };
-use crate::run::response as driven_response;
+use seacable_runs::run::response as driven_response;
 
 /// What decides which figures a case has.
 pub(super) struct CaseContents<'a> {

@@ -1,8 +1,8 @@
 //! What changes along the line: tension, curvature, bending moment, stiffness, over unstretched arc length.
 
 use super::{PlottedRun, named, series, slots};
-use crate::chart::{Axis, Chart, extent};
-use crate::run::Profile;
+use seacable_display::chart::{Axis, Chart, extent};
+use seacable_runs::run::Profile;
 
 /// Names of the curves of an envelope.
 const END_AND_ENVELOPE: [&str; 3] = ["at the end", "smallest", "greatest"];

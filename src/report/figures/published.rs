@@ -1,7 +1,7 @@
 //! Published curves laid over what a run gives.
 
-use crate::chart::{Axis, Chart, Series};
-use crate::reference::ValidationRow;
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_runs::reference::ValidationRow;
 
 /// A chart for every published curve among the rows of a validation table: the curve at the times of the run, over the run.
 #[must_use]

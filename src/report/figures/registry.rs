@@ -11,10 +11,10 @@ use super::{
     published_curves, response_map, rms_profile, stated, stiffness_profile, tension_profile,
     trajectory, wave_amplitudes, wavelengths,
 };
-use crate::case::{Case, ChannelQuantity};
-use crate::chart::{Chart, extent};
-use crate::reference::ValidationRow;
-use crate::run::Run;
+use seacable_display::chart::{Chart, extent};
+use seacable_model::case::{Case, ChannelQuantity};
+use seacable_runs::reference::ValidationRow;
+use seacable_runs::run::Run;
 
 /// A figure, in the order of [`FIGURES`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

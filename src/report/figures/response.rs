@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use super::PlottedRun;
 use super::profiles::{over_arc, points};
-use crate::chart::{Axis, AxisRange, Chart, GridMap, extent};
-use crate::modes::LinePlane;
-use crate::numerics::V3;
-use crate::run::{LineShape, Profile};
+use seacable_display::chart::{Axis, AxisRange, Chart, GridMap, extent};
+use seacable_engine::modes::LinePlane;
+use seacable_numerics::V3;
+use seacable_runs::run::{LineShape, Profile};
 
 /// What a map of the response shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,10 +1,10 @@
 //! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
 use super::{PlottedRun, body, named, series, slots, values};
-use crate::case::ChannelQuantity;
-use crate::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
-use crate::number;
-use crate::run::LineShape;
+use seacable_base::number;
+use seacable_display::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
+use seacable_model::case::ChannelQuantity;
+use seacable_runs::run::LineShape;
 
 /// Path of the payload, z against x \[m\], to equal scale; with the place of the payload at an
 /// instant \[s\] marked when one is given.

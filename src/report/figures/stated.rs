@@ -1,10 +1,12 @@
 //! What a case states, drawn on the figures of its runs: breaking loads, least bending radii, the sea bed, published values.
 
 use super::{FigureData, FigureId};
-use crate::case::{Case, ChannelQuantity, Material, Published, Seabed, Statistic, Subject};
-use crate::chart::{Chart, Limit, LimitLine};
-use crate::number::si;
-use crate::published::{Outcome, tolerance};
+use seacable_base::number::si;
+use seacable_display::chart::{Chart, Limit, LimitLine};
+use seacable_model::case::{
+    Case, ChannelQuantity, Material, Published, Seabed, Statistic, Subject,
+};
+use seacable_model::published::{Outcome, tolerance};
 
 /// Adds the limits of a case to a figure, and the published values of the places that are shown.
 pub(super) fn add(chart: &mut Chart, id: FigureId, data: &FigureData, shown: &[String]) {

@@ -1,9 +1,9 @@
 //! What a case states along its studies: published and computed numbers over the key that is varied.
 
-use crate::case::{Case, Statistic, Study};
-use crate::chart::{Axis, Chart, Series};
-use crate::reference::ValidationRow;
-use crate::run::{self, QuantityId};
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_model::case::{Case, Statistic, Study};
+use seacable_runs::reference::ValidationRow;
+use seacable_runs::run::{self, QuantityId};
 
 /// What a number is: of which study, of which channel, which statistic, within which window or stretch, which of
 /// several.
@@ -101,7 +101,7 @@ fn empty(
 /// The axis of the key that a study varies.
 fn axis(study: &Study) -> Axis {
     let path: Vec<&str> = study.key.split('.').collect();
-    let field = crate::case::field_at(&path);
+    let field = seacable_model::case::field_at(&path);
     field.map_or_else(
         || Axis::new(&study.key, ""),
         |field| {
@@ -128,7 +128,7 @@ fn add(chart: &mut Chart, name: &str, slot: usize, (x, y): (f64, Option<f64>)) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::case;
+    use seacable_model::case;
 
     const CASE: &str = r#"
         case.title = "two studies"
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn what_is_published_is_there_before_any_run() {
         let case = case::parse(CASE, "c").unwrap();
-        let rows = crate::reference::rows(&case, &|_| None);
+        let rows = seacable_runs::reference::rows(&case, &|_| None);
         let charts = along_studies(&case, &rows);
         assert_eq!(charts.len(), 1);
         assert_eq!(charts[0].title, "x_m[b].travel along flow");
@@ -168,7 +168,7 @@ mod tests {
     #[test]
     fn what_is_computed_stands_beside_it() {
         let case = case::parse(CASE, "c").unwrap();
-        let mut rows = crate::reference::rows(&case, &|_| None);
+        let mut rows = seacable_runs::reference::rows(&case, &|_| None);
         rows[0].computed = Some(3.25);
         let line = rows[3].trend.as_mut().unwrap();
         for point in &mut line.points {

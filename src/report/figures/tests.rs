@@ -1,8 +1,8 @@
 //! What the charts of runs are made of.
 
 use super::*;
-use crate::chart::{Chart, LimitLine};
-use crate::run::{Channel, Profile};
+use seacable_display::chart::{Chart, LimitLine};
+use seacable_runs::run::{Channel, Profile};
 
 fn channel(name: &str, values: Vec<f64>) -> Channel {
     Channel {
@@ -186,10 +186,10 @@ inputs = "published"
 
 #[test]
 fn limits_and_published_values_are_drawn_where_the_case_states_them() {
-    let case = crate::case::parse_keys(STATED).unwrap();
+    let case = seacable_model::case::parse_keys(STATED).unwrap();
     let history = history();
     let runs = [PlottedRun::streamed(&history, &[], "a")];
-    let mut row = crate::reference::ValidationRow::default();
+    let mut row = seacable_runs::reference::ValidationRow::default();
     let lines = |id: FigureId, limits: bool, chosen: Option<usize>, checks: &[_]| {
         let data = FigureData {
             case: Some(&case),
@@ -226,14 +226,14 @@ fn limits_and_published_values_are_drawn_where_the_case_states_them() {
     let bed = lines(FigureId::Payload, true, None, &[]);
     assert_eq!(bed, [("sea bed".to_owned(), LimitLine::Bound(-1500.0))]);
     // A published value does not stand beside the curves of an edited case.
-    row.outcome = crate::reference::Outcome::Edited;
+    row.outcome = seacable_runs::reference::Outcome::Edited;
     let edited = lines(FigureId::Tensions, true, None, &[row]);
     assert_eq!(edited, [breaks]);
 }
 
 #[test]
 fn a_bound_beyond_the_plot_is_named_at_its_edge() {
-    use crate::chart::{Axis, Glyphs, Limit, Series, draw};
+    use seacable_display::chart::{Axis, Glyphs, Limit, Series, draw};
     let series = vec![Series::new("top", 0, vec![(0.0, 0.0), (600.0, 2.0e6)])];
     let mut chart = Chart::new(
         "t",

@@ -2,8 +2,8 @@
 
 use super::profiles::points;
 use super::{PlottedRun, body, histories, named, places, series, slots, values};
-use crate::case::ChannelQuantity;
-use crate::chart::{Axis, Chart};
+use seacable_display::chart::{Axis, Chart};
+use seacable_model::case::ChannelQuantity;
 
 /// Position of the payload against time \[s, m\]: x along the scene, z up from still water.
 #[must_use]

@@ -3,12 +3,12 @@
 use std::f64::consts::TAU;
 
 use super::tables::{METRES, NEWTONS};
-use crate::chart::{Axis, Chart, Series};
-use crate::number::percent;
-use crate::ropeway::SolvedRopeway;
-use crate::ropeway::dynamic_crossing::CrossingState;
-use crate::ropeway::oscillator::{CargoOscillator, CargoState, taut_string_rad_per_s};
-use crate::table::{Align, NumberFormat, Table};
+use seacable_base::number::percent;
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_display::table::{Align, NumberFormat, Table};
+use seacable_systems::ropeway::SolvedRopeway;
+use seacable_systems::ropeway::dynamic_crossing::CrossingState;
+use seacable_systems::ropeway::oscillator::{CargoOscillator, CargoState, taut_string_rad_per_s};
 
 /// A period.
 const SECONDS: NumberFormat = NumberFormat::Decimals(3, "s");

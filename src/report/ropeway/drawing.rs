@@ -1,8 +1,8 @@
 //! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
-use crate::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
-use crate::ropeway::unloaded::UnloadedRope;
-use crate::ropeway::{ModelResults, SolvedRopeway};
+use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
+use seacable_systems::ropeway::unloaded::UnloadedRope;
+use seacable_systems::ropeway::{ModelResults, SolvedRopeway};
 
 /// Points that a rope is drawn with.
 const POINTS: usize = 80;

@@ -5,10 +5,10 @@ pub mod drawing;
 pub mod tables;
 pub mod winch;
 
-use crate::case::FieldRow;
-use crate::report::document::Report;
-use crate::report::text::inputs;
-use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::document::Report;
+use crate::text::inputs;
+use seacable_model::case::FieldRow;
+use seacable_systems::ropeway::{ModelResults, SolvedRopeway};
 
 /// Lines of a picture and of a chart.
 const LINES: usize = 18;

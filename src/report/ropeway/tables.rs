@@ -1,10 +1,10 @@
 //! A ropeway at rest in tables: its models side by side, the crossing, the ropes; warnings.
 
-use crate::number::{percent, rounded};
-use crate::ropeway::elastic::{Carrier, RopeEquilibrium};
-use crate::ropeway::weight_check::WeightCheck;
-use crate::ropeway::{ModelResults, SolvedRopeway};
-use crate::table::{Align, Cell, NumberFormat, Table};
+use seacable_base::number::{percent, rounded};
+use seacable_display::table::{Align, Cell, NumberFormat, Table};
+use seacable_systems::ropeway::elastic::{Carrier, RopeEquilibrium};
+use seacable_systems::ropeway::weight_check::WeightCheck;
+use seacable_systems::ropeway::{ModelResults, SolvedRopeway};
 
 /// A force in newtons as the paper prints them.
 pub(super) const NEWTONS: NumberFormat = NumberFormat::With(newtons);

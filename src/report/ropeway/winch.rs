@@ -1,14 +1,14 @@
 //! Hauling the rope out and the winch on the moving ship, in tables and charts.
 
 use super::tables::{METRES, NEWTONS, metres, newtons};
-use crate::chart::{Axis, Chart, Series};
-use crate::number::{percent, si};
-use crate::numerics::statistics::Statistics;
-use crate::ropeway::hauling::{HaulingPoint, haul};
-use crate::ropeway::rope_motion::{MovingRope, RopeMotion};
-use crate::ropeway::winch::{WinchSample, WinchState, statistics};
-use crate::ropeway::{SolvedRopeway, WinchRun};
-use crate::table::{NumberFormat, Table};
+use seacable_base::number::{percent, si};
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_numerics::statistics::Statistics;
+use seacable_systems::ropeway::hauling::{HaulingPoint, haul};
+use seacable_systems::ropeway::rope_motion::{MovingRope, RopeMotion};
+use seacable_systems::ropeway::winch::{WinchSample, WinchState, statistics};
+use seacable_systems::ropeway::{SolvedRopeway, WinchRun};
 
 /// Steps of the chart of hauling.
 const HAULS: usize = 80;
@@ -60,7 +60,7 @@ fn ways(run: &WinchRun) -> [Option<&[WinchSample]>; 2] {
 }
 
 /// Tension at the ship against time, made fast and on the winch, up to a time \[s\].
-pub(in crate::report) fn tensions(run: &WinchRun, until: f64) -> Vec<Series> {
+pub(crate) fn tensions(run: &WinchRun, until: f64) -> Vec<Series> {
     let series = |(slot, (label, samples)): (usize, (&str, Option<&[WinchSample]>))| {
         let drawn = samples?.iter().take_while(|s| s.ship.time_s <= until);
         let points = drawn.map(|s| (s.ship.time_s, s.ship_n)).collect();
@@ -253,7 +253,7 @@ fn notes(run: &WinchRun) -> Vec<String> {
 }
 
 /// Warnings of how often the winch is at a limit.
-pub(in crate::report) fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
+pub(crate) fn limits(kept: &[WinchSample]) -> impl Iterator<Item = String> {
     let limits = [
         (WinchState::SpeedLimit, "its maximum speed"),
         (WinchState::PowerLimit, "its maximum power"),

@@ -5,8 +5,8 @@
 
 use std::f64::consts::TAU;
 
-use crate::chart::{Axis, Chart, Outline, Series};
-use crate::section::{CableElement, Design, Helix, LaidLayer};
+use seacable_display::chart::{Axis, Chart, Outline, Series};
+use seacable_model::section::{CableElement, Design, Helix, LaidLayer};
 
 /// Corners of an outline that is drawn as a circle.
 const CORNERS: u32 = 72;

@@ -3,13 +3,13 @@
 pub mod drawing;
 pub mod tables;
 
-use crate::case::{FieldRow, edited};
-use crate::reference;
-use crate::report::document::Report;
-use crate::report::text;
-use crate::section::stiffness::EndRotation;
-use crate::section::{Design, validation};
-use crate::table::Table;
+use crate::document::Report;
+use crate::text;
+use seacable_display::table::Table;
+use seacable_model::case::{FieldRow, edited};
+use seacable_model::section::stiffness::EndRotation;
+use seacable_model::section::{Design, validation};
+use seacable_runs::reference;
 
 /// Tension of the load sharing where no strength is known \[N\].
 const SAMPLE: f64 = 1e5;

@@ -1,11 +1,11 @@
 //! A cross-section in tables: layers, stiffness, weight and strength, load sharing.
 
-use crate::number::{digits, percent, si};
-use crate::section::model::{Core, Voids};
-use crate::section::stiffness::{EndRotation, StiffnessMatrix, ea_with_core_pressure};
-use crate::section::strength::load_shares;
-use crate::section::{Design, Helix, LaidLayer};
-use crate::table::{Align, Cell, NumberFormat, Table};
+use seacable_base::number::{digits, percent, si};
+use seacable_display::table::{Align, Cell, NumberFormat, Table};
+use seacable_model::section::model::{Core, Voids};
+use seacable_model::section::stiffness::{EndRotation, StiffnessMatrix, ea_with_core_pressure};
+use seacable_model::section::strength::load_shares;
+use seacable_model::section::{Design, Helix, LaidLayer};
 
 /// A length in millimetres.
 const MM: NumberFormat = NumberFormat::With(mm);

@@ -1,10 +1,10 @@
 //! Coupled analysis of ship and anchor line in charts and tables.
 
 use super::motion::DRAWN;
-use crate::chart::{Axis, Chart, Series};
-use crate::number::{digits, percent};
-use crate::ship::coupled::{CHANNELS, CoupledAnalysis};
-use crate::table::{NumberFormat, Table};
+use seacable_base::number::{digits, percent};
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_systems::ship::coupled::{CHANNELS, CoupledAnalysis};
 
 /// Channels of the charts of ship and line.
 const SHIP: [usize; 3] = [0, 1, 5];

@@ -6,13 +6,15 @@ pub mod plan;
 pub mod rope;
 pub mod statics;
 
-use crate::case::{FieldRow, edited};
-use crate::reference;
-use crate::report::document::Report;
-use crate::report::text::{self, inputs};
-use crate::ship::rope::RopeAnalysis;
-use crate::ship::validation;
-use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis, StaticAnalysis};
+use crate::document::Report;
+use crate::text::{self, inputs};
+use seacable_model::case::{FieldRow, edited};
+use seacable_runs::reference;
+pub use seacable_systems::ship::rope::RopeAnalysis;
+use seacable_systems::ship::validation;
+pub use seacable_systems::ship::{
+    DynamicAnalysis, MooredEquilibrium, MotionAnalysis, StaticAnalysis,
+};
 
 /// Lines of a chart, and of the plan view.
 const LINES: usize = 18;

@@ -2,14 +2,14 @@
 
 use std::f64::consts::TAU;
 
-use crate::chart::{Axis, Chart, Series};
-use crate::number::{digits, percent};
-use crate::numerics::statistics::{Statistics, expected_gaussian_maximum};
-use crate::physics::sea::{DEGREES, Moments};
-use crate::ship::motion::{DegreeOfFreedom, NarrowBand};
-use crate::ship::quantities::{UNITS, scale};
-use crate::ship::{MotionAnalysis, WaveRealisation};
-use crate::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use seacable_base::number::{digits, percent};
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use seacable_numerics::statistics::{Statistics, expected_gaussian_maximum};
+use seacable_physics::sea::{DEGREES, Moments};
+use seacable_systems::ship::motion::{DegreeOfFreedom, NarrowBand};
+use seacable_systems::ship::quantities::{UNITS, scale};
+use seacable_systems::ship::{MotionAnalysis, WaveRealisation};
 
 /// Time that is drawn \[s\].
 pub(super) const DRAWN: f64 = 300.0;

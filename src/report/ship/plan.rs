@@ -1,9 +1,9 @@
 //! Plan view of a ship: its anchor, every equilibrium position, and the directions of wind, current and waves.
 
-use crate::chart::{Axis, Chart, Outline, Series, extent};
-use crate::ship::loads::EnvironmentalLoad;
-use crate::ship::yaw_equilibria::YawStability;
-use crate::ship::{MooredEquilibrium, StaticAnalysis};
+use seacable_display::chart::{Axis, Chart, Outline, Series, extent};
+use seacable_systems::ship::loads::EnvironmentalLoad;
+use seacable_systems::ship::yaw_equilibria::YawStability;
+use seacable_systems::ship::{MooredEquilibrium, StaticAnalysis};
 
 /// Breadth of the drawn outline as a fraction of the length.
 const BREADTH: f64 = 0.18;

@@ -1,15 +1,15 @@
 //! The rope between the moving ship and a platform in charts and tables.
 
 use super::motion::DRAWN;
-use crate::chart::{Axis, Chart, Series};
-use crate::number::{digits, percent, si};
-use crate::numerics::statistics::Statistics;
-use crate::report::ropeway::winch;
-use crate::ropeway::RopewayError;
-use crate::ropeway::winch::{WinchSample, statistics as samples_statistics};
-use crate::ship::rope::RopeAnalysis;
-use crate::ship::rope::dynamic::DynamicRope;
-use crate::table::{Columns, NumberFormat, Table};
+use crate::ropeway::winch;
+use seacable_base::number::{digits, percent, si};
+use seacable_display::chart::{Axis, Chart, Series};
+use seacable_display::table::{Columns, NumberFormat, Table};
+use seacable_numerics::statistics::Statistics;
+use seacable_systems::ropeway::RopewayError;
+use seacable_systems::ropeway::winch::{WinchSample, statistics as samples_statistics};
+pub use seacable_systems::ship::rope::RopeAnalysis;
+use seacable_systems::ship::rope::dynamic::DynamicRope;
 
 const FORCE: NumberFormat = NumberFormat::Si("N");
 

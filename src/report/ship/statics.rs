@@ -4,14 +4,14 @@ use std::f64::consts::PI;
 
 use nalgebra::Complex;
 
-use crate::chart::{Axis, Chart, Limit, LimitLine, Series};
-use crate::number::{digits, si};
-use crate::ship::loads::PlanarLoad;
-use crate::ship::mooring::MooringSolution;
-use crate::ship::stability::{DynamicStability, PlanarDynamics};
-use crate::ship::yaw_equilibria::YawStability;
-use crate::ship::{MooredEquilibrium, StaticAnalysis};
-use crate::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use seacable_base::number::{digits, si};
+use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
+use seacable_systems::ship::loads::PlanarLoad;
+use seacable_systems::ship::mooring::MooringSolution;
+use seacable_systems::ship::stability::{DynamicStability, PlanarDynamics};
+use seacable_systems::ship::yaw_equilibria::YawStability;
+use seacable_systems::ship::{MooredEquilibrium, StaticAnalysis};
 
 /// Points of a curve over all headings.
 const POINTS: u32 = 720;

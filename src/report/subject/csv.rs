@@ -1,12 +1,12 @@
 //! The results of a report as CSV, every digit kept where there are numbers.
 
 use super::{ReportSubject, RunSubject};
-use crate::case::{Diagnostic, Subject};
-use crate::comparison::Comparison;
-use crate::report::comparison;
-use crate::report::document::{Block, Report};
-use crate::run::{Quantity, Run};
-use crate::table::{Align, Cell, Table};
+use crate::comparison;
+use crate::document::{Block, Report};
+use seacable_display::table::{Align, Cell, Table};
+use seacable_model::case::{Diagnostic, Subject};
+use seacable_runs::run::{Quantity, Run};
+use seacable_studies::comparison::Comparison;
 
 /// The file of a run's directory that has the record of a channel.
 const RECORD: &str = "history.csv";

@@ -3,15 +3,15 @@
 use serde_json::{Value, json};
 
 use super::{ReportSubject, RunSubject};
-use crate::case::{self, Diagnostic, kind};
-use crate::chart::{Axis, Chart};
-use crate::comparison::Comparison;
-use crate::report::document::{Block, Report};
-use crate::report::system::{self, motion};
-use crate::report::{comparison, run_json};
-use crate::system::SystemFile;
-use crate::system::analysis::analyses::Analyses;
-use crate::table::Table;
+use crate::document::{Block, Report};
+use crate::system::{self, motion};
+use crate::{comparison, run_json};
+use seacable_display::chart::{Axis, Chart};
+use seacable_display::table::Table;
+use seacable_model::case::{self, Diagnostic, kind};
+pub(super) use seacable_studies::comparison::Comparison;
+use seacable_systems::system::SystemFile;
+use seacable_systems::system::analysis::analyses::Analyses;
 
 impl ReportSubject<'_> {
     /// The results: of runs, sweeps and systems what the commands that compute them print with `--json`; of other files their tables and

@@ -16,17 +16,17 @@ use super::system::motion;
 use super::text::{self, WIDTH};
 use super::verdict::{self, RunVerdict};
 use super::{comparison, ropeway, section, ship, system};
-use crate::case::{self, Case, Diagnostic, FieldRow, kind};
-use crate::comparison::Comparison;
-use crate::kinds::FileType;
-use crate::reference::{self, ValidationRow};
-use crate::ropeway::{ModelResults, SolvedRopeway};
-use crate::run::Run;
-use crate::section::Design;
-use crate::ship::{DynamicAnalysis, StaticAnalysis};
-use crate::study::seas::SeaQuestion;
-use crate::system::analysis::analyses::Analyses;
-use crate::system::{SolvedSystem, SystemFile};
+use seacable_model::case::{self, Case, Diagnostic, FieldRow, kind};
+use seacable_model::kinds::FileType;
+use seacable_model::section::Design;
+use seacable_runs::reference::{self, ValidationRow};
+use seacable_runs::run::Run;
+pub use seacable_studies::comparison::Comparison;
+use seacable_studies::study::seas::SeaQuestion;
+use seacable_systems::ropeway::{ModelResults, SolvedRopeway};
+pub use seacable_systems::ship::{DynamicAnalysis, StaticAnalysis};
+use seacable_systems::system::analysis::analyses::Analyses;
+use seacable_systems::system::{SolvedSystem, SystemFile};
 
 /// A run, stored or in memory.
 #[derive(Debug, Clone, Copy)]

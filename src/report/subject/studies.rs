@@ -1,7 +1,7 @@
 //! Studies beside a report: hard cases, speed against error. They are included where they were run, and it is said where they were not.
 
-use crate::report::document::Report;
-use crate::table::Table;
+use crate::document::Report;
+use seacable_display::table::Table;
 
 /// A table of a study that was run.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ impl StudyTable {
     /// # Errors
     /// It is no CSV, or has no heads, in words.
     pub fn of_csv(name: &str, text: &str) -> Result<Self, String> {
-        use crate::table::{Cell, Column};
+        use seacable_display::table::{Cell, Column};
         let mut reader = csv::ReaderBuilder::new()
             .flexible(true)
             .from_reader(text.as_bytes());
@@ -68,7 +68,7 @@ pub(super) fn add(report: &mut Report, studies: &[StudyTable], has_trials: bool)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chart::Glyphs;
+    use seacable_display::chart::Glyphs;
 
     #[test]
     fn what_was_not_run_is_said() {

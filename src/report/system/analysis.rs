@@ -1,18 +1,18 @@
 //! Analyses of a system in tables and charts: offsets, watch circle, natural periods, clearances.
 
-use crate::chart::{Axis, Chart, Outline, Series};
-use crate::number::rounded;
-use crate::system::SolvedSystem;
-use crate::system::analysis::analyses::OffsetCurve;
-use crate::system::analysis::clearance::LineDistances;
-use crate::system::analysis::offset::OffsetPoint;
-use crate::system::analysis::periods::{NaturalModes, SystemMode};
-use crate::system::analysis::seek::Sought;
-use crate::system::analysis::watch_circle::WatchCircle;
-use crate::system::equilibrium::Equilibrium;
-use crate::system::model::GoalInputs;
-use crate::system::stability::Stability;
-use crate::table::{NumberFormat, Table};
+use seacable_base::number::rounded;
+use seacable_display::chart::{Axis, Chart, Outline, Series};
+use seacable_display::table::{NumberFormat, Table};
+use seacable_systems::system::SolvedSystem;
+use seacable_systems::system::analysis::analyses::OffsetCurve;
+use seacable_systems::system::analysis::clearance::LineDistances;
+use seacable_systems::system::analysis::offset::OffsetPoint;
+use seacable_systems::system::analysis::periods::{NaturalModes, SystemMode};
+use seacable_systems::system::analysis::seek::Sought;
+use seacable_systems::system::analysis::watch_circle::WatchCircle;
+use seacable_systems::system::equilibrium::Equilibrium;
+use seacable_systems::system::model::GoalInputs;
+use seacable_systems::system::stability::Stability;
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");

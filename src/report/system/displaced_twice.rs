@@ -1,9 +1,9 @@
 //! What a body states of its water and its members give again.
 
-use crate::number::digits;
-use crate::system::SolvedSystem;
-use crate::system::body_loads::MembersInWater;
-use crate::system::network::{Body, Network};
+use seacable_base::number::digits;
+use seacable_systems::system::SolvedSystem;
+use seacable_systems::system::body_loads::MembersInWater;
+use seacable_systems::system::network::{Body, Network};
 
 /// What to do about it.
 const REMEDY: &str =

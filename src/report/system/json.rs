@@ -3,17 +3,17 @@
 use serde_json::{Value, json};
 
 use super::tables::hold_of;
-use crate::numerics::V3;
-use crate::report::verdict::RunVerdict;
-use crate::study::seas::SeaQuestion;
-use crate::system::SolvedSystem;
-use crate::system::ageing::SettledAge;
-use crate::system::analysis::analyses::Analyses;
-use crate::system::bounds::Contact;
-use crate::system::loads;
-use crate::system::network::Held;
-use crate::system::pose::Pose;
-use crate::system::stability::Stability;
+use crate::verdict::RunVerdict;
+use seacable_numerics::V3;
+use seacable_studies::study::seas::SeaQuestion;
+use seacable_systems::system::SolvedSystem;
+use seacable_systems::system::ageing::SettledAge;
+use seacable_systems::system::analysis::analyses::Analyses;
+use seacable_systems::system::bounds::Contact;
+use seacable_systems::system::loads;
+use seacable_systems::system::network::Held;
+use seacable_systems::system::pose::Pose;
+use seacable_systems::system::stability::Stability;
 
 fn three(v: &V3) -> Value {
     json!([v.x, v.y, v.z])

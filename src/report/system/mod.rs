@@ -7,14 +7,14 @@ pub mod motion;
 pub mod tables;
 pub mod views;
 
-use crate::case::FieldRow;
-use crate::reference::ValidationRow;
-use crate::report::document::Report;
-use crate::report::text::{self, inputs};
-use crate::report::verdict::{self, RunVerdict};
-use crate::study::seas::SeaQuestion;
-use crate::system::SolvedSystem;
-use crate::system::analysis::analyses::Analyses;
+use crate::document::Report;
+use crate::text::{self, inputs};
+use crate::verdict::{self, RunVerdict};
+use seacable_model::case::FieldRow;
+use seacable_runs::reference::ValidationRow;
+use seacable_studies::study::seas::SeaQuestion;
+pub use seacable_systems::system::SolvedSystem;
+use seacable_systems::system::analysis::analyses::Analyses;
 
 /// Lines of a view.
 const LINES: usize = 20;

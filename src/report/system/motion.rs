@@ -1,23 +1,23 @@
 //! A run of a system in time: tables, charts, text report, JSON.
 
-use crate::visible;
+use seacable_base::visible;
 use std::collections::HashMap;
 use std::path::Path;
 
 use serde_json::{Value, json};
 
-use crate::case::{
+use crate::document::Report;
+use crate::figures::{FigureData, FigureId, PlottedRun, against_time_at};
+use crate::text::{self, WIDTH, inputs};
+use seacable_base::number::{si, with_error};
+use seacable_display::chart::{Chart, Glyphs};
+use seacable_display::table::{Align, Cell, NumberFormat, Table};
+use seacable_model::case::{
     ChannelQuantity, Diagnostic, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
 };
-use crate::chart::{Chart, Glyphs};
-use crate::number::{si, with_error};
-use crate::report::document::Report;
-use crate::report::figures::{FigureData, FigureId, PlottedRun, against_time_at};
-use crate::report::text::{self, WIDTH, inputs};
-use crate::run::{Channel, Quantity, Run, edited_inputs};
-use crate::system::motion::job::STATISTICS;
-use crate::system::{SolvedSystem, SystemFile, validation};
-use crate::table::{Align, Cell, NumberFormat, Table};
+use seacable_runs::run::{Channel, Quantity, Run, edited_inputs};
+use seacable_systems::system::motion::job::STATISTICS;
+use seacable_systems::system::{SolvedSystem, SystemFile, validation};
 
 /// Lines of a chart.
 const LINES: usize = 16;

@@ -1,19 +1,19 @@
 //! A system at rest in tables: lines, points, bodies and their stiffness; what is to be noted.
 
 use super::displaced_twice::displaced_twice;
-use crate::numerics::V3;
-use crate::scene::steep_waves;
-use crate::system::analysis::clearance::curves;
-use crate::system::bounds::Contact;
-use crate::system::line_at_rest::LineNote;
-use crate::system::loads;
-use crate::system::loads_without_effect::loads_without_effect;
-use crate::system::motion::responses::{MUCH_BEYOND, wave_response};
-use crate::system::network::{Body, Held};
-use crate::system::potential_flow::wave_loads::energy_above;
-use crate::system::stability::{Stability, stability as rests};
-use crate::system::{SolvedSystem, SystemFile};
-use crate::table::{Align, Cell, Column, NumberFormat, Table};
+use seacable_display::table::{Align, Cell, Column, NumberFormat, Table};
+use seacable_engine::scene::steep_waves;
+use seacable_numerics::V3;
+use seacable_systems::system::analysis::clearance::curves;
+use seacable_systems::system::bounds::Contact;
+use seacable_systems::system::line_at_rest::LineNote;
+use seacable_systems::system::loads;
+use seacable_systems::system::loads_without_effect::loads_without_effect;
+use seacable_systems::system::motion::responses::{MUCH_BEYOND, wave_response};
+use seacable_systems::system::network::{Body, Held};
+use seacable_systems::system::potential_flow::wave_loads::energy_above;
+use seacable_systems::system::stability::{Stability, stability as rests};
+use seacable_systems::system::{SolvedSystem, SystemFile};
 
 const NEWTONS: NumberFormat = NumberFormat::Si("N");
 const METRES: NumberFormat = NumberFormat::Decimals(3, "m");

@@ -1,9 +1,9 @@
 //! A system drawn: from above, from the side, and obliquely from above.
 
-use crate::chart::{Axis, Chart, Outline, Series};
-use crate::numerics::V3;
-use crate::system::SolvedSystem;
-use crate::system::network::Held;
+use seacable_display::chart::{Axis, Chart, Outline, Series};
+use seacable_numerics::V3;
+use seacable_systems::system::SolvedSystem;
+use seacable_systems::system::network::Held;
 
 /// Points that a line is drawn with.
 const POINTS: u32 = 60;

@@ -1,12 +1,10 @@
 //! What was computed, how, and at what cost.
 
 use crate::{
-    report::{
-        document::Report,
-        number::{duration, si},
-    },
-    run::{RunInfo, RunState, Settings},
+    document::Report,
+    number::{duration, si},
 };
+use seacable_runs::run::{RunInfo, RunState, Settings};
 
 /// Title, source and state of a run of a file with this title, source and notes.
 pub(crate) fn head(page: &mut Report, info: &RunInfo, [title, source, notes]: [&str; 3]) {

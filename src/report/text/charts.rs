@@ -1,11 +1,9 @@
 //! The charts of a run.
 
-use crate::{
-    case::Case,
-    reference::ValidationRow,
-    report::{document::Report, figures::report_figures},
-    run::Run,
-};
+use crate::{document::Report, figures::report_figures};
+use seacable_model::case::Case;
+use seacable_runs::reference::ValidationRow;
+use seacable_runs::run::Run;
 
 /// Rows of a chart.
 const HEIGHT: usize = 20;

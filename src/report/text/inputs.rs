@@ -1,13 +1,11 @@
 //! Every input with its value and where it comes from.
 
 use crate::{
-    case::{Case, FieldRow, Provenance, YOURS, edited, fields::ValueType, kind},
-    report::{
-        document::Report,
-        table::{Align, Cell, CellStyle, Table},
-    },
-    run::{Run, edited_inputs},
+    document::Report,
+    table::{Align, Cell, CellStyle, Table},
 };
+use seacable_model::case::{Case, FieldRow, Provenance, YOURS, edited, fields::ValueType, kind};
+use seacable_runs::run::{Run, edited_inputs};
 
 /// The inputs table, and below it the reason of every input that its source does not print.
 pub(super) fn table(page: &mut Report, run: &Run, case: &Case) {

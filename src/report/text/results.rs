@@ -2,17 +2,15 @@
 
 use super::WIDTH;
 use crate::{
-    case::Case,
-    report::{
-        chart::Glyphs,
-        document::Report,
-        nodes,
-        number::{order, range, si, with_error},
-        response,
-        table::{Align, Cell, Table},
-    },
-    run::{Quantity, Run, Subject},
+    chart::Glyphs,
+    document::Report,
+    nodes,
+    number::{order, range, si, with_error},
+    response,
+    table::{Align, Cell, Table},
 };
+use seacable_model::case::Case;
+use seacable_runs::run::{Quantity, Run, Subject};
 
 /// Rows of the table of nodes in a report, about.
 const NODES: usize = 40;

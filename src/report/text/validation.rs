@@ -1,9 +1,9 @@
 //! Published values against a run: the table with its notes, and the tally.
 
 use super::WIDTH;
-use crate::chart::Glyphs;
-use crate::reference::{self, ValidationRow};
-use crate::report::document::Report;
+use crate::document::Report;
+use seacable_display::chart::Glyphs;
+use seacable_runs::reference::{self, ValidationRow};
 
 /// The validation table on 80 columns, a note to every row, and the tally.
 #[must_use]
@@ -14,7 +14,7 @@ pub fn validation(rows: &[ValidationRow]) -> String {
 }
 
 /// Adds the validation table, a note to every row, and the tally.
-pub(crate) fn add_validation(page: &mut Report, rows: &[ValidationRow]) {
+pub fn add_validation(page: &mut Report, rows: &[ValidationRow]) {
     page.close_table(reference::table(rows));
     page.gap();
     page.paragraph(&reference::count_outcomes(rows).to_string());

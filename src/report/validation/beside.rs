@@ -1,10 +1,10 @@
 //! The files that are of no paper: a line each, and the rows of theirs that differ.
 
 use super::{JudgedPaper, is_of_a_paper};
-use crate::reference::papers::FileRows;
-use crate::reference::{Outcome, ValidationRow, table};
-use crate::report::document::Block;
-use crate::table::{Align, Cell, CellStyle, Table};
+use crate::document::Block;
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_runs::reference::papers::FileRows;
+use seacable_runs::reference::{Outcome, ValidationRow, table};
 
 pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
     let beside: Vec<&FileRows<'_>> = files

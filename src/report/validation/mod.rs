@@ -4,8 +4,8 @@ mod beside;
 mod paper;
 mod summary;
 
-use crate::reference::papers::{FileRows, JudgedStatement, Paper};
-use crate::report::document::Report;
+use crate::document::Report;
+use seacable_runs::reference::papers::{FileRows, JudgedStatement, Paper};
 
 /// A paper with its statements answered.
 #[derive(Debug, Clone)]

@@ -1,10 +1,10 @@
 //! One paper: what is not reproduced first, then what is, a line each; on demand its inputs and equations.
 
 use super::JudgedPaper;
-use crate::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
-use crate::reference::{Outcome, RowKind, ValidationRow, table};
-use crate::report::document::Block;
-use crate::table::{Align, Cell, CellStyle, Table};
+use crate::document::Block;
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_runs::reference::papers::{Answer, FileRows, JudgedStatement, count_answers, row};
+use seacable_runs::reference::{Outcome, RowKind, ValidationRow, table};
 
 /// Results that agree, by what that is worth.
 const GROUPS: [(&str, &[RowKind]); 3] = [

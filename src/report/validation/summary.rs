@@ -1,10 +1,10 @@
 //! The first screen: a line for each paper, and the counts of all rows.
 
 use super::{JudgedPaper, is_of_a_paper};
-use crate::reference::papers::{AnswerCounts, FileRows, count_answers};
-use crate::reference::{Outcome, RowKind, ValidationRow};
-use crate::report::document::Block;
-use crate::table::{Align, Cell, CellStyle, Table};
+use crate::document::Block;
+use seacable_display::table::{Align, Cell, CellStyle, Table};
+use seacable_runs::reference::papers::{AnswerCounts, FileRows, count_answers};
+use seacable_runs::reference::{Outcome, RowKind, ValidationRow};
 
 pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<Block> {
     let mut blocks = vec![Block::Title("Published results against ours".to_owned())];

@@ -1,8 +1,8 @@
 //! The least and the greatest of every result over the points of a variation.
 
 use super::{ResultColumn, ResultView, VariationView};
-use crate::number::si;
-use crate::table::{Align, Cell, Table};
+use seacable_base::number::si;
+use seacable_display::table::{Align, Cell, Table};
 
 /// A result over all points that have it.
 struct Extremes<'a> {

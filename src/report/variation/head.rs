@@ -1,16 +1,16 @@
 //! What is varied, and the inputs that all points share.
 
 use super::VariationView;
-use crate::case::{Case, FieldRow, kind};
-use crate::files::shallow::shallow;
-use crate::kinds::FileType;
-use crate::report::document::Report;
-use crate::report::text::inputs;
-use crate::system::SystemFile;
+use crate::document::Report;
+use crate::text::inputs;
+use seacable_base::files::shallow::shallow;
+use seacable_model::case::{Case, FieldRow, kind};
+use seacable_model::kinds::FileType;
+use seacable_systems::system::SystemFile;
 
 impl VariationView<'_> {
     /// Adds the title, the file, what is set on top of it, and what is varied.
-    pub(in crate::report) fn add_head(&self, page: &mut Report) {
+    pub(crate) fn add_head(&self, page: &mut Report) {
         let base = &self.variation.base;
         let keys = self.variation.keys.iter().map(|key| key.path.as_str());
         page.title(&format!("Load cases of {}", base.file()));
@@ -24,7 +24,7 @@ impl VariationView<'_> {
     }
 
     /// Adds the inputs of the file; those that are varied have other values in each load case.
-    pub(in crate::report) fn add_inputs(&self, page: &mut Report) {
+    pub(crate) fn add_inputs(&self, page: &mut Report) {
         let text = &self.variation.base.text;
         let (fields, source) = match FileType::of_text(text) {
             FileType::System => (kind::rows::<SystemFile>(text), source_of(text, "system")),

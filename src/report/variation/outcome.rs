@@ -1,13 +1,13 @@
 //! What became of the points of a variation, whatever kind of file was varied.
 
 use super::VariationView;
-use crate::case::QuantityId;
-use crate::comparison::error_bar;
-use crate::report::comparison::result_text;
-use crate::run::Quantity;
-use crate::study::points::{PointOutcome, PointRun};
-use crate::study::vary::Variation;
-use crate::visible;
+use crate::comparison::result_text;
+use seacable_base::visible;
+use seacable_model::case::QuantityId;
+use seacable_runs::run::Quantity;
+use seacable_studies::comparison::error_bar;
+use seacable_studies::study::points::{PointOutcome, PointRun};
+use seacable_studies::study::vary::Variation;
 
 /// A result that is shown.
 #[derive(Debug, Clone, PartialEq)]

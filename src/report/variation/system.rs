@@ -1,13 +1,13 @@
 //! The variation of a system of lines.
 
 use super::{PointView, ResultColumn, ResultView, VariationView};
-use crate::case::StudyValue;
-use crate::number::{si, with_error};
-use crate::study::points::Point;
-use crate::study::vary::Variation;
-use crate::study::vary::system::{SystemOutcome, SystemPoint, SystemResult};
-use crate::system::quantities::unit;
-use crate::system::stability::Stability;
+use seacable_base::number::{si, with_error};
+use seacable_model::case::StudyValue;
+use seacable_studies::study::points::Point;
+use seacable_studies::study::vary::Variation;
+use seacable_studies::study::vary::system::{SystemOutcome, SystemPoint, SystemResult};
+use seacable_systems::system::quantities::unit;
+use seacable_systems::system::stability::Stability;
 
 /// Errors below this share of a value are rounding, which no table has digits for.
 const ROUNDING: f64 = 1e-9;

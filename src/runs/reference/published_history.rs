@@ -171,7 +171,7 @@ fn at(history: &History, channel: &Channel, time: f64) -> f64 {
 }
 
 /// Checks of published curves: as many values as times, two or more, the times increasing.
-pub(crate) fn check(list: &[(String, PublishedHistoryKeys<'_>)]) -> Vec<Finding> {
+pub fn check(list: &[(String, PublishedHistoryKeys<'_>)]) -> Vec<Finding> {
     let points = |(_, curve): &(String, PublishedHistoryKeys<'_>)| {
         let (times, values) = (curve.time_s.value()?, curve.value.value()?);
         let problem = if times.len() != values.len() {

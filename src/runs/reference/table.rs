@@ -3,10 +3,8 @@
 use super::{Outcome, RowKind, ValidationRow, note::note};
 use crate::{
     case::{Direction, Provenance},
-    report::{
-        number::{Scale, digits, order, rounded},
-        table::{Align, Cell, CellStyle, Table},
-    },
+    number::{Scale, digits, order, rounded},
+    table::{Align, Cell, CellStyle, Table},
 };
 
 /// The validation table: quantity, outcome, published and computed value, its estimated numerical
@@ -43,7 +41,7 @@ pub fn table(rows: &[ValidationRow]) -> Table {
 }
 
 /// The computed number to the decimals that its tolerance needs; of a trend, whether it does as stated.
-pub(crate) fn computed(row: &ValidationRow) -> Cell {
+pub fn computed(row: &ValidationRow) -> Cell {
     match &row.trend {
         Some(_) => done(row.outcome),
         None => number(row, row.computed, |v| to_step(v, row)),
@@ -51,7 +49,7 @@ pub(crate) fn computed(row: &ValidationRow) -> Cell {
 }
 
 /// The difference in percent of the published value; a dash where that is 0 or nothing was computed.
-pub(crate) fn percent(row: &ValidationRow) -> Cell {
+pub fn percent(row: &ValidationRow) -> Cell {
     let share = row
         .difference
         .zip(row.published)
@@ -163,7 +161,7 @@ fn ink(outcome: Outcome) -> CellStyle {
 }
 
 /// The kind of a row, with a star where an input behind it is not printed.
-pub(crate) fn kind(row: &ValidationRow) -> Cell {
+pub fn kind(row: &ValidationRow) -> Cell {
     let star = match row.inputs {
         Some(Provenance::Calibrated | Provenance::Assumed) => "*",
         _ => "",

@@ -8,7 +8,7 @@ use crate::case::{EditedKey, Origin, edited, kind, shipped};
 /// its title that comes with the program.
 ///
 /// A run of another version may be of another edition of that file, so only what was set counts.
-pub(crate) fn edited_inputs<K: FileKind>(run: &Run) -> Vec<EditedKey> {
+pub fn edited_inputs<K: FileKind>(run: &Run) -> Vec<EditedKey> {
     let before =
         shipped::of_title(&run.case_text).filter(|_| run.info.version == env!("CARGO_PKG_VERSION"));
     let rows = kind::rows::<K>(&run.case_text);

@@ -3,7 +3,7 @@
 use super::{Run, RunState};
 
 /// Takes every result that is not finite out of a run, which has then failed. Errors that are not finite are none.
-pub(crate) fn refuse_not_finite(run: &mut Run) {
+pub fn refuse_not_finite(run: &mut Run) {
     let mut wild = run.summary.iter().filter(|q| !q.value.is_finite());
     let failure = wild.next().map(|first| match wild.count() {
         0 => format!("{} is not finite", first.name()),

@@ -8,7 +8,7 @@ use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
 use crate::numerics::richardson::OBSERVED;
 
-pub use crate::VERSION;
+pub use seacable_base::VERSION;
 
 /// The results of one execution of a case.
 #[derive(Debug, Clone, PartialEq)]

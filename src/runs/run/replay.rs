@@ -13,7 +13,7 @@ type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
 ///
 /// # Errors
 /// There are fewer, or they are of other channels.
-pub(crate) fn replay_rows(
+pub fn replay_rows(
     dir: &Path,
     channels: &[ChannelId],
     (count, until): (u64, f64),

@@ -14,7 +14,7 @@ use crate::kinds::FileType;
 ///
 /// # Errors
 /// It cannot be read, or another program computes it.
-pub(crate) fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
+pub fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
     let info = store::read_info(dir).map_err(|e| e.to_string())?;
     if store::is_locked(dir) {
         return Err(format!(
@@ -81,7 +81,7 @@ pub fn resume_request(
 }
 
 /// Checks that a run with a checkpoint at a time \[s\] has anything left to compute up to its end, or the one asked for.
-pub(crate) fn check_later(
+pub fn check_later(
     dir: &Path,
     info: &RunInfo,
     checkpoint_s: f64,

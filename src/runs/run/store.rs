@@ -53,29 +53,32 @@ use crate::files::WriteError;
 pub use crate::clock::{now, rfc3339, stamp};
 pub use channel_rows::{ChannelRows, channel_rows};
 pub use create::{RunLocation, delete};
-pub(crate) use create::{remove_left_beside, stem};
+pub use create::{remove_left_beside, stem};
 pub use fatigue_csv::fatigue_spots;
-pub(in crate::runs::run) use history_csv::HistoryReader;
+pub(in crate::run) use history_csv::HistoryReader;
 pub use history_csv::write_history;
 pub use list::{StoredRun, list};
 pub use lock::is_locked;
-pub(crate) use lock::{DirectoryLock, lock_directory};
+pub use lock::{DirectoryLock, lock_directory};
 pub use notes::RunNotes;
-pub(crate) use read::sealed_checkpoint;
+pub use read::sealed_checkpoint;
 pub use read::{case_text, channel_extremes, read, read_info, read_results, resume};
 pub use recorder::Recorder;
 pub use run_writer::{RunWriter, save};
-pub(in crate::runs::run) use shapes_csv::ShapeReader;
+pub(in crate::run) use shapes_csv::ShapeReader;
 
 /// The directory under which runs are kept unless the user says otherwise.
 pub const DEFAULT_ROOT: &str = "runs";
 
-pub(crate) const CASE: &str = "case.toml";
-pub(crate) const RUN: &str = "run.toml";
+/// The file of the case.
+pub const CASE: &str = "case.toml";
+/// The file that says what the run is.
+pub const RUN: &str = "run.toml";
 pub(crate) const SUMMARY: &str = "summary.csv";
 pub(crate) const ERRORS: &str = "errors.csv";
 pub(crate) const CHANNELS: &str = "channels.csv";
-pub(crate) const HISTORY: &str = "history.csv";
+/// The file of the histories.
+pub const HISTORY: &str = "history.csv";
 pub(crate) const PROFILE: &str = "profile.csv";
 pub(crate) const ROPES: &str = "ropes.csv";
 pub(crate) const SHAPES: &str = "shapes.csv";
@@ -84,7 +87,7 @@ pub(crate) const FATIGUE: &str = "fatigue.csv";
 pub(crate) const NOTES: &str = "notes.toml";
 
 /// All files of a run.
-pub(crate) const FILES: [&str; 12] = [
+pub const FILES: [&str; 12] = [
     CASE, RUN, SUMMARY, ERRORS, CHANNELS, HISTORY, PROFILE, ROPES, SHAPES, FATIGUE, CHECKPOINT,
     NOTES,
 ];

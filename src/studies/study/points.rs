@@ -88,7 +88,7 @@ impl PointJob {
     }
 
     /// Its text with all files that it names.
-    pub(super) fn text(&self) -> Cow<'_, str> {
+    pub fn text(&self) -> Cow<'_, str> {
         match self {
             Self::Line(request) => stand_alone(&request.text, &request.case),
             Self::System(request) => Cow::Borrowed(&request.text),

@@ -8,9 +8,9 @@ use super::names::{command_of, name, pane_name, pane_of};
 use super::registry::{FIXED, together};
 use super::{KeyTable, Scope};
 use crate::case::{Diagnostic, Finding, TomlNode, diagnose, nearest, tree_of};
-use crate::tui::command::{Command, CommandId};
-use crate::tui::key::KeyPress;
-use crate::tui::pane::PaneId;
+use crate::command::{Command, CommandId};
+use crate::key::KeyPress;
+use crate::pane::PaneId;
 
 /// The name of the table of what holds everywhere.
 pub const EVERYWHERE: &str = "keys";

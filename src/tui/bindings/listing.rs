@@ -4,9 +4,9 @@ use super::file::EVERYWHERE;
 use super::names::{name, pane_name};
 use super::registry::{FIXED, declared};
 use super::{BoundKeys, KeyTable, Scope};
+use crate::command::Command;
+use crate::pane::PaneId;
 use crate::table::Table;
-use crate::tui::command::Command;
-use crate::tui::pane::PaneId;
 use crate::wrap::{WideWords, wrap};
 
 /// Columns of the comments.

@@ -1,8 +1,8 @@
 //! The names of commands and panes in the file of keys and on the command line of the screen.
 
 use super::registry;
-use crate::tui::command::CommandId;
-use crate::tui::pane::PaneId;
+use crate::command::CommandId;
+use crate::pane::PaneId;
 
 /// The name of a command: `zoom_in`.
 #[must_use]

@@ -1,9 +1,9 @@
 //! All commands that there are, by the panes in which they are found together.
 
 use super::Scope;
-use crate::tui::command::{self, Command, CommandId};
-use crate::tui::pane::PaneId;
-use crate::tui::panes;
+use crate::command::{self, Command, CommandId};
+use crate::pane::PaneId;
+use crate::panes;
 
 /// Commands whose keys are fixed: the terminal and the shell know them by these.
 pub const FIXED: [CommandId; 2] = [CommandId::Interrupt, CommandId::Suspend];

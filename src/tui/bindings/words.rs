@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::names::name;
 use super::{KeyTable, registry};
-use crate::tui::pane::PaneId;
+use crate::pane::PaneId;
 
 /// What a name of a command begins with in a text.
 const MARK: &str = "`:";
@@ -57,7 +57,7 @@ impl KeyTable {
 mod tests {
     use super::super::Scope;
     use super::*;
-    use crate::tui::command::CommandId;
+    use crate::command::CommandId;
 
     #[test]
     fn names_in_a_text_become_the_keys_of_the_user() {

@@ -2,14 +2,14 @@
 
 use super::candidates::Argument;
 use super::{LineCommand, TypedLine};
+use crate::bindings::names::pane_name;
 use crate::case::fields::ValueType;
-use crate::tui::bindings::names::pane_name;
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
-use crate::tui::panes;
-use crate::tui::run_cells;
-use crate::tui::state::AppState;
-use crate::tui::theme::Palette;
+use crate::facade::FieldRow;
+use crate::pane::PaneId;
+use crate::panes;
+use crate::run_cells;
+use crate::state::AppState;
+use crate::theme::Palette;
 
 /// All arguments that there are, and the part of what is typed that they are to fit.
 pub(super) fn arguments<'a>(state: &AppState, line: TypedLine<'a>) -> (Vec<Argument>, &'a str) {
@@ -145,7 +145,7 @@ fn run_columns(state: &AppState, hidden: bool) -> Vec<Argument> {
             .collect(),
     };
     let each = columns.into_iter().map(|column| {
-        let (_, help) = crate::tui::run_columns::explanation(runs, column);
+        let (_, help) = crate::run_columns::explanation(runs, column);
         Argument {
             text: run_cells::plain_head(runs, column),
             help,

@@ -2,11 +2,11 @@
 
 use super::arguments::arguments;
 use super::{LineWord, TypedLine, WORDS, typed};
-use crate::tui::bindings::BoundCommand;
-use crate::tui::bindings::names::name;
-use crate::tui::fuzzy::{FuzzyFilter, Looking};
-use crate::tui::panes;
-use crate::tui::state::AppState;
+use crate::bindings::BoundCommand;
+use crate::bindings::names::name;
+use crate::fuzzy::{FuzzyFilter, Looking};
+use crate::panes;
+use crate::state::AppState;
 
 /// What may complete a line.
 #[derive(Debug, Clone)]

@@ -9,8 +9,8 @@ use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::Duration;
 
 use super::outbox::Outbox;
-use crate::files::read;
-use crate::tui::msg::Msg;
+use crate::msg::Msg;
+use seacable_base::files::read;
 
 /// Time between two looks.
 const PAUSE: Duration = Duration::from_secs(1);

@@ -8,12 +8,12 @@ use crossbeam_channel::{Receiver, RecvTimeoutError, Sender, unbounded};
 
 use super::outbox::Outbox;
 use crate::background::lower_priority;
+use crate::msg::{Msg, RunsFound};
 use crate::places::cache_dir;
 use crate::run::RunState;
 use crate::run::index::{IndexError, IndexedRun, RunIndex, SyncProgress};
 use crate::run::store::{self, is_locked};
-use crate::tui::msg::{Msg, RunsFound};
-use crate::tui::state::{RunEntry, RunStatus, Severity};
+use crate::state::{RunEntry, RunStatus, Severity};
 
 /// What the screen asks of the index.
 #[derive(Debug)]

@@ -18,9 +18,9 @@ use super::ordered_worker::OrderedWorker;
 use super::outbox::Outbox;
 use crate::background::lower_priority;
 use crate::jobs::{JobFolder, JobsDir, Launcher, Submission, client};
-use crate::tui::msg::Msg;
-use crate::tui::state::job_process::{NewProcess, ProcessEffect, ProcessMsg, ProcessWork};
-use crate::tui::state::{JobNumber, Severity};
+use crate::msg::Msg;
+use crate::state::job_process::{NewProcess, ProcessEffect, ProcessMsg, ProcessWork};
+use crate::state::{JobNumber, Severity};
 
 /// The folders of the jobs of this screen, by their numbers here.
 type Folders = Arc<Mutex<BTreeMap<JobNumber, JobFolder>>>;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use crate::import::case_path;
-use crate::tui::msg::{FileRead, Msg};
-use crate::tui::state::reading::read_file;
-use crate::tui::{case_library, recovery};
+use crate::msg::{FileRead, Msg};
+use crate::state::reading::read_file;
+use crate::{case_library, recovery};
 
 /// A file, with what an earlier session left of it.
 pub(super) fn read_case(path: &Path) -> Msg {

@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crossbeam_channel::{Sender, unbounded};
 
 use super::outbox::Outbox;
-use crate::tui::msg::Msg;
+use crate::msg::Msg;
 
 type Work = Box<dyn FnOnce() -> Vec<Msg> + Send>;
 

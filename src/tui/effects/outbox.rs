@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crossbeam_channel::{Receiver, Sender, unbounded};
 
-use crate::tui::msg::Msg;
+use crate::msg::Msg;
 
 /// Where other threads send what happened.
 #[derive(Debug, Clone)]
@@ -92,7 +92,7 @@ impl Inbox {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tui::terminal::wait::wait;
+    use crate::terminal::wait::wait;
     use std::time::{Duration, Instant};
 
     #[test]

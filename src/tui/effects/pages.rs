@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::outbox::Outbox;
 use crate::chart::Glyphs;
 use crate::comparison::Comparison;
+use crate::msg::{ComparedRun, Msg, StudyOf, StudyRequest};
 use crate::number::duration;
 use crate::report::comparison;
 use crate::report::effects::TornadoView;
@@ -13,7 +14,6 @@ use crate::report::physics;
 use crate::run::{Run, store};
 use crate::study::points::PointProgress;
 use crate::study::{effects, physics as scene_physics};
-use crate::tui::msg::{ComparedRun, Msg, StudyOf, StudyRequest};
 
 /// Reads the runs that are not in memory, and compares all with the first.
 pub(super) fn compare(

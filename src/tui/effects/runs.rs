@@ -4,13 +4,13 @@ use crate::visible;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use crate::facade;
 use crate::kinds::FileType;
+use crate::msg::{Msg, RunCaseUse};
 use crate::run::Run;
 use crate::run::store::{self, RunLocation, RunNotes};
-use crate::tui::facade;
-use crate::tui::msg::{Msg, RunCaseUse};
-use crate::tui::state::reading::content;
-use crate::tui::state::{ParameterEditor, Severity};
+use crate::state::reading::content;
+use crate::state::{ParameterEditor, Severity};
 
 /// Deletes run directories, and refuses to delete anything else.
 pub(super) fn delete_runs(dirs: Vec<PathBuf>) -> Vec<Msg> {

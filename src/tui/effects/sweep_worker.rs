@@ -10,13 +10,13 @@ use super::ordered_worker::OrderedWorker;
 use super::outbox::Outbox;
 use crate::background::lower_priority;
 use crate::jobs::{SweepEvent, compute_sweep, on_all_cores_but_one};
+use crate::msg::Msg;
 use crate::run::store;
+use crate::state::JobNumber;
+use crate::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
+use crate::state::sweep_verdict::SweepVerdict;
+use crate::state::sweeps::SweepRead;
 use crate::study::sweep::{SweepSnapshot, stored_sweeps};
-use crate::tui::msg::Msg;
-use crate::tui::state::JobNumber;
-use crate::tui::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
-use crate::tui::state::sweep_verdict::SweepVerdict;
-use crate::tui::state::sweeps::SweepRead;
 
 /// Why there is no answer after a panic.
 const FAULT: &str = "This failed by a fault of seacable.";

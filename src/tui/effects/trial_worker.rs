@@ -7,10 +7,10 @@ use super::outbox::Outbox;
 use crate::background::lower_priority;
 use crate::case;
 use crate::kinds::FileType;
+use crate::msg::Msg;
+use crate::state::JobNumber;
+use crate::state::trials::{TrialProgress, TrialsOf};
 use crate::study::hard_cases::{self, HardCase, TrialRun};
-use crate::tui::msg::Msg;
-use crate::tui::state::JobNumber;
-use crate::tui::state::trials::{TrialProgress, TrialsOf};
 
 /// Computes trials, on all cores but the one of the screen; reports each, and the end.
 pub(super) fn compute_trials(

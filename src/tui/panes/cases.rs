@@ -4,14 +4,14 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
 use crate::chart::Glyphs;
-use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, CaseEntry, CaseList};
-use crate::tui::update::build::new_file;
-use crate::tui::update::motion::{moved, step};
-use crate::tui::update::trials;
-use crate::tui::view::paint::{span, wrap};
-use crate::tui::view::painter::Painter;
+use crate::command::{self, Command, CommandId, FILTER, LIST, main, other};
+use crate::msg::Effect;
+use crate::state::{AppState, CaseEntry, CaseList};
+use crate::update::build::new_file;
+use crate::update::motion::{moved, step};
+use crate::update::trials;
+use crate::view::paint::{span, wrap};
+use crate::view::painter::Painter;
 use crate::visible;
 
 #[rustfmt::skip] // a table: one command a line

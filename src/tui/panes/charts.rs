@@ -7,22 +7,22 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::chart::{self, GridMap, svg::svg};
+use crate::command::{self, Command, CommandId, main, other};
+use crate::msg::Effect;
 use crate::number;
+use crate::pane::PaneId;
+use crate::plot_pane::{PlotPane, PlotVerb};
+use crate::plots;
 use crate::report::figures::{FIGURES, FigureAxis, FigureId};
-use crate::tui::command::{self, Command, CommandId, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::plot_pane::{PlotPane, PlotVerb};
-use crate::tui::plots;
-use crate::tui::state::{AppState, Charted, Overlay, RunsView};
-use crate::tui::update::curves;
-use crate::tui::update::export::{self, TEXT_WIDTH};
-use crate::tui::update::motion::plot_verb;
-use crate::tui::update::notice::info;
-use crate::tui::update::pages;
-use crate::tui::view::layout;
-use crate::tui::view::paint::right;
-use crate::tui::view::painter::Painter;
+use crate::state::{AppState, Charted, Overlay, RunsView};
+use crate::update::curves;
+use crate::update::export::{self, TEXT_WIDTH};
+use crate::update::motion::plot_verb;
+use crate::update::notice::info;
+use crate::update::pages;
+use crate::view::layout;
+use crate::view::paint::right;
+use crate::view::painter::Painter;
 use crate::visible;
 
 /// Lines of characters in place of which a picture stands.

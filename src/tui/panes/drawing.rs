@@ -6,14 +6,14 @@ use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
 use crate::chart;
-use crate::tui::command::{self, Command, CommandId, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::state::parts::Part;
-use crate::tui::state::{AppState, DocumentContent};
-use crate::tui::update::export::{self, TEXT_WIDTH};
-use crate::tui::update::motion::plot_verb;
-use crate::tui::view::layout;
-use crate::tui::view::painter::Painter;
+use crate::command::{self, Command, CommandId, main, other};
+use crate::msg::Effect;
+use crate::state::parts::Part;
+use crate::state::{AppState, DocumentContent};
+use crate::update::export::{self, TEXT_WIDTH};
+use crate::update::motion::plot_verb;
+use crate::view::layout;
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

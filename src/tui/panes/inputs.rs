@@ -6,18 +6,18 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::case::{ReplacedValue, YOURS};
-use crate::tui::command::{self, Command, CommandId, CommandOrder, FILTER, LIST, main, other};
-use crate::tui::facade::FieldRow;
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Document, ParameterEditor};
-use crate::tui::update::edit::{self, optional};
-use crate::tui::update::motion::{moved, step};
-use crate::tui::update::results;
-use crate::tui::update::step_value::step_value;
-use crate::tui::update::vary;
-use crate::tui::view::layout;
-use crate::tui::view::paint::{below_head, rest, row, span, wrap};
-use crate::tui::view::painter::Painter;
+use crate::command::{self, Command, CommandId, CommandOrder, FILTER, LIST, main, other};
+use crate::facade::FieldRow;
+use crate::msg::Effect;
+use crate::state::{AppState, Document, ParameterEditor};
+use crate::update::edit::{self, optional};
+use crate::update::motion::{moved, step};
+use crate::update::results;
+use crate::update::step_value::step_value;
+use crate::update::vary;
+use crate::view::layout;
+use crate::view::paint::{below_head, rest, row, span, wrap};
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

@@ -3,16 +3,16 @@
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
+use crate::command::{self, Command, CommandId, FILTER, LIST, main};
+use crate::msg::Effect;
 use crate::number;
+use crate::pane::PaneId;
 use crate::run::Progress;
-use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, JobLine, JobPurpose, JobState};
-use crate::tui::update::jobs;
-use crate::tui::update::motion::{moved, step};
-use crate::tui::view::paint::span;
-use crate::tui::view::painter::Painter;
+use crate::state::{AppState, JobLine, JobPurpose, JobState};
+use crate::update::jobs;
+use crate::update::motion::{moved, step};
+use crate::view::paint::span;
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[
@@ -105,7 +105,7 @@ fn job_words(line: &JobLine) -> String {
 }
 
 /// How many load cases are done, and how long the others take.
-pub(in crate::tui) fn load_cases(progress: Progress) -> String {
+pub(crate) fn load_cases(progress: Progress) -> String {
     if progress.steps == 0 && progress.duration <= 0.0 {
         return "reading the load cases".to_owned();
     }

@@ -5,16 +5,16 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::case::structure::OutlineRow;
+use crate::command::{self, Command, CommandId, FILTER, LIST, main, other};
+use crate::msg::Effect;
+use crate::plots;
 use crate::report::figures::FigureId;
-use crate::tui::command::{self, Command, CommandId, FILTER, LIST, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::plots;
-use crate::tui::state::parts::Part;
-use crate::tui::state::{AppState, DocumentContent};
-use crate::tui::update::build;
-use crate::tui::update::motion::{moved, step};
-use crate::tui::view::paint::{rest, span, wrap};
-use crate::tui::view::painter::Painter;
+use crate::state::parts::Part;
+use crate::state::{AppState, DocumentContent};
+use crate::update::build;
+use crate::update::motion::{moved, step};
+use crate::view::paint::{rest, span, wrap};
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

@@ -6,17 +6,17 @@ use std::sync::Arc;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
+use crate::command::{COLUMNS, Command, CommandId, LIST, TABLE, main, other};
 use crate::modes::LineModes;
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::report::modes as views;
+use crate::state::{AppState, LineView};
 use crate::table::Table;
-use crate::tui::command::{COLUMNS, Command, CommandId, LIST, TABLE, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, LineView};
-use crate::tui::update::export;
-use crate::tui::update::motion::table_verb;
-use crate::tui::view::layout;
-use crate::tui::view::painter::Painter;
+use crate::update::export;
+use crate::update::motion::table_verb;
+use crate::view::layout;
+use crate::view::painter::Painter;
 
 /// From this room on both pictures are seen at once.
 const BOTH: (u16, u16) = (110, 24);

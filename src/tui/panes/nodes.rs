@@ -5,21 +5,19 @@ use std::path::PathBuf;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
+use crate::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
+use crate::line_tables::LineTable;
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::report::limits;
+use crate::state::parts::Part;
+use crate::state::report::TextOf;
+use crate::state::{AppState, LineView};
 use crate::table::Table;
-use crate::tui::command::{
-    self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other,
-};
-use crate::tui::line_tables::LineTable;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::parts::Part;
-use crate::tui::state::report::TextOf;
-use crate::tui::state::{AppState, LineView};
-use crate::tui::table_pane::TablePane;
-use crate::tui::update::motion::table_verb;
-use crate::tui::update::{export, parts};
-use crate::tui::view::painter::Painter;
+use crate::table_pane::TablePane;
+use crate::update::motion::table_verb;
+use crate::update::{export, parts};
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

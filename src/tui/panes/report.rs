@@ -5,15 +5,15 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{self, Command, CommandId, DOWN, LIST, WIDE};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::AppState;
-use crate::tui::update::export;
-use crate::tui::update::motion::{moved, step};
-use crate::tui::view::layout;
-use crate::tui::view::paint::below_head;
-use crate::tui::view::painter::Painter;
+use crate::command::{self, Command, CommandId, DOWN, LIST, WIDE};
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::AppState;
+use crate::update::export;
+use crate::update::motion::{moved, step};
+use crate::view::layout;
+use crate::view::paint::below_head;
+use crate::view::painter::Painter;
 
 /// Columns that a key scrolls sideways, and the last column to scroll to.
 const SIDEWAYS: isize = 8;

@@ -6,14 +6,14 @@ use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
 use crate::chart::Glyphs;
-use crate::tui::command::{self, Command, CommandId, LIST, main, other};
-use crate::tui::msg::{Effect, StudyOf};
-use crate::tui::result_lines::{self, ResultLine};
-use crate::tui::state::{AppState, LineView};
-use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{pages, results};
-use crate::tui::view::paint::{below_head, right, span};
-use crate::tui::view::painter::Painter;
+use crate::command::{self, Command, CommandId, LIST, main, other};
+use crate::msg::{Effect, StudyOf};
+use crate::result_lines::{self, ResultLine};
+use crate::state::{AppState, LineView};
+use crate::update::motion::{moved, step};
+use crate::update::{pages, results};
+use crate::view::paint::{below_head, right, span};
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

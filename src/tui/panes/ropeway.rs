@@ -4,15 +4,15 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
 use crate::chart::Glyphs;
+use crate::command::{Command, CommandId, main, other};
+use crate::msg::Effect;
 use crate::number::{percent, rounded};
+use crate::state::parts::{Part, PartView};
+use crate::state::{AppState, DocumentContent, RopewayView};
 use crate::table::CellStyle;
-use crate::tui::command::{Command, CommandId, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::state::parts::{Part, PartView};
-use crate::tui::state::{AppState, DocumentContent, RopewayView};
-use crate::tui::update::edit;
-use crate::tui::view::paint::below_head;
-use crate::tui::view::painter::Painter;
+use crate::update::edit;
+use crate::view::paint::below_head;
+use crate::view::painter::Painter;
 
 /// Lines that the results take: head, rule, and a line each.
 const RESULTS: u16 = 9;

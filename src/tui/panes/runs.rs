@@ -5,22 +5,22 @@ use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{
+use crate::command::{
     self, COLUMNS, Command, CommandId, EXPLAIN, FILTER, HIDE_COLUMN, LIST, SHOW_COLUMNS, SORT,
     main, other,
 };
-use crate::tui::msg::{Effect, RunCaseUse};
-use crate::tui::pane::PaneId;
-use crate::tui::run_cells::{cell, head, live_cell};
-use crate::tui::state::overlay::RunText;
-use crate::tui::state::{
+use crate::msg::{Effect, RunCaseUse};
+use crate::pane::PaneId;
+use crate::run_cells::{cell, head, live_cell};
+use crate::state::overlay::RunText;
+use crate::state::{
     AppState, Charted, JobState, RunColumn, RunEntry, RunList, RunStatus, RunsView,
 };
-use crate::tui::update::motion::{moved, step};
-use crate::tui::update::{column_plot, pages, results, resume, run_table, runs, tables};
-use crate::tui::view::layout;
-use crate::tui::view::paint::{below_head, first_line, rest, span};
-use crate::tui::view::painter::Painter;
+use crate::update::motion::{moved, step};
+use crate::update::{column_plot, pages, results, resume, run_table, runs, tables};
+use crate::view::layout;
+use crate::view::paint::{below_head, first_line, rest, span};
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

@@ -3,13 +3,13 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{self, CommandId, DOWN};
-use crate::tui::msg::Effect;
-use crate::tui::part_views::ship::LIST;
-use crate::tui::state::parts::Part;
-use crate::tui::state::{AppState, DocumentContent};
-use crate::tui::update::motion::{moved, step};
-use crate::tui::view::painter::Painter;
+use crate::command::{self, CommandId, DOWN};
+use crate::msg::Effect;
+use crate::part_views::ship::LIST;
+use crate::state::parts::Part;
+use crate::state::{AppState, DocumentContent};
+use crate::update::motion::{moved, step};
+use crate::view::painter::Painter;
 
 pub(super) struct ShipPane;
 

@@ -7,17 +7,15 @@ mod shade;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{
-    Command, CommandId, CommandOrder, DOWN, LIST, TABLE, command, main, other,
-};
-use crate::tui::msg::Effect;
-use crate::tui::state::AppState;
-use crate::tui::state::sweeps::{OpenSweep, SweepTab, SweepsView};
-use crate::tui::update::tables::{self, OF_TABLE};
-use crate::tui::update::{sweep_view, sweeps};
-use crate::tui::view::layout;
-use crate::tui::view::paint::{rest, right, row, wrap};
-use crate::tui::view::painter::Painter;
+use crate::command::{Command, CommandId, CommandOrder, DOWN, LIST, TABLE, command, main, other};
+use crate::msg::Effect;
+use crate::state::AppState;
+use crate::state::sweeps::{OpenSweep, SweepTab, SweepsView};
+use crate::update::tables::{self, OF_TABLE};
+use crate::update::{sweep_view, sweeps};
+use crate::view::layout;
+use crate::view::paint::{rest, right, row, wrap};
+use crate::view::painter::Painter;
 use crate::visible;
 
 #[rustfmt::skip] // a table: one command a line

@@ -3,11 +3,11 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{Command, CommandId, main};
-use crate::tui::msg::Effect;
-use crate::tui::state::parts::Part;
-use crate::tui::state::{AppState, DocumentContent, SystemView};
-use crate::tui::view::painter::Painter;
+use crate::command::{Command, CommandId, main};
+use crate::msg::Effect;
+use crate::state::parts::Part;
+use crate::state::{AppState, DocumentContent, SystemView};
+use crate::view::painter::Painter;
 
 /// Lines of the screen that a view has at least.
 const VIEW: u16 = 9;

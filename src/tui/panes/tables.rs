@@ -3,15 +3,15 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
-use crate::tui::command::{COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
-use crate::tui::msg::Effect;
-use crate::tui::state::parts::Part;
-use crate::tui::state::ship::MOTIONS;
-use crate::tui::state::{AppState, DocumentContent};
-use crate::tui::update::motion::table_verb;
-use crate::tui::update::ship;
-use crate::tui::view::paint::below_head;
-use crate::tui::view::painter::Painter;
+use crate::command::{COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
+use crate::msg::Effect;
+use crate::state::parts::Part;
+use crate::state::ship::MOTIONS;
+use crate::state::{AppState, DocumentContent};
+use crate::update::motion::table_verb;
+use crate::update::ship;
+use crate::view::paint::below_head;
+use crate::view::painter::Painter;
 
 #[rustfmt::skip] // a table: one command a line
 const COMMANDS: &[Command] = &[

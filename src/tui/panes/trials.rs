@@ -5,16 +5,16 @@ use std::path::PathBuf;
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::{Pane, PaneInfo, about};
+use crate::command::{COLUMNS, Command, CommandId, DOWN, LIST, TABLE, main};
+use crate::msg::Effect;
+use crate::state::trials::{self as data, Trials, TrialsOf};
+use crate::state::{AppState, Filter};
 use crate::study::{hard_cases, tally};
-use crate::tui::command::{COLUMNS, Command, CommandId, DOWN, LIST, TABLE, main};
-use crate::tui::msg::Effect;
-use crate::tui::state::trials::{self as data, Trials, TrialsOf};
-use crate::tui::state::{AppState, Filter};
-use crate::tui::update::motion::table_verb;
-use crate::tui::update::notice::info;
-use crate::tui::update::{export, trials};
-use crate::tui::view::paint::{below_head, wrap};
-use crate::tui::view::painter::Painter;
+use crate::update::motion::table_verb;
+use crate::update::notice::info;
+use crate::update::{export, trials};
+use crate::view::paint::{below_head, wrap};
+use crate::view::painter::Painter;
 
 /// Columns of the table in a file.
 const TEXT_WIDTH: usize = 160;

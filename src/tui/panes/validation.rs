@@ -5,13 +5,13 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 
 use super::{Pane, PaneInfo, about};
+use crate::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE};
+use crate::msg::Effect;
 use crate::report::text;
-use crate::tui::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE};
-use crate::tui::msg::Effect;
-use crate::tui::state::AppState;
-use crate::tui::update::export::{self, TEXT_WIDTH};
-use crate::tui::update::motion::table_verb;
-use crate::tui::view::painter::Painter;
+use crate::state::AppState;
+use crate::update::export::{self, TEXT_WIDTH};
+use crate::update::motion::table_verb;
+use crate::view::painter::Painter;
 
 /// What is shown in the place of a validation table that would be empty.
 const NO_PUBLISHED_VALUES: &str = "This file states no published values to compare with.";

@@ -1,12 +1,12 @@
 //! Tables of a run's line.
 
+use crate::facade;
+use crate::line_tables::LineTable;
 use crate::report::limits;
 use crate::run::Run;
-use crate::tui::facade;
-use crate::tui::line_tables::LineTable;
-use crate::tui::state::parts::PartView;
+use crate::state::parts::PartView;
 
-pub(in crate::tui) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
+pub(crate) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
     let mut table = which.table(run);
     table.title = match (which, LineTable::of(run).len()) {
         (LineTable::Nodes, 1) => format!("Nodes of {name}; `:write` writes them as CSV."),

@@ -6,9 +6,9 @@ use crate::number::rounded;
 use crate::report::ropeway::{cargo, drawing, tables, winch};
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, SolvedRopeway};
+use crate::state::RopewayView;
+use crate::state::parts::{Part, PartView};
 use crate::table::{CellStyle, Table};
-use crate::tui::state::RopewayView;
-use crate::tui::state::parts::{Part, PartView};
 
 pub(super) fn view(ropeway: &RopewayView, part: Part) -> PartView {
     let solved = &ropeway.worked;

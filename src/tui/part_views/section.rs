@@ -3,8 +3,8 @@
 use super::{with_chart, with_table};
 use crate::report::section::{self as views, drawing, tables};
 use crate::section::stiffness::EndRotation;
-use crate::tui::state::SectionView;
-use crate::tui::state::parts::{Part, PartView};
+use crate::state::SectionView;
+use crate::state::parts::{Part, PartView};
 
 pub(super) fn view(section: &SectionView, part: Part) -> PartView {
     let design = &section.design;

@@ -9,10 +9,10 @@ use crate::ship::rope::RopeAnalysis;
 use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis};
+use crate::state::ShipView;
+use crate::state::parts::{Part, PartView};
+use crate::state::ship::{AT_SEA, MOTIONS};
 use crate::table::{CellStyle, Table};
-use crate::tui::state::ShipView;
-use crate::tui::state::parts::{Part, PartView};
-use crate::tui::state::ship::{AT_SEA, MOTIONS};
 use crate::wrap::{WideWords, wrap};
 
 /// Columns of the list of headings.

@@ -3,12 +3,12 @@
 use super::with_table;
 use crate::chart::Chart;
 use crate::report::system::{analysis, tables, views};
+use crate::state::SystemView;
+use crate::state::parts::{Part, PartView};
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::periods::NaturalModes;
 use crate::system::analysis::watch_circle::WatchCircle;
 use crate::table::Table;
-use crate::tui::state::SystemView;
-use crate::tui::state::parts::{Part, PartView};
 
 /// Numbers of the tabs of analyses.
 const CLEARANCES: usize = 4;

@@ -28,10 +28,10 @@ fn act(pane: &mut PlotPane, base: &Chart, verbs: &[PlotVerb]) {
 }
 
 fn in_colour() -> Theme {
-    Theme::new(crate::tui::terminal::capabilities::Capabilities {
+    Theme::new(crate::terminal::capabilities::Capabilities {
         glyphs: Glyphs::Braille,
         colour: true,
-        palette: crate::tui::theme::Palette::Dark,
+        palette: crate::theme::Palette::Dark,
         unsure: false,
     })
 }
@@ -260,7 +260,7 @@ fn a_zoomed_and_marked_chart_with_its_styles() {
         in_colour(),
     );
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/../../snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!("plot_pane_zoomed_60x16", with_styles(&buf)));

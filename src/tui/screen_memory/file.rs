@@ -11,10 +11,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::ScreenMemory;
-use crate::files::shallow::shallow;
-use crate::files::{Target, disk, read};
 use crate::places::state_dir;
 use crate::visible;
+use seacable_base::files::shallow::shallow;
+use seacable_base::files::{Target, disk, read};
 
 /// Screens of more directories are not kept.
 const MOST: usize = 50;
@@ -137,7 +137,7 @@ fn session_file() -> io::Result<PathBuf> {
 /// The file of a directory: its name, and a fingerprint of its whole path.
 fn screen_file(directory: &Path) -> io::Result<PathBuf> {
     let name = directory.file_name().unwrap_or_default().to_string_lossy();
-    let print = crate::tui::recovery::fingerprint(directory);
+    let print = crate::recovery::fingerprint(directory);
     Ok(state_dir()?
         .join("screen")
         .join(format!("{name}-{print:016x}.toml")))

@@ -2,10 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::tui::run_cells::plain_head;
-use crate::tui::state::run_list::ColumnName;
-use crate::tui::state::{Document, DocumentContent, Filter, RunColumn, RunList};
-use crate::tui::table_pane::TablePane;
+use crate::run_cells::plain_head;
+use crate::state::run_list::ColumnName;
+use crate::state::{Document, DocumentContent, Filter, RunColumn, RunList};
+use crate::table_pane::TablePane;
 
 /// A table as the user had it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]

@@ -2,7 +2,7 @@
 
 use crate::case::{Diagnostic, Finding, TomlNode, diagnose, nearest, tree_of};
 use crate::chart::Glyphs;
-use crate::tui::theme::Palette;
+use crate::theme::Palette;
 
 /// The look of the screen; what is absent is decided by the program.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 pub use self::config::Config;
 use super::bindings::{self, KeyTable};
 use crate::case::{Diagnostic, render_all};
-use crate::files::{Target, disk, read};
 use crate::{places, visible};
+use seacable_base::files::{Target, disk, read};
 
 /// What the files of the user set, and what is wrong with them.
 #[derive(Debug, Clone, Default)]

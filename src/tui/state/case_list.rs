@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
-use crate::tui::fuzzy::FuzzyFilter;
+use crate::fuzzy::FuzzyFilter;
 
 /// A case file as the list shows it.
 #[derive(Debug, Clone, PartialEq, Eq)]

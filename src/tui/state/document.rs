@@ -16,8 +16,8 @@ use super::ship::ShipView;
 use super::sweeps::SweepsView;
 use super::system::SystemView;
 use crate::kinds::FileType;
-use crate::tui::pane::PaneId;
-use crate::tui::table_pane::TablePane;
+use crate::pane::PaneId;
+use crate::table_pane::TablePane;
 
 /// The kinds of file, with the result of the text.
 #[derive(Debug, Clone)]

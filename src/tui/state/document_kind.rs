@@ -6,10 +6,10 @@ use super::document::DocumentContent;
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
+use crate::command::{Command, CommandId, MODEL};
+use crate::facade::FieldRow;
+use crate::pane::PaneId;
 use crate::report::subject::ReportSubject;
-use crate::tui::command::{Command, CommandId, MODEL};
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
 
 /// A kind of file and its panes, and what is said of one file.
 #[derive(Debug, Clone, Copy)]

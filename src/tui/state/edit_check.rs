@@ -2,8 +2,8 @@
 
 use super::pending::{Change, PendingEdit};
 use super::reading::{Draft, FileOfText, Reading};
+use crate::facade;
 use crate::kinds::FileType;
-use crate::tui::facade;
 
 /// Edits to be applied to a text.
 #[derive(Debug, Clone)]
@@ -119,7 +119,7 @@ impl EditCheck {
 mod tests {
     use super::*;
     use crate::case::shipped::SHIPPED;
-    use crate::tui::state::ParameterEditor;
+    use crate::state::ParameterEditor;
 
     const KEY: &str = "current.speed_m_per_s";
 

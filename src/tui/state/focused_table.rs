@@ -4,12 +4,12 @@ use std::borrow::Cow;
 
 use super::AppState;
 use super::sweeps::SweepTab;
+use crate::pane::PaneId;
+use crate::panes::modes::is_narrow;
 use crate::report::modes as mode_views;
 use crate::table::Table;
-use crate::tui::pane::PaneId;
-use crate::tui::panes::modes::is_narrow;
-use crate::tui::table_pane::TablePane;
-use crate::tui::update::parts;
+use crate::table_pane::TablePane;
+use crate::update::parts;
 
 impl AppState {
     /// The table that has the focus, without what the user does to it; nothing where no table has it.

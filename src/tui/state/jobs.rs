@@ -5,9 +5,9 @@ use std::path::PathBuf;
 
 use super::case_list::Filter;
 use super::job_process::JobProcess;
+use crate::fuzzy::FuzzyFilter;
 pub use crate::jobs::JobRequest;
 use crate::run::Progress;
-use crate::tui::fuzzy::FuzzyFilter;
 
 /// Number of a job in this session; a message with a number we no longer wait for is dropped.
 pub type JobNumber = u64;

@@ -11,14 +11,14 @@ use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
+use crate::command::{Command, CommandId, LINE};
+use crate::line_tables::LineTable;
+use crate::msg::StudyOf;
+use crate::pane::PaneId;
 use crate::report::figures::FigureId;
 use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
-use crate::tui::command::{Command, CommandId, LINE};
-use crate::tui::line_tables::LineTable;
-use crate::tui::msg::StudyOf;
-use crate::tui::pane::PaneId;
-use crate::tui::table_pane::TablePane;
+use crate::table_pane::TablePane;
 
 /// A study that computes behind the screen.
 #[derive(Debug, Clone)]

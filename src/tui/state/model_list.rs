@@ -2,7 +2,7 @@
 
 use super::case_list::Filter;
 use crate::case::structure::OutlineRow;
-use crate::tui::fuzzy::FuzzyFilter;
+use crate::fuzzy::FuzzyFilter;
 
 /// The tables of the file that is open, and the cursor in them.
 #[derive(Debug, Clone, Default)]

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::modes::LineModes;
-use crate::tui::table_pane::TablePane;
+use crate::table_pane::TablePane;
 
 /// How many modes are looked for.
 pub const COUNT: usize = 12;

@@ -8,9 +8,9 @@ use super::case_list::Filter;
 use super::command_line::CommandLine;
 use super::form::Form;
 use super::picker::Picker;
+use crate::column_plot::ColumnPair;
+use crate::recovery::RecoveredEdits;
 use crate::report::document::ReportFormat;
-use crate::tui::column_plot::ColumnPair;
-use crate::tui::recovery::RecoveredEdits;
 
 /// What lies over the screen.
 #[derive(Debug, Clone)]

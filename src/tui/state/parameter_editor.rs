@@ -12,9 +12,9 @@ use super::reading::{SavedRows, rows};
 use crate::case::edited::{self, EditedKey, Origin};
 use crate::case::judging_rows::is_judging;
 use crate::case::shipped;
+use crate::facade::FieldRow;
+use crate::fuzzy::{FuzzyFilter, Looking};
 use crate::kinds::FileType;
-use crate::tui::facade::FieldRow;
-use crate::tui::fuzzy::{FuzzyFilter, Looking};
 
 /// The inputs of a file as it was opened, or as it is shipped: edits are told by them, also once they are saved.
 #[derive(Debug, Clone)]

@@ -5,10 +5,10 @@ use std::sync::Arc;
 
 use super::document::DocumentContent;
 use crate::chart::Chart;
+use crate::line_tables::LineTable;
+use crate::part_views;
 use crate::run::Run;
 use crate::table::{CellStyle, Table};
-use crate::tui::line_tables::LineTable;
-use crate::tui::part_views;
 
 /// A part of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

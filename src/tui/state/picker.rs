@@ -2,8 +2,8 @@
 
 use tui_input::Input;
 
+use crate::fuzzy::{FuzzyFilter, Looking};
 use crate::templates::Template;
-use crate::tui::fuzzy::{FuzzyFilter, Looking};
 
 /// What is chosen.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -15,13 +15,13 @@ use crate::case::file_kind::FileKind;
 use crate::case::judging_rows::judging_rows;
 use crate::case::structure::{self, OutlineRow};
 use crate::case::{self, Case, Diagnostic, kind};
+use crate::facade::{self, FieldRow};
 use crate::kinds::FileType;
 use crate::open;
 use crate::ropeway::Ropeway;
 use crate::section::CrossSection;
 use crate::ship::Ship;
 use crate::system::SystemFile;
-use crate::tui::facade::{self, FieldRow};
 
 /// A file, apart from its text.
 #[derive(Debug, Clone)]

@@ -6,12 +6,12 @@ use std::sync::Arc;
 use super::document::DocumentContent;
 
 use crate::chart::Glyphs;
+use crate::facade::{self, FieldRow};
+use crate::line_tables::LineTable;
 use crate::reference::ValidationRow;
 use crate::report::document::ReportFormat;
 use crate::report::subject::{ReportSubject, RunSubject, StudyTable};
 use crate::run::Run;
-use crate::tui::facade::{self, FieldRow};
-use crate::tui::line_tables::LineTable;
 
 /// A report that is asked for.
 #[derive(Debug, Clone)]

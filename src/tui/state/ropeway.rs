@@ -8,11 +8,11 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
+use crate::facade::FieldRow;
+use crate::pane::PaneId;
 use crate::report::subject::ReportSubject;
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, RopewayError, SolvedRopeway, line, validation};
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
 
 /// The tab of its ropes, which the position of the cargo loads.
 const ROPES: usize = 4;

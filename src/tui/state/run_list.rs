@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use super::case_list::Filter;
 use super::curves::RunEntry;
 use crate::run::index::{MeasuredResult, RunColumns, SyncProgress};
-use crate::tui::run_filter::{RunFilter, RunText};
+use crate::run_filter::{RunFilter, RunText};
 
 /// A column of the table of runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,10 +8,10 @@ use super::jobs::JobNumber;
 use super::report::ReportRequest;
 use super::run_list::RunList;
 use crate::case::Case;
+use crate::plot_pane::PlotPane;
 use crate::reference::ValidationRow;
 use crate::report::figures::{FIGURES, FigureId};
 use crate::run::Run;
-use crate::tui::plot_pane::PlotPane;
 
 /// The re-solve after an edit.
 #[derive(Debug, Clone, Default)]

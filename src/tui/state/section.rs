@@ -7,11 +7,11 @@ use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
+use crate::facade::FieldRow;
+use crate::pane::PaneId;
+use crate::plot_pane::PlotPane;
 use crate::report::subject::ReportSubject;
 use crate::section::{self, Design};
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
-use crate::tui::plot_pane::PlotPane;
 
 /// A cross-section.
 #[derive(Debug, Clone)]

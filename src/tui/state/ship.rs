@@ -11,12 +11,12 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
+use crate::facade::FieldRow;
 use crate::numerics::V3;
+use crate::pane::PaneId;
 use crate::report::ship as views;
 use crate::report::subject::ReportSubject;
 use crate::ship::{DynamicAnalysis, MotionAnalysis, StaticAnalysis, validation};
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
 
 /// A ship.
 #[derive(Debug, Clone)]

@@ -5,13 +5,13 @@ use std::sync::Arc;
 
 use super::JobNumber;
 use super::sweep_verdict::SweepVerdict;
+use crate::fuzzy::FuzzyFilter;
+use crate::state::Filter;
 use crate::study::load_case_table::{
     HeatCell, HeatMap, HeatMapChoice, LoadCaseColumn, LoadCaseTable, ResultValue,
 };
 use crate::study::sweep::{SweepEntry, SweepSnapshot};
-use crate::tui::fuzzy::FuzzyFilter;
-use crate::tui::state::Filter;
-use crate::tui::table_pane::TablePane;
+use crate::table_pane::TablePane;
 
 /// Why there is nothing to compute.
 pub(super) const NO_LOAD_CASES: &str = "This file has no `[[load_cases]]`.";

@@ -9,14 +9,14 @@ use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
+use crate::command::{Command, CommandId, MOVING, REPORTED};
+use crate::facade::FieldRow;
+use crate::pane::PaneId;
 use crate::report::figures::FigureId;
 use crate::report::subject::ReportSubject;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
 use crate::system::{SolvedSystem, validation};
-use crate::tui::command::{Command, CommandId, MOVING, REPORTED};
-use crate::tui::facade::FieldRow;
-use crate::tui::pane::PaneId;
 
 /// A system of lines.
 #[derive(Debug, Clone)]

@@ -6,7 +6,7 @@ use super::JobNumber;
 use crate::report::subject::StudyTable;
 use crate::study::{TrialVerdict, hard_cases};
 use crate::table::Table;
-use crate::tui::table_pane::TablePane;
+use crate::table_pane::TablePane;
 
 /// Whose trials.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::case::{Case, EditedKey, StudyPoint};
+use crate::facade::{self, ValidationRow};
 use crate::reference;
 use crate::run::Run;
 use crate::table::Table;
-use crate::tui::facade::{self, ValidationRow};
 
 /// Whether the validation table is being made.
 #[derive(Debug, Clone, Default)]

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use super::reading::rows;
 use crate::case::{Case, StudyPoint, TextDigest};
+use crate::facade::{self, FieldRow};
 use crate::kinds::FileType;
 use crate::reference;
 use crate::study::points::PointRequest;
 use crate::study::vary::Variation;
-use crate::tui::facade::{self, FieldRow};
 
 /// A case at a point of a study.
 #[derive(Debug, Clone)]

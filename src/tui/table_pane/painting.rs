@@ -7,7 +7,7 @@ use unicode_width::UnicodeWidthChar;
 use crate::chart::Glyphs;
 use crate::plain;
 use crate::table::{LineKind, TableLayout, TableLine};
-use crate::tui::theme::Theme;
+use crate::theme::Theme;
 
 /// Columns of text by which a long cell is shown further, where cells are below each other.
 pub(super) const STEP: usize = 8;

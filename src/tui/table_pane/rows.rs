@@ -3,8 +3,8 @@
 use std::cmp::Ordering;
 
 use super::TablePane;
+use crate::fuzzy::FuzzyFilter;
 use crate::table::Table;
-use crate::tui::fuzzy::FuzzyFilter;
 
 impl TablePane {
     /// Numbers of the rows in the order shown.

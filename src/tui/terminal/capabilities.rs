@@ -1,7 +1,7 @@
 //! What the terminal can show: glyphs and colours, decided from flags and environment alone.
 
 use crate::chart::Glyphs;
-use crate::tui::theme::Palette;
+use crate::theme::Palette;
 
 /// What was decided, and whether the user should be asked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

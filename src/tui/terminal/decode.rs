@@ -3,7 +3,7 @@
 //! A slow link may cut an escape sequence anywhere, also right after its Esc. The decoder therefore
 //! keeps what is incomplete and lets the caller decide how long a lone Esc may wait to become more.
 
-use crate::tui::key::KeyPress;
+use crate::key::KeyPress;
 
 /// What a person did at the terminal.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,8 +1,8 @@
 //! The steps: what each says, in two lines of 80 columns, and when it is done.
 
 use super::{Since, complete_runs, key_of};
-use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Overlay, ParameterEditor};
+use crate::pane::PaneId;
+use crate::state::{AppState, Overlay, ParameterEditor};
 
 /// A step of the tutorial.
 #[derive(Clone, Copy)]
@@ -162,9 +162,9 @@ fn holds(state: &AppState) -> bool {
 mod tests {
     use super::*;
     use crate::chart::Glyphs;
-    use crate::tui::terminal::capabilities::Capabilities;
-    use crate::tui::theme::Palette;
-    use crate::tui::view::paint::wrap;
+    use crate::terminal::capabilities::Capabilities;
+    use crate::theme::Palette;
+    use crate::view::paint::wrap;
 
     #[test]
     fn every_step_fits_into_two_lines_of_80_columns() {

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use super::build::new_file;
 use super::notice::info;
 use super::{job_processes, jobs, results, runs, ship, sweeps};
-use crate::tui::case_library::FIRST;
-use crate::tui::msg::{Effect, FileRead};
-use crate::tui::state::{AppState, CaseEntry, Document, Overlay, Question, Severity};
+use crate::case_library::FIRST;
+use crate::msg::{Effect, FileRead};
+use crate::state::{AppState, CaseEntry, Document, Overlay, Question, Severity};
 
 pub(super) fn listed(state: &mut AppState, dir: PathBuf, entries: Vec<CaseEntry>) -> Vec<Effect> {
     let before = state.cases.current().map(|e| e.path.clone());

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use super::export::{self, TEXT_WIDTH};
-use crate::tui::column_plot::ColumnPair;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Overlay, RunList};
+use crate::column_plot::ColumnPair;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::state::{AppState, Overlay, RunList};
 
 /// Shows the first result against the first input that differs.
 pub fn open(state: &mut AppState) -> Vec<Effect> {

@@ -6,14 +6,14 @@ use super::line_commands::execute;
 use super::motion::moved;
 use super::overlay::run_command;
 use super::text_input::type_key;
-use crate::tui::bindings::names::name;
-use crate::tui::command_line::candidates::{Argument, Candidate, candidates};
-use crate::tui::command_line::{LineCommand, typed};
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::panes;
-use crate::tui::state::command_line::CommandLine;
-use crate::tui::state::{AppState, Overlay};
+use crate::bindings::names::name;
+use crate::command_line::candidates::{Argument, Candidate, candidates};
+use crate::command_line::{LineCommand, typed};
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::panes;
+use crate::state::command_line::CommandLine;
+use crate::state::{AppState, Overlay};
 
 /// Takes a key; the line closes where the key does so.
 pub(super) fn key(state: &mut AppState, mut line: CommandLine, key: KeyPress) -> Vec<Effect> {

@@ -2,11 +2,11 @@
 
 use super::motion::moved;
 use super::notice::info;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::plots;
 use crate::report::figures::{FigureAxis, FigureId};
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::plots;
-use crate::tui::state::{AppState, Charted, Overlay, RunsView};
+use crate::state::{AppState, Charted, Overlay, RunsView};
 
 /// Why there is no choice of curves.
 #[must_use]

@@ -1,8 +1,8 @@
 //! What earlier sessions left for this one, taken as the program starts.
 
-use crate::tui::screen_memory::file::Remembered;
-use crate::tui::state::{AppState, LineHistory, Severity};
-use crate::tui::theme::Palette;
+use crate::screen_memory::file::Remembered;
+use crate::state::{AppState, LineHistory, Severity};
+use crate::theme::Palette;
 
 /// Takes it: the screen where no file is named, or the file that it is of.
 pub fn begin(state: &mut AppState, earlier: &mut Remembered, without_file: bool) {

@@ -9,13 +9,13 @@ use super::notice::info;
 use super::text_input::type_key;
 use super::{jobs, runs, vary};
 use crate::case::fields::AbsentValue;
+use crate::facade::FieldRow;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::recovery::RecoveredEdits;
 use crate::run::settings::method_name;
-use crate::tui::facade::FieldRow;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::recovery::RecoveredEdits;
-use crate::tui::state::pending::{Change, EditSource, PendingEdit};
-use crate::tui::state::{AppState, Editing, KeptRange};
+use crate::state::pending::{Change, EditSource, PendingEdit};
+use crate::state::{AppState, Editing, KeptRange};
 
 const METHODS: [&str; 4] = ["static", "quasi", "rk4", "alpha"];
 

@@ -2,14 +2,14 @@
 
 use super::notice::{info, warn};
 use super::{build, edit, parts};
-use crate::tui::command::CommandId;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::{Effect, Msg};
-use crate::tui::pane::PaneId;
-use crate::tui::panes;
-use crate::tui::state::edit_check::{EditAnswer, EditCheck};
-use crate::tui::state::pending::{EditSource, PendingEdit};
-use crate::tui::state::{AppState, Severity};
+use crate::command::CommandId;
+use crate::key::KeyPress;
+use crate::msg::{Effect, Msg};
+use crate::pane::PaneId;
+use crate::panes;
+use crate::state::edit_check::{EditAnswer, EditCheck};
+use crate::state::pending::{EditSource, PendingEdit};
+use crate::state::{AppState, Severity};
 
 /// More steps back than anyone takes, and still a small file each.
 const UNDO_DEPTH: usize = 200;

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use super::notice::info;
 use crate::case::judging_rows::is_judging;
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::report::document::ReportFormat;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::report::{ReportRequest, TextOf, TextRequest};
-use crate::tui::state::trials::Trials;
-use crate::tui::state::{AppState, Document, Overlay, Question};
+use crate::state::report::{ReportRequest, TextOf, TextRequest};
+use crate::state::trials::Trials;
+use crate::state::{AppState, Document, Overlay, Question};
 
 /// Width of texts that are written to files.
 pub const TEXT_WIDTH: usize = 100;

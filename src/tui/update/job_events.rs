@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use super::jobs::{set_state, slot, start_waiting};
 use super::runs;
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::runs_view::CoarseAnswer;
-use crate::tui::state::{
+use crate::state::runs_view::CoarseAnswer;
+use crate::state::{
     AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
 };
 

@@ -7,13 +7,13 @@ use super::{job_events, runs, sweeps};
 use crate::case::TextDigest;
 use crate::jobs::SweepRequest;
 use crate::jobs::spec::plain;
-use crate::tui::msg::Effect;
-use crate::tui::state::job_process::{
+use crate::msg::Effect;
+use crate::state::job_process::{
     FoundJob, JobProcess, NewProcess, ProcessEffect, ProcessMsg, ProcessWork,
 };
-use crate::tui::state::sweep_request::SweepEffect;
-use crate::tui::state::sweeps::SweepJob;
-use crate::tui::state::{
+use crate::state::sweep_request::SweepEffect;
+use crate::state::sweeps::SweepJob;
+use crate::state::{
     AppState, JobLine, JobNumber, JobPurpose, JobState, QueuedRequest, RunEntry, RunOrigin,
     RunStatus, Severity,
 };

@@ -5,16 +5,16 @@ use std::sync::Arc;
 use super::notice::info;
 use super::{job_processes, trials};
 use crate::case::{Case, StudyPoint, TextDigest};
+use crate::facade::{self, FieldRow};
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::run::job::Request;
 use crate::run::settings::method_name;
-use crate::system::motion::job::SystemRequest;
-use crate::tui::facade::{self, FieldRow};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::{
+use crate::state::{
     AppState, Document, DocumentContent, JobLine, JobNumber, JobPurpose, JobRequest, JobState,
     ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunStatus, SystemView,
 };
+use crate::system::motion::job::SystemRequest;
 
 /// Solves the edited case in the background; the newest wins.
 pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {

@@ -4,12 +4,12 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::{type_key, type_text};
 use super::{command_line, edit, overlay, quit, sweeps};
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::panes;
-use crate::tui::state::overlay::LineTypePicker;
-use crate::tui::state::{AppState, Filter, Overlay, Severity};
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::panes;
+use crate::state::overlay::LineTypePicker;
+use crate::state::{AppState, Filter, Overlay, Severity};
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     if state

@@ -5,14 +5,14 @@ use std::path::PathBuf;
 use tui_input::Input;
 
 use super::{edit, keys, overlay, quit, tables, vary};
+use crate::bindings::names::pane_of;
 use crate::chart::Glyphs;
-use crate::tui::bindings::names::pane_of;
-use crate::tui::command_line::LineCommand;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::{AppState, Filter, ParameterEditor};
-use crate::tui::theme::Palette;
+use crate::command_line::LineCommand;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::{AppState, Filter, ParameterEditor};
+use crate::theme::Palette;
 
 type Done = Result<Vec<Effect>, String>;
 

@@ -3,14 +3,14 @@
 use super::edit;
 use super::motion::moved;
 use super::text_input::type_key;
+use crate::key::KeyPress;
 use crate::line_types::{LINE_TYPES, LineProperties, nominal_diameter, properties, with_material};
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::state::overlay::LineTypePicker;
-use crate::tui::state::{AppState, Overlay};
+use crate::msg::Effect;
+use crate::state::overlay::LineTypePicker;
+use crate::state::{AppState, Overlay};
 
 /// Shows the library.
-pub(super) fn open(state: &mut AppState) -> Vec<Effect> {
+pub fn open(state: &mut AppState) -> Vec<Effect> {
     state.overlay = Some(Overlay::LineTypes(LineTypePicker::default()));
     Vec::new()
 }
@@ -36,7 +36,7 @@ pub(super) fn key(state: &mut AppState, mut picker: LineTypePicker, key: KeyPres
 }
 
 /// The type under the cursor at the diameter typed, or why there is none.
-pub(in crate::tui) fn chosen(picker: &LineTypePicker) -> Result<LineProperties, String> {
+pub(crate) fn chosen(picker: &LineTypePicker) -> Result<LineProperties, String> {
     let line_type = LINE_TYPES.get(picker.cursor);
     let line_type = line_type.ok_or_else(|| "No line type is chosen.".to_owned())?;
     let line = nominal_diameter(picker.input.value());

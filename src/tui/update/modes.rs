@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use crate::modes::LineModes;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::AppState;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::AppState;
 
 /// Asks for the modes of the edited case, where they are seen and not known.
 pub(super) fn follow(state: &mut AppState) -> Option<Effect> {

@@ -1,9 +1,9 @@
 //! Cursors: how far a command moves one in a list, a table or a chart.
 
-use crate::tui::command::CommandId;
-use crate::tui::plot_pane::{PlotVerb, Stride};
-use crate::tui::state::AppState;
-use crate::tui::table_pane::TableVerb;
+use crate::command::CommandId;
+use crate::plot_pane::{PlotVerb, Stride};
+use crate::state::AppState;
+use crate::table_pane::TableVerb;
 
 /// Moves a cursor in a list of so many lines.
 #[must_use]

@@ -1,7 +1,7 @@
 //! Messages to the user, as the result of a command.
 
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Severity};
+use crate::msg::Effect;
+use crate::state::{AppState, Severity};
 
 /// Says something that goes away with the next key.
 pub fn info(state: &mut AppState, text: impl Into<String>) -> Vec<Effect> {

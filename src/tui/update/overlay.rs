@@ -10,16 +10,16 @@ use super::{
     resume, run_table, runs, studies, sweeps, tables, trials, tutorial, vary,
 };
 use crate::chart::Glyphs;
+use crate::command::CommandId;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::panes;
 use crate::report::document::ReportFormat;
-use crate::tui::command::CommandId;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::panes;
-use crate::tui::state::command_line::CommandLine;
-use crate::tui::state::parameter_editor::AfterSave;
-use crate::tui::state::{AppState, Filter, Overlay, PromptPurpose, Question};
-use crate::tui::view::last_scroll;
+use crate::state::command_line::CommandLine;
+use crate::state::parameter_editor::AfterSave;
+use crate::state::{AppState, Filter, Overlay, PromptPurpose, Question};
+use crate::view::last_scroll;
 use crate::visible;
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {

@@ -7,12 +7,12 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::jobs::overrides;
 use super::notice::{info, warn};
 use crate::case::stand_alone;
+use crate::msg::{ComparedRun, Effect, StudyOf, StudyRequest};
+use crate::result_lines::{shown_run, solved_run};
+use crate::state::line::RunningStudy;
+use crate::state::{AppState, Document, Overlay, RunEntry};
 use crate::study::points::BaseCase;
 use crate::table::Table;
-use crate::tui::msg::{ComparedRun, Effect, StudyOf, StudyRequest};
-use crate::tui::result_lines::{shown_run, solved_run};
-use crate::tui::state::line::RunningStudy;
-use crate::tui::state::{AppState, Document, Overlay, RunEntry};
 
 /// Columns of a page: what the box over the screen has inside.
 fn width(state: &AppState) -> usize {
@@ -154,7 +154,7 @@ pub(super) fn opened(
 }
 
 /// Writes a page to a file named after the case.
-pub(super) fn write(state: &AppState, title: &str, text: &str) -> Vec<Effect> {
+pub fn write(state: &AppState, title: &str, text: &str) -> Vec<Effect> {
     let stem = state.editor().map_or("page", |editor| editor.stem());
     let words: String = title
         .chars()

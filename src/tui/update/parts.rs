@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::parts::{Part, PartKey, PartView};
-use crate::tui::state::value_check::{ValidationTable, ValueCheck};
-use crate::tui::state::{AppState, Document};
-use crate::tui::view::layout;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::parts::{Part, PartKey, PartView};
+use crate::state::value_check::{ValidationTable, ValueCheck};
+use crate::state::{AppState, Document};
+use crate::view::layout;
 
 /// The part that a pane shows, if any.
 #[must_use]

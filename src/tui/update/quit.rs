@@ -8,10 +8,10 @@ use tui_input::Input;
 
 use super::notice::{info, warn};
 use super::{edit, job_processes, jobs, tables};
-use crate::tui::msg::Effect;
-use crate::tui::state::parameter_editor::AfterSave;
-use crate::tui::state::reading::SavedRows;
-use crate::tui::state::{
+use crate::msg::Effect;
+use crate::state::parameter_editor::AfterSave;
+use crate::state::reading::SavedRows;
+use crate::state::{
     AppState, Filter, JobLine, JobPurpose, JobState, Overlay, ParameterEditor, PromptPurpose,
     Question, Severity,
 };

@@ -1,10 +1,10 @@
 //! The results beside the inputs: which, and what they are held against.
 
 use super::notice::info;
+use crate::msg::Effect;
+use crate::result_lines::{shown_run, solved_run};
+use crate::state::AppState;
 use crate::study::results::main_results;
-use crate::tui::msg::Effect;
-use crate::tui::result_lines::{shown_run, solved_run};
-use crate::tui::state::AppState;
 
 /// The most results beside the inputs.
 const MOST: usize = 5;

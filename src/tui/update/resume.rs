@@ -6,8 +6,8 @@ use tui_input::Input;
 
 use super::jobs::{queue, start_newest};
 use super::notice::info;
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, JobRequest, JobState, Overlay, PromptPurpose, RunStatus};
+use crate::msg::Effect;
+use crate::state::{AppState, JobRequest, JobState, Overlay, PromptPurpose, RunStatus};
 
 /// Asks for the end of the run under the cursor.
 pub fn ask(state: &mut AppState) -> Vec<Effect> {

@@ -7,15 +7,15 @@ use tui_input::Input;
 use super::edit;
 use super::jobs::{queue, start_newest};
 use super::notice::{info, warn};
+use crate::msg::{Effect, RunCaseUse};
+use crate::pane::PaneId;
 use crate::run::job::Request;
-use crate::system::motion::job::SystemRequest;
-use crate::tui::msg::{Effect, RunCaseUse};
-use crate::tui::pane::PaneId;
-use crate::tui::state::overlay::RunText;
-use crate::tui::state::{
+use crate::state::overlay::RunText;
+use crate::state::{
     AppState, DocumentContent, JobRequest, Overlay, ParameterEditor, PromptPurpose, Question,
     RunEntry, RunStatus,
 };
+use crate::system::motion::job::SystemRequest;
 
 /// Marks the run under the cursor for what is done to several, or takes the mark off.
 pub fn mark(state: &mut AppState) {

@@ -8,17 +8,17 @@ use super::job_processes;
 use super::motion::moved;
 use super::notice::info;
 use crate::case::{ChannelQuantity, TextDigest};
+use crate::facade;
+use crate::msg::{Effect, RunsFound};
 use crate::run::Run;
 use crate::run::index::SyncProgress;
-use crate::study::results::main_results;
-use crate::system::network::Network;
-use crate::tui::facade;
-use crate::tui::msg::{Effect, RunsFound};
-use crate::tui::state::line::PlannedWork;
-use crate::tui::state::{
+use crate::state::line::PlannedWork;
+use crate::state::{
     AppState, Document, DocumentContent, JobNumber, JobState, RunCurves, RunEntry, RunOrigin,
     RunStatus, RunsView, Severity, VariantPlan,
 };
+use crate::study::results::main_results;
+use crate::system::network::Network;
 
 /// Stores the live run.
 pub(super) fn keep(state: &AppState) -> Vec<Effect> {

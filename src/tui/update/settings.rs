@@ -3,9 +3,9 @@
 use std::sync::Arc;
 
 use super::notice::info;
-use crate::tui::msg::Effect;
-use crate::tui::settings::{Settings, keys_file};
-use crate::tui::state::{AppState, Overlay, Severity};
+use crate::msg::Effect;
+use crate::settings::{Settings, keys_file};
+use crate::state::{AppState, Overlay, Severity};
 
 /// Takes what the files set as the program starts: what is wrong is shown, what is not is in force.
 pub fn begin(state: &mut AppState, settings: Settings) {

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use crate::msg::Effect;
 use crate::physics::sea::DEGREES;
 use crate::ship::DynamicAnalysis;
-use crate::tui::msg::Effect;
-use crate::tui::state::ship::ShipAtSea;
-use crate::tui::state::value_check::ValidationTable;
-use crate::tui::state::{AppState, Document, DocumentContent, DocumentKind, ShipView};
+use crate::state::ship::ShipAtSea;
+use crate::state::value_check::ValidationTable;
+use crate::state::{AppState, Document, DocumentContent, DocumentKind, ShipView};
 
 fn ship(document: &mut Document) -> Option<&mut ShipView> {
     match &mut document.content {

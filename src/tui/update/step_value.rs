@@ -3,9 +3,9 @@
 use super::edit::set;
 use super::notice::info;
 use crate::case::fields::ValueType;
-use crate::tui::facade::FieldRow;
-use crate::tui::msg::Effect;
-use crate::tui::state::AppState;
+use crate::facade::FieldRow;
+use crate::msg::Effect;
+use crate::state::AppState;
 
 /// A number is stepped by a power of ten between a two-hundredth and a twentieth of it.
 const PART: f64 = 20.0;

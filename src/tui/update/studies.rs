@@ -3,13 +3,11 @@
 use super::jobs::{enqueue, start_waiting};
 use super::notice::info;
 use super::runs;
-use crate::tui::facade;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::line::PlannedWork;
-use crate::tui::state::{
-    AppState, JobState, LineView, Overlay, RunEntry, RunStatus, Severity, Variant,
-};
+use crate::facade;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::line::PlannedWork;
+use crate::state::{AppState, JobState, LineView, Overlay, RunEntry, RunStatus, Severity, Variant};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {

@@ -7,13 +7,13 @@ use super::notice::{info, warn};
 use super::runs;
 use super::sweeps::sweeps_mut;
 use crate::case::TextDigest;
+use crate::command::CommandId;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::sweeps::{CellList, OpenSweep, SweepTab};
+use crate::state::{AppState, Filter, JobState, RunEntry, RunOrigin, RunStatus};
 use crate::study::load_case_table::{HeatMapChoice, Reduction};
-use crate::tui::command::CommandId;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::sweeps::{CellList, OpenSweep, SweepTab};
-use crate::tui::state::{AppState, Filter, JobState, RunEntry, RunOrigin, RunStatus};
-use crate::tui::table_pane::TableVerb;
+use crate::table_pane::TableVerb;
 
 /// Shows the result so many places further on.
 pub fn turn_result(state: &mut AppState, by: isize) {

@@ -6,15 +6,13 @@ use super::job_processes;
 use super::jobs::{self, job_line};
 use super::notice::{info, warn};
 use crate::kinds::FileType;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
+use crate::state::sweeps::{OpenSweep, SweepComparison, SweepJob, SweepRead, SweepTab, SweepsView};
+use crate::state::{AppState, JobLine, JobNumber, JobPurpose, JobState, Severity};
 use crate::study::sweep::{SweepEntry, SweepProgress};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::sweep_request::{SweepEffect, SweepMsg, SweepRequest};
-use crate::tui::state::sweeps::{
-    OpenSweep, SweepComparison, SweepJob, SweepRead, SweepTab, SweepsView,
-};
-use crate::tui::state::{AppState, JobLine, JobNumber, JobPurpose, JobState, Severity};
-use crate::tui::view::layout;
+use crate::view::layout;
 use crate::visible;
 
 /// Asks for the stored sweeps of what is open.

@@ -4,14 +4,14 @@ use std::borrow::Cow;
 
 use super::motion::table_verb;
 use super::notice::info;
+use crate::command::CommandId;
+use crate::msg::Effect;
+use crate::pane::PaneId;
+use crate::run_cells::plain_head;
+use crate::run_columns;
+use crate::state::{AppState, Filter, Overlay, RunColumn, RunsView};
 use crate::table::explanations;
-use crate::tui::command::CommandId;
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::run_cells::plain_head;
-use crate::tui::run_columns;
-use crate::tui::state::{AppState, Filter, Overlay, RunColumn, RunsView};
-use crate::tui::table_pane::{TablePane, TableVerb};
+use crate::table_pane::{TablePane, TableVerb};
 
 /// Commands that need a table.
 pub const OF_TABLE: [CommandId; 6] = [

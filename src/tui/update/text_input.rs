@@ -2,7 +2,7 @@
 
 use tui_input::{Input, InputRequest};
 
-use crate::tui::key::KeyPress;
+use crate::key::KeyPress;
 
 /// Edits the line; false when the key is no editing key.
 pub(super) fn type_key(input: &mut Input, key: KeyPress) -> bool {

@@ -3,11 +3,11 @@
 use super::jobs;
 use super::notice::info;
 use crate::case;
+use crate::msg::Effect;
+use crate::state::trials::{TrialProgress, Trials, TrialsOf};
+use crate::state::{AppState, JobNumber, JobPurpose, JobState};
 use crate::study::tally;
-use crate::tui::msg::Effect;
-use crate::tui::state::trials::{TrialProgress, Trials, TrialsOf};
-use crate::tui::state::{AppState, JobNumber, JobPurpose, JobState};
-use crate::tui::table_pane::TablePane;
+use crate::table_pane::TablePane;
 
 /// Shows the trials of the open case, or those of all cases listed; computes them unless they are done or running.
 pub fn show(state: &mut AppState) -> Vec<Effect> {

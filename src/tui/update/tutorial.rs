@@ -1,9 +1,9 @@
 //! The tutorial: begun, left, and led from step to step by what the user does.
 
 use super::notice::info;
-use crate::tui::msg::Effect;
-use crate::tui::state::{AppState, Severity};
-use crate::tui::tutorial::{COUNT, Tutorial};
+use crate::msg::Effect;
+use crate::state::{AppState, Severity};
+use crate::tutorial::{COUNT, Tutorial};
 
 /// Begins the tutorial where it was left, or leaves it.
 pub(super) fn turn(state: &mut AppState) -> Vec<Effect> {

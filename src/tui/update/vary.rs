@@ -7,15 +7,15 @@ use super::notice::info;
 use super::{edit, jobs, runs, studies};
 use crate::case::fields::{Field, ValueType};
 use crate::case::{self, StudyValue, TextDigest};
+use crate::msg::Effect;
+use crate::pane::PaneId;
 use crate::run::job::Request;
-use crate::study::points::{BaseCase, Setting};
-use crate::study::vary::{Variation, VariationError, VariedKey};
-use crate::tui::msg::Effect;
-use crate::tui::pane::PaneId;
-use crate::tui::state::{
+use crate::state::{
     AppState, Document, JobRequest, KeptRange, Overlay, ParameterEditor, Question, RunEntry,
     Severity, VariedRuns,
 };
+use crate::study::points::{BaseCase, Setting};
+use crate::study::vary::{Variation, VariationError, VariedKey};
 
 /// More runs than this are asked about first.
 const MANY: usize = 200;

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use super::edit;
 use super::notice::warn;
-use crate::tui::msg::Effect;
-use crate::tui::state::AppState;
+use crate::msg::Effect;
+use crate::state::AppState;
 use crate::visible;
 
 /// Asks to watch what is open, or the directory listed, where that is another than before.

@@ -4,8 +4,8 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::paint::{below_head, row, span, wrap};
 use super::painter::Painter;
-use crate::tui::state::form::{Form, FormLine};
-use crate::tui::state::picker::Picker;
+use crate::state::form::{Form, FormLine};
+use crate::state::picker::Picker;
 
 /// Size of the box of a list.
 const PICKER: (u16, u16) = (90, 20);

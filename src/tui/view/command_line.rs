@@ -4,12 +4,12 @@ use ratatui::layout::{Constraint, Layout, Rect};
 
 use super::paint::{below_head, row, wrap};
 use super::painter::Painter;
-use crate::tui::bindings::BoundCommand;
-use crate::tui::command_line::arguments::meaning;
-use crate::tui::command_line::candidates::{Argument, Candidate, candidates};
-use crate::tui::command_line::{LineWord, typed};
-use crate::tui::panes;
-use crate::tui::state::command_line::CommandLine;
+use crate::bindings::BoundCommand;
+use crate::command_line::arguments::meaning;
+use crate::command_line::candidates::{Argument, Candidate, candidates};
+use crate::command_line::{LineWord, typed};
+use crate::panes;
+use crate::state::command_line::CommandLine;
 
 /// Size of its box.
 const SIZE: (u16, u16) = (90, 20);
@@ -55,7 +55,7 @@ impl Painter<'_> {
     /// Keys and meaning; a command that cannot be done now says why.
     fn command_line(&mut self, at: Rect, command: &BoundCommand, selected: bool) {
         let doc = self.state.worded(command.doc);
-        let name = crate::tui::bindings::names::name(command.id);
+        let name = crate::bindings::names::name(command.id);
         let words = match panes::enabled(self.state, command.id) {
             Ok(()) => doc,
             Err(why) => format!("{doc} (not now: {why})"),

@@ -5,11 +5,11 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
+use crate::pane::PaneId;
+use crate::panes::results;
 use crate::report::figures::FigureId;
-use crate::tui::pane::PaneId;
-use crate::tui::panes::results;
-use crate::tui::state::AppState;
-use crate::tui::tutorial;
+use crate::state::AppState;
+use crate::tutorial;
 
 /// The smallest screen that is drawn.
 pub const SMALLEST: (u16, u16) = (40, 10);

@@ -6,8 +6,8 @@ use super::paint::{row, wrap};
 use super::painter::Painter;
 use crate::line_types::{LINE_TYPES, LineProperties};
 use crate::number::{digits, si};
-use crate::tui::state::overlay::LineTypePicker;
-use crate::tui::update::line_types::chosen;
+use crate::state::overlay::LineTypePicker;
+use crate::update::line_types::chosen;
 
 /// Size of the box, and lines for the properties below the list.
 const SIZE: (u16, u16) = (96, 26);

@@ -8,14 +8,14 @@ use unicode_width::UnicodeWidthStr;
 
 use super::paint::{over, row, wrap};
 use super::painter::Painter;
+use crate::bindings::BoundCommand;
+use crate::bindings::names::name;
 use crate::chart::marker;
-use crate::tui::bindings::BoundCommand;
-use crate::tui::bindings::names::name;
-use crate::tui::column_plot::ColumnPair;
-use crate::tui::fuzzy::FuzzyFilter;
-use crate::tui::state::overlay::RunText;
-use crate::tui::state::{AppState, Filter, Overlay, PromptPurpose, Question};
-use crate::tui::{panes, plots};
+use crate::column_plot::ColumnPair;
+use crate::fuzzy::FuzzyFilter;
+use crate::state::overlay::RunText;
+use crate::state::{AppState, Filter, Overlay, PromptPurpose, Question};
+use crate::{panes, plots};
 
 /// Columns of the help, and size of the box of messages.
 const HELP: u16 = 96;
@@ -23,7 +23,7 @@ const MESSAGES: (u16, u16) = (100, 20);
 
 /// The furthest that an overlay scrolls: its last line is at its foot.
 #[must_use]
-pub(in crate::tui) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize {
+pub(crate) fn last_scroll(state: &AppState, overlay: &Overlay) -> usize {
     let (columns, rows) = state.size;
     let (lines, most) = match overlay {
         Overlay::Help { filter, .. } => {

@@ -16,13 +16,7 @@ use crate::visible;
 use crate::wrap::WideWords;
 
 /// Writes text from a column on, at most so many columns; returns the column after it.
-pub(in crate::tui) fn text(
-    buf: &mut Buffer,
-    at: (u16, u16),
-    width: u16,
-    words: &str,
-    style: Style,
-) -> u16 {
+pub(crate) fn text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, style: Style) -> u16 {
     if !buf.area().contains(at.into()) {
         return at.0;
     }
@@ -52,7 +46,7 @@ fn ascii_text(buf: &mut Buffer, at: (u16, u16), width: u16, words: &str, style: 
 }
 
 /// The text as far as it fits, with a mark at its end where it is cut.
-pub(in crate::tui) fn cut(words: &str, width: usize, glyphs: Glyphs) -> Cow<'_, str> {
+pub(crate) fn cut(words: &str, width: usize, glyphs: Glyphs) -> Cow<'_, str> {
     // What is only blank at its end loses nothing.
     if words.width() <= width || words.trim_end().width() <= width {
         return Cow::Borrowed(words);
@@ -74,7 +68,7 @@ pub(in crate::tui) fn cut(words: &str, width: usize, glyphs: Glyphs) -> Cow<'_, 
 
 /// The tabs that are seen of those of these widths: all, or as many as fit around the selected one beside the marks that there
 /// are more.
-pub(in crate::tui) fn tabs_seen(widths: &[usize], selected: usize, room: usize) -> Range<usize> {
+pub(crate) fn tabs_seen(widths: &[usize], selected: usize, room: usize) -> Range<usize> {
     let needed = |seen: &Range<usize>| {
         let columns = widths[seen.clone()].iter().sum::<usize>() + usize::from(seen.start > 0);
         // The blank behind the last of all is not needed.
@@ -94,7 +88,7 @@ pub(in crate::tui) fn tabs_seen(widths: &[usize], selected: usize, room: usize) 
 }
 
 /// Writes text that ends at the right edge of a line.
-pub(in crate::tui) fn right(buf: &mut Buffer, line: Rect, words: &str, style: Style) {
+pub(crate) fn right(buf: &mut Buffer, line: Rect, words: &str, style: Style) {
     let width = u16::try_from(words.width())
         .unwrap_or(u16::MAX)
         .min(line.width);
@@ -102,7 +96,7 @@ pub(in crate::tui) fn right(buf: &mut Buffer, line: Rect, words: &str, style: St
 }
 
 /// A row of an area, counted from the top.
-pub(in crate::tui) fn row(area: Rect, index: u16) -> Rect {
+pub(crate) fn row(area: Rect, index: u16) -> Rect {
     if index >= area.height {
         return Rect::new(area.x, area.y, 0, 0);
     }
@@ -110,29 +104,29 @@ pub(in crate::tui) fn row(area: Rect, index: u16) -> Rect {
 }
 
 /// A part of a line: from so many columns after its beginning, at most so wide.
-pub(in crate::tui) fn span(line: Rect, from: u16, width: u16) -> Rect {
+pub(crate) fn span(line: Rect, from: u16, width: u16) -> Rect {
     Rect::new(line.x.saturating_add(from), line.y, width, line.height).intersection(line)
 }
 
 /// The rest of a line from a column of the screen on.
-pub(in crate::tui) fn rest(line: Rect, column: u16) -> Rect {
+pub(crate) fn rest(line: Rect, column: u16) -> Rect {
     span(line, column.saturating_sub(line.x), u16::MAX)
 }
 
 /// The first row of an area, and the others.
-pub(in crate::tui) fn below_head(area: Rect) -> [Rect; 2] {
+pub(crate) fn below_head(area: Rect) -> [Rect; 2] {
     Layout::vertical([Constraint::Length(1), Constraint::Min(0)]).areas(area)
 }
 
 /// The first line to show so that the cursor is seen, with lines around it where there are any.
-pub(in crate::tui) fn first_line(cursor: usize, lines: usize, height: usize) -> usize {
+pub(crate) fn first_line(cursor: usize, lines: usize, height: usize) -> usize {
     cursor
         .saturating_sub(height / 2)
         .min(lines.saturating_sub(height))
 }
 
 /// The characters of frames.
-pub(in crate::tui) fn border(glyphs: Glyphs) -> border::Set<'static> {
+pub(crate) fn border(glyphs: Glyphs) -> border::Set<'static> {
     match glyphs {
         Glyphs::Braille => border::PLAIN,
         Glyphs::Ascii => border::Set {
@@ -149,7 +143,7 @@ pub(in crate::tui) fn border(glyphs: Glyphs) -> border::Set<'static> {
 }
 
 /// A frame with a title; returns its inside.
-pub(in crate::tui) fn framed(
+pub(crate) fn framed(
     buf: &mut Buffer,
     area: Rect,
     title: &str,
@@ -166,7 +160,7 @@ pub(in crate::tui) fn framed(
 }
 
 /// A box over the middle of the screen, at most so large; returns its inside.
-pub(in crate::tui) fn over(
+pub(crate) fn over(
     buf: &mut Buffer,
     screen: Rect,
     size: (u16, u16),
@@ -186,12 +180,12 @@ pub(in crate::tui) fn over(
 }
 
 /// Breaks text into lines of a width, between words where it can.
-pub(in crate::tui) fn wrap(words: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrap(words: &str, width: usize) -> Vec<String> {
     crate::wrap::wrap(words, width, WideWords::Broken)
 }
 
 /// Replaces what ASCII lacks, on the whole screen: text of case files may hold anything.
-pub(in crate::tui) fn only_ascii(buf: &mut Buffer) {
+pub(crate) fn only_ascii(buf: &mut Buffer) {
     for cell in &mut buf.content {
         if !cell.symbol().is_ascii() {
             let first = ascii(cell.symbol()).chars().next().unwrap_or('?');

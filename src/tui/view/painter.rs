@@ -9,12 +9,12 @@ use unicode_width::UnicodeWidthStr;
 use super::paint::{below_head, cut, first_line, rest, right, row, span, tabs_seen, text, wrap};
 use crate::chart::{Chart, Glyphs};
 use crate::plain::ascii;
+use crate::plot_pane::draw_chart;
+use crate::state::parts::{Part, PartView};
+use crate::state::{AppState, Filter};
 use crate::table::Table;
-use crate::tui::plot_pane::draw_chart;
-use crate::tui::state::parts::{Part, PartView};
-use crate::tui::state::{AppState, Filter};
-use crate::tui::table_pane::TablePane;
-use crate::tui::theme::Theme;
+use crate::table_pane::TablePane;
+use crate::theme::Theme;
 use crate::visible;
 
 /// What drawing a pane needs.

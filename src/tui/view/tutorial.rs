@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 
 use super::paint::{row, wrap};
 use super::painter::Painter;
-use crate::tui::tutorial::COUNT;
+use crate::tutorial::COUNT;
 
 impl Painter<'_> {
     /// Draws the strip below the rest of the screen, where there is room for it.

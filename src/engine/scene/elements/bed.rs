@@ -30,17 +30,17 @@ pub struct BedContact {
 }
 
 /// The half of a segment at one of its nodes, and what acts on it beside the bed.
-pub(in crate::engine::scene) struct HalfSegment {
+pub(in crate::scene) struct HalfSegment {
     /// The segment.
-    pub(in crate::engine::scene) segment: usize,
+    pub(in crate::scene) segment: usize,
     /// The node.
-    pub(in crate::engine::scene) node: usize,
+    pub(in crate::scene) node: usize,
     /// Unit vector along the segment.
-    pub(in crate::engine::scene) tangent: V3,
+    pub(in crate::scene) tangent: V3,
     /// Pull of the segment on the node \[N\].
-    pub(in crate::engine::scene) pull: V3,
+    pub(in crate::scene) pull: V3,
     /// Weight, drag and (negative) inertia of the half \[N\].
-    pub(in crate::engine::scene) load: V3,
+    pub(in crate::scene) load: V3,
 }
 
 /// The bed of the case.
@@ -253,7 +253,7 @@ impl BedContact {
     }
 
     /// Speed of full slip \[m/s\], for friction that depends on velocity.
-    pub(in crate::engine::scene) fn slip_speed(&self) -> Option<f64> {
+    pub(in crate::scene) fn slip_speed(&self) -> Option<f64> {
         match self.seabed.friction?.law {
             FrictionModel::Regularised(slip) => Some(slip),
             FrictionModel::ElasticPlastic(_) => None,
@@ -262,13 +262,13 @@ impl BedContact {
 
     /// Normal contact force on node i.
     #[inline]
-    pub(in crate::engine::scene) fn push(&self, i: usize, state: &State) -> BedReaction {
+    pub(in crate::scene) fn push(&self, i: usize, state: &State) -> BedReaction {
         self.seabed
             .push(&state.x[i], &state.v[i], self.footprint[i])
     }
 
     /// Normal contact force and friction on node i \[N\].
-    pub(in crate::engine::scene) fn force(&self, i: usize, state: &State) -> V3 {
+    pub(in crate::scene) fn force(&self, i: usize, state: &State) -> V3 {
         let push = self.push(i, state);
         if push.force <= 0.0 {
             return V3::zeros();
@@ -284,7 +284,7 @@ impl BedContact {
     }
 
     /// Friction springs without force at these positions; none for other laws.
-    pub(in crate::engine::scene) fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
+    pub(in crate::scene) fn grips_at(&self, nodes: &[V3]) -> Vec<FrictionAnchor> {
         let Some((_, stiffness)) = self.friction_springs() else {
             return Vec::new();
         };
@@ -308,7 +308,7 @@ impl BedContact {
     /// its footprint, but no more than bears the load of the half across it. What the bed bears beyond that is a body at the
     /// node, or a line that stands on its end: no tension. An end held on the bed has no penetration: see
     /// [`BedContact::force_on_end`].
-    pub(in crate::engine::scene) fn reaction_on_half(&self, half: &HalfSegment, at: At<'_>) -> V3 {
+    pub(in crate::scene) fn reaction_on_half(&self, half: &HalfSegment, at: At<'_>) -> V3 {
         if self.end_held_on_bed(half.node, at).is_some() {
             return self.force_on_end(half.node, (&half.pull, &half.load), at);
         }
@@ -347,7 +347,7 @@ impl BedContact {
     /// Reaction of the bed on the first or last node \[N\], from the tension of its segment and the other load on it. Where an
     /// end is held on the bed, the bed bears the load normal to it, with the friction of the neighbouring node, no more than
     /// resists.
-    pub(in crate::engine::scene) fn force_on_end(
+    pub(in crate::scene) fn force_on_end(
         &self,
         node: usize,
         (pull, load): (&V3, &V3),
@@ -380,7 +380,7 @@ impl BedContact {
     }
 
     /// Energy of the normal springs \[J\].
-    pub(in crate::engine::scene) fn energy(&self, state: &State) -> f64 {
+    pub(in crate::scene) fn energy(&self, state: &State) -> f64 {
         let nodes = state.x.iter().zip(&self.footprint);
         nodes.map(|(x, area)| self.energy_under(x, *area)).sum()
     }
@@ -392,7 +392,7 @@ impl BedContact {
     }
 
     /// The first of these nodes that needs more than the friction there is: line pushed back along a slope, which slides.
-    pub(in crate::engine::scene) fn sliding_node(
+    pub(in crate::scene) fn sliding_node(
         &self,
         mut nodes: std::ops::Range<usize>,
         state: &State,

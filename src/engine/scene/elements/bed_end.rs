@@ -17,7 +17,7 @@ struct EndForceSlopes {
 impl BedContact {
     /// Where the first or last node is held on the bed, turns the row of its residual in the tangent into that of its negative end
     /// force with [`BedContact::force_on_end`]; elsewhere it is that already. `r` is its residual \[N\].
-    pub(in crate::engine::scene) fn linearise_end_force(
+    pub(in crate::scene) fn linearise_end_force(
         &self,
         at: At<'_>,
         node: usize,

@@ -182,7 +182,7 @@ impl BodyContact {
     }
 
     /// The history of bodies that nothing holds yet.
-    pub(in crate::engine::scene) fn history_at_start(&self, state: &State) -> Vec<BodyOnBed> {
+    pub(in crate::scene) fn history_at_start(&self, state: &State) -> Vec<BodyOnBed> {
         let at_start = |number: usize| {
             let history = self.history(number, state);
             BodyOnBed {
@@ -200,7 +200,7 @@ impl BodyContact {
     }
 
     /// The same without friction.
-    pub(in crate::engine::scene) fn without_friction(&self) -> Self {
+    pub(in crate::scene) fn without_friction(&self) -> Self {
         Self {
             seabed: ElasticBed {
                 friction: None,
@@ -211,14 +211,14 @@ impl BodyContact {
     }
 
     /// Normal force of the bed on a body by its number \[N\], negative where suction holds it.
-    pub(in crate::engine::scene) fn normal_force(&self, number: usize, state: &State) -> f64 {
+    pub(in crate::scene) fn normal_force(&self, number: usize, state: &State) -> f64 {
         let body = &self.bodies[number];
         let push = self.push(body, state);
         push.force - self.suction(body, state.memory.bodies.get(number), state).0
     }
 
     /// The same on all bodies at a node.
-    pub(in crate::engine::scene) fn normal_force_at(&self, node: usize, state: &State) -> f64 {
+    pub(in crate::scene) fn normal_force_at(&self, node: usize, state: &State) -> f64 {
         let here = self
             .bodies
             .iter()

@@ -146,7 +146,7 @@ impl FedEnd {
     /// Derivatives of the residuals of the end node and its neighbour by the length paid out, weighted by the factors; the push of
     /// a bed on these nodes is left out.
     #[must_use]
-    pub(in crate::engine::scene) fn by_length(&self, at: At<'_>, c: Factors) -> [V3; 2] {
+    pub(in crate::scene) fn by_length(&self, at: At<'_>, c: Factors) -> [V3; 2] {
         let (line, state) = (at.line, at.state);
         let (i, nodes) = (self.segment(line), self.nodes(line));
         let motion = self.motion(line, state);
@@ -192,7 +192,7 @@ impl FedEnd {
 
     /// The pull at the drum.
     #[must_use]
-    pub(in crate::engine::scene) fn drum_pull(&self, at: At<'_>, c: Factors) -> DrumPull {
+    pub(in crate::scene) fn drum_pull(&self, at: At<'_>, c: Factors) -> DrumPull {
         let (line, state) = (at.line, at.state);
         let [f, g] = self.nodes(line);
         let motion = self.motion(line, state);
@@ -442,7 +442,7 @@ impl Scene {
     }
 
     /// Energy that the springs of the bed gain as more line bears on them \[W\]: the power of no force.
-    pub(in crate::engine::scene) fn growth_on_bed(&self, bed: &BedContact, state: &State) -> f64 {
+    pub(in crate::scene) fn growth_on_bed(&self, bed: &BedContact, state: &State) -> f64 {
         let fed = self.elements.fed_ends.iter().flatten();
         fed.map(|fed| {
             let grows = 0.5 * fed.now.rate * fed.whole.bearing_width;

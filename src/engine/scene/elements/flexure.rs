@@ -162,12 +162,7 @@ impl Flexure {
     }
 
     /// Force of bending on the first or last node \[N\].
-    pub(in crate::engine::scene) fn end_force(
-        &self,
-        line: &LumpedLine,
-        node: usize,
-        state: &State,
-    ) -> V3 {
+    pub(in crate::scene) fn end_force(&self, line: &LumpedLine, node: usize, state: &State) -> V3 {
         let last = line.segments.len();
         let (end, i, sign) = if node == 0 {
             (0, 0, 1.0)
@@ -238,7 +233,7 @@ impl Flexure {
     }
 
     /// The direction of the line at a clamped end, from A to B.
-    pub(in crate::engine::scene) fn clamp_at(&self, node: usize) -> Option<V3> {
+    pub(in crate::scene) fn clamp_at(&self, node: usize) -> Option<V3> {
         let end = match node {
             0 => 0,
             node if node + 1 == self.joints.len() => 1,
@@ -313,7 +308,7 @@ impl Flexure {
 
     /// The same with every clamp turned by a share of the angle from the direction of the line in `start` to its own, in
     /// the plane of both; nothing without clamps.
-    pub(in crate::engine::scene) fn with_clamps(
+    pub(in crate::scene) fn with_clamps(
         &self,
         line: &LumpedLine,
         start: &State,
@@ -330,13 +325,13 @@ impl Flexure {
     }
 
     /// Whether neither shear nor curvature jumps at a node.
-    pub(in crate::engine::scene) fn is_even(&self, node: usize) -> bool {
+    pub(in crate::scene) fn is_even(&self, node: usize) -> bool {
         self.even[node]
     }
 
     /// The part of shear in the tensions along the chords of the segments before and after an inner node, by their length \[N/m\]: `Q k / 2`
     /// of the shear and the curvature there. Nothing beside a slack segment, along which no force is known.
-    pub(in crate::engine::scene) fn shear_in_tension(
+    pub(in crate::scene) fn shear_in_tension(
         &self,
         node: usize,
         before: f64,
@@ -434,10 +429,7 @@ impl Flexure {
 }
 
 /// Remarks on clamps at ends without bending stiffness, which have no effect.
-pub(in crate::engine::scene) fn clamps_without_effect(
-    case: &Case,
-    segments: &[Segment],
-) -> Vec<String> {
+pub(in crate::scene) fn clamps_without_effect(case: &Case, segments: &[Segment]) -> Vec<String> {
     let ends = [
         (&case.ends.a, segments.first()),
         (&case.ends.b, segments.last()),

@@ -81,7 +81,7 @@ impl Element for RigidPayload {
 }
 
 impl RigidPayload {
-    pub(in crate::engine::scene) fn at(&self, values: &[V3], place: f64) -> V3 {
+    pub(in crate::scene) fn at(&self, values: &[V3], place: f64) -> V3 {
         values[self.node] * (1.0 - place) + values[self.node + 1] * place
     }
 
@@ -103,7 +103,7 @@ impl RigidPayload {
     }
 
     /// Residual of the water and the spin at both nodes, at these accelerations \[N\].
-    pub(in crate::engine::scene) fn balance(
+    pub(in crate::scene) fn balance(
         &self,
         line: &LumpedLine,
         state: &State,
@@ -198,11 +198,7 @@ impl RigidPayload {
     }
 
     /// Mass matrix of both nodes, added mass included \[kg\].
-    pub(in crate::engine::scene) fn coupled_mass(
-        &self,
-        line: &LumpedLine,
-        state: &State,
-    ) -> Matrix6<f64> {
+    pub(in crate::scene) fn coupled_mass(&self, line: &LumpedLine, state: &State) -> Matrix6<f64> {
         let there = self.water_around(line, state);
         let t = &there.axis.tangent;
         let added = self.body.added.matrix(t) * there.wet.0;
@@ -223,18 +219,14 @@ impl RigidPayload {
     }
 
     /// Accelerations of both nodes by a force on the hang point \[1/kg\].
-    pub(in crate::engine::scene) fn inverse_mass(
-        &self,
-        line: &LumpedLine,
-        state: &State,
-    ) -> [M3; 2] {
+    pub(in crate::scene) fn inverse_mass(&self, line: &LumpedLine, state: &State) -> [M3; 2] {
         let inverse = self.coupled_mass(line, state).try_inverse();
         let inverse = inverse.unwrap_or_else(Matrix6::zeros);
         [0, 3].map(|row| inverse.fixed_view::<3, 3>(row, 0).into_owned())
     }
 
     /// Decay rate of the body by drag \[1/s\].
-    pub(in crate::engine::scene) fn decay(&self, line: &LumpedLine, state: &State) -> f64 {
+    pub(in crate::scene) fn decay(&self, line: &LumpedLine, state: &State) -> f64 {
         let mass = [line.mass[self.node], line.mass[self.node + 1]];
         let strips = self.strips(line, state);
         strips

@@ -8,7 +8,7 @@
 //! conserved. Drag acts by its own velocity, that along the line included. The impulse of a start without ramp and of a stop acts on
 //! its drive and not on the line: velocities of the nodes are continuous there, and steps end there.
 
-pub(in crate::engine::scene) mod path;
+pub(in crate::scene) mod path;
 
 use crate::case::Case;
 use crate::numerics::{BlockBand, M3, V3};
@@ -198,7 +198,7 @@ impl TravellingBody {
     }
 
     /// Its point on the path of the line at time t.
-    pub(in crate::engine::scene) fn path_point(
+    pub(in crate::scene) fn path_point(
         &self,
         line: &LumpedLine,
         t: f64,
@@ -209,7 +209,7 @@ impl TravellingBody {
     }
 
     /// Kinetic and potential energy \[J\], and the power that its drive and the water put into line and traveller \[W\].
-    pub(in crate::engine::scene) fn energy(&self, at: At<'_>) -> (f64, f64) {
+    pub(in crate::scene) fn energy(&self, at: At<'_>) -> (f64, f64) {
         let At { line, t, state } = at;
         let point = self.path_point(line, t, state);
         let (place, velocity) = (point.place(state), point.velocity(state));
@@ -223,7 +223,7 @@ impl TravellingBody {
     }
 
     /// Its load on a prescribed end while it is on the segment there \[N\].
-    pub(in crate::engine::scene) fn force_on(&self, node: usize, at: At<'_>) -> V3 {
+    pub(in crate::scene) fn force_on(&self, node: usize, at: At<'_>) -> V3 {
         let point = self.path_point(at.line, at.t, at.state);
         let on = point.nodes().filter(|(near, _)| *near == node);
         let share: f64 = on.map(|(_, by)| by.share).sum();
@@ -265,12 +265,7 @@ impl TravellingBody {
     }
 
     /// Its load on the line as a residual: m A and weight, less drag \[N\].
-    pub(in crate::engine::scene) fn load(
-        &self,
-        point: &PathPoint,
-        line: &LumpedLine,
-        state: &State,
-    ) -> V3 {
+    pub(in crate::scene) fn load(&self, point: &PathPoint, line: &LumpedLine, state: &State) -> V3 {
         let drag = self.drag_at(point, line, state).drag;
         point.acceleration(state) * self.mass + V3::z() * self.weight - drag
     }

@@ -64,7 +64,7 @@ pub(crate) fn is_of_check(key: &str, (by_rules, kind): (bool, Option<&str>)) -> 
 const OF_RULES: [&str; 5] = ["only", "of", "break_load_n", "diameter_m", "along"];
 
 /// Checks the checks of a file.
-pub(crate) fn of_checks(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
+pub fn of_checks(checks: &[(String, CheckKeys<'_>)]) -> Vec<Finding> {
     let mut found = same_names(checks);
     for (_, check) in checks {
         match (check.rules.is_given(), check.kind.is_given()) {

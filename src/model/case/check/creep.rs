@@ -11,7 +11,7 @@ use crate::physics::rope::working_curve::{CurveEnd, CurveShape, MeanCurve, Worki
 const PLACES: u32 = 50;
 
 /// Checks of a material's creep.
-pub(super) fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
+pub(crate) fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
     let mut found = without_effect(material);
     let Some(model) = material.creep_model.value() else {
         return found;

@@ -1,7 +1,7 @@
 //! The line as a whole: materials its sections name, names of sections, ends and bodies, floats and bodies inside their
 //! section or on the line.
 
-use super::names::{unknown, used_twice};
+use super::{unknown, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
 use crate::case::model::CaseKeys;
@@ -62,7 +62,7 @@ fn materials(case: &CaseKeys<'_>) -> Vec<Finding> {
     if case.place.node.get("materials").is_none() {
         return Vec::new();
     }
-    let known = super::paths::names(case.place.node, "materials");
+    let known = super::names(case.place.node, "materials");
     let sections = case.line.iter();
     sections
         .filter_map(|(_, section)| unknown(&section.material, &known, "material", "case"))

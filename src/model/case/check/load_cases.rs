@@ -1,6 +1,6 @@
 //! Tables of load cases: keys that exist, values that they take, rows that go together.
 
-use super::paths::existing;
+use super::existing;
 use crate::case::diagnostic::Finding;
 use crate::case::effective_inputs::NO_INPUTS;
 use crate::case::fields::{Field, Schema, ValueType, check_value};
@@ -11,7 +11,7 @@ use crate::case::tree::TomlNode;
 use crate::case::value_range::ValueRange;
 
 /// Checks the tables of load cases of a file with this schema.
-pub(crate) fn of_load_cases(
+pub fn of_load_cases(
     schema: &'static Schema,
     root: &TomlNode,
     tables: &[(String, LoadCaseKeys<'_>)],
@@ -119,7 +119,7 @@ fn probabilities(table: &LoadCaseKeys<'_>, count: Option<usize>) -> Option<Findi
 }
 
 /// Whether studies and load cases may set a key: it takes one number, or words that are an input.
-pub(crate) fn takes_values(path: &str, field: &Field) -> bool {
+pub fn takes_values(path: &str, field: &Field) -> bool {
     let mut tables = path.split('.');
     let is_input = tables
         .next()

@@ -96,7 +96,7 @@ fn without_file(current: &CurrentKeys<'_>) -> Option<Finding> {
 }
 
 /// Lists of the current go with a list of depths, as long, increasing; a file has all of it.
-pub(crate) fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
+pub fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
     if current.file.is_given() {
         let problem = "has no effect: the current is that of its file";
         let remedy = "remove it, or leave `file` out";
@@ -154,7 +154,7 @@ pub(crate) fn current(current: &CurrentKeys<'_>) -> Vec<Finding> {
 }
 
 /// A list of lengths must increase.
-pub(crate) fn increasing(key: &Key<'_, Vec<f64>>, what: &str, remedy: &str) -> Option<Finding> {
+pub fn increasing(key: &Key<'_, Vec<f64>>, what: &str, remedy: &str) -> Option<Finding> {
     let values = key.get()?;
     let at = values.windows(2).position(|pair| pair[1] <= pair[0])?;
     let problem = format!(
@@ -177,7 +177,7 @@ fn work(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// An interval \[s\] of output that would fill memory and disk before it helps anyone; `duration` in s.
-pub(crate) fn too_many_rows<T: KeyValue>(
+pub fn too_many_rows<T: KeyValue>(
     key: &Key<'_, T>,
     interval: Option<f64>,
     duration: f64,
@@ -193,7 +193,7 @@ pub(crate) fn too_many_rows<T: KeyValue>(
 }
 
 /// A time step \[s\] that would take very many steps; `duration` in s.
-pub(crate) fn too_many_steps<T: KeyValue>(
+pub fn too_many_steps<T: KeyValue>(
     key: &Key<'_, T>,
     step: Option<f64>,
     duration: f64,

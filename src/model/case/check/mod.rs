@@ -1,16 +1,13 @@
-//! Checks of a case file. [`keys`] holds every table and value against its declaration; [`mod@line`], [`ends`], [`rope`],
+//! Checks of a case file. [`mod@line`], [`ends`], [`rope`],
 //! [`loads`], [`payload`], [`sea`], [`mod@solver`], [`start`], [`validation_data`] and [`trials`] hold typed values against each other. They pass
 //! over what is missing or faulty, so that everything is reported at once, each at its place.
 
 mod checks;
 mod creep;
 mod ends;
-mod keys;
 mod line;
 mod load_cases;
 mod loads;
-mod names;
-mod paths;
 mod payload;
 mod recorded;
 mod rope;
@@ -24,14 +21,17 @@ mod validation_data;
 use super::diagnostic::Finding;
 use super::model::CaseKeys;
 
-pub(crate) use checks::{is_of_check, of_checks};
-pub(crate) use keys::{check as check_keys, fields_here, subtable};
-pub(crate) use load_cases::{of_load_cases, takes_values, variable, varied};
-pub(crate) use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
-pub(crate) use names::{unknown, unknown_name, used_twice};
-pub(crate) use paths::{marks, unknown_path};
-pub(crate) use rope::of_material;
-pub(crate) use sea::of_waves;
+pub(crate) use checks::is_of_check;
+pub use checks::of_checks;
+pub use load_cases::{of_load_cases, takes_values};
+pub(crate) use load_cases::{variable, varied};
+pub use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
+pub use rope::of_material;
+pub use sea::of_waves;
+pub(crate) use seacable_keys::check::{
+    check_keys, existing, fields_here, marks, names, unknown, unknown_name, unknown_path,
+    used_twice,
+};
 
 /// Errors of the keys of a case against each other.
 pub(super) fn check(keys: &CaseKeys<'_>) -> Vec<Finding> {

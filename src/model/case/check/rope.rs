@@ -17,7 +17,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// Checks of one material.
-pub(crate) fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
+pub fn of_material(material: &MaterialKeys<'_>) -> Vec<Finding> {
     let mut found = table(material);
     found.extend(given_once(
         &material.ea_n,

@@ -11,7 +11,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 /// Checks of one wave system, over a sea bed or not.
-pub(crate) fn of_waves(waves: &WavesKeys<'_>, has_bed: bool) -> Vec<Finding> {
+pub fn of_waves(waves: &WavesKeys<'_>, has_bed: bool) -> Vec<Finding> {
     let twice = waves.depth_m.if_given(
         "the depth is given twice, here and by seabed.depth_m",
         "remove it: the waves feel the sea bed",

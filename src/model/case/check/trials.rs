@@ -1,7 +1,7 @@
 //! Trials of a hard case: what they set, which published values they name, which trial they repeat.
 
-use super::names::{unknown, unknown_name};
-use super::paths::unknown_path;
+use super::unknown_path;
+use super::{unknown, unknown_name};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::split;
 use crate::case::model::{CASE, CaseKeys, TrialKeys, field_at};

@@ -2,9 +2,9 @@
 
 use super::checks::of_checks;
 use super::load_cases::{of_load_cases, values, varied};
-use super::names::{unknown, unknown_name, used_twice};
 use super::recorded;
 use super::taken::{number as number_of, stretch, suits, window};
+use super::{unknown, unknown_name, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::number;
 use crate::case::model::{

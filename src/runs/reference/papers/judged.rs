@@ -116,7 +116,7 @@ fn by_rows(names: &[String], files: &[FileRows<'_>]) -> Answer {
 }
 
 /// The row of this name, given as file.toml: name.
-pub(crate) fn row<'a>(name: &str, files: &[FileRows<'a>]) -> Option<&'a ValidationRow> {
+pub fn row<'a>(name: &str, files: &[FileRows<'a>]) -> Option<&'a ValidationRow> {
     let (file, name) = name.split_once(": ")?;
     let file = files.iter().find(|f| f.file == file)?;
     file.rows.iter().find(|row| row.name == name)

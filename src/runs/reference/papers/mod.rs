@@ -6,7 +6,7 @@
 mod judged;
 mod model;
 
-pub(crate) use judged::row;
+pub use judged::row;
 pub use judged::{Answer, AnswerCounts, FileRows, JudgedStatement, count_answers, judge};
 pub use model::{Paper, PaperInfo, Statement};
 

@@ -7,15 +7,15 @@ use crate::run::job::Request;
 use crate::run::settings::method_name;
 
 /// A case as it reaches its accuracy, or comes nearest to it.
-pub(in crate::runs::run) struct Reached {
+pub(in crate::run) struct Reached {
     /// The request with the mesh and the steps found.
-    pub(in crate::runs::run) request: Request,
+    pub(in crate::run) request: Request,
     /// Its run with the errors; absent where none shows them.
-    pub(in crate::runs::run) run: Option<EstimatedRun>,
+    pub(in crate::run) run: Option<EstimatedRun>,
     /// What was asked, found and reached, in words.
-    pub(in crate::runs::run) words: String,
+    pub(in crate::run) words: String,
     /// Why it was not reached.
-    pub(in crate::runs::run) failure: Option<String>,
+    pub(in crate::run) failure: Option<String>,
 }
 
 /// The request with what was found, and what that is in words.

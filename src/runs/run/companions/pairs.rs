@@ -5,7 +5,7 @@ use crate::case::{Case, DragCoefficient, DragLawName, Method};
 use crate::dynamics::march::March;
 
 /// The order where a force jumps.
-pub(in crate::runs::run) const CRISIS: f64 = 1.5;
+pub(in crate::run) const CRISIS: f64 = 1.5;
 
 /// Steps of a companion by those of the next finer one, where its method is implicit.
 pub(super) const LONGER: f64 = 3.0;
@@ -43,7 +43,7 @@ impl Pairs {
 
 /// What a companion is coarser in than the next finer one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::runs::run) enum Coarsening {
+pub(in crate::run) enum Coarsening {
     /// Steps twice as long.
     Steps,
     /// Half the segments on every section.
@@ -52,7 +52,7 @@ pub(in crate::runs::run) enum Coarsening {
 
 impl Coarsening {
     /// Its word in `solver.companions`.
-    pub(in crate::runs::run) const fn word(self) -> &'static str {
+    pub(in crate::run) const fn word(self) -> &'static str {
         match self {
             Self::Steps => "steps",
             Self::Mesh => "mesh",
@@ -215,7 +215,7 @@ pub(super) fn order(case: &Case) -> Option<f64> {
 }
 
 /// Whether any drag coefficient of the line jumps with the speed.
-pub(in crate::runs::run) fn has_crisis(case: &Case) -> bool {
+pub(in crate::run) fn has_crisis(case: &Case) -> bool {
     case.line
         .iter()
         .filter_map(|section| case.materials.get(&section.material))

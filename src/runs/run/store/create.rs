@@ -78,7 +78,7 @@ fn below(
 }
 
 /// The case's file name without `.toml`, with only characters that no shell or file system minds.
-pub(crate) fn stem(case_file: &str) -> String {
+pub fn stem(case_file: &str) -> String {
     let name = Path::new(case_file)
         .file_stem()
         .map(|s| s.to_string_lossy().into_owned());
@@ -164,7 +164,7 @@ fn appear(
 }
 
 /// Removes what killed processes left of runs in the directory that a run goes into.
-pub(crate) fn remove_left_beside(dir: &Path) {
+pub fn remove_left_beside(dir: &Path) {
     strays::remove(&parent_of(dir), &FILES);
 }
 

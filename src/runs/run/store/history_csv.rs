@@ -49,7 +49,7 @@ pub fn write_history(history: &History) -> Result<Vec<u8>, StoreError> {
 
 /// The rows of `history.csv`.
 #[derive(Debug)]
-pub(in crate::runs::run) struct HistoryReader {
+pub(in crate::run) struct HistoryReader {
     csv: CsvReader,
     ids: Vec<ChannelId>,
     /// Columns of the time and of the channels.
@@ -59,7 +59,7 @@ pub(in crate::runs::run) struct HistoryReader {
 
 impl HistoryReader {
     /// Of the run in this directory. What is wrong with the file ends it early, see [`HistoryReader::problem`].
-    pub(in crate::runs::run) fn open(dir: &Path) -> Self {
+    pub(crate) fn open(dir: &Path) -> Self {
         let mut csv = CsvReader::open(dir, HISTORY);
         let mut columns = csv.require(&[TIME]);
         let channel = |name: &str| name.parse::<ChannelId>();
@@ -80,7 +80,7 @@ impl HistoryReader {
     }
 
     /// The same, which must be of these channels in this order.
-    pub(in crate::runs::run) fn of(dir: &Path, channels: &[ChannelId]) -> Result<Self, StoreError> {
+    pub(in crate::run) fn of(dir: &Path, channels: &[ChannelId]) -> Result<Self, StoreError> {
         let reader = Self::open(dir);
         // What cannot be read at all is told when a row is asked for.
         if reader.ids == channels || reader.csv.columns().is_empty() {
@@ -111,7 +111,7 @@ impl HistoryReader {
     }
 
     /// The next row: its time \[s\] and a value a channel.
-    pub(in crate::runs::run) fn next(&mut self) -> Option<(f64, &[f64])> {
+    pub(in crate::run) fn next(&mut self) -> Option<(f64, &[f64])> {
         let (line, fields) = self.csv.next()?;
         self.row.clear();
         let texts = self.columns.iter().map_while(|column| fields.get(*column));
@@ -130,7 +130,7 @@ impl HistoryReader {
     }
 
     /// That the rows do not reach so far \[s\], and why.
-    pub(in crate::runs::run) fn short_of(self, dir: &Path, until: f64) -> StoreError {
+    pub(in crate::run) fn short_of(self, dir: &Path, until: f64) -> StoreError {
         let why = self.problem().unwrap_or_default();
         StoreError::Damaged {
             file: dir.join(HISTORY),

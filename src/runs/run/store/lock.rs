@@ -8,12 +8,12 @@ use rustix::io::Errno;
 
 /// A lock on a run directory, released when dropped.
 #[derive(Debug)]
-pub(crate) struct DirectoryLock {
+pub struct DirectoryLock {
     _directory: File,
 }
 
 /// Locks a directory; `None` where the file system has no locks.
-pub(crate) fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
+pub fn lock_directory(dir: &Path) -> Option<DirectoryLock> {
     let directory = File::open(dir).ok()?;
     flock(&directory, FlockOperation::NonBlockingLockExclusive).ok()?;
     Some(DirectoryLock {

@@ -105,7 +105,7 @@ pub fn resume(dir: &Path) -> Result<ResumedRun, StoreError> {
 ///
 /// # Errors
 /// As [`resume`].
-pub(crate) fn sealed_checkpoint<C: DeserializeOwned>(
+pub fn sealed_checkpoint<C: DeserializeOwned>(
     dir: &Path,
 ) -> Result<(C, Result<(), StoreError>), StoreError> {
     let file = dir.join(CHECKPOINT);

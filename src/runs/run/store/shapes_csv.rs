@@ -40,7 +40,7 @@ pub(super) fn shape_rows(shape: &LineShape) -> String {
 
 /// The shapes of `shapes.csv`.
 #[derive(Debug)]
-pub(in crate::runs::run) struct ShapeReader {
+pub(in crate::run) struct ShapeReader {
     csv: CsvReader,
     /// Where the columns are, in the order of [`SHAPE_COLUMNS`].
     columns: Vec<usize>,
@@ -52,7 +52,7 @@ pub(in crate::runs::run) struct ShapeReader {
 
 impl ShapeReader {
     /// Of the run in this directory. What is wrong with the file ends it early, see [`ShapeReader::problem`].
-    pub(in crate::runs::run) fn open(dir: &Path) -> Self {
+    pub(crate) fn open(dir: &Path) -> Self {
         let mut csv = CsvReader::open(dir, SHAPES);
         csv.note_unknown(|name| SHAPE_COLUMNS.contains(&name));
         Self {
@@ -64,7 +64,7 @@ impl ShapeReader {
     }
 
     /// The next shape: a new one begins at node 0. A last shape with fewer nodes than the first is torn and left out.
-    pub(in crate::runs::run) fn next(&mut self) -> Option<LineShape> {
+    pub(in crate::run) fn next(&mut self) -> Option<LineShape> {
         while let Some((line, fields)) = self.csv.next() {
             let values = self.columns.iter().map(|at| parse(fields.get(*at)?));
             let values: Option<Vec<f64>> = values.collect();

@@ -40,7 +40,7 @@ impl Variant {
     }
 
     /// What a point or body of the system is called in it.
-    pub(super) fn part<'a>(&'a self, name: &'a str) -> &'a str {
+    pub fn part<'a>(&'a self, name: &'a str) -> &'a str {
         self.parts.get(name).map_or(name, String::as_str)
     }
 

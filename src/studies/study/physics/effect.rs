@@ -321,7 +321,7 @@ mod tests {
     fn effects_of_shipped_cases_are_left_out() {
         let mut seen = [0; SCENE_PARTS.len()];
         for (path, text) in SHIPPED {
-            let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/");
+            let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../cases/");
             let case = case::parse(text, &format!("{folder}{path}")).unwrap();
             for (place, part) in SCENE_PARTS.iter().enumerate() {
                 let mut without = case.clone();

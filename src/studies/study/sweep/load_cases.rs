@@ -23,7 +23,6 @@ pub struct SweepKind<'a> {
 ///
 /// # Errors
 /// What is wrong with one, or why they do not go together.
-#[expect(private_bounds)]
 pub fn load_cases<K: FileKind>(
     of: SweepKind<'_>,
     csv: &[(String, String)],

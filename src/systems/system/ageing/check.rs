@@ -5,7 +5,7 @@ use crate::case::{CreepModel, Finding, increasing, unknown};
 use crate::system::model::{AgeingKeys, CorrosionKeys, SystemKeys};
 
 /// Checks of the ageing of a system.
-pub(in crate::systems::system) fn ageing(keys: &SystemKeys<'_>) -> Vec<Finding> {
+pub(in crate::system) fn ageing(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let Some(ageing) = &keys.ageing else {
         return Vec::new();
     };

@@ -11,11 +11,7 @@ use crate::system::network::{Body, Network};
 use crate::system::pose::{Pose, cross};
 
 /// Added mass of the parts of the members in still water about the origin of their body, in the earth's axes \[kg, kg m, kg m²\].
-pub(in crate::systems::system) fn added_mass(
-    network: &Network,
-    body: &Body,
-    pose: &Pose,
-) -> Matrix6<f64> {
+pub(in crate::system) fn added_mass(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
     let mut mass = Matrix6::zeros();
     let moving = MovingPose::of(pose);
     for member in body.members.iter().filter(|member| !member.drag_only) {

@@ -6,7 +6,7 @@ use crate::system::network::{Body, Member, Network};
 
 /// The bed under the ends of a member, each a ball of its radius whose lowest point bears on it: a spring that gives way by a millimetre
 /// under the body's weight and pushes along the normal of the bed. Over a slope the height of that point is measured vertically.
-pub(in crate::systems::system) fn bed(
+pub(in crate::system) fn bed(
     network: &Network,
     body: &Body,
     member: &Member,

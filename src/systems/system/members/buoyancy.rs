@@ -75,7 +75,7 @@ impl Placed<'_> {
     }
 
     /// Volume in the water \[m³\].
-    pub(in crate::systems::system) fn volume_in_water(&self) -> f64 {
+    pub(in crate::system) fn volume_in_water(&self) -> f64 {
         self.immersed().0.re
     }
 
@@ -99,11 +99,7 @@ fn nothing() -> (Dual, DualVector) {
 }
 
 /// Buoyancy of a member, as far as it is in the water.
-pub(in crate::systems::system) fn buoyancy(
-    network: &Network,
-    placed: &Placed<'_>,
-    sum: &mut LoadSum,
-) {
+pub(in crate::system) fn buoyancy(network: &Network, placed: &Placed<'_>, sum: &mut LoadSum) {
     let (volume, moment) = placed.immersed();
     if volume.re == 0.0 {
         return;

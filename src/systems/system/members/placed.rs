@@ -7,7 +7,7 @@ use crate::system::body_loads::{Dual, DualVector, MovingPose, constant};
 use crate::system::network::Member;
 
 /// A member where it is, its lower end first.
-pub(in crate::systems::system) struct Placed<'a> {
+pub(in crate::system) struct Placed<'a> {
     /// From the origin of the body to its lower end.
     pub(super) arm: DualVector,
     /// Height of the lower end above the surface, and of the upper one above that.
@@ -30,7 +30,7 @@ pub(in crate::systems::system) struct Placed<'a> {
 
 impl<'a> Placed<'a> {
     /// A member at a pose; heights are above the surface of the waves at its stations.
-    pub(in crate::systems::system) fn of(
+    pub(in crate::system) fn of(
         member: &Member,
         pose: &MovingPose<'_>,
         waves: &'a [WaterMotion],

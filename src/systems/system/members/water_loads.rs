@@ -10,7 +10,7 @@ use crate::system::body_loads::{Dual, DualVector, LoadSum, MovingPose, near};
 use crate::system::network::{Member, Network};
 
 /// Drag by the velocity of the water relative to the member: across it on its part below the surface, and along it on its ends there.
-pub(in crate::systems::system) fn drag(
+pub(in crate::system) fn drag(
     network: &Network,
     member: &Member,
     pose: &MovingPose<'_>,
@@ -66,7 +66,7 @@ fn relative_velocity(
 /// Load of the acceleration of the water on the part of a member below the surface: the pressure of the undisturbed wave in all directions,
 /// and the added mass across the member and along it at its ends. With the buoyancy up to the surface of the wave, which counts its pressure at
 /// still water as that at rest, the pressure on the ends is complete.
-pub(in crate::systems::system) fn wave_inertia(
+pub(in crate::system) fn wave_inertia(
     network: &Network,
     member: &Member,
     pose: &MovingPose<'_>,

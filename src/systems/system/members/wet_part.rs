@@ -36,7 +36,7 @@ static CUT_RULE: LazyLock<[(f64, f64); CUT]> = LazyLock::new(|| {
 pub(super) type Span = (Dual, Dual);
 
 /// The part of a member in the water.
-pub(in crate::systems::system) struct WetPart {
+pub(in crate::system) struct WetPart {
     /// Where its slices are whole in the water.
     pub(super) whole: Span,
     /// Where the surface cuts them.
@@ -103,7 +103,7 @@ pub(super) fn cut_shares(span: Span) -> impl Iterator<Item = (Dual, Dual)> {
 
 impl WetPart {
     /// The shares of the length at which the slices are, all of them, of lengths that are nothing too.
-    pub(in crate::systems::system) fn shares(&self) -> impl Iterator<Item = f64> {
+    pub(in crate::system) fn shares(&self) -> impl Iterator<Item = f64> {
         let whole = by_rule(self.whole, &WHOLE_RULE[..]);
         whole.chain(cut_shares(self.cut)).map(|(share, _)| share.re)
     }
@@ -111,7 +111,7 @@ impl WetPart {
 
 impl Placed<'_> {
     /// The part in the water.
-    pub(in crate::systems::system) fn wet_part(&self) -> WetPart {
+    pub(in crate::system) fn wet_part(&self) -> WetPart {
         let at = Dual::from_re;
         let all = (at(0.0), at(1.0));
         let tilt = self.tilt2.re.max(0.0).sqrt();

@@ -7,7 +7,7 @@ use crate::system::check::matrix;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
 
 /// Waves without height or period, or in a system without water.
-pub(in crate::systems::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
+pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
     let density = keys
         .environment
@@ -77,7 +77,7 @@ fn work(keys: &SystemKeys<'_>) -> Vec<Finding> {
 }
 
 /// Coefficients that are given twice, or count the waves twice.
-pub(in crate::systems::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
+pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
     if body.radiation_file.is_given() {
         let problem = "is given twice, here and by radiation_file";
@@ -117,7 +117,7 @@ pub(in crate::systems::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Fin
 }
 
 /// Motions without a period or without a run in time.
-pub(in crate::systems::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
+pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = moved_rods(keys).collect();
     found.extend(work(keys));
     for (_, point) in &keys.points {
@@ -185,10 +185,7 @@ pub(super) fn motion_table(
 }
 
 /// A break without a place or a cause, beyond the line, of a line that stands for several, or of one that ages.
-pub(in crate::systems::system) fn breaks(
-    keys: &SystemKeys<'_>,
-    line: &LineKeys<'_>,
-) -> Option<Finding> {
+pub(in crate::system) fn breaks(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Option<Finding> {
     let place = &line.break_at_m;
     let caused = line.break_s.is_given() || line.break_n.is_given();
     if !place.is_given() {

@@ -8,7 +8,7 @@ use crate::system::model::{
 };
 
 /// Payouts that contradict themselves, each other, or their line.
-pub(in crate::systems::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
+pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
     let names: Vec<&str> = line_names(keys);
     for (number, (_, payout)) in keys.payouts.iter().enumerate() {

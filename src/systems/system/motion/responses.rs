@@ -40,7 +40,7 @@ pub fn wave_response(
 }
 
 /// The responses that a body names, which the system carries and which can be read; nothing for others.
-pub(in crate::systems::system) fn responses(
+pub(in crate::system) fn responses(
     file: &SystemFile,
     body: &BodyInputs,
 ) -> Option<Vec<HeadingRao>> {

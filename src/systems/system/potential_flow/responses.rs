@@ -27,7 +27,7 @@ use crate::system::network::{Body, Network};
 const SAME: f64 = 1e-9;
 
 /// The loads in the waves of a sea, at their directions and frequencies; nothing where the responses do not cover a direction.
-pub(in crate::systems::system) fn excitation(
+pub(in crate::system) fn excitation(
     (network, body): (&Network, &Body),
     raos: &[HeadingRao],
     radiation: Option<&RadiationTable>,

@@ -5,14 +5,14 @@ use std::sync::atomic::AtomicBool;
 
 use crate::jobs::list::{JobEntry, results_from_here};
 use crate::jobs::{JobFolder, JobPhase, JobSpec, JobStatus};
+use crate::msg::Msg;
 use crate::run::job::JobEvent;
 use crate::run::store;
+use crate::state::job_process::ProcessMsg;
+use crate::state::sweep_request::SweepMsg;
+use crate::state::sweeps::SweepRead;
+use crate::state::{JobNumber, JobState};
 use crate::study::sweep::SweepSnapshot;
-use crate::tui::msg::Msg;
-use crate::tui::state::job_process::ProcessMsg;
-use crate::tui::state::sweep_request::SweepMsg;
-use crate::tui::state::sweeps::SweepRead;
-use crate::tui::state::{JobNumber, JobState};
 
 /// A job that has ended.
 #[derive(Debug)]

@@ -3,8 +3,8 @@
 use crate::case::TextDigest;
 use crate::jobs::list::JobEntry;
 use crate::jobs::{JobPhase, JobSpec, JobState as FolderState};
-use crate::tui::state::JobState;
-use crate::tui::state::job_process::{FoundJob, JobProcess};
+use crate::state::JobState;
+use crate::state::job_process::{FoundJob, JobProcess};
 
 use super::ended::state_of;
 

@@ -5,9 +5,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::case::ChannelId;
 use crate::jobs::protocol::Rows;
+use crate::msg::Msg;
 use crate::run::{OutputFrame, Progress};
-use crate::tui::msg::Msg;
-use crate::tui::state::{JobNumber, RunCurves};
+use crate::state::{JobNumber, RunCurves};
 
 /// What is recorded by the jobs that are followed.
 #[derive(Debug, Clone, Default)]

@@ -5,17 +5,17 @@ use crossbeam_channel::Sender;
 use super::ended::state_of;
 use super::fresh::Fresh;
 use super::watcher::Input;
+use crate::effects::outbox::Outbox;
 use crate::jobs::client::{Connection, Said};
 use crate::jobs::list::results_from_here;
 use crate::jobs::protocol::FromJob;
 use crate::jobs::{JobSpec, JobStatus};
+use crate::msg::Msg;
 use crate::run::Progress;
 use crate::run::job::JobEvent;
-use crate::tui::effects::outbox::Outbox;
-use crate::tui::msg::Msg;
-use crate::tui::state::JobNumber;
-use crate::tui::state::job_process::ProcessMsg;
-use crate::tui::state::sweep_request::SweepMsg;
+use crate::state::JobNumber;
+use crate::state::job_process::ProcessMsg;
+use crate::state::sweep_request::SweepMsg;
 
 /// Hears what a job says, and passes it on.
 pub(super) struct Reader {

@@ -10,17 +10,17 @@ use super::ended::{EndedJob, killed, shown_elsewhere};
 use super::found::{found_job, found_state};
 use super::fresh::Fresh;
 use super::reader::Reader;
+use crate::effects::ordered_worker::OrderedWorker;
+use crate::effects::outbox::Outbox;
 use crate::jobs::client::Connection;
 use crate::jobs::identity::ProcessIdentity;
 use crate::jobs::list::JobEntry;
 use crate::jobs::{
     JobFolder, JobPhase, JobSpec, JobState as FolderState, JobStatus, JobsDir, Launcher, survival,
 };
-use crate::tui::effects::ordered_worker::OrderedWorker;
-use crate::tui::effects::outbox::Outbox;
-use crate::tui::msg::Msg;
-use crate::tui::state::job_process::ProcessMsg;
-use crate::tui::state::{JobNumber, JobState};
+use crate::msg::Msg;
+use crate::state::job_process::ProcessMsg;
+use crate::state::{JobNumber, JobState};
 
 /// How often jobs are looked for that others have started.
 const DISCOVER: Duration = Duration::from_secs(2);

@@ -4,11 +4,11 @@ use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
 use crate::number::{si, with_error};
+use crate::pane::PaneId;
+use crate::state::sweeps::{CellList, OpenSweep};
 use crate::study::load_case_table::{LoadCaseColumn, LoadCaseState};
-use crate::tui::pane::PaneId;
-use crate::tui::state::sweeps::{CellList, OpenSweep};
-use crate::tui::view::paint::{below_head, first_line, row, span};
-use crate::tui::view::painter::Painter;
+use crate::view::paint::{below_head, first_line, row, span};
+use crate::view::painter::Painter;
 
 /// The widest column.
 const WIDEST: usize = 34;

@@ -8,11 +8,11 @@ use unicode_width::UnicodeWidthStr;
 use super::shade;
 use crate::number::{Scale, order, rounded, si, with_error};
 use crate::padding::at_right;
+use crate::pane::PaneId;
+use crate::state::sweeps::OpenSweep;
 use crate::study::load_case_table::{HeatCell, LoadCaseAxis, Reduction};
-use crate::tui::pane::PaneId;
-use crate::tui::state::sweeps::OpenSweep;
-use crate::tui::view::paint::{row, span};
-use crate::tui::view::painter::Painter;
+use crate::view::paint::{row, span};
+use crate::view::painter::Painter;
 
 /// Lines above the cells: title, axes, heads; and below them: scale, and two of the cell under the cursor.
 const AROUND: (u16, u16) = (4, 3);

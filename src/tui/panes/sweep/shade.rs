@@ -3,7 +3,7 @@
 use ratatui::style::Style;
 
 use crate::chart::{Glyphs, PicturePart};
-use crate::tui::view::painter::Painter;
+use crate::view::painter::Painter;
 
 /// How many shades there are.
 pub(super) const COUNT: usize = 5;

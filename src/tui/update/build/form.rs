@@ -4,14 +4,14 @@ use super::super::text_input::type_key;
 use super::{edit_of_form, new_file, wanted};
 use crate::case::parameters::PARAMETERS;
 use crate::case::structure::StructureEdit;
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::state::form::{Form, FormPurpose, NAME_OF_TABLE};
-use crate::tui::state::{AppState, Overlay};
-use crate::tui::update::motion::moved;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::state::form::{Form, FormPurpose, NAME_OF_TABLE};
+use crate::state::{AppState, Overlay};
+use crate::update::motion::moved;
 
 /// Takes a key, with the form taken from the screen.
-pub(in crate::tui::update) fn key(
+pub(in crate::update) fn key(
     state: &mut AppState,
     mut form: Box<Form>,
     key: KeyPress,

@@ -9,14 +9,12 @@ use super::notice::info;
 use crate::case::fields::{Schema, TableSchema, TableShape, join, split};
 use crate::case::parameters::PARAMETERS;
 use crate::case::structure::{StructureEdit, free_name, table_of, values_of};
-use crate::tui::facade;
-use crate::tui::msg::Effect;
-use crate::tui::state::form::{
-    Form, FormLine, FormPurpose, NAME_OF_TABLE, below, line_of, title_of,
-};
-use crate::tui::state::pending::{Change, EditSource, PendingEdit};
-use crate::tui::state::picker::{Choice, Picker, PickerItem};
-use crate::tui::state::{AppState, Overlay};
+use crate::facade;
+use crate::msg::Effect;
+use crate::state::form::{Form, FormLine, FormPurpose, NAME_OF_TABLE, below, line_of, title_of};
+use crate::state::pending::{Change, EditSource, PendingEdit};
+use crate::state::picker::{Choice, Picker, PickerItem};
+use crate::state::{AppState, Overlay};
 
 /// What the file that is open may hold.
 fn schema(state: &AppState) -> Option<&'static Schema> {

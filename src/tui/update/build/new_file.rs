@@ -2,11 +2,11 @@
 
 use std::path::PathBuf;
 
+use crate::msg::Effect;
+use crate::state::form::{Form, FormLine, FormPurpose, NAME_OF_FILE};
+use crate::state::picker::{Choice, Picker, PickerItem};
+use crate::state::{AppState, Overlay};
 use crate::templates::{TEMPLATES, Template};
-use crate::tui::msg::Effect;
-use crate::tui::state::form::{Form, FormLine, FormPurpose, NAME_OF_FILE};
-use crate::tui::state::picker::{Choice, Picker, PickerItem};
-use crate::tui::state::{AppState, Overlay};
 
 /// Shows the templates.
 pub fn choose(state: &mut AppState) -> Vec<Effect> {

@@ -3,14 +3,14 @@
 use super::super::line_types;
 use super::super::text_input::type_key;
 use super::{form_of_new, form_of_parameter, new_file};
-use crate::tui::key::KeyPress;
-use crate::tui::msg::Effect;
-use crate::tui::state::picker::{Choice, Picker};
-use crate::tui::state::{AppState, Overlay};
-use crate::tui::update::motion::moved;
+use crate::key::KeyPress;
+use crate::msg::Effect;
+use crate::state::picker::{Choice, Picker};
+use crate::state::{AppState, Overlay};
+use crate::update::motion::moved;
 
 /// Takes a key, with the list taken from the screen.
-pub(in crate::tui::update) fn key(
+pub(in crate::update) fn key(
     state: &mut AppState,
     mut picker: Picker,
     key: KeyPress,

@@ -35,7 +35,7 @@ impl RigidPayload {
     }
 
     /// Power of the pressure of waves and of their acceleration on the added mass, beyond its potential in still water \[W\].
-    pub(in crate::engine::scene) fn wave_power(&self, line: &LumpedLine, state: &State) -> f64 {
+    pub(in crate::scene) fn wave_power(&self, line: &LumpedLine, state: &State) -> f64 {
         let there = self.water_around(line, state);
         let dragged = self.body.added.matrix(&there.axis.tangent) * there.carried.0 * there.wet.0;
         let lost = V3::z() * (self.body.buoyancy * (self.wet_in_still_water(line, state) - 1.0));
@@ -74,7 +74,7 @@ impl RigidPayload {
     }
 
     /// Potential of its lost buoyancy in still water \[J\].
-    pub(in crate::engine::scene) fn surface_energy(&self, line: &LumpedLine, state: &State) -> f64 {
+    pub(in crate::scene) fn surface_energy(&self, line: &LumpedLine, state: &State) -> f64 {
         let Some(water) = line.water.as_ref().filter(|water| water.crossed) else {
             return 0.0;
         };
@@ -84,7 +84,7 @@ impl RigidPayload {
     }
 
     /// Kinetic energy of its added mass, of the submerged fraction \[J\].
-    pub(in crate::engine::scene) fn kinetic_energy(&self, line: &LumpedLine, state: &State) -> f64 {
+    pub(in crate::scene) fn kinetic_energy(&self, line: &LumpedLine, state: &State) -> f64 {
         let moving = self.in_still_water(line, state);
         self.body.added.energy(&moving) * self.wet(line, state).0
     }

@@ -15,24 +15,24 @@ use crate::solve::State;
 
 /// Weight of a node at a point of the path.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(in crate::engine::scene) struct NodeWeight {
+pub(in crate::scene) struct NodeWeight {
     /// The weight \[-\].
-    pub(in crate::engine::scene) share: f64,
+    pub(in crate::scene) share: f64,
     /// Its derivative by arc length \[1/m\].
-    pub(in crate::engine::scene) slope: f64,
+    pub(in crate::scene) slope: f64,
     /// Its second derivative \[1/m²\].
-    pub(in crate::engine::scene) bend: f64,
+    pub(in crate::scene) bend: f64,
 }
 
 /// A point of the path.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::engine::scene) struct PathPoint {
+pub(in crate::scene) struct PathPoint {
     /// Its segment.
-    pub(in crate::engine::scene) segment: usize,
+    pub(in crate::scene) segment: usize,
     /// Speed along the unstretched line \[m/s\].
-    pub(in crate::engine::scene) rate: f64,
+    pub(in crate::scene) rate: f64,
     /// Rate of that \[m/s²\].
-    pub(in crate::engine::scene) gain: f64,
+    pub(in crate::scene) gain: f64,
     first: usize,
     count: usize,
     weights: [NodeWeight; 3],
@@ -40,7 +40,7 @@ pub(in crate::engine::scene) struct PathPoint {
 
 impl PathPoint {
     /// The point at an arc length \[m\], with its rate \[m/s\] and second rate \[m/s²\], on a line with nodes at `arc`.
-    pub(in crate::engine::scene) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
+    pub(in crate::scene) fn new(arc: &[f64], (at, rate, gain): (f64, f64, f64)) -> Self {
         let last = arc.len() - 1;
         let segment = arc[1..last].partition_point(|end| *end <= at);
         let length = |i: usize| arc[i + 1] - arc[i];
@@ -92,7 +92,7 @@ impl PathPoint {
     }
 
     /// The nodes with their weights.
-    pub(in crate::engine::scene) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
+    pub(in crate::scene) fn nodes(&self) -> impl Iterator<Item = (usize, &NodeWeight)> {
         (self.first..).zip(&self.weights[..self.count])
     }
 
@@ -103,22 +103,22 @@ impl PathPoint {
     }
 
     /// Position \[m\].
-    pub(in crate::engine::scene) fn place(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn place(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.share)
     }
 
     /// Velocity along the path \[m/s\].
-    pub(in crate::engine::scene) fn path_velocity(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn path_velocity(&self, state: &State) -> V3 {
         self.sum(&state.x, |by| by.slope) * self.rate
     }
 
     /// Velocity \[m/s\].
-    pub(in crate::engine::scene) fn velocity(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn velocity(&self, state: &State) -> V3 {
         self.sum(&state.v, |by| by.share) + self.path_velocity(state)
     }
 
     /// Acceleration \[m/s²\].
-    pub(in crate::engine::scene) fn acceleration(&self, state: &State) -> V3 {
+    pub(in crate::scene) fn acceleration(&self, state: &State) -> V3 {
         let along = |by: &NodeWeight| self.gain * by.slope + self.rate * self.rate * by.bend;
         self.sum(&state.a, |by| by.share)
             + self.sum(&state.v, |by| by.slope) * (2.0 * self.rate)

@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 /// An inclined plane as a grid of depths.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::studies::study::invariants) struct Plane {
+pub(in crate::study::invariants) struct Plane {
     /// Over x = y = 0 \[m\].
-    pub(in crate::studies::study::invariants) depth: f64,
+    pub(in crate::study::invariants) depth: f64,
     /// Change of the depth along x and y \[-\].
-    pub(in crate::studies::study::invariants) by_x: f64,
+    pub(in crate::study::invariants) by_x: f64,
     /// See `by_x`.
-    pub(in crate::studies::study::invariants) by_y: f64,
+    pub(in crate::study::invariants) by_y: f64,
 }
 
 impl Plane {
@@ -18,7 +18,7 @@ impl Plane {
     const REACH: f64 = 4e3;
 
     /// The CSV file.
-    pub(in crate::studies::study::invariants) fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         let mut text = "x_m,y_m,depth_m\n".to_owned();
         for x in [-1.0, 0.0, 1.0].map(|k| k * Self::REACH) {
             for y in [-1.0, 0.0, 1.0].map(|k| k * Self::REACH) {
@@ -31,7 +31,7 @@ impl Plane {
     }
 
     /// The plane of such a file.
-    pub(in crate::studies::study::invariants) fn read(text: &str) -> Option<Self> {
+    pub(in crate::study::invariants) fn read(text: &str) -> Option<Self> {
         let depth = |x: f64, y: f64| {
             let rows = text.lines().filter_map(|row| {
                 let mut numbers = row.split(',').map(str::parse::<f64>);

@@ -1,0 +1,186 @@
+//! Which keys name tables of the same file: what forms offer, and what a new name changes.
+
+use crate::fields::{Schema, join, split};
+use crate::tree::{TomlData, TomlEntry, TomlNode, element_names};
+
+/// A key that holds the name of a table, by the pattern of its path, and the tables that it may name.
+type Reference = (&'static str, &'static [&'static str]);
+
+/// Of line cases.
+const OF_CASES: &[Reference] = &[
+    ("line.*.material", &["materials"]),
+    ("floats.*.section", &["line"]),
+    ("clumps.*.section", &["line"]),
+    ("modules.*.section", &["line"]),
+    ("published.*.at.study", &["study"]),
+    ("published.*.change_from.study", &["study"]),
+    ("published.*.ratio_to.study", &["study"]),
+    ("published_curve.*.at.study", &["study"]),
+    ("trend.*.study", &["study"]),
+];
+
+/// Of systems.
+const OF_SYSTEMS: &[Reference] = &[
+    ("points.*.body", &["bodies", "rods"]),
+    ("bodies.*.pinned_to", &["bodies", "rods"]),
+    ("rods.*.pinned_to", &["bodies", "rods"]),
+    ("lines.*.from", &["points"]),
+    ("lines.*.to", &["points"]),
+    ("lines.*.material", &["materials"]),
+    ("lines.*.sections.*.material", &["materials"]),
+    ("payouts.*.line", &["lines"]),
+    ("sliding_points.*.point", &["points"]),
+    ("sliding_points.*.line", &["lines"]),
+    ("sliding_points.*.other", &["lines"]),
+    ("offset_curves.*.body", &["bodies", "rods"]),
+    ("watch_circles.*.body", &["bodies", "rods"]),
+    ("damage.lost_line", &["lines"]),
+    ("ageing.growth.*.material", &["materials"]),
+    ("ageing.corrosion.*.material", &["materials"]),
+    ("checks.*.of", &["bodies", "lines", "points"]),
+    ("start.parts", &["bodies", "rods", "points"]),
+];
+
+/// Of cross-sections.
+const OF_SECTIONS: &[Reference] = &[
+    ("layer.*.unit", &["units"]),
+    ("layer.*.units", &["units"]),
+    ("centre.unit", &["units"]),
+];
+
+fn references(schema: &Schema) -> &'static [Reference] {
+    match schema.what {
+        "case" => OF_CASES,
+        "system" => OF_SYSTEMS,
+        "section" => OF_SECTIONS,
+        _ => &[],
+    }
+}
+
+/// The names that a key of this pattern may hold in a file; nothing where the key names no table.
+#[must_use]
+pub fn names(schema: &Schema, text: &str, pattern: &str) -> Option<Vec<String>> {
+    let (_, tables) = references(schema)
+        .iter()
+        .find(|(known, _)| *known == pattern)?;
+    let tree = TomlNode::parse(text).ok()?;
+    let of = |table: &&&str| {
+        let node = tree.get(table);
+        node.map_or(Vec::new(), |node| match node.items() {
+            [] => node.names(),
+            items => element_names(items),
+        })
+    };
+    let mut all: Vec<String> = tables.iter().flat_map(|table| of(&table)).collect();
+    // The ends of a rod are points too.
+    if tables.contains(&"points") {
+        let rods = tree.get("rods").map_or(Vec::new(), TomlNode::names);
+        all.extend(
+            rods.iter()
+                .flat_map(|rod| [format!("{rod}-a"), format!("{rod}-b")]),
+        );
+    }
+    Some(all)
+}
+
+/// Places of a text that name a table, and their new text.
+pub(super) type Replacements = Vec<(std::ops::Range<usize>, String)>;
+
+/// Every value that names a table of this path, with the new name: keys that hold names, and keys that hold key paths. The headers of marks
+/// are others' business.
+pub(super) fn uses(
+    schema: &Schema,
+    text: &str,
+    tree: &TomlNode,
+    path: &[String],
+    to: &str,
+) -> Replacements {
+    let mut found = Vec::new();
+    for entry in tree.entries() {
+        walk(
+            &Use {
+                schema,
+                text,
+                path,
+                to,
+            },
+            entry,
+            &entry.key,
+            &mut found,
+        );
+    }
+    found
+}
+
+/// What is looked for.
+struct Use<'a> {
+    schema: &'a Schema,
+    text: &'a str,
+    path: &'a [String],
+    to: &'a str,
+}
+
+impl Use<'_> {
+    /// The new text of a value, where it names the table.
+    fn replaced(&self, pattern: &str, text: &str) -> Option<String> {
+        let (name, table) = self.path.split_last()?;
+        let table = table.first()?;
+        let names_it = references(self.schema)
+            .iter()
+            .any(|(known, tables)| *known == pattern && tables.contains(&table.as_str()));
+        if names_it && text == name {
+            return Some(self.to.to_owned());
+        }
+        // `chain@120` is a copy of the line `chain`.
+        if let Some(copy) = text
+            .strip_prefix(name.as_str())
+            .filter(|rest| names_it && rest.starts_with('@'))
+        {
+            return Some(format!("{}{copy}", self.to));
+        }
+        if !matches!(pattern.rsplit('.').next(), Some("key" | "vary")) {
+            return None;
+        }
+        let parts = split(text).filter(|parts| parts.len() > self.path.len())?;
+        parts.starts_with(self.path).then(|| {
+            let mut parts = parts;
+            parts[self.path.len() - 1] = self.to.to_owned();
+            join(&parts)
+        })
+    }
+}
+
+fn walk(sought: &Use<'_>, entry: &TomlEntry, pattern: &str, found: &mut Replacements) {
+    values(sought, &entry.node, pattern, found);
+    let tables = sought.schema.tables.iter();
+    let by_name = tables
+        .filter(|table| table.shape == crate::fields::TableShape::ByName)
+        .any(|table| table.path == pattern);
+    for inner in entry.node.entries() {
+        let key = if by_name { "*" } else { inner.key.as_str() };
+        walk(sought, inner, &format!("{pattern}.{key}"), found);
+    }
+    for item in entry.node.items() {
+        for inner in item.entries() {
+            walk(sought, inner, &format!("{pattern}.*.{}", inner.key), found);
+        }
+    }
+}
+
+fn values(sought: &Use<'_>, node: &TomlNode, pattern: &str, found: &mut Replacements) {
+    let quoted = |text: &str| toml_edit::Value::from(text).to_string();
+    match &node.data {
+        TomlData::Text(text) => {
+            let in_file = sought.text.get(node.span.clone()).is_some();
+            if let Some(new) = sought.replaced(pattern, text).filter(|_| in_file) {
+                found.push((node.span.clone(), quoted(&new)));
+            }
+        }
+        TomlData::List(items) => {
+            for item in items.iter().filter(|item| !item.is_table()) {
+                values(sought, item, pattern, found);
+            }
+        }
+        _ => {}
+    }
+}
