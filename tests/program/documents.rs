@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-const DOCUMENTS: [&str; 10] = [
+const DOCUMENTS: [&str; 11] = [
     "README.md",
     "CONTRIBUTING.md",
     "docs/ARCHITECTURE.md",
@@ -13,6 +13,7 @@ const DOCUMENTS: [&str; 10] = [
     "docs/METHODS.md",
     "docs/MUTANTS.md",
     "docs/SECURITY.md",
+    "docs/SPEED.md",
     "docs/WORKBENCH.md",
 ];
 
