@@ -228,41 +228,6 @@ pub(super) struct KeysArgs {
     pub(super) ascii: bool,
 }
 
-// The arguments that commands share; doc comments here would replace the help of the commands.
-
-#[derive(Debug, Clone, clap::Args)]
-pub(super) struct CaseArgs {
-    /// The case file.
-    #[arg(value_name = "CASE")]
-    pub(super) file: PathBuf,
-
-    /// Set a key on top of the file, for example solver.duration_s=60 or ends.b.position_m.x=850; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub(super) set: Vec<String>,
-
-    #[command(flatten)]
-    pub(super) import: ImportArgs,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct TableArgs {
-    /// Write the table as CSV to this file as well.
-    #[arg(short, long = "output", value_name = "TABLE.csv")]
-    pub(super) output: Option<PathBuf>,
-
-    /// Replace the file if it exists.
-    #[arg(long, requires = "output")]
-    pub(super) force: bool,
-
-    /// Print with ASCII characters only.
-    #[arg(long)]
-    pub(super) ascii: bool,
-
-    /// Print one JSON object: the rows of the table, keys by the heads of its columns.
-    #[arg(long, conflicts_with = "ascii")]
-    pub(super) json: bool,
-}
-
 #[derive(Debug, clap::Args)]
 pub(super) struct RunArgs {
     /// The case file.

@@ -5,7 +5,10 @@ use std::process::ExitCode;
 use rayon::prelude::*;
 
 use super::{
-    CommandError, args::TableArgs, output, output::OutputFile, study_args::StudyPageArgs,
+    CommandError,
+    common_args::TableArgs,
+    output::{self, OutputFile},
+    study_args::IntervalsArgs,
     study_page::print,
 };
 use seacable_display::table::{Align, Cell, Table};
@@ -17,24 +20,6 @@ use seacable_statistics::extremes::sequential_study::{
     self, Rule, SequentialOutcome, SequentialStudy,
 };
 use seacable_statistics::extremes::target::Target;
-
-#[derive(Debug, clap::Args)]
-pub(super) struct IntervalsArgs {
-    /// Samples drawn of each law and size, and streams of seeds of each rule.
-    #[arg(long, value_name = "N", default_value = "2000", value_parser = clap::value_parser!(u32).range(10..=1_000_000))]
-    draws: u32,
-
-    /// Seed of the samples.
-    #[arg(long, value_name = "N", default_value = "1")]
-    seed: u64,
-
-    /// Values of a sample; may be repeated. By default 5, 10, 20, 30, 50 and 100.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=10_000))]
-    values: Vec<u16>,
-
-    #[command(flatten)]
-    page: StudyPageArgs,
-}
 
 /// Level of the intervals, and the error of the rules.
 const LEVEL: f64 = 0.95;

@@ -3,7 +3,9 @@
 use std::path::Path;
 use std::process::ExitCode;
 
-use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
+use super::{
+    BAD_RESULT, CommandError, output, random_refusals::frequent, system_args::SystemsArgs,
+};
 use seacable_base::files::{Target, disk};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;

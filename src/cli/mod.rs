@@ -11,11 +11,13 @@ mod audit;
 mod bindings;
 mod cases;
 mod catenary;
+mod common_args;
 mod compare;
 mod doctor;
 mod duration;
 mod effects;
 mod error;
+mod exit_status;
 mod export;
 mod import;
 mod inputs;
@@ -34,6 +36,7 @@ mod output;
 mod physics;
 mod progress;
 mod random_motion;
+mod random_refusals;
 mod random_systems;
 mod refined_systems;
 mod report;
@@ -52,7 +55,9 @@ mod study_args;
 mod study_page;
 mod sweep;
 mod sweep_args;
+mod sweep_compute;
 mod sweep_part;
+mod sweep_plan;
 mod sweep_quick;
 mod sweep_slurm;
 mod sweep_window;
@@ -77,11 +82,7 @@ use args::{Args, CliCommand};
 use limit_args::ReadingArgs;
 
 use error::CommandError;
-
-/// Exit status of a bad result: a row outside its tolerance, a solver that failed.
-const BAD_RESULT: u8 = 1;
-/// Exit status of a command that could not be carried out.
-const BAD_INPUT: u8 = 2;
+use exit_status::{BAD_INPUT, BAD_RESULT};
 
 /// Parses the command line, runs the command and returns the exit status.
 #[must_use]

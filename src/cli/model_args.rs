@@ -2,8 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::args::CaseArgs;
-use super::study_args::StudyPageArgs;
+use super::common_args::{CaseArgs, StudyPageArgs, count};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ShipArgs {
@@ -48,14 +47,6 @@ pub(super) struct ModesArgs {
     /// Draw with ASCII characters only.
     #[arg(long)]
     pub(super) ascii: bool,
-}
-
-/// A number of modes.
-pub(super) fn count(word: &str) -> Result<usize, String> {
-    match word.parse::<usize>() {
-        Ok(value) if (1..=1000).contains(&value) => Ok(value),
-        _ => Err("give a whole number from 1 to 1000".to_owned()),
-    }
 }
 
 #[derive(Debug, clap::Args)]

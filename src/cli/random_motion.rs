@@ -2,7 +2,9 @@
 
 use std::process::ExitCode;
 
-use super::{BAD_RESULT, CommandError, output, random_systems::frequent, system_args::SystemsArgs};
+use super::{
+    BAD_RESULT, CommandError, output, random_refusals::frequent, system_args::SystemsArgs,
+};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
 use seacable_studies::study::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};

@@ -2,7 +2,7 @@
 
 use std::process::ExitCode;
 
-use super::random_systems::frequent;
+use super::random_refusals::frequent;
 use super::{CommandError, output, system_args::SystemsArgs};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 
 use super::{
     CommandError,
+    common_args::StudyPageArgs,
     output::{self, OutputFile},
-    study_args::StudyPageArgs,
     study_page::print,
 };
 use seacable_base::files::read;

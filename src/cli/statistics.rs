@@ -5,7 +5,7 @@ use std::process::ExitCode;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use super::{CommandError, output::OutputFile, study_args::StudyPageArgs, study_page::print};
+use super::{CommandError, common_args::StudyPageArgs, output::OutputFile, study_page::print};
 use seacable_base::files::read;
 use seacable_base::visible;
 use seacable_display::table::{Align, Cell, Columns, Table};

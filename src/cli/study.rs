@@ -4,8 +4,8 @@ use std::{io, process::ExitCode, sync::Mutex};
 
 use super::{
     BAD_RESULT, CommandError,
-    args::{CaseArgs, TableArgs},
     cases::{self, NamedCase},
+    common_args::{CaseArgs, TableArgs},
     effects, intervals,
     output::{self, FileFormat, OutputFile},
     physics, progress, random_systems,

@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 use clap::Subcommand;
 
-use super::args::{CaseArgs, TableArgs};
-use super::intervals::IntervalsArgs;
-use super::model_args::count;
+use super::common_args::{CaseArgs, StudyPageArgs, TableArgs, count};
 use super::sweep_args::SweepArgs;
 use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
 
@@ -20,14 +18,6 @@ pub(super) struct CompareArgs {
     pub(super) page: StudyPageArgs,
 }
 
-/// Columns of a page.
-fn width(word: &str) -> Result<usize, String> {
-    match word.parse::<usize>() {
-        Ok(value) if (40..=1000).contains(&value) => Ok(value),
-        _ => Err("give a whole number from 40 to 1000".to_owned()),
-    }
-}
-
 #[derive(Debug, clap::Args)]
 pub(super) struct EffectsArgs {
     #[command(flatten)]
@@ -39,20 +29,6 @@ pub(super) struct EffectsArgs {
 
     #[command(flatten)]
     pub(super) page: StudyPageArgs,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct StudyPageArgs {
-    /// Print CSV with every digit instead of tables and charts.
-    #[arg(long, conflicts_with = "json")]
-    pub(super) csv: bool,
-
-    /// Columns of the page; by default those of the terminal, 80 at least.
-    #[arg(long, value_name = "COLUMNS", value_parser = width)]
-    pub(super) width: Option<usize>,
-
-    #[command(flatten)]
-    pub(super) table: TableArgs,
 }
 
 #[derive(Debug, Subcommand)]
@@ -186,4 +162,22 @@ pub(super) struct AccuracyArgs {
 
     #[command(flatten)]
     pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+pub(super) struct IntervalsArgs {
+    /// Samples drawn of each law and size, and streams of seeds of each rule.
+    #[arg(long, value_name = "N", default_value = "2000", value_parser = clap::value_parser!(u32).range(10..=1_000_000))]
+    pub(super) draws: u32,
+
+    /// Seed of the samples.
+    #[arg(long, value_name = "N", default_value = "1")]
+    pub(super) seed: u64,
+
+    /// Values of a sample; may be repeated. By default 5, 10, 20, 30, 50 and 100.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=10_000))]
+    pub(super) values: Vec<u16>,
+
+    #[command(flatten)]
+    pub(super) page: StudyPageArgs,
 }

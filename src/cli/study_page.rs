@@ -4,9 +4,9 @@ use std::{io, path::Path, sync::Mutex};
 
 use super::{
     CommandError, cases,
+    common_args::StudyPageArgs,
     output::{self, FileFormat, OutputFile},
     progress::ProgressLine,
-    study_args::StudyPageArgs,
 };
 use seacable_display::chart::{Chart, draw};
 use seacable_display::table::Table;

@@ -1,36 +1,28 @@
 //! `seacable sweep`: a case or a system of lines at all of its load cases.
 
-use std::path::Path;
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::time::Instant;
 
 use super::{
-    BAD_RESULT, CommandError, cases,
+    BAD_RESULT, CommandError,
     output::{self, OutputFile},
-    progress::ProgressLine,
     signals::StopFlag,
     slurm_refusals,
     study_page::print_with_checks,
     sweep_args::SweepArgs,
-    sweep_part, sweep_quick,
+    sweep_compute::compute,
+    sweep_part,
+    sweep_plan::{Opened, planned, resumed},
+    sweep_quick,
     sweep_slurm::{self, Watched},
     sweep_window,
 };
-use seacable_base::files::read;
-use seacable_base::number::duration;
 use seacable_base::visible;
-use seacable_foreign::open;
-use seacable_model::case::load_cases::LoadCaseError;
 use seacable_model::checks::utilisation::Verdict;
-use seacable_model::kinds::FileType;
 use seacable_report::sweep::{SweepPage, SweepReport};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_studies::study::sweep::{
-    PlanChoices, PlanError, StoredSweep, Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan,
-    SweepProgress, SweepResults,
+    Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan, SweepResults,
 };
-use seacable_systems::system::SystemFile;
 
 /// Why a cluster does not compute in rounds.
 const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
@@ -190,9 +182,6 @@ fn show(
     )
 }
 
-/// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
-pub(super) type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
-
 /// A new sweep in its folder.
 fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
     let SweepPlan { sweep, question } = planned(args)?;
@@ -208,127 +197,4 @@ fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
     let folder = SweepFolder::create(args.out.as_deref(), variation, shown);
     let folder = folder.map_err(|error| CommandError::Usage(error.to_string()))?;
     Ok((sweep, folder, question, args.window.clone()))
-}
-
-/// The load cases of a file and of the options.
-fn planned(args: &SweepArgs) -> Result<SweepPlan, CommandError> {
-    let path = args.case.as_deref().unwrap_or(Path::new(""));
-    cases::allow_values(&args.vary);
-    let mut csv = Vec::with_capacity(args.load_cases.len());
-    for file in &args.load_cases {
-        let text = read::text(file).map_err(|error| {
-            CommandError::Usage(format!("--load-cases {}: {error}.", visible::path(file)))
-        })?;
-        csv.push((visible::path(file), text));
-    }
-    let plan = match FileType::of(path) {
-        FileType::System => system(args, path, &csv)?,
-        FileType::Line => line(args, path, &csv)?,
-        other => {
-            return Err(CommandError::Usage(format!(
-                "A sweep takes cases of lines and systems of lines; {} is {}.",
-                visible::path(path),
-                other.description().0
-            )));
-        }
-    };
-    if plan.sweep.variation.keys.is_empty() {
-        let what = "There are no load cases: add [[load_cases]] to the file, or --vary KEY=VALUES, or --load-cases FILE.csv.";
-        return Err(CommandError::Usage(what.to_owned()));
-    }
-    Ok(plan)
-}
-
-fn line(
-    args: &SweepArgs,
-    path: &Path,
-    csv: &[(String, String)],
-) -> Result<SweepPlan, CommandError> {
-    let loaded = cases::load(path)?;
-    let set = args.overrides();
-    let text = cases::set(&loaded.text, &set)?;
-    SweepPlan::of_line(&text, &loaded.name, &set, choices(args, csv)).map_err(refused)
-}
-
-fn system(
-    args: &SweepArgs,
-    path: &Path,
-    csv: &[(String, String)],
-) -> Result<SweepPlan, CommandError> {
-    let name = path.display().to_string();
-    let loaded = open::load_as::<SystemFile>(path, &args.import.options());
-    let loaded = loaded.map_err(CommandError::Invalid)?;
-    let set = args.overrides();
-    let edits = cases::edits(&set)?;
-    let (text, solved) = cases::set_and_compute::<SystemFile>(&loaded.whole_text, &edits, path)?;
-    SweepPlan::of_system((&text, &solved), &name, &set, choices(args, csv)).map_err(refused)
-}
-
-fn choices<'a>(args: &'a SweepArgs, csv: &'a [(String, String)]) -> PlanChoices<'a> {
-    PlanChoices {
-        csv,
-        varied: &args.vary,
-        results: &args.result,
-    }
-}
-
-/// A sweep that was stopped, as its folder has it.
-pub(super) fn resumed(
-    opened: Result<(SweepFolder, StoredSweep), SweepError>,
-) -> Result<Opened, CommandError> {
-    let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
-    let window = stored.info.window.clone();
-    let SweepPlan { sweep, question } = SweepPlan::of_stored(stored).map_err(refused)?;
-    Ok((sweep, folder, question, window))
-}
-
-fn refused(error: PlanError) -> CommandError {
-    match error {
-        PlanError::Invalid(faults) => CommandError::Invalid(faults),
-        PlanError::LoadCases(LoadCaseError::Table(fault)) => CommandError::Invalid(vec![*fault]),
-        PlanError::Result(why) => CommandError::Usage(format!("--result: {why}.")),
-        error => CommandError::Usage(error.to_string()),
-    }
-}
-
-/// Computes with a line of progress, on as many threads as asked for.
-pub(super) fn compute(
-    args: &SweepArgs,
-    (sweep, question): (&Sweep, &SeaQuestion),
-    folder: Option<&SweepFolder>,
-    stop: &StopFlag,
-) -> Result<SweepOutcomes, CommandError> {
-    let pool = pool(args)?;
-    let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
-    Ok(pool.install(|| {
-        let told = |progress: SweepProgress| {
-            if let Ok(mut line) = line.lock() {
-                line.show(&words(progress, begun.elapsed().as_secs_f64()));
-            }
-        };
-        match folder.filter(|_| question.statistics.until_settled) {
-            Some(folder) => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
-            None => sweep.compute(folder, stop.cancel(), &told),
-        }
-    }))
-}
-
-/// As many threads as asked for.
-pub(super) fn pool(args: &SweepArgs) -> Result<rayon::ThreadPool, CommandError> {
-    let jobs = args.jobs.map_or(0, usize::from);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
-    pool.map_err(|error| CommandError::Usage(format!("--jobs {jobs}: {error}.")))
-}
-
-/// How many load cases are done, and how long the others will take.
-pub(super) fn words(progress: SweepProgress, seconds: f64) -> String {
-    let SweepProgress { done, stored, of } = progress;
-    let left = match done - stored {
-        0 => String::new(),
-        computed => {
-            let left = seconds / computed as f64 * (of - done) as f64;
-            format!(", {} left", duration(left))
-        }
-    };
-    format!("{done} of {of} load cases computed{left}")
 }

@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
+use super::common_args::StudyPageArgs;
 use super::import::ImportArgs;
 use super::slurm_args::SlurmArgs;
-use super::study_args::StudyPageArgs;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SweepArgs {

@@ -3,11 +3,8 @@
 use std::process::ExitCode;
 
 use super::{
-    BAD_RESULT, CommandError, output,
-    signals::StopFlag,
-    slurm_refusals,
-    sweep::{pool, resumed},
-    sweep_args::SweepArgs,
+    BAD_RESULT, CommandError, output, signals::StopFlag, slurm_refusals, sweep_args::SweepArgs,
+    sweep_compute::pool, sweep_plan::resumed,
 };
 use seacable_base::visible;
 use seacable_studies::study::sweep::{Part, PartDone, SweepFolder, SweepResults};

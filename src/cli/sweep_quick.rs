@@ -9,8 +9,8 @@ use super::{
     progress::ProgressLine,
     signals::StopFlag,
     study_page::print_with_checks,
-    sweep::{pool, words},
     sweep_args::SweepArgs,
+    sweep_compute::{pool, words},
 };
 use seacable_base::visible;
 use seacable_model::checks::utilisation::Verdict;

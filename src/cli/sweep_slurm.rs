@@ -10,8 +10,8 @@ use super::{
     signals::StopFlag,
     slurm_refusals::{self, failed, usage},
     slurm_words,
-    sweep::words,
     sweep_args::SweepArgs,
+    sweep_compute::words,
 };
 use seacable_base::files::{read, unsaved::Unsaved};
 use seacable_base::limits;

@@ -7,8 +7,8 @@ use super::{
     output::{self, OutputFile},
     signals::StopFlag,
     study_page::print,
-    sweep::compute,
     sweep_args::SweepArgs,
+    sweep_compute::compute,
 };
 use seacable_base::visible;
 use seacable_display::plain;

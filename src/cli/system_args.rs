@@ -1,6 +1,6 @@
 //! The arguments of the analyses of systems of lines.
 
-use super::args::CaseArgs;
+use super::common_args::CaseArgs;
 
 // Arguments that commands share; doc comments here would replace the help of the commands.
 

@@ -5,9 +5,8 @@ use std::path::{Path, PathBuf};
 
 use rustix::fs::{Access, access, statvfs};
 
-use super::{Finding, Surroundings};
-use seacable_base::places;
-use seacable_base::visible;
+use super::finding::{Finding, Surroundings};
+use seacable_base::{places, visible};
 use seacable_runs::run::store::DEFAULT_ROOT;
 
 const TOPIC: &str = "folders";

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::Finding;
+use super::finding::Finding;
 use seacable_base::files::read;
 use seacable_base::visible;
 use seacable_runs::run::VERSION;

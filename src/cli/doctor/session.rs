@@ -3,11 +3,10 @@
 use std::fs;
 use std::path::Path;
 
-use super::{Finding, Surroundings};
-use crate::manual::installed::{self, Installed};
-use seacable_base::crash_log;
-use seacable_base::places;
-use seacable_base::visible;
+use super::finding::{Finding, Surroundings};
+use crate::manual::installed;
+use crate::manual::installed::Installed;
+use seacable_base::{crash_log, places, visible};
 use seacable_jobs::list::JobEntry;
 use seacable_jobs::{JobsDir, survival};
 use seacable_runs::run::store::DEFAULT_ROOT;

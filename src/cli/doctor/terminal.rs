@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use super::{Finding, Surroundings};
+use super::finding::{Finding, Surroundings};
 use seacable_display::chart::Glyphs;
 use seacable_tui::recovery::remembered_glyphs;
 use seacable_tui::settings::Settings;

@@ -1,5 +1,7 @@
 //! What is found in surroundings made for it.
 
+use std::path::PathBuf;
+
 use super::*;
 
 fn around<'a>(
