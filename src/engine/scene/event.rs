@@ -1,6 +1,5 @@
 //! Events at given times: release of an end or of the payload. The scene is constant between two events.
 
-use super::{EndCondition, Scene};
 use crate::case::Case;
 
 /// A change of the scene at a time.
@@ -37,43 +36,4 @@ pub(super) fn events(case: &Case) -> Vec<SceneEvent> {
     }));
     list.sort_by(|a, b| a.time.total_cmp(&b.time));
     list
-}
-
-impl Scene {
-    /// The scene after a change.
-    #[must_use]
-    pub fn after(&self, change: SceneChange) -> Self {
-        let mut scene = self.clone();
-        match change {
-            SceneChange::ReleaseEnd(end) => {
-                scene.line.ends[end] = EndCondition::Free;
-                if let Some(flexure) = &mut scene.elements.flexure {
-                    flexure.clamps[end] = None;
-                }
-            }
-            SceneChange::ReleasePayload => {
-                // The payload is the last of the bodies, at the last node.
-                if let (Some(hung), Some(last)) =
-                    (scene.line.bodies.pop(), scene.line.segments.last())
-                {
-                    let left = || {
-                        scene
-                            .line
-                            .bodies
-                            .iter()
-                            .filter(|other| other.node == hung.node)
-                    };
-                    let (mass, weight) =
-                        (left().map(|h| h.body.mass), left().map(|h| h.body.weight));
-                    scene.line.mass[hung.node] = last.half_mass + mass.sum::<f64>();
-                    scene.line.weight[hung.node] = last.half_weight + weight.sum::<f64>();
-                }
-                // Of the bodies that bear on the bed it is the last too.
-                if let Some(contact) = &mut scene.elements.body_contact {
-                    contact.bodies.pop();
-                }
-            }
-        }
-        scene
-    }
 }

@@ -34,6 +34,7 @@ mod node_tensions;
 pub mod outputs;
 mod placed_ends;
 pub mod rao_file;
+mod release;
 pub mod rope;
 #[expect(clippy::module_inception, reason = "the type of the room")]
 pub mod scene;
@@ -68,5 +69,4 @@ pub use step_reading::EnergyRates;
 pub use submergence::{LostBuoyancy, lost_buoyancy};
 pub use unused_inputs::loads_without_effect;
 pub use water::Water;
-pub use waves::records;
-pub use waves::{sea, steep_waves};
+pub use waves::{records, sea, steep_waves};

@@ -1,7 +1,7 @@
 //! Lines and the joints between their sections.
 
-use super::Target;
 use super::sheet::{LineRow, PointRow, RodRow, RodTypeRow, Sheet};
+use super::target::Target;
 use crate::case::CreepModel;
 use crate::numerics::V3;
 use crate::system::SolvedSystem;

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::number::written;
 use super::sheet::{Sheet, TypeRow};
-use super::{Target, Unsayable};
+use super::target::{Target, Unsayable};
 use crate::case::{
     CreepModel, DragCoefficient, DragWidth, Material, TensionInterpolation, WorkingCurveShape,
 };

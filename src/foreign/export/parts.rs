@@ -3,7 +3,8 @@
 use std::collections::BTreeMap;
 
 use super::sheet::{BodyRow, PointRow, RodRow, RodTypeRow, Sheet};
-use super::{ExportOptions, Target, Unsayable, lines, materials, sea};
+use super::target::{ExportOptions, Target, Unsayable};
+use super::{lines, materials, sea};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::build::angles;

@@ -1,7 +1,7 @@
 //! What of a system a file of another program cannot say.
 
 use super::sea::{common_friction, current_by_file};
-use super::{Target, Unsayable};
+use super::target::{Target, Unsayable};
 use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;

@@ -6,6 +6,7 @@
 pub mod beside;
 pub mod cable_dyn;
 pub mod fault;
+mod imported;
 pub mod index;
 pub mod listing;
 pub mod map_plus_plus;
@@ -16,87 +17,14 @@ pub mod to_case;
 pub mod words;
 pub mod yaml;
 
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use self::beside::Beside;
-use self::fault::Fault;
 use self::mooring::Mooring;
 use crate::case::Diagnostic;
 use crate::files;
 use crate::kinds::foreign::{is_design, is_named_yaml};
 pub use crate::kinds::foreign::{is_foreign, is_foreign_file};
-
-/// What is said about a file besides its text.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ImportOptions {
-    /// Names of what is left out that is not modelled.
-    pub without: Vec<String>,
-    /// Depth of the bed \[m\] in the place of the file's.
-    pub depth: Option<f64>,
-    /// Density of the water \[kg/m³\] in the place of the file's.
-    pub density: Option<f64>,
-    /// Gravity \[m/s²\] in the place of the file's.
-    pub gravity: Option<f64>,
-    /// A table of the motion of coupled parts.
-    pub motion: Option<PathBuf>,
-}
-
-impl ImportOptions {
-    /// Whether nothing is said.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        *self == Self::default()
-    }
-}
-
-/// The case of a file of another program.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Imported {
-    /// The text of the case.
-    pub text: String,
-    /// Of each of its lines, the bytes of the file that it comes from.
-    pub from: Vec<Option<Range<usize>>>,
-    /// A file beside it that its lines are in.
-    pub beside: Option<Beside>,
-}
-
-impl Imported {
-    /// A diagnostic of the case at the row of the file that it comes from.
-    #[must_use]
-    pub fn at_its_row(&self, found: &Diagnostic, file: &str, source: &str) -> Diagnostic {
-        let line = found.line.max(1) as usize;
-        let here = self.from.iter().take(line).rev();
-        let span = here.flatten().next().cloned().unwrap_or(0..0);
-        let fault = Fault::new(span, &found.key, &found.problem, &*found.remedy);
-        if let Some(named) = self.named(found) {
-            return named.diagnostic(file, source);
-        }
-        let beside = self.beside.as_ref();
-        let fault = match beside.filter(|beside| beside.holds(&fault.span)) {
-            Some(beside) => beside.at_its_name(&fault, &fault.key),
-            None => fault,
-        };
-        fault.diagnostic(file, source)
-    }
-
-    /// The fault of a file that the case carries with it, such as depths over a grid, where the source names that file.
-    fn named(&self, found: &Diagnostic) -> Option<Fault> {
-        let name = Path::new(&found.file).file_name()?.to_str()?;
-        let mut rows = self.text.lines().zip(&self.from);
-        let (_, from) = rows.find(|(row, _)| row.contains("depth_file") && row.contains(name))?;
-        let at = match found.line {
-            0 => String::new(),
-            line => format!(", line {line}, column {}", found.column),
-        };
-        Some(Fault::new(
-            from.clone()?,
-            "OPTIONS, SeafloorFile",
-            format!("in `{name}`{at}: {}", found.problem),
-            &*found.remedy,
-        ))
-    }
-}
+pub use imported::{ImportOptions, Imported};
 
 /// Whether a file is a design in YAML rather than a file with rows of dashes.
 fn is_yaml(path: &Path, text: &str) -> bool {

@@ -1,6 +1,6 @@
 //! A cross-section of a cable: the least that one holds, to be built up layer by layer.
 
-use super::{Answers, Template, TemplateInput, number, text, title};
+use super::template::{Answers, Template, TemplateInput, number, text, title};
 
 /// A core with a sheath and two layers of armour.
 pub(super) const SECTION: Template = Template {

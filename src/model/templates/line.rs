@@ -1,6 +1,6 @@
 //! A line between two points: the least that a line case holds.
 
-use super::{Answers, Template, diameter, length, line_type, number, title};
+use super::template::{Answers, Template, diameter, length, line_type, number, title};
 
 /// A line between two fixed points.
 pub(super) const LINE: Template = Template {

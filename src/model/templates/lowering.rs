@@ -1,6 +1,6 @@
 //! A body lowered on a rope from a vessel in waves.
 
-use super::{
+use super::template::{
     Answers, Template, TemplateInput, diameter, filled, length, line_type, number, text, title,
 };
 

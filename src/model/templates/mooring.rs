@@ -1,6 +1,8 @@
 //! Mooring lines: one from an anchor to a fairlead, and a spread of them around a platform.
 
-use super::{Answers, Template, TemplateInput, diameter, length, line_type, number, text, title};
+use super::template::{
+    Answers, Template, TemplateInput, diameter, length, line_type, number, text, title,
+};
 
 const DEPTH: TemplateInput = length(
     "depth_m",

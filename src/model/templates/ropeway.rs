@@ -1,6 +1,6 @@
 //! A ropeway from a platform to a ship.
 
-use super::{Answers, Template, TemplateInput, length, number, text, title};
+use super::template::{Answers, Template, TemplateInput, length, number, text, title};
 
 /// One rope, a cargo at mid-span, the ship in motion.
 pub(super) const ROPEWAY: Template = Template {

@@ -1,6 +1,6 @@
 //! A ship at single-point mooring.
 
-use super::{Answers, Template, TemplateInput, length, number, text, title};
+use super::template::{Answers, Template, TemplateInput, length, number, text, title};
 
 /// A ship in a wind, at a mooring line from its bow.
 pub(super) const SHIP: Template = Template {

@@ -1,6 +1,6 @@
 //! An umbilical with a buoyant stretch between a vessel and a base on the sea bed.
 
-use super::{Answers, Template, TemplateInput, filled, length, number, text, title};
+use super::template::{Answers, Template, TemplateInput, filled, length, number, text, title};
 
 /// A wave of three sections, the middle one with floats.
 pub(super) const UMBILICAL: Template = Template {

@@ -20,7 +20,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::ElasticTension;
+use super::elastic_tension::ElasticTension;
 use super::working_curve::{CurvePoint, MeanCurve};
 use crate::numerics::roots::Bracket;
 

@@ -22,7 +22,8 @@
 //! (the traditional method, sec. 1.2, against which the paper argues): Lm and La are then those of the tension averaged along
 //! the rope, [`FibreRope::shared_stiffness`], and tension is linear in the strain of a segment, [`FibreRope::in_step`].
 
-use super::{ElasticTension, TensionTable};
+use super::TensionTable;
+use super::elastic_tension::ElasticTension;
 
 /// A fibre rope with dynamic stiffness.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,21 +3,14 @@
 
 pub mod creep;
 pub mod dynamic;
+mod elastic_tension;
 pub mod table;
 pub mod working_curve;
 
 pub use creep::CreepingRope;
 pub use dynamic::{FibreRope, MeanState, RopeAverage, StaticElasticity, StiffnessForm};
+pub use elastic_tension::ElasticTension;
 pub use table::{Between, TensionTable};
-
-/// Elastic tension of a rope, and its slope.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ElasticTension {
-    /// Tension \[N\]; negative where the rope, were it a rod, would push.
-    pub tension: f64,
-    /// Derivative by strain \[N\].
-    pub by_strain: f64,
-}
 
 /// How the elastic tension of a material follows from its strain, where that is not in proportion.
 #[derive(Debug, Clone, PartialEq)]

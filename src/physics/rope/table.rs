@@ -5,7 +5,7 @@
 //! everywhere, without overshoot, and its slope has no jump, so that Newton and the time steps see none. A table that is
 //! straight between its points has a jump of its slope at each: there the slope is that of the stretch beyond.
 
-use super::ElasticTension;
+use super::elastic_tension::ElasticTension;
 use crate::numerics::roots::Bracket;
 
 /// How the tension runs between the points of a table.

@@ -3,9 +3,8 @@
 use super::ink::{BLACK, GRID, TEXT};
 use super::page::{Anchor, SvgPage, shortened, width};
 use super::plan::{ROW, SvgPlan};
-use crate::chart::Chart;
 use crate::chart::draw::axis_name;
-use crate::chart::ticks;
+use crate::chart::{Chart, ticks};
 
 /// Length of a tick.
 const TICK: f64 = 5.0;
@@ -41,7 +40,7 @@ pub(super) fn draw(chart: &Chart, plan: &SvgPlan, page: &mut SvgPage) {
         page.line((x, bottom), (x, bottom + TICK), BLACK, "");
         // Numbers at the edges stay inside the picture.
         let half = 0.5 * width(&tick.label, TEXT);
-        let x = x.max(half).min(super::WIDTH - half);
+        let x = x.max(half).min(super::page::WIDTH - half);
         page.words((x, bottom + TICK + TEXT), Anchor::Middle, &tick.label);
     }
     let (range, scale) = plan.x;

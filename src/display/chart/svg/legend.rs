@@ -1,9 +1,9 @@
 //! Which curve is which: names at the right ends of the curves where these have such ends and there is room, else samples above the plot.
 
+use super::curves;
 use super::ink::{self, TEXT};
-use super::page::{Anchor, SvgPage, shortened, width};
+use super::page::{Anchor, SvgPage, WIDTH, shortened, width};
 use super::plan::{ROW, SvgPlan, share};
-use super::{WIDTH, curves};
 use crate::chart::draw::Shown;
 use crate::chart::{Chart, Series};
 

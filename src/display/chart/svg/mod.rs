@@ -15,10 +15,8 @@ mod plan;
 use super::Chart;
 use crate::markup::escaped;
 use page::SvgPage;
+pub use page::WIDTH;
 use plan::SvgPlan;
-
-/// Units across a picture; on a printed page of 180 mm a unit is a quarter of a millimetre.
-pub const WIDTH: f64 = 720.0;
 
 /// Units up for each line that the chart has in characters.
 const LINE: f64 = 17.0;

@@ -7,6 +7,9 @@ use unicode_width::UnicodeWidthStr;
 use super::ink;
 use crate::markup::escaped;
 
+/// Units across a picture; on a printed page of 180 mm a unit is a quarter of a millimetre.
+pub const WIDTH: f64 = 720.0;
+
 /// Mean width of a character in sizes of its words: that of the widest of the usual sans-serif fonts.
 const CHARACTER: f64 = 0.62;
 

@@ -2,8 +2,8 @@
 
 use super::ink::{TEXT, TITLE};
 use super::legend::{self, Legend};
-use super::page::{Anchor, SvgPage, shortened, width};
-use super::{WIDTH, map};
+use super::map;
+use super::page::{Anchor, SvgPage, WIDTH, shortened, width};
 use crate::chart::draw::{Shown, axis_name, ranges};
 use crate::chart::range::equalise;
 use crate::chart::ticks::{self, Tick};

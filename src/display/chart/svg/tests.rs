@@ -156,7 +156,7 @@ fn nothing_is_drawn_outside_the_plot() {
     let numbers = between(&text, " d=\"", "\"").join(" ");
     let numbers = numbers.split(|c: char| !c.is_ascii_digit() && c != '.' && c != '-');
     for number in numbers.filter_map(|number| number.parse::<f64>().ok()) {
-        assert!(number.abs() <= super::WIDTH, "{number}");
+        assert!(number.abs() <= super::page::WIDTH, "{number}");
     }
     assert!(!text.contains("NaN") && !text.contains("inf"));
 }

@@ -1,7 +1,7 @@
 //! Bodies and rods.
 
-use super::Context;
 use super::case_text::{CaseText, number, numbers, text};
+use super::context::Context;
 use crate::import::mooring::{Body, BodyLoad, Given, Hold, Point, Program, Rod, RodType};
 use crate::numerics::V3;
 use crate::system::pose::Pose;

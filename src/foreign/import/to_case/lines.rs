@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 
 use super::case_text::{CaseText, number, numbers, text};
+use super::context::Context;
 use super::joints::{Chain, chains};
+use super::materials;
 use super::materials::Pasts;
 use super::points::name_of;
-use super::{Context, materials};
 use crate::import::mooring::{Attachment, Hold, Mooring};
 use crate::numerics::V3;
 

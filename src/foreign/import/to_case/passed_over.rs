@@ -1,6 +1,6 @@
 //! What of a file is read and has no effect here: said once, by the names of the file.
 
-use super::Context;
+use super::context::Context;
 use super::start::is_given;
 use super::unmodelled::moves_and_turns;
 use crate::import::listing::listed;

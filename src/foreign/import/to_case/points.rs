@@ -1,8 +1,8 @@
 //! Points, and the ends of rods that lines are attached to.
 
 use super::case_text::{CaseText, number, numbers, text};
+use super::context::{Context, is_in_air};
 use super::start::is_dropped;
-use super::{Context, is_in_air};
 use crate::import::mooring::{Attachment, Given, Hold, Point, Rod};
 
 /// The name of what an end of a line is attached to.

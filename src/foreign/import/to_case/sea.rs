@@ -3,11 +3,12 @@
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
+use super::super::imported::ImportOptions;
 use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{
     CurrentFile, CurrentProfile, Elevation, Given, Hold, Mooring, Program, WaveComponent,
 };
-use crate::import::{ImportOptions, fault::Fault, yaml};
+use crate::import::{fault::Fault, yaml};
 
 /// Gravity \[m/s²\] where none is given: that of MoorDyn.
 pub const GRAVITY: f64 = 9.80665;

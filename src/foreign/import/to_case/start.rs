@@ -1,7 +1,7 @@
 //! Where a run in time begins: with `TmaxIC 0` where the file puts what is free. Free points at which nothing ends.
 
-use super::Context;
 use super::case_text::CaseText;
+use super::context::Context;
 use crate::import::mooring::{Attachment, Hold, Mooring, Program, Setting};
 
 /// The option by which `MoorDyn` does not bring the system to rest first.

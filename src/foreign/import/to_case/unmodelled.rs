@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::Context;
-use crate::import::ImportOptions;
+use super::super::imported::ImportOptions;
+use super::context::Context;
 use crate::import::fault::Fault;
 use crate::import::mooring::{Attachment, Given, Hold, Line, Mass, Rod, Stiffness, Unmodelled};
 use crate::statics::catenary::{CatenaryLine, EndOffset, SectionProperties};

@@ -3,6 +3,7 @@
 //! [`load`] makes a tree of a text, in which every node knows its bytes; which format a file has is seen from its top keys.
 
 pub mod array;
+mod constants;
 pub mod famodel;
 pub mod famodel_fairleads;
 pub mod famodel_lines;
@@ -23,11 +24,7 @@ use self::mapping::Mapping;
 use self::tree::Node;
 use super::fault::Fault;
 use super::mooring::Mooring;
-
-/// Gravity \[m/s²\] that MoorPy takes where none is given, also for RAFT and WISDEM.
-pub const GRAVITY: f64 = 9.81;
-/// Density \[kg/m³\] that MoorPy takes where none is given, also for RAFT and WISDEM.
-pub const DENSITY: f64 = 1025.0;
+pub use constants::{DENSITY, GRAVITY};
 
 /// Reads the mooring of a design. Files that it names are looked for in this folder.
 ///

@@ -320,21 +320,21 @@ fn sea(
     }
     if let Some(density) = &densities[1]
         && densities[0].is_none()
-        && density.value != super::DENSITY
+        && density.value != super::constants::DENSITY
     {
         mooring.remarks.push(format!(
             "Lines have the density of `site`, {} kg/m3; RAFT computes them with {} where `mooring` gives none.",
             density.value,
-            super::DENSITY
+            super::constants::DENSITY
         ));
     }
     if let Some(gravity) = &gravity
-        && gravity.value != super::GRAVITY
+        && gravity.value != super::constants::GRAVITY
     {
         mooring.remarks.push(format!(
             "Lines have the gravity of `site`, {} m/s2; RAFT computes them with {}.",
             gravity.value,
-            super::GRAVITY
+            super::constants::GRAVITY
         ));
     }
     let first = |[own, site]: [Option<Given<f64>>; 2]| own.or(site);

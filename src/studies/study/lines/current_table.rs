@@ -3,7 +3,7 @@
 use crate::limits::LINES_IN_CURRENT;
 use csv::StringRecord;
 
-use super::END_FORCES_AND_STATUS;
+use super::answered::END_FORCES_AND_STATUS;
 use super::in_current::LineInCurrent;
 use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers, names, reader};
 use crate::statics::catenary::SectionProperties;

@@ -3,6 +3,7 @@
 //!
 //! A row that cannot be read or has no answer keeps its place, with the reason in `status`; it never stops the others.
 
+mod answered;
 mod current_table;
 mod in_current;
 mod object;
@@ -11,66 +12,10 @@ mod table;
 
 pub use in_current::{EndForces, LineInCurrent};
 
-use crate::limits::{LINES, LINES_IN_CURRENT, Limit};
+use crate::limits::{LINES, LINES_IN_CURRENT};
+use answered::check_count;
+pub use answered::{AnsweredTable, TableError};
 use rayon::prelude::*;
-use thiserror::Error;
-
-use crate::statics::catenary::Solution;
-
-/// Why bytes are no table of lines.
-#[derive(Debug, Error)]
-#[non_exhaustive]
-pub enum TableError {
-    /// Columns are missing from the first line.
-    #[error("the first line must name the columns; missing: {0}")]
-    Missing(String),
-    /// A column is named twice.
-    #[error("column {0} is named twice in the first line")]
-    Twice(String),
-    /// There are more lines than allowed.
-    #[error("the table has {0} lines; {1}")]
-    TooMany(f64, String),
-    /// The table could not be read or written.
-    #[error(transparent)]
-    Csv(#[from] csv::Error),
-}
-
-/// A table with its answers.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct AnsweredTable {
-    /// The table, as CSV or JSON lines.
-    pub text: Vec<u8>,
-    /// Rows in it.
-    pub rows: usize,
-    /// Rows without an answer.
-    pub refused: usize,
-}
-
-/// What a line in a current is answered with, and `status`.
-const END_FORCES_AND_STATUS: [&str; 11] = [
-    "pull_a_x_n",
-    "pull_a_y_n",
-    "pull_a_z_n",
-    "pull_b_x_n",
-    "pull_b_y_n",
-    "pull_b_z_n",
-    "tension_a_n",
-    "tension_b_n",
-    "error_n",
-    "segments",
-    "status",
-];
-
-/// A number as it is written; adding zero turns -0 into 0.
-fn shown(number: f64) -> String {
-    format!("{}", number + 0.0)
-}
-
-/// H and V at B, H and V at A \[N\], length on the bed \[m\].
-fn at_rest(solution: &Solution) -> [f64; 5] {
-    let s = solution;
-    [s.h_b_n, s.v_b_n, s.h_a_n, s.v_a_n, s.on_bed_m]
-}
 
 /// Solves every line of a table in CSV or of JSON lines, distinguished by their first character; on all cores, in order.
 ///
@@ -113,16 +58,4 @@ fn objects(text: &str) -> Result<AnsweredTable, TableError> {
         answered.text.push(b'\n');
     }
     Ok(answered)
-}
-
-/// Refuses a table of more lines than allowed, before the first is solved.
-fn check_count(limit: &Limit, lines: usize) -> Result<(), TableError> {
-    let lines = lines as f64;
-    match limit.is_exceeded_by(lines) {
-        true => Err(TableError::TooMany(
-            lines,
-            limit.remedy("give it in parts", lines),
-        )),
-        false => Ok(()),
-    }
 }

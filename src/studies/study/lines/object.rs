@@ -8,8 +8,8 @@ use std::ops::RangeInclusive;
 use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
+use super::answered::{END_FORCES_AND_STATUS, shown};
 use super::in_current::LineInCurrent;
-use super::{END_FORCES_AND_STATUS, shown};
 use crate::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 
 /// A line of text with its answer.
@@ -326,7 +326,7 @@ fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
         .map_err(|error| LineError::new(error.to_string()))?;
     let mut values: Values = AT_REST
         .into_iter()
-        .zip(super::at_rest(&solved).map(shown))
+        .zip(super::answered::at_rest(&solved).map(shown))
         .collect();
     values.push(("shape", quoted(solved.shape_name())));
     Ok(values)

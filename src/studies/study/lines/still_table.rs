@@ -1,6 +1,6 @@
 //! CSV of single lines in still water.
 
-use super::at_rest;
+use super::answered::at_rest;
 use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers};
 use crate::limits::LINES;
 use crate::statics::catenary::{

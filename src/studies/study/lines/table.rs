@@ -5,7 +5,7 @@ use std::io;
 use csv::{ByteRecord, ReaderBuilder, StringRecord, Terminator, WriterBuilder};
 use rayon::prelude::*;
 
-use super::{AnsweredTable, TableError, check_count, shown};
+use super::answered::{AnsweredTable, TableError, check_count, shown};
 use crate::limits::Limit;
 
 /// A column of numbers, by the names it may have.

@@ -206,7 +206,7 @@ fn held<'a>(
 fn strength(inputs: &CheckInputs, loads: &PlaceLoads, scene: &CheckedScene) -> Result<f64, String> {
     let stated = scene.strengths.get(&loads.place).copied();
     let load = inputs.break_load_n.or(stated).ok_or_else(|| {
-        let line = super::subject(&loads.place);
+        let line = super::subject::subject(&loads.place);
         format!("no breaking load is stated for {line}: add break_load_n to its material or to the check")
     })?;
     Ok(inputs.strength_share.unwrap_or(1.0) * load)

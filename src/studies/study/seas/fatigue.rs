@@ -60,7 +60,7 @@ pub(super) fn of_sea(runs: &[RunRecord], check: &Check, scene: &CheckedScene) ->
         return along(runs, check);
     }
     let places = first.places(Series::Tension);
-    let held = places.filter(|place| check.holds_for(super::subject(place)));
+    let held = places.filter(|place| check.holds_for(super::subject::subject(place)));
     held.map(|place| (FatiguePlace::recorded(place), at(runs, place, check, scene)))
         .collect()
 }
@@ -140,7 +140,9 @@ impl LineErrors {
         };
         let range = greatest(&|run| {
             let all: Vec<&str> = run.places(Series::Tension).collect();
-            let own = all.iter().filter(|place| super::subject(place) == line);
+            let own = all
+                .iter()
+                .filter(|place| super::subject::subject(place) == line);
             let own: Vec<&str> = own.copied().collect();
             let places = if own.is_empty() { all } else { own };
             let of = |place: &str, of| run.numerical(Series::Tension, place, of);

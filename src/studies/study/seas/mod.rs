@@ -16,6 +16,7 @@ mod question;
 mod quick;
 mod records;
 mod scene;
+mod subject;
 
 use std::path::PathBuf;
 
@@ -39,6 +40,7 @@ use crate::study::points::PointOutcome;
 use crate::study::vary::Variation;
 use crate::study::vary::system::SystemOutcome;
 use fatigue::SeaFatigue;
+use subject::subject;
 
 /// A stored run of a load case: where it is, and its results.
 #[derive(Debug, Clone, PartialEq)]
@@ -79,11 +81,6 @@ struct OneSea {
     without: usize,
     rows: Vec<Vec<Result<CheckRow, String>>>,
     fatigue: Vec<SeaFatigue>,
-}
-
-/// The line, point or body of a place: `mooring@120` of `mooring@120|b`.
-fn subject(place: &str) -> &str {
-    place.split('|').next().unwrap_or(place)
 }
 
 impl SeaResults {

@@ -10,9 +10,9 @@ use std::time::Instant;
 use super::fatigue::{FatiguePlace, SeaFatigue};
 use super::loads::{Extreme, PlaceLoads};
 use super::records::Series;
+use super::subject::subject;
 use super::{
     OneSea, Sea, SeaDamage, SeaQuestion, SeaResults, StoredRun, checked, nothing_recorded, seas,
-    subject,
 };
 use crate::case::{ChannelQuantity, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;

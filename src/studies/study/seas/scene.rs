@@ -2,10 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use crate::case::nearest;
 use crate::case::{
     Case, ChannelLocation, ChannelQuantity, CheckCondition, Method, Section, WaveKind, Waves,
-    channels,
+    channels, nearest,
 };
 use crate::checks::resolved::Check;
 use crate::system::model::NO_LINE;
@@ -48,7 +47,10 @@ impl CheckedScene {
     /// A name that a check holds and the scene has not, with the nearest that it has.
     #[must_use]
     pub fn unknown(&self, check: &Check) -> Option<(String, Option<String>)> {
-        let stems = self.subjects.iter().map(|name| super::subject(name));
+        let stems = self
+            .subjects
+            .iter()
+            .map(|name| super::subject::subject(name));
         let known: Vec<&str> = stems.collect();
         let is_known = |name: &&String| {
             let is =
