@@ -6,6 +6,9 @@ use std::ops::Range;
 use crate::visible::{self, shortened};
 use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
 
+/// Greatest number of diagnostics of a file.
+pub const MOST_DIAGNOSTICS: usize = 50;
+
 /// One thing wrong with a case file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {

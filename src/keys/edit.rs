@@ -5,8 +5,9 @@ use std::ops::Range;
 
 use super::check::{fields_here, unknown_path};
 use super::diagnostic::{Diagnostic, count};
+use super::fields::parameters_table::ANY_KEY;
 use super::fields::{AbsentValue, Field, Schema, TableShape, check_value, join, split, value_text};
-use super::parameters::{self, ANY_KEY};
+use super::parameters;
 use super::read::tree_of;
 use super::text_lines::{line_start, newline};
 use super::tree::{TableForm, TomlData, TomlEntry, TomlNode};

@@ -4,7 +4,7 @@ use toml::de::DeTable;
 
 use seacable_base::files::shallow::shallow;
 
-use super::diagnostic::{Diagnostic, Finding};
+use super::diagnostic::{Diagnostic, Finding, MOST_DIAGNOSTICS};
 use super::fields::Schema;
 use super::parameters;
 use super::tree::TomlNode;
@@ -17,9 +17,6 @@ pub fn evaluated_tree(schema: &'static Schema, text: &str) -> Result<TomlNode, V
         found => Err(found),
     }
 }
-
-/// Greatest number of diagnostics of a file.
-pub const MOST_DIAGNOSTICS: usize = 50;
 
 /// Findings with their places in the text; of very many the first ones, and how many more there are.
 pub fn diagnose(mut found: Vec<Finding>, text: &str, file: &str) -> Vec<Diagnostic> {

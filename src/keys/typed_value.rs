@@ -1,8 +1,9 @@
 //! Values as a user types them, and as a file has them.
 
 use super::edit::EditError;
+use super::fields::parameters_table::ANY_KEY;
 use super::fields::{Field, ValueType, check_value};
-use super::parameters::{self, ANY_KEY};
+use super::parameters;
 use super::tree::{TomlData, TomlNode};
 
 /// A value typed for a field as it stands in a file. Lists need no brackets.

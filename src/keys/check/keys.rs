@@ -3,10 +3,11 @@
 
 use std::ops::Range;
 
+use super::super::fields::parameters_table::ANY_KEY;
 use crate::diagnostic::Finding;
-use crate::fields::{AbsentValue, Field, Schema, TableSchema, TableShape};
-use crate::fields::{check_value, join, unknown_key};
-use crate::parameters::ANY_KEY;
+use crate::fields::{
+    AbsentValue, Field, Schema, TableSchema, TableShape, check_value, join, unknown_key,
+};
 use crate::tree::{TomlEntry, TomlNode, element_names};
 
 /// Checks the whole document.

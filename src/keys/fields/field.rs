@@ -1,7 +1,7 @@
 //! A key of a file: what may be written, in which unit and range, and what holds without it.
 
+use super::parameters_table::ANY_KEY;
 use super::range::Range;
-use crate::parameters::ANY_KEY;
 
 /// A key of a file.
 #[derive(Debug, Clone, PartialEq)]

@@ -2,8 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
+use super::parameters_table::ANY_KEY;
 use super::{AbsentValue, Field, Schema, TableSchema, TableShape, ValueType};
-use crate::parameters::ANY_KEY;
 use crate::tree::{TomlData, TomlNode};
 
 /// The schema as a JSON Schema, draft 2020-12, of files converted from TOML to JSON.

@@ -7,24 +7,20 @@
 
 mod field;
 mod json_schema;
+pub mod parameters_table;
 mod range;
 mod tables;
 mod typed_number;
 mod value;
 mod words;
 
-use super::parameters;
-
-pub use field::either;
-pub use field::{AbsentValue, Conditions, Field, ValueType, in_words, unit_suffix};
+pub use field::{AbsentValue, Conditions, Field, ValueType, either, in_words, unit_suffix};
 pub use json_schema::json_schema;
-pub use range::Range;
-pub use range::{number, of, positive, quantity};
+pub use range::{Range, number, of, positive, quantity};
 pub use tables::{TableSchema, TableShape};
 pub use typed_number::TypedNumber;
 pub use value::{check as check_value, text as value_text};
-pub use words::split;
-pub use words::{is_name, join, nearest, unknown_key};
+pub use words::{is_name, join, nearest, split, unknown_key};
 
 /// A kind of file: what it is called, and every table and field it can have.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,8 +78,8 @@ impl Schema {
     pub fn with_parameters(mut self) -> Self {
         // Behind the table that says what the file is.
         self.tables
-            .insert(1.min(self.tables.len()), parameters::table());
-        self.fields.push(parameters::field());
+            .insert(1.min(self.tables.len()), parameters_table::table());
+        self.fields.push(parameters_table::field());
         self
     }
 

@@ -6,7 +6,10 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::expression::Expression;
 use super::vocabulary::{is_name, is_taken};
-use super::{Names, PARAMETERS, as_data, field, not_finite, unknown, unreadable};
+use super::{
+    super::fields::parameters_table::{PARAMETERS, field},
+    Names, as_data, not_finite, unknown, unreadable,
+};
 use crate::diagnostic::Finding;
 use crate::fields::join;
 use crate::tree::{TomlData, TomlEntry, TomlNode};

@@ -1,10 +1,10 @@
 //! A new table, and the keys of one that is there.
 
+use super::super::fields::parameters_table::{ANY_KEY, PARAMETERS};
 use super::blocks::{Block, blocks};
-use super::{header, shown, table_of};
+use super::tables::{header, shown, table_of};
 use crate::edit;
 use crate::fields::{Field, Schema, TableShape, is_name, join, value_text};
-use crate::parameters::{ANY_KEY, PARAMETERS};
 use crate::text_lines::newline;
 use crate::tree::{TomlNode, element_names};
 use crate::typed_value::checked_value;

@@ -113,7 +113,7 @@ pub fn extent(text: &str, blocks: &[Block], path: &[String]) -> Result<Range<usi
     if last - first + 1 != own.len() {
         return Err(format!(
             "The tables of {} are not next to each other in the file; put them together in an editor first.",
-            super::shown(path)
+            super::tables::shown(path)
         ));
     }
     Ok(blocks[*first].range.start..blocks[*last].range.end)
@@ -123,7 +123,7 @@ pub fn extent(text: &str, blocks: &[Block], path: &[String]) -> Result<Range<usi
 fn no_block(text: &str, path: &[String]) -> String {
     let tree = TomlNode::parse(text).ok();
     let is_there = tree.is_some_and(|tree| tree.find(path).is_some());
-    let shown = super::shown(path);
+    let shown = super::tables::shown(path);
     match is_there {
         true => format!("{shown} is written without a header of its own; edit it in an editor."),
         false => format!("There is no {shown} in this file."),

@@ -2,7 +2,7 @@
 
 use super::add::{free_name, inserted};
 use super::blocks::{blocks, extent};
-use super::{StructureEdit, apply, shown};
+use super::{StructureEdit, apply, tables::shown};
 use crate::edit;
 use crate::fields::{Schema, join};
 use crate::read::evaluated_tree;

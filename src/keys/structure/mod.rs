@@ -11,12 +11,14 @@ pub mod outline;
 pub mod references;
 mod remove;
 mod rename;
+mod tables;
 
-use super::fields::{Schema, TableSchema, TableShape, join, split};
+use super::fields::{Schema, TableShape, join, split};
 use super::tree::TomlNode;
 
 pub use add::{free_name, values_of};
 pub use outline::{OutlineRow, outline};
+pub use tables::{declaration, table_of};
 
 /// An edit of what a file is made of. Paths are key paths: `materials.chain`, `lines.a.sections.2`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -104,12 +106,6 @@ pub fn apply(schema: &'static Schema, text: &str, edit: &StructureEdit) -> Resul
     }
 }
 
-/// The declaration of the table of a path.
-#[must_use]
-pub fn declaration(schema: &'static Schema, path: &[String]) -> Option<&'static TableSchema> {
-    table_of(schema, path).map(|(table, _)| table)
-}
-
 /// Whether a path is that of one of several tables of a kind: `materials.chain`, `lines.a.sections.2`.
 #[must_use]
 pub fn is_one_of_several(schema: &'static Schema, path: &str) -> bool {
@@ -122,49 +118,4 @@ pub fn is_one_of_several(schema: &'static Schema, path: &str) -> bool {
 pub fn parent(path: &str) -> String {
     let parts = split(path).unwrap_or_default();
     join(&parts[..parts.len().saturating_sub(1)])
-}
-
-/// A path for people.
-fn shown(path: &[String]) -> String {
-    join(path)
-}
-
-/// The declaration of the table of a path, and whether the path ends with the name of one of several.
-pub fn table_of(schema: &'static Schema, path: &[String]) -> Option<(&'static TableSchema, bool)> {
-    let mut pattern = String::new();
-    let mut parts = path.iter();
-    let mut found = None;
-    while let Some(part) = parts.next() {
-        let table = schema
-            .tables_in(&pattern)
-            .find(|table| table.key() == part)?;
-        pattern = table.pattern().into_owned();
-        let named = table.shape != TableShape::One && parts.next().is_some();
-        found = Some((table, named));
-    }
-    found
-}
-
-/// The header of a table of this path: `[materials.chain]`, `[[lines.sections]]`.
-fn header(schema: &'static Schema, path: &[String]) -> Option<String> {
-    let mut words: Vec<&str> = Vec::new();
-    let mut list = false;
-    let mut at = 0;
-    while at < path.len() {
-        let (table, _) = table_of(schema, &path[..=at])?;
-        words.push(&path[at]);
-        list = table.shape == TableShape::List;
-        at += 1;
-        if table.shape != TableShape::One {
-            if table.shape == TableShape::ByName {
-                words.push(path.get(at)?);
-            }
-            at += 1;
-        }
-    }
-    let joined = join(&words);
-    Some(match list {
-        true => format!("[[{joined}]]"),
-        false => format!("[{joined}]"),
-    })
 }

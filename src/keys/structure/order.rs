@@ -1,7 +1,7 @@
 //! Tables put in another order.
 
 use super::blocks::{blocks, extent};
-use super::{shown, table_of};
+use super::tables::{shown, table_of};
 use crate::fields::{Schema, TableShape};
 use crate::tree::{TomlNode, element_names};
 

@@ -1,6 +1,6 @@
 //! What a file is made of, as a list of its tables.
 
-use super::table_of;
+use super::tables::table_of;
 use crate::fields::{Schema, TableSchema, TableShape, ValueType, join};
 use crate::tree::{TomlData, TomlNode, element_names};
 

@@ -1,7 +1,7 @@
 //! A table taken out of the text.
 
 use super::blocks::blocks;
-use super::shown;
+use super::tables::shown;
 use crate::fields::split;
 use crate::tree::TomlNode;
 

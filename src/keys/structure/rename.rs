@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::add::inserted;
 use super::blocks::{blocks, extent};
 use super::references::{Replacements, uses};
-use super::{shown, table_of};
+use super::tables::{shown, table_of};
 use crate::fields::{Schema, TableShape, is_name, join, split};
 use crate::tree::TomlNode;
 

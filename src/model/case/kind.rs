@@ -7,16 +7,16 @@ use super::attachments::{FileSource, with_files};
 use super::check::variable;
 use super::diagnostic::Diagnostic;
 use super::edit::{field_by, put_all};
-use super::edited::{self, EditedKey, Origin};
+use super::edited::{self, EditedKey};
 use super::fields::Field;
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
-use super::parameters;
 use super::read::{checked, diagnose, text_of};
+use super::replaced_value::Origin;
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
-use super::shipped;
 use super::tree::TomlNode;
+use super::{parameters, shipped};
 use crate::files::root;
 
 /// A file with its text and its result.

@@ -31,9 +31,11 @@ mod near_keys;
 mod placed_words;
 mod quantity_id;
 mod read;
+mod replaced_value;
 mod rows;
 pub mod rule_sets;
 pub mod shipped;
+mod study_point;
 mod subject;
 mod value_range;
 mod warm_start;
@@ -45,21 +47,21 @@ pub use seacable_keys::{diagnostic, fields, parameters, schema, structure, tree}
 pub use attachments::stand_alone;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
-pub use current_file::current_grid;
-pub use current_file::read_current;
+pub use current_file::{current_grid, read_current};
 pub use depth_file::depth_grid;
-pub use diagnostic::{Diagnostic, Excerpt, render_all};
+pub use diagnostic::{Diagnostic, Excerpt, Finding, render_all};
 pub use digest::{TextDigest, digests};
-pub use edited::{EditedKey, Origin, ReplacedValue, YOURS};
-pub use effective_inputs::EffectiveInput;
-pub use effective_inputs::{NO_INPUTS, effective_inputs};
+pub use edited::EditedKey;
+pub use effective_inputs::{EffectiveInput, NO_INPUTS, effective_inputs};
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
 pub use quantity_id::QuantityId;
-pub use read::{LoadedCase, load, parse, parse_beside, parse_keys, parse_stored};
-pub use rows::FieldLister;
-pub use rows::FieldRow;
+pub use read::{
+    LoadedCase, diagnose, load, parse, parse_beside, parse_keys, parse_stored, text_of, tree_of,
+};
+pub use replaced_value::{Origin, ReplacedValue, YOURS};
+pub use rows::{FieldLister, FieldRow};
 pub use subject::{ModePlane, Subject};
 pub use value_range::{RangeError, Spacing, ValueRange};
 pub use write::write;
@@ -69,9 +71,7 @@ pub use check::{
     increasing, of_checks, of_current, of_load_cases, of_material, of_waves, takes_values,
     too_many_rows, too_many_steps,
 };
-pub use diagnostic::Finding;
 pub use fields::{is_name, join, nearest, split};
-pub use read::{diagnose, text_of, tree_of};
 
 pub use seacable_keys::check::{unknown, unknown_name, used_twice};
 pub use tree::TomlNode;

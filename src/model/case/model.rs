@@ -7,16 +7,17 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use crate::case::TomlNode;
-use crate::case::fields::ValueType::{self, NumberOrList};
+use crate::case::fields::ValueType::NumberOrList;
 use crate::case::fields::{Field, POSITION, Schema, of, positive};
-use crate::case::schema::{FromDefault, KeyValue, schema_of, table};
+use crate::case::schema::{schema_of, table};
+pub use one_or_many::OneOrMany;
 
 mod checks;
 mod construct;
 mod ends;
 mod line;
 mod load_cases;
+mod one_or_many;
 mod sea;
 mod settings;
 mod validation_data;
@@ -32,10 +33,10 @@ pub use ends::{
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub use line::{
-    Bore, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness, Floats,
-    Material, Modules, Section, StiffnessScope, TensionInterpolation, Traveller, WorkingCurveShape,
+    Bore, BoreKeys, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness,
+    Floats, Material, MaterialKeys, Modules, Section, StiffnessScope, TensionInterpolation,
+    Traveller, WorkingCurveShape,
 };
-pub use line::{BoreKeys, MaterialKeys};
 pub use load_cases::LoadCaseInputs;
 pub(crate) use load_cases::LoadCaseKeys;
 pub(crate) use sea::WavesKeys;
@@ -191,40 +192,5 @@ table! {
         depth_m: Option<Vec<f64>>, "current depths", range of(0.0, 2e4), absent "the same at every depth";
         /// Of a system: a file of the current over time and place, `t_s,x_m,y_m,z_m,u_m_per_s,v_m_per_s`, or of MoorDyn.
         file: Option<String>, "current file", absent "none";
-    }
-}
-
-/// One number, or a list of numbers.
-#[derive(Debug, Clone, PartialEq)]
-pub enum OneOrMany {
-    /// One number.
-    One(f64),
-    /// A list.
-    Many(Vec<f64>),
-}
-
-impl KeyValue for OneOrMany {
-    const KIND: ValueType = NumberOrList;
-
-    fn blank() -> Self {
-        Self::One(0.0)
-    }
-
-    fn read(node: &TomlNode) -> Option<Self> {
-        let one = node.number().map(Self::One);
-        one.or_else(|| node.numbers().map(Self::Many))
-    }
-
-    fn write(&self) -> toml_edit::Value {
-        match self {
-            Self::One(value) => value.write(),
-            Self::Many(values) => values.write(),
-        }
-    }
-}
-
-impl FromDefault<f64> for OneOrMany {
-    fn from_default(declared: f64) -> Self {
-        Self::One(declared)
     }
 }

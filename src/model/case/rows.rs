@@ -4,10 +4,10 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::check::fields_here;
-use super::edited::{ReplacedValue, void};
+use super::fields::parameters_table::PARAMETERS;
 use super::fields::{AbsentValue, Field, Schema, in_words, join, number, value_text};
 use super::model::Mark;
-use super::parameters::PARAMETERS;
+use super::replaced_value::{ReplacedValue, void};
 use super::schema::{SubTable, TableNode};
 use super::tree::{TomlData, TomlNode};
 

@@ -9,12 +9,12 @@ use super::case_list::Filter;
 use super::model_list::ModelList;
 use super::pending::PendingEdits;
 use super::reading::{SavedRows, rows};
-use crate::case::edited::{self, EditedKey, Origin};
-use crate::case::judging_rows::is_judging;
-use crate::case::shipped;
 use crate::facade::FieldRow;
 use crate::fuzzy::{FuzzyFilter, Looking};
-use crate::kinds::FileType;
+use seacable_model::case::edited::EditedKey;
+use seacable_model::case::judging_rows::is_judging;
+use seacable_model::case::{Origin, edited, shipped};
+use seacable_model::kinds::FileType;
 
 /// The inputs of a file as it was opened, or as it is shipped: edits are told by them, also once they are saved.
 #[derive(Debug, Clone)]

@@ -4,7 +4,7 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, variants, words};
 
-use super::OneOrMany;
+use super::one_or_many::OneOrMany;
 
 table! {
     /// The two ends of the line.

@@ -1,6 +1,6 @@
 //! The line: materials, sections, floats.
 
-use super::OneOrMany;
+use super::one_or_many::OneOrMany;
 use crate::case::TomlNode;
 use crate::case::fields::ValueType::{self, Name, NumberOrChoice, NumberOrTriple};
 use crate::case::fields::{of, positive};

@@ -2,13 +2,13 @@
 
 use super::super::text_input::type_key;
 use super::{edit_of_form, new_file, wanted};
-use crate::case::parameters::PARAMETERS;
-use crate::case::structure::StructureEdit;
 use crate::key::KeyPress;
 use crate::msg::Effect;
 use crate::state::form::{Form, FormPurpose, NAME_OF_TABLE};
 use crate::state::{AppState, Overlay};
 use crate::update::motion::moved;
+use seacable_model::case::fields::parameters_table::PARAMETERS;
+use seacable_model::case::structure::StructureEdit;
 
 /// Takes a key, with the form taken from the screen.
 pub(in crate::update) fn key(

@@ -6,15 +6,15 @@ pub mod picker;
 
 use super::edit_check::ask;
 use super::notice::info;
-use crate::case::fields::{Schema, TableSchema, TableShape, join, split};
-use crate::case::parameters::PARAMETERS;
-use crate::case::structure::{StructureEdit, free_name, table_of, values_of};
 use crate::facade;
 use crate::msg::Effect;
 use crate::state::form::{Form, FormLine, FormPurpose, NAME_OF_TABLE, below, line_of, title_of};
 use crate::state::pending::{Change, EditSource, PendingEdit};
 use crate::state::picker::{Choice, Picker, PickerItem};
 use crate::state::{AppState, Overlay};
+use seacable_model::case::fields::parameters_table::PARAMETERS;
+use seacable_model::case::fields::{Schema, TableSchema, TableShape, join, split};
+use seacable_model::case::structure::{StructureEdit, free_name, table_of, values_of};
 
 /// What the file that is open may hold.
 fn schema(state: &AppState) -> Option<&'static Schema> {
