@@ -9,7 +9,7 @@ use seacable::system::SolvedSystem;
 use seacable::system::analysis::analyses::Analyses;
 use seacable::system::analysis::{masses::mass_matrix, periods::periods};
 use seacable::system::body_loads::body_loads;
-use seacable::system::line_at_rest::LinePhysics;
+use seacable::system::line_physics::LinePhysics;
 use seacable::system::network::{Body, HeadingLoads, Member, Network};
 use seacable::system::pose::Pose;
 use seacable::system::stability::Stability;

@@ -6,7 +6,7 @@ use nalgebra::{Complex, Matrix6};
 use seacable::case::kind;
 use seacable::system::SystemFile;
 use seacable::system::body_loads::body_loads;
-use seacable::system::line_at_rest::LinePhysics;
+use seacable::system::line_physics::LinePhysics;
 use seacable::system::motion::body_equation::MovingBody;
 use seacable::system::motion::run::{MotionRun, run};
 use seacable::system::potential_flow::RadiationTable;

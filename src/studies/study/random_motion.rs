@@ -17,7 +17,8 @@ use rayon::prelude::*;
 use self::paid_out::Drive;
 use crate::case::{ChannelQuantity, kind};
 use crate::numerics::random::Random;
-use crate::system::motion::payout::{self, Payout};
+use crate::system::motion::payout::Payout;
+use crate::system::motion::payout_inputs;
 use crate::system::motion::run::{MotionRun, run};
 use crate::system::{SolvedSystem, SystemFile};
 
@@ -186,7 +187,7 @@ fn wrong_length(solved: &SolvedSystem, run: &MotionRun) -> f64 {
         _ if payout.heave != 0.0 => None,
         _ => payout.drive.prescribed(run.work.reached).map(|out| out[0]),
     };
-    let payouts = payout::payouts(&solved.file, &solved.network);
+    let payouts = payout_inputs::payouts(&solved.file, &solved.network);
     let out: Option<f64> = payouts.iter().map(prescribed).sum();
     out.map_or(0.0, |out| (change - out).abs() / f64::max(whole, 1.0))
 }

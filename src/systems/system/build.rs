@@ -6,25 +6,25 @@ use std::sync::Arc;
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
 use super::bed::Bed;
-use super::discretised::{DiscretisedLine, LineForm};
+use super::discretised::{DiscretisedLine, Divided, LineForm};
 use super::initial::{BodyInitial, PointInitial};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
     StartPlacement, SystemFile,
 };
-use super::motion::breaks::is_between;
+use super::motion::broken_names::is_between;
 use super::motion::inputs::{body_motion, point_motion};
-use super::motion::payout::payouts;
+use super::motion::payout_inputs::payouts;
 use super::motion::responses::{responses, wave_response};
 use super::network::{
     Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
     WEIGHTLESS, reversed, weight, weighted,
 };
-use super::parts::{Part, parts};
+use super::parts::{Part, is_crossed, parts};
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{Material, WaterSurface, current_grid, depth_grid};
+use crate::case::{Material, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
@@ -33,15 +33,6 @@ use crate::statics::catenary::SectionProperties;
 
 /// The parts of lines that differ from what the file states, by the name of line or copy.
 pub type AgedParts = BTreeMap<String, Vec<Part>>;
-
-/// Which lines are divided into segments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Divided {
-    /// Those without a closed form.
-    WhereNeeded,
-    /// All, as in motion.
-    All,
-}
 
 /// The system that a file states, which the checks passed, with lines of other parts where they aged.
 ///
@@ -97,14 +88,6 @@ pub fn build(
     let mut network = builder.network;
     network.payouts = payouts(file, &network);
     Ok(network)
-}
-
-/// Whether lines and points of a file have their weight in air above its water.
-#[must_use]
-pub fn is_crossed(file: &SystemFile) -> bool {
-    let water = &file.environment;
-    let weighs = water.water_density_kg_per_m3 > 0.0 && water.gravity_m_per_s2 > 0.0;
-    weighs && water.water_surface == WaterSurface::Crossed
 }
 
 /// The sea bed of a file.

@@ -4,14 +4,14 @@ use super::ageing::check::ageing;
 use super::build::{angles as angles_of, copy_name};
 use super::check_bed::{bed, below_bed};
 use super::check_lines::ByName;
+use super::check_matrix::matrix;
 use super::check_start::{not_free, of_body, of_rod, parts};
 use super::file::SYSTEM;
 use super::model::{
     BodyKeys, BodyKind, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
-use super::quantities;
-use super::rods;
+use super::{quantities, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
     Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
@@ -408,14 +408,6 @@ fn outside_water(
         return Some(point.position_m.finding(problem, remedy));
     }
     None
-}
-
-pub(super) fn matrix(key: &Key<'_, Vec<f64>>, lengths: &[usize], wanted: &str) -> Option<Finding> {
-    let numbers = key.given()?;
-    (!lengths.contains(&numbers.len())).then(|| {
-        let problem = format!("has {} numbers", numbers.len());
-        key.finding(problem, format!("give {wanted}"))
-    })
 }
 
 /// A line that is lost is one of the system, and nothing else needs it.

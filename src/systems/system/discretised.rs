@@ -3,10 +3,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use super::build::{Divided, is_crossed};
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
-use super::parts::Part;
+use super::parts::{Part, is_crossed};
 use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
@@ -338,4 +337,13 @@ fn shares(case: &Case) -> Vec<f64> {
         before += section.length_m;
     }
     shares
+}
+
+/// Which lines are divided into segments.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Divided {
+    /// Those without a closed form.
+    WhereNeeded,
+    /// All, as in motion.
+    All,
 }

@@ -6,7 +6,8 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use num_dual::DualNum;
 
-use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant, near};
+use super::load_sum::LoadSum;
+use super::moving_pose::{Dual, DualVector, MovingPose, constant, near};
 use super::network::{Body, HeadingLoads, Network};
 use crate::numerics::{M3, V3};
 

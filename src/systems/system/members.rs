@@ -10,9 +10,9 @@ mod placed;
 mod water_loads;
 mod wet_part;
 
+use super::moving_pose::MovingPose;
 use super::pose::Pose;
 use crate::physics::sea::{SeaReader, WaterMotion};
-use crate::system::body_loads::MovingPose;
 use crate::system::network::Member;
 
 pub(super) use added_mass::added_mass;

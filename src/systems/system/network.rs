@@ -6,18 +6,15 @@ use nalgebra::Matrix6;
 
 use super::bed::Bed;
 use super::discretised::DiscretisedLine;
-use super::immersion::Immersion;
 use super::initial::{BodyInitial, PointInitial};
-use super::line_at_rest::LinePhysics;
 use super::motion::PoseMotion;
 use super::motion::payout::Payout;
 use super::pose::Pose;
 use super::potential_flow::PotentialFlow;
 use crate::numerics::{M3, V3};
-use crate::physics::CurrentGrid;
-use crate::physics::EndMotion;
 use crate::physics::current::CurrentProfile;
 use crate::physics::sea::Sea;
+use crate::physics::{CurrentGrid, EndMotion};
 use crate::statics::catenary::SectionProperties;
 
 /// A system of lines, in SI.
@@ -96,38 +93,6 @@ pub struct FreePoint {
     pub start: Option<V3>,
     /// How it begins a run in time.
     pub initial: PointInitial,
-}
-
-impl FreePoint {
-    /// The force on it under water at a place \[m\], lines apart \[N\], and its change with the place \[N/m\]; drag in the full physics.
-    #[must_use]
-    pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {
-        let wet = match network.crossed {
-            true => Immersion::of(network, self, place.z),
-            false => Immersion::WHOLE,
-        };
-        let force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
-        let mut by_place = M3::zeros();
-        by_place[(2, 2)] = self.buoyancy * wet.by_height;
-        let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
-        let Some(current) = network.current.as_ref().filter(|_| flows) else {
-            return (force, by_place);
-        };
-        let (velocity, gradient) = current.flow(place);
-        let speed = velocity.norm();
-        let half = 0.5 * network.density * self.drag_area;
-        let turning = if speed > 0.0 {
-            velocity * (gradient.transpose() * velocity / speed).transpose()
-        } else {
-            M3::zeros()
-        };
-        let drag = velocity * (half * speed);
-        by_place += (gradient * speed + turning) * (half * wet.share);
-        for k in 0..3 {
-            by_place[(k, 2)] += drag[k] * wet.by_height;
-        }
-        (force + drag * wet.share, by_place)
-    }
 }
 
 /// A rigid body.

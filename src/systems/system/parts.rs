@@ -1,7 +1,7 @@
 //! The parts of a line: its sections, each of one material, in order from its end A.
 
 use super::model::{LineInputs, LineSection, SystemFile};
-use crate::case::Material;
+use crate::case::{Material, WaterSurface};
 
 /// A stretch of a line of one material.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,4 +42,12 @@ pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
         pieces: 1,
     };
     sections(line).into_iter().map(part).collect()
+}
+
+/// Whether lines and points of a file have their weight in air above its water.
+#[must_use]
+pub fn is_crossed(file: &SystemFile) -> bool {
+    let water = &file.environment;
+    let weighs = water.water_density_kg_per_m3 > 0.0 && water.gravity_m_per_s2 > 0.0;
+    weighs && water.water_surface == WaterSurface::Crossed
 }

@@ -8,7 +8,7 @@ use super::body_loads::body_loads;
 use super::bounds::Contact;
 use super::equilibrium::Equilibrium;
 use super::freedoms::{Freedoms, UnknownBodies};
-use super::line_at_rest::LinePhysics;
+use super::line_physics::LinePhysics;
 use super::network::Network;
 use crate::numerics::envelope::EnvelopeMatrix;
 

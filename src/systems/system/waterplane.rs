@@ -8,7 +8,8 @@
 use nalgebra::{Matrix6, Vector3};
 use num_dual::DualNum;
 
-use super::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant};
+use super::load_sum::LoadSum;
+use super::moving_pose::{Dual, DualVector, MovingPose, constant};
 use super::network::Body;
 use super::pose::Pose;
 use crate::numerics::V3;

@@ -4,9 +4,10 @@
 //! on by a share of what the depths moved, by Aitken's rule for vectors (Irons and Tuck 1969; Küttler and Wall, Comput. Mech. 43,
 //! 2008), so that growth that lowers a line to where it grows less does not swing to and fro.
 
+use super::super::discretised::Divided;
 use super::material::AgedState;
 use super::pieces::{AgeingLine, aged, depths, lines, varying};
-use crate::system::build::{AgedParts, Divided, build};
+use crate::system::build::{AgedParts, build};
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::SystemFile;
 use crate::system::network::Network;

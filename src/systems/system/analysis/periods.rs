@@ -13,7 +13,7 @@ use super::super::balance::balance;
 use super::super::bounds::Contact;
 use super::super::equilibrium::Equilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
-use super::super::line_at_rest::LinePhysics;
+use super::super::line_physics::LinePhysics;
 use super::super::network::{Held, Network};
 use super::super::pose::cross;
 use super::super::stiffness::{contacts, take};

@@ -22,7 +22,7 @@ use super::balance::{Balance, UnsolvedLine, balance};
 use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
-use super::line_at_rest::LinePhysics;
+use super::line_physics::LinePhysics;
 use super::network::{Body, Held, Network};
 
 /// A system at rest.

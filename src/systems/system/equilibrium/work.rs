@@ -44,7 +44,7 @@ impl Search<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::super::freedoms::{Freedoms, UnknownBodies};
-    use super::super::super::line_at_rest::LinePhysics;
+    use super::super::super::line_physics::LinePhysics;
     use super::*;
     use crate::case::kind::parse_stored;
     use crate::system::SystemFile;

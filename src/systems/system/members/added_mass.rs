@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use nalgebra::Matrix6;
 
+use super::super::moving_pose::MovingPose;
 use super::placed::Placed;
 use crate::numerics::{M3, V3};
-use crate::system::body_loads::MovingPose;
 use crate::system::network::{Body, Network};
 use crate::system::pose::{Pose, cross};
 

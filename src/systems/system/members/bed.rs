@@ -1,7 +1,8 @@
 //! The bed under the ends of a member.
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{MovingPose, constant, near};
 use crate::numerics::{M3, V3};
-use crate::system::body_loads::{LoadSum, MovingPose, constant, near};
 use crate::system::network::{Body, Member, Network};
 
 /// The bed under the ends of a member, each a ball of its radius whose lowest point bears on it: a spring that gives way by a millimetre

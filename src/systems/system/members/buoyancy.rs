@@ -13,10 +13,11 @@ use std::f64::consts::PI;
 
 use num_dual::DualNum;
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{Dual, DualVector, constant};
 use super::placed::Placed;
 use super::wet_part::{Span, UPRIGHT, WetPart, cut_shares, is_empty, segment};
 use crate::numerics::V3;
-use crate::system::body_loads::{Dual, DualVector, LoadSum, constant};
 use crate::system::network::Network;
 
 impl Placed<'_> {

@@ -7,9 +7,9 @@ use std::f64::consts::PI;
 
 use num_dual::DualNum;
 
+use super::super::moving_pose::{Dual, DualVector};
 use super::placed::Placed;
 use crate::physics::sea::WaterMotion;
-use crate::system::body_loads::{Dual, DualVector};
 
 /// Thickness over which an end that is level comes into the water, by its radius, on either side: a load must not jump.
 const THICKNESS: f64 = 0.01;

@@ -2,8 +2,8 @@
 
 use num_dual::DualNum;
 
+use super::super::moving_pose::{Dual, DualVector, MovingPose, constant};
 use crate::physics::sea::WaterMotion;
-use crate::system::body_loads::{Dual, DualVector, MovingPose, constant};
 use crate::system::network::Member;
 
 /// A member where it is, its lower end first.

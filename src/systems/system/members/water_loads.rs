@@ -4,9 +4,10 @@ use std::f64::consts::PI;
 
 use num_dual::DualNum;
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{Dual, DualVector, MovingPose, near};
 use super::placed::Placed;
 use crate::physics::sea::WaterMotion;
-use crate::system::body_loads::{Dual, DualVector, LoadSum, MovingPose, near};
 use crate::system::network::{Member, Network};
 
 /// Drag by the velocity of the water relative to the member: across it on its part below the surface, and along it on its ends there.

@@ -7,9 +7,9 @@ use std::sync::LazyLock;
 
 use num_dual::DualNum;
 
+use super::super::moving_pose::{Dual, DualVector};
 use super::placed::Placed;
 use crate::numerics::quadrature::gauss_legendre;
-use crate::system::body_loads::{Dual, DualVector};
 
 /// Slices of the length that is whole in the water, and of the length that the surface cuts.
 const WHOLE: usize = 16;

@@ -1,6 +1,6 @@
 //! Fatigue along the lines of a system in motion.
 
-use super::breaks;
+use super::broken_names;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::checks::along::{AlongPlan, CountedLine};
@@ -118,6 +118,6 @@ fn changes(system: &MovingSystem, number: usize) -> bool {
     let points = &system.network.points;
     let breaks = [line.from, line.to]
         .iter()
-        .any(|end| breaks::is_between(&points[*end].name));
+        .any(|end| broken_names::is_between(&points[*end].name));
     breaks || system.paid.iter().any(|paid| paid.line == number)
 }

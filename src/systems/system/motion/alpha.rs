@@ -2,7 +2,7 @@
 
 use super::body_equation::MovingBody;
 use super::border::{Border, accelerate};
-use super::method::MethodState;
+use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::payout_border::correct_drives;
 use super::point_loads::landing_acceleration;

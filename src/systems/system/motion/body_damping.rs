@@ -4,11 +4,12 @@
 use nalgebra::{Matrix3, Matrix6, UnitQuaternion, Vector6};
 use num_dual::DualNum;
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{Dual, DualVector, MovingPose, constant};
 use super::body_equation::{MovingBody, velocities};
-use super::body_flow::FlowLoad;
+use super::flow_load::FlowLoad;
 use super::pose_motion::BodyMotion;
 use crate::numerics::V3;
-use crate::system::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant};
 use crate::system::network::{Body, Network};
 
 /// Whether the added mass that a body is given acts to first order alone.

@@ -17,17 +17,17 @@
 
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{Dual, DualVector, MovingPose, constant, unknown};
 use super::body_damping::{damp, is_linear};
-use super::body_flow::FlowLoad;
+use super::flow_load::FlowLoad;
 use super::foot::Foot;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
 use crate::physics::FrictionAnchor;
 use crate::physics::sea::WaterMotion;
 use crate::solve::Factors;
-use crate::system::body_loads::{
-    Dual, DualVector, LoadSum, MovingPose, add_loads_by_pose, constant, fixed_loads, unknown,
-};
+use crate::system::body_loads::{add_loads_by_pose, fixed_loads};
 use crate::system::members;
 use crate::system::network::{Body, Network};
 use crate::system::pose::{Pose, cross};

@@ -9,9 +9,8 @@
 //!
 //! over the accepted times t_k and the step h under way. The last term is a damping of the step, in the tangent too.
 
-use nalgebra::{Matrix6, Vector6};
-
 use super::body_damping::damped_velocities;
+use super::flow_load::FlowLoad;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use super::velocity_history::VelocityHistory;
@@ -36,17 +35,6 @@ impl BodyFlow {
     pub fn has_waves(&self) -> bool {
         self.waves.is_some()
     }
-}
-
-/// The loads of the flow in a step.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct FlowLoad {
-    /// Force \[N\] and moment about the origin \[N m\] of the waves, in the earth's directions.
-    pub waves: Vector6<f64>,
-    /// Load of the memory at no velocity, along the axes that damping acts in \[N, N m\].
-    pub memory: Vector6<f64>,
-    /// Damping of the memory, along the same axes \[N s/m, N s, N m s\].
-    pub damping: Matrix6<f64>,
 }
 
 /// The flows around the bodies that have coefficients.

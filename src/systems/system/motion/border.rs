@@ -6,11 +6,11 @@
 use std::collections::HashMap;
 
 use super::body_equation::{MovingBody, rotation_jacobian};
-use super::joints::{Follows, Role};
+use super::joint_place::{Place, add_parts, place, set_ends};
+use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::{self, BorderedLines, DrivenPayout, driven};
 use super::point_loads::{Around, point_load};
-use super::pose_motion::BodyMotion;
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, V3};
 use crate::solve::{Factors, NewtonError, Residual, State};
@@ -93,69 +93,6 @@ pub(super) struct Linearised<'a> {
     pub(super) matrix: &'a BlockEnvelope,
     /// Their residuals \[N, N m\].
     pub(super) rows: &'a [V3],
-}
-
-/// How a place moves with the unknowns: rows, each with the displacement of the place by it; as itself where that is nothing. A force there is
-/// on each row that force by the transpose. A place on a body that is pinned to another has four.
-#[derive(Default)]
-pub(super) struct Place {
-    parts: [(usize, Option<M3>); 4],
-    count: usize,
-    arms: [Option<Arm>; 2],
-}
-
-/// An arm that turns under the force on its place.
-#[derive(Clone, Copy)]
-struct Arm {
-    rotation: usize,
-    /// As the matrix of its cross product.
-    arm: M3,
-    jacobian: M3,
-}
-
-impl Place {
-    fn push(&mut self, row: usize, by: Option<M3>) {
-        if let Some(part) = self.parts.get_mut(self.count) {
-            *part = (row, by);
-            self.count += 1;
-        }
-    }
-
-    /// Adds the rotation of a body that the place is on.
-    fn turn(&mut self, arm: Arm) {
-        self.push(arm.rotation, Some(-arm.arm * arm.jacobian));
-        if let Some(free) = self.arms.iter_mut().find(|known| known.is_none()) {
-            *free = Some(arm);
-        }
-    }
-
-    pub(super) fn parts(&self) -> &[(usize, Option<M3>)] {
-        &self.parts[..self.count]
-    }
-
-    fn arms(&self) -> impl Iterator<Item = &Arm> {
-        self.arms.iter().flatten()
-    }
-
-    /// The displacement of the place by those of the unknowns.
-    fn displacement(&self, rows: &[V3]) -> V3 {
-        let parts = self.parts().iter();
-        let moved = parts.map(|(row, by)| match by {
-            Some(by) => by * rows[*row],
-            None => rows[*row],
-        });
-        moved.reduce(|sum, part| sum + part).unwrap_or_default()
-    }
-
-    /// Adds a force at the place to the rows of the unknowns.
-    fn add(&self, force: &V3, rows: &mut [V3]) {
-        for (row, by) in self.parts() {
-            rows[*row] += match by {
-                Some(by) => by.transpose() * force,
-                None => *force,
-            };
-        }
-    }
 }
 
 /// Accelerations of a state from its positions and velocities, by the forces.
@@ -516,61 +453,7 @@ fn back(
     }
 }
 
-/// The displacements of the ends of a line.
-pub(super) fn set_ends(
-    (system, state): (&MovingSystem, &SystemState),
-    rows: &[V3],
-    line: usize,
-    x: &mut [V3],
-) {
-    let last = x.len() - 1;
-    for (node, joint) in [0, last].into_iter().zip(state.attached[line]) {
-        x[node] = place(system, state, joint).displacement(rows);
-    }
-}
-
-/// Adds forces on the ends of a line to the rows of what they are at.
-pub(super) fn add_to_rows(
-    (system, state): (&MovingSystem, &SystemState),
-    line: usize,
-    left: &[V3; 2],
-    rows: &mut [V3],
-) {
-    for (left, joint) in left.iter().zip(state.attached[line]) {
-        place(system, state, joint).add(left, rows);
-    }
-}
-
 /// Position, velocity and acceleration of a joint.
 fn node(state: &State, joint: usize) -> (&V3, &V3, &V3) {
     (&state.x[joint], &state.v[joint], &state.a[joint])
-}
-
-/// How a joint moves.
-pub(super) fn place(system: &MovingSystem, state: &SystemState, joint: usize) -> Place {
-    let mut place = Place::default();
-    add_parts(system, state, joint, &mut place);
-    place
-}
-
-/// Adds the unknowns that a joint moves with: of one on a body those of its origin, and the rotation.
-fn add_parts(system: &MovingSystem, state: &SystemState, joint: usize, place: &mut Place) {
-    match system.joints.follows(joint) {
-        Follows::Nothing => {}
-        Follows::Row(row) => place.push(row, None),
-        Follows::Body(body, at) => {
-            let joints = &system.joints;
-            let rotation = joints.rotations[body];
-            let Some(row) = joints.row(rotation) else {
-                return;
-            };
-            add_parts(system, state, joints.bodies[body], place);
-            let motion: BodyMotion = system.body(state, body);
-            place.turn(Arm {
-                rotation: row,
-                arm: cross(&motion.pose.arm(&at)),
-                jacobian: rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]),
-            });
-        }
-    }
 }

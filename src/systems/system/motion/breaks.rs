@@ -1,6 +1,6 @@
 //! Lines that may break: in motion they are two lines from the start, joined by a point without mass that the break parts.
 
-use super::moving_system::MovingSystem;
+use super::broken_names::{BETWEEN, SECOND};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::discretised::SEGMENTS;
@@ -8,10 +8,6 @@ use crate::system::freedoms::Placement;
 use crate::system::model::{LineInputs, LineSection, PointInputs, PointKind, SystemFile};
 use crate::system::network::{Held, Network};
 use crate::system::parts::sections;
-
-/// What the name of the second part of a line ends in, and of the point between both. No name in a file has a blank.
-const SECOND: &str = " beyond the break";
-const BETWEEN: &str = " at the break";
 
 /// The file with every line that may break written as two.
 #[must_use]
@@ -133,20 +129,4 @@ fn at_break(solved: &SolvedSystem, point: &str) -> Option<V3> {
     let ends = [&places[line.from], &places[line.to]];
     let share = given.break_at_m? / line.length();
     Some(solved.rest.balance.lines[index].at(share, ends).0)
-}
-
-/// Whether a point stands between the parts of a line that may break.
-#[must_use]
-pub fn is_between(name: &str) -> bool {
-    name.ends_with(BETWEEN)
-}
-
-/// The name under which an end of a line is known: the end B of a line that may break is that of its second part. Nothing for the
-/// ends at the break.
-#[must_use]
-pub fn name_of_end(system: &MovingSystem, line: usize, end: usize) -> Option<String> {
-    let given = &system.network.lines[line];
-    let point = [given.from, given.to][end];
-    let at_break = is_between(&system.network.points[point].name);
-    (!at_break).then(|| given.name.replace(SECOND, ""))
 }

@@ -1,7 +1,7 @@
 //! What is recorded of a system in motion.
 
 use super::body_equation::MovingBody;
-use super::breaks;
+use super::broken_names;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::pins::pin_force;
@@ -51,7 +51,7 @@ impl Channels {
         };
         for number in 0..system.network.lines.len() {
             for (end, word) in ["a", "b"].into_iter().enumerate() {
-                if let Some(name) = breaks::name_of_end(system, number, end) {
+                if let Some(name) = broken_names::name_of_end(system, number, end) {
                     let id = ChannelQuantity::Tension.at(format!("{name}|{word}"));
                     channels.add(id, Source::Tension(number, end));
                 }
@@ -62,7 +62,7 @@ impl Channels {
             let moves = match system.joints.roles[joint] {
                 Role::Prescribed(_) => point.motion.is_some(),
                 Role::OnBody(body, _) => moves(system, body),
-                _ => !breaks::is_between(&point.name),
+                _ => !broken_names::is_between(&point.name),
             };
             if moves {
                 channels.place(&point.name, joint);
@@ -130,7 +130,7 @@ impl Channels {
         let ends = [given.from, given.to];
         if ends
             .iter()
-            .any(|end| breaks::is_between(&system.network.points[*end].name))
+            .any(|end| broken_names::is_between(&system.network.points[*end].name))
         {
             return;
         }
@@ -142,7 +142,7 @@ impl Channels {
 
     fn uplift(&mut self, system: &MovingSystem) {
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
-            if matches!(point.held, Held::At(_)) && !breaks::is_between(&point.name) {
+            if matches!(point.held, Held::At(_)) && !broken_names::is_between(&point.name) {
                 let id = ChannelQuantity::Uplift.at(point.name.as_str());
                 self.add(id, Source::Uplift(joint));
             }

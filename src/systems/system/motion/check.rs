@@ -1,9 +1,9 @@
 //! Checks of the keys of motion: prescribed motions, breaks.
 
+use super::super::check_matrix::matrix;
 use crate::case::schema::Key;
 use crate::case::{Finding, WaveKind, of_waves, too_many_rows, too_many_steps};
 use crate::limits::SEGMENTS;
-use crate::system::check::matrix;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
 
 /// Waves without height or period, or in a system without water.

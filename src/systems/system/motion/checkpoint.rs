@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::job::SystemRequest;
 use super::march::Marching;
-use super::method::MethodState;
+use super::method_state::MethodState;
 use super::recorder::RecorderState;
 use super::system_state::SystemState;
 use crate::case::kind;

@@ -3,11 +3,12 @@
 
 use nalgebra::Matrix6;
 
+use super::super::load_sum::LoadSum;
+use super::super::moving_pose::{Dual, DualVector, MovingPose, constant};
 use super::body_equation::MovingBody;
 use super::point_loads::bed_load;
 use crate::numerics::{M3, V3};
 use crate::physics::FrictionAnchor;
-use crate::system::body_loads::{Dual, DualVector, LoadSum, MovingPose, constant};
 use crate::system::network::{Body, FreePoint, Network};
 
 /// What of a body bears on the bed.

@@ -3,7 +3,7 @@
 
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::start::{at_rest, lines_at_rest, still};
+use super::rest_state::{at_rest, lines_at_rest, still};
 use super::system_state::SystemState;
 use crate::system::SolvedSystem;
 use crate::system::freedoms::Placement;

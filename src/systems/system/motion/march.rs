@@ -4,10 +4,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
-use super::breaks;
+use super::broken_names;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::mesh_of_ends::{EndMesh, Remesh};
-use super::method::{Method, MethodState};
+use super::method::Method;
+use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::recorder::{ChannelSummary, Recorder};
 use super::release::{Release, by_tension, by_time};
@@ -433,7 +434,7 @@ fn gone_before(system: &MovingSystem, event: Release) -> String {
 
 /// What lets go, and whether it is an end of a line as the file has it; a line breaks at the others.
 fn part_in_words(system: &MovingSystem, Release { line, end, .. }: Release) -> (String, bool) {
-    match breaks::name_of_end(system, line, end) {
+    match broken_names::name_of_end(system, line, end) {
         Some(name) => (format!("end {} of line {name}", ["A", "B"][end]), true),
         None => (format!("line {}", system.network.lines[line].name), false),
     }

@@ -1,11 +1,11 @@
 //! The mesh at ends that are paid out: only their segment grows or shrinks; where it is too long it is parted, where too short joined
 //! with the next: see [`super::new_node`] and [`super::surplus`].
 
-use super::method::MethodState;
+use super::method_state::MethodState;
 use super::moving_system::{MovingSystem, put_into_water};
 use super::new_node::NewNode;
+use super::paid_line::PaidLine;
 use super::system_state::SystemState;
-use crate::case::Case;
 use crate::numerics::V3;
 use crate::scene::{self, PaidOut, Scene};
 use crate::solve::State;
@@ -18,17 +18,6 @@ pub(super) const SHORTEST: f64 = 0.4;
 const NOTHING: f64 = 0.05;
 /// Share of its length by which an end segment may change in a step.
 const CHANGE: f64 = 0.3;
-
-/// A line that is paid out.
-#[derive(Debug, Clone)]
-pub struct PaidLine {
-    /// Which line.
-    pub line: usize,
-    /// What passes its ends A and B: the payout, and the sign of its length here.
-    pub ends: [Option<(usize, f64)>; 2],
-    /// The line as it is at rest.
-    pub case: Case,
-}
 
 /// What the mesh of an end needs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,33 +1,15 @@
 //! The method by which a system is computed in time.
 
-use serde::{Deserialize, Serialize};
-
 use super::alpha::SystemAlpha;
 use super::body_equation::MovingBody;
+use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::rk4::SystemRk4;
 use super::settings::MotionSettings;
 use super::system_state::SystemState;
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
-use crate::numerics::V3;
-use crate::solve::{ConvergenceRate, NewtonError};
+use crate::solve::NewtonError;
 use crate::system::model::MotionMethod;
-
-/// What a method takes from one step to the next.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct MethodState {
-    /// Newton iterations so far.
-    pub iterations: u64,
-    /// Evaluations of an explicit method so far.
-    pub evaluations: u64,
-    /// Rate of Newton's convergence.
-    #[serde(rename = "convergence")]
-    pub rate: Option<ConvergenceRate>,
-    /// Weight of the jerk in the prediction.
-    pub jerk_weight: f64,
-    /// Rates of the accelerations over the step before, part by part \[m/s³\]; empty for an explicit method.
-    pub jerk: Vec<Vec<V3>>,
-}
 
 /// One of the methods.
 #[derive(Debug, Clone)]

@@ -2,17 +2,16 @@
 
 use std::ops::Range;
 
+use super::super::{members::STATIONS, network::Body};
 use super::body_equation::BodyWater;
 use super::body_flow::{self, BodyFlow};
 use super::foot::{Foot, feet};
 use super::joints::{Joints, Role};
-use super::mesh_of_ends::PaidLine;
+use super::paid_line::PaidLine;
 use super::payout::PaidEnd;
 use super::point_loads::{anchor, drag_anchor};
 use super::pose_motion::BodyMotion;
-use super::start::turn_bases;
 use super::system_state::SystemState;
-use super::wave_stations;
 use crate::numerics::V3;
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentProfile, FrictionAnchor};
@@ -93,7 +92,7 @@ impl MovingSystem {
             }
         }
         let mut system = Self {
-            stations: wave_stations::ranges(
+            stations: ranges(
                 &network.bodies,
                 network.sea.is_some() || network.current_over_time.is_some(),
             ),
@@ -531,4 +530,35 @@ impl Marched<SystemState> for MovingSystem {
         turn_bases(self, state);
         body_flow::commit(self, t, state);
     }
+}
+
+/// Turns the bases of the bodies that turn by their rotation vectors, which start anew.
+pub(super) fn turn_bases(system: &MovingSystem, state: &mut SystemState) {
+    for (number, body) in system.network.bodies.iter().enumerate() {
+        if body.turns() {
+            let mut rotation = system.body(state, number).pose.rotation;
+            rotation.renormalize();
+            state.bases[number] = rotation;
+            state.joints.x[system.joints.rotations[number]] = V3::zeros();
+        }
+    }
+}
+
+/// The stations of each body among those of all: its origin, then its members; none in still water.
+#[must_use]
+pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
+    let mut next = 0;
+    let range = |body: &Body| {
+        // Only drag and members feel the water itself.
+        let feels =
+            waves && body.turns() && (body.drag_area != V3::zeros() || !body.members.is_empty());
+        let count = if feels {
+            1 + STATIONS * body.members.len()
+        } else {
+            0
+        };
+        next += count;
+        next - count..next
+    };
+    bodies.iter().map(range).collect()
 }

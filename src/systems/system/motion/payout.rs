@@ -2,12 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::numerics::V3;
-use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
-use crate::physics::motion::MotionPath;
-use crate::system::model::{PayoutInputs, SlidingInputs, SystemFile};
-use crate::system::network::Network;
 
 /// Line that passes an end of it, or from one line through a point into another.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,10 +42,10 @@ pub enum Drive {
 /// A rate from a time to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RateCourse {
-    rate: f64,
-    start: f64,
-    stop: f64,
-    ramp: f64,
+    pub(super) rate: f64,
+    pub(super) start: f64,
+    pub(super) stop: f64,
+    pub(super) ramp: f64,
 }
 
 /// A winch: a drum that turns against its drive.
@@ -59,12 +54,12 @@ pub struct Winch {
     /// Moment of inertia of drum and drive by the square of the radius \[kg\].
     pub mass: f64,
     /// Least and greatest force of the drive \[N\].
-    limits: [f64; 2],
+    pub(super) limits: [f64; 2],
     /// Rate at which the drive has the least force \[m/s\], and its slope there \[N s/m\].
-    rate: f64,
-    slope: f64,
+    pub(super) rate: f64,
+    pub(super) slope: f64,
     /// Greatest rate either way \[m/s\], beyond which it brakes.
-    fastest: Option<f64>,
+    pub(super) fastest: Option<f64>,
     /// Time over which it is let go \[s\].
     pub ramp: f64,
 }
@@ -81,11 +76,11 @@ pub struct Friction {
 }
 
 /// Share of its rate by which the load slows a winch that hauls in, or drives one that pays out, from nothing to its greatest tension.
-const SLIP: f64 = 0.02;
+pub(super) const SLIP: f64 = 0.02;
 /// The same of the brake at the greatest rate, at twice the tension that is kept.
 const BRAKE_SLIP: f64 = 1e-3;
 /// Least rate that slip is counted by \[m/s\].
-const LEAST_RATE: f64 = 0.1;
+pub(super) const LEAST_RATE: f64 = 0.1;
 /// By how much an iteration passes a corner of a force, by its rate.
 const CORNER: f64 = 1e-6;
 /// Speed at which friction is full but for 30 % \[m/s\]: below it a point creeps.
@@ -234,114 +229,4 @@ impl Drive {
             Self::Winch(_) | Self::Slide(_) => None,
         }
     }
-}
-
-/// The payouts that a file states; what they lack was refused with the file.
-#[must_use]
-pub fn payouts(file: &SystemFile, network: &Network) -> Vec<Payout> {
-    let paid = file.payouts.iter().filter_map(|given| {
-        let line = network.line(&given.line)?;
-        let end = PaidEnd {
-            line,
-            end: given.end.index(),
-            sign: 1.0,
-        };
-        Some(Payout {
-            ends: vec![end],
-            drive: drive(given)?,
-            heave: given.heave_compensation.unwrap_or(0.0),
-        })
-    });
-    let slid = file.sliding_points.iter().filter_map(|given| {
-        Some(Payout {
-            ends: sliding_ends(given, network)?,
-            drive: sliding_drive(given)?,
-            heave: 0.0,
-        })
-    });
-    paid.chain(slid).collect()
-}
-
-/// What drives a point along a line: a rate, a table, or nothing but the line.
-fn sliding_drive(given: &SlidingInputs) -> Option<Drive> {
-    if let Some(rate) = given.rate_m_per_s {
-        let span = (given.start_s, given.stop_s);
-        return Some(rate_drive(rate, span, given.ramp_s));
-    }
-    if !given.table_time_s.is_empty() {
-        return table_drive(&given.table_time_s, &given.table_m, given.ramp_s);
-    }
-    Some(Drive::Slide(Friction {
-        constant: given.friction_n,
-        coefficient: given.friction,
-        ramp: given.ramp_s,
-    }))
-}
-
-/// The ends of both lines at a point that slides; hauled, `line` grows by what it is hauled along.
-fn sliding_ends(given: &SlidingInputs, network: &Network) -> Option<Vec<PaidEnd>> {
-    let point = network.point(&given.point)?;
-    let end = |name: &str, sign: f64| {
-        let line = network.line(name)?;
-        let ends = [network.lines[line].from, network.lines[line].to];
-        let end = ends.iter().position(|known| *known == point)?;
-        Some(PaidEnd { line, end, sign })
-    };
-    let hauled = given.rate_m_per_s.is_some() || !given.table_time_s.is_empty();
-    let sign = if hauled { 1.0 } else { -1.0 };
-    Some(vec![end(&given.line, sign)?, end(&given.other, -sign)?])
-}
-
-fn drive(given: &PayoutInputs) -> Option<Drive> {
-    if let Some(tension) = given.tension_n {
-        return Some(Drive::Winch(Winch {
-            mass: given.drum_mass_kg,
-            limits: [tension; 2],
-            rate: 0.0,
-            slope: 0.0,
-            fastest: given.greatest_rate_m_per_s,
-            ramp: given.ramp_s,
-        }));
-    }
-    if let Some(rate) = given.rate_m_per_s {
-        if let Some(tension) = given.greatest_tension_n {
-            let slip = SLIP * rate.abs().max(LEAST_RATE);
-            return Some(Drive::Winch(Winch {
-                mass: given.drum_mass_kg,
-                limits: [0.0, tension],
-                rate: rate - slip,
-                slope: tension / slip,
-                fastest: None,
-                ramp: given.ramp_s,
-            }));
-        }
-        let span = (given.start_s, given.stop_s);
-        return Some(rate_drive(rate, span, given.ramp_s));
-    }
-    if given.table_time_s.is_empty() {
-        // The heave alone.
-        return Some(rate_drive(0.0, (0.0, None), given.ramp_s));
-    }
-    table_drive(&given.table_time_s, &given.table_m, given.ramp_s)
-}
-
-/// A rate \[m/s\] from a time \[s\], to another if there is one, with its ramp \[s\].
-fn rate_drive(rate: f64, (start, stop): (f64, Option<f64>), ramp: f64) -> Drive {
-    Drive::Rate(RateCourse {
-        rate,
-        start,
-        stop: stop.unwrap_or(f64::INFINITY),
-        ramp,
-    })
-}
-
-/// Lengths \[m\] at these times \[s\], with the ramp \[s\].
-fn table_drive(times: &[f64], lengths: &[f64], ramp: f64) -> Option<Drive> {
-    let row = |(time, out): (&f64, &f64)| (*time, V3::new(*out, 0.0, 0.0));
-    let rows: Vec<(f64, V3)> = times.iter().zip(lengths).map(row).collect();
-    Some(Drive::Table(EndMotion {
-        position: V3::zeros(),
-        course: MotionPath::Table(Spline::through(&rows).ok()?),
-        ramp,
-    }))
 }

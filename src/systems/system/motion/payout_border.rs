@@ -3,8 +3,8 @@
 //! With the system without them factored, `M y = r` and the column `M Y = b` of each, the lengths are those of
 //! `(s - c' Y) p = r_p - c' y`, and what is left `y - Y p`.
 
-use super::border::{add_to_rows, set_ends};
 use super::energy::Energy;
+use super::joint_place::{add_to_rows, set_ends};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout::{Drive, Friction, PaidEnd, Payout};

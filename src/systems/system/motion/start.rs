@@ -1,32 +1,26 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
 use super::along::LinesAlong;
-use super::body_flow::FlowLoad;
 use super::border::Border;
 use super::breaks;
-use super::joints::Role;
 use super::let_go::{held, let_go, measure};
-use super::moving_system::MovingSystem;
+use super::moving_system::{MovingSystem, turn_bases};
 use super::payout_border::holding;
-use super::surplus::Surplus;
 use super::system_state::SystemState;
-use super::velocity_history::VelocityHistory;
-use nalgebra::UnitQuaternion;
 
-use crate::numerics::V3;
-use crate::physics::sea::WaterMotion;
-use crate::solve::{Factors, NewtonError, State, StaticSearch};
+use super::super::discretised::Divided;
+use super::rest_state::{at_rest, carried, lines_at_rest, longest, still};
+use crate::solve::{Factors, NewtonError, StaticSearch};
 use crate::system::SolvedSystem;
-use crate::system::balance::{UnsolvedLine, line_at_rest};
-use crate::system::build::{AgedParts, Divided, build};
+use crate::system::build::{AgedParts, build};
 use crate::system::discretised::SEGMENTS;
-use crate::system::equilibrium::{SystemError, weight_of_bodies};
+use crate::system::equilibrium::weight_of_bodies;
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
-use crate::system::line_at_rest::{LineAtRest, LinePhysics};
+use crate::system::line_at_rest::LineAtRest;
 use crate::system::model::SystemFile;
-use crate::system::network::{Held, Line, Network};
+use crate::system::network::{Held, Network};
 use crate::system::pose::Pose;
-use crate::system::rest::{UnsolvedSystem, not_divided, refused as refused_at_rest, rest_from};
+use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
 
 /// Iterations from the equilibrium of held ends to that of everything on its bed.
 const MOST_ITERATIONS: usize = 1500;
@@ -143,23 +137,6 @@ fn divided_at_rest(
     })
 }
 
-/// The lines at rest between points at these places, without what they would be solved again by: of many lines that is most of the memory.
-pub(super) fn lines_at_rest(
-    network: &Network,
-    placement: &Placement,
-) -> Result<Vec<LineAtRest>, UnsolvedSystem> {
-    let at_rest = |index| {
-        let mut line = line_at_rest(network, placement, index, LinePhysics::Full, None)?;
-        if let Some(divided) = &mut line.discretised {
-            divided.free_work();
-        }
-        Ok(line)
-    };
-    let lines = (0..network.lines.len()).map(at_rest);
-    let lines: Result<_, UnsolvedLine> = lines.collect();
-    lines.map_err(|unsolved| refused_at_rest(network, &SystemError::Line(unsolved)))
-}
-
 /// The system with what is moved where it is at time zero.
 fn moved_to_start(
     file: &SystemFile,
@@ -185,96 +162,6 @@ fn moved_to_start(
         }
     }
     Ok(network)
-}
-
-/// Puts what is held where the network has it.
-fn carried(network: &Network, placement: &mut Placement) {
-    for (point, place) in network.points.iter().zip(&mut placement.points) {
-        if let Held::At(at) = &point.held {
-            *place = *at;
-        }
-    }
-    for (body, pose) in network.bodies.iter().zip(&mut placement.bodies) {
-        if !body.free && body.carrier.is_none() {
-            pose.origin = body.pose.origin;
-        }
-        if !body.turns() {
-            pose.rotation = body.pose.rotation;
-        }
-    }
-    placement.carry(network);
-}
-
-/// Unstretched length of the longest line, a metre at least \[m\].
-fn longest(network: &Network) -> f64 {
-    network.lines.iter().map(Line::length).fold(1.0, f64::max)
-}
-
-/// The system and its state there.
-pub(super) fn at_rest(
-    network: Network,
-    placement: &Placement,
-    lines: &[LineAtRest],
-) -> (MovingSystem, SystemState) {
-    let found = lines.iter().filter_map(|line| line.discretised.as_ref());
-    let (scenes, lines): (Vec<_>, Vec<_>) = found
-        .map(|line| {
-            let (scene, state) = line.scene_and_state();
-            let mut state = state.clone();
-            state.extrapolated_tension.clear();
-            (scene.clone(), state)
-        })
-        .unzip();
-    let system = MovingSystem::new(network, scenes);
-    let joints = &system.joints;
-    let mut point_of = vec![None; joints.roles.len()];
-    for (point, joint) in joints.points.iter().enumerate().rev() {
-        point_of[*joint] = Some(point);
-    }
-    let place = |(joint, role): (usize, &Role)| match role {
-        Role::Origin(body) => placement.bodies[*body].origin,
-        Role::Rotation(_) | Role::Released(..) | Role::Payout(_) => V3::zeros(),
-        _ => point_of[joint].map_or_else(V3::zeros, |point| placement.points[point]),
-    };
-    let places: Vec<V3> = joints.roles.iter().enumerate().map(place).collect();
-    let bases = placement.bodies.iter().map(|pose| pose.rotation);
-    let state = state_of(&system, (places, bases.collect()), lines);
-    (system, state)
-}
-
-/// The state of a system without motion: its joints at these places, its bodies in these rotations, its lines.
-pub(super) fn state_of(
-    system: &MovingSystem,
-    (places, bases): (Vec<V3>, Vec<UnitQuaternion<f64>>),
-    lines: Vec<State>,
-) -> SystemState {
-    let ends = |line: &Line| [line.from, line.to].map(|point| system.joints.points[point]);
-    let stations = system.stations.last().map_or(0, |range| range.end);
-    SystemState {
-        body_flow: vec![WaterMotion::default(); stations],
-        flow_loads: vec![FlowLoad::default(); system.flows.len()],
-        velocities: vec![VelocityHistory::default(); system.flows.len()],
-        lines,
-        joints: State::at_rest(places),
-        bases,
-        attached: system.network.lines.iter().map(ends).collect(),
-        paid: system
-            .paid
-            .iter()
-            .map(|paid| system.scenes[paid.line].clone())
-            .collect(),
-        added: vec![[0; 2]; system.paid.len()],
-        surplus: vec![[Surplus::default(); 2]; system.paid.len()],
-        drive_excess: vec![0.0; system.payouts.len()],
-    }
-}
-
-/// Takes all velocities and accelerations out.
-pub(super) fn still(state: &mut SystemState) {
-    for part in state.parts_mut() {
-        part.v.fill(V3::zeros());
-        part.a.fill(V3::zeros());
-    }
 }
 
 /// Newton's method at rest, damped by a little mass, and by more where a step leaves more out of balance than there was: slack line on a
@@ -346,18 +233,6 @@ fn extent(state: &SystemState) -> f64 {
     let lines = state.lines.iter().flat_map(|line| &line.x);
     let places = lines.chain(&state.joints.x).map(nalgebra::Matrix::amax);
     places.fold(0.0, f64::max)
-}
-
-/// Turns the bases of the bodies that turn by their rotation vectors, which start anew.
-pub(super) fn turn_bases(system: &MovingSystem, state: &mut SystemState) {
-    for (number, body) in system.network.bodies.iter().enumerate() {
-        if body.turns() {
-            let mut rotation = system.body(state, number).pose.rotation;
-            rotation.renormalize();
-            state.bases[number] = rotation;
-            state.joints.x[system.joints.rotations[number]] = V3::zeros();
-        }
-    }
 }
 
 /// A search that failed, in words.

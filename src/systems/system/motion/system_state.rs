@@ -3,7 +3,7 @@
 use nalgebra::UnitQuaternion;
 use serde::{Deserialize, Serialize};
 
-use super::body_flow::FlowLoad;
+use super::flow_load::FlowLoad;
 use super::joints::Joints;
 use super::pose_motion::BodyMotion;
 use super::surplus::Surplus;

@@ -1,34 +1,11 @@
 //! Where the waves are read for the bodies of a system: once a step, at the origin of each body and along its members.
 
-use std::ops::Range;
-
 use super::body_flow;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
-use crate::numerics::V3;
 use crate::physics::sea::{SeaReader, WaterMotion};
 use crate::system::members::{self, STATIONS};
-use crate::system::network::Body;
-
-/// The stations of each body among those of all: its origin, then its members; none in still water.
-#[must_use]
-pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
-    let mut next = 0;
-    let range = |body: &Body| {
-        // Only drag and members feel the water itself.
-        let feels =
-            waves && body.turns() && (body.drag_area != V3::zeros() || !body.members.is_empty());
-        let count = if feels {
-            1 + STATIONS * body.members.len()
-        } else {
-            0
-        };
-        next += count;
-        next - count..next
-    };
-    bodies.iter().map(range).collect()
-}
 
 impl MovingSystem {
     /// Writes the wave kinematics at time t \[s\] into a state; those of lines are extrapolated from a state in which they were written a time \[s\]

@@ -13,13 +13,13 @@ use std::f64::consts::TAU;
 
 use nalgebra::{Complex, Matrix6, Vector6};
 
+use super::super::line_physics::LinePhysics;
 use super::{ExcitationTable, RadiationTable};
 use crate::numerics::V3;
 use crate::numerics::interpolation::{interval, share};
 use crate::physics::sea::{Rao, Sea};
 use crate::scene::rao_file::{self, HeadingRao};
 use crate::system::body_loads::body_loads;
-use crate::system::line_at_rest::LinePhysics;
 use crate::system::motion::body_equation::MovingBody;
 use crate::system::network::{Body, Network};
 

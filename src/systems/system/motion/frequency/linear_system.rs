@@ -2,6 +2,7 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
+use super::super::joint_place::{Place, place};
 use super::spread::damped_axes;
 use super::{Amplitude, Complex};
 use crate::numerics::{
@@ -9,7 +10,7 @@ use crate::numerics::{
 };
 use crate::solve::Factors;
 use crate::system::motion::body_equation::rotation_jacobian;
-use crate::system::motion::border::{Border, Place, place};
+use crate::system::motion::border::Border;
 use crate::system::motion::joints::Follows;
 use crate::system::motion::moving_system::MovingSystem;
 use crate::system::motion::system_state::SystemState;

@@ -1,5 +1,6 @@
 //! A line between two ends as a system of one line, ready for a quick look.
 
+use super::super::rest_state::state_of;
 use super::look::unsolved;
 use crate::case::{Case, Method};
 use crate::numerics::V3;
@@ -8,7 +9,7 @@ use crate::physics::motion::MotionPath;
 use crate::scene::{EndCondition, Scene, build};
 use crate::statics::equilibrium::EquilibriumSearch;
 use crate::system::motion::moving_system::MovingSystem;
-use crate::system::motion::start::{Start, state_of};
+use crate::system::motion::start::Start;
 use crate::system::network::{FreePoint, Held, Line, Network, Point};
 use crate::system::rest::UnsolvedSystem;
 

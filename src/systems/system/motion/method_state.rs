@@ -1,0 +1,20 @@
+//! What a method carries from step to step.
+
+use crate::{numerics::V3, solve::ConvergenceRate};
+use serde::{Deserialize, Serialize};
+
+/// What a method takes from one step to the next.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct MethodState {
+    /// Newton iterations so far.
+    pub iterations: u64,
+    /// Evaluations of an explicit method so far.
+    pub evaluations: u64,
+    /// Rate of Newton's convergence.
+    #[serde(rename = "convergence")]
+    pub rate: Option<ConvergenceRate>,
+    /// Weight of the jerk in the prediction.
+    pub jerk_weight: f64,
+    /// Rates of the accelerations over the step before, part by part \[m/s³\]; empty for an explicit method.
+    pub jerk: Vec<Vec<V3>>,
+}

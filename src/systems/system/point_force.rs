@@ -1,0 +1,40 @@
+//! The force on a free point.
+
+use super::{
+    immersion::Immersion,
+    line_physics::LinePhysics,
+    network::{FreePoint, Network},
+};
+use crate::numerics::{M3, V3};
+
+impl FreePoint {
+    /// The force on it under water at a place \[m\], lines apart \[N\], and its change with the place \[N/m\]; drag in the full physics.
+    #[must_use]
+    pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {
+        let wet = match network.crossed {
+            true => Immersion::of(network, self, place.z),
+            false => Immersion::WHOLE,
+        };
+        let force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
+        let mut by_place = M3::zeros();
+        by_place[(2, 2)] = self.buoyancy * wet.by_height;
+        let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
+        let Some(current) = network.current.as_ref().filter(|_| flows) else {
+            return (force, by_place);
+        };
+        let (velocity, gradient) = current.flow(place);
+        let speed = velocity.norm();
+        let half = 0.5 * network.density * self.drag_area;
+        let turning = if speed > 0.0 {
+            velocity * (gradient.transpose() * velocity / speed).transpose()
+        } else {
+            M3::zeros()
+        };
+        let drag = velocity * (half * speed);
+        by_place += (gradient * speed + turning) * (half * wet.share);
+        for k in 0..3 {
+            by_place[(k, 2)] += drag[k] * wet.by_height;
+        }
+        (force + drag * wet.share, by_place)
+    }
+}
