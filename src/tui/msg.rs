@@ -11,10 +11,13 @@ use super::screen_memory::file::SessionMemory;
 use super::settings::Settings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::job_process::{ProcessEffect, ProcessMsg};
-use super::state::parts::{PartKey, PartRequest, PartView};
-use super::state::report::{ReportRequest, TextRequest};
+use super::state::part_request::PartRequest;
+use super::state::parts::{PartKey, PartView};
+use super::state::report::ReportRequest;
 use super::state::ship::ShipAtSea;
+use super::state::study_of::StudyOf;
 use super::state::sweep_request::{SweepEffect, SweepMsg};
+use super::state::text_request::TextRequest;
 use super::state::trials::{TrialProgress, TrialsOf};
 use super::state::value_check::{ValidationTable, ValueCheck};
 use super::state::{
@@ -131,26 +134,6 @@ pub enum ComparedRun {
     Memory(Arc<Run>),
     /// One in this directory.
     Stored(PathBuf),
-}
-
-/// What a study varies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum StudyOf {
-    /// Every input.
-    Inputs,
-    /// Every effect of the scene, left out.
-    Physics,
-}
-
-impl StudyOf {
-    /// The title of its page.
-    #[must_use]
-    pub fn title(self, result: &QuantityId) -> String {
-        match self {
-            Self::Inputs => format!("what matters to {result}"),
-            Self::Physics => format!("what {result} needs"),
-        }
-    }
 }
 
 /// A study of one result.

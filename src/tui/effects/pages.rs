@@ -6,12 +6,12 @@ use std::sync::atomic::AtomicBool;
 use super::outbox::Outbox;
 use crate::chart::Glyphs;
 use crate::comparison::Comparison;
-use crate::msg::{ComparedRun, Msg, StudyOf, StudyRequest};
+use crate::msg::{ComparedRun, Msg, StudyRequest};
 use crate::number::duration;
-use crate::report::comparison;
 use crate::report::effects::TornadoView;
-use crate::report::physics;
+use crate::report::{comparison, physics};
 use crate::run::{Run, store};
+use crate::state::study_of::StudyOf;
 use crate::study::points::PointProgress;
 use crate::study::{effects, physics as scene_physics};
 

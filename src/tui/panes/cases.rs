@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::chart::Glyphs;
 use crate::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::msg::Effect;

@@ -5,25 +5,22 @@ use std::path::PathBuf;
 use ratatui::layout::Rect;
 use unicode_width::UnicodeWidthStr;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::chart::{self, GridMap, svg::svg};
 use crate::command::{self, Command, CommandId, main, other};
 use crate::msg::Effect;
-use crate::number;
 use crate::pane::PaneId;
 use crate::plot_pane::{PlotPane, PlotVerb};
-use crate::plots;
 use crate::report::figures::{FIGURES, FigureAxis, FigureId};
 use crate::state::{AppState, Charted, Overlay, RunsView};
-use crate::update::curves;
 use crate::update::export::{self, TEXT_WIDTH};
 use crate::update::motion::plot_verb;
 use crate::update::notice::info;
-use crate::update::pages;
+use crate::update::{curves, pages};
 use crate::view::layout;
 use crate::view::paint::right;
 use crate::view::painter::Painter;
-use crate::visible;
+use crate::{number, plots, visible};
 
 /// Lines of characters in place of which a picture stands.
 const PICTURE_LINES: usize = 24;

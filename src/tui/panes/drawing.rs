@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::Rect;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::chart;
 use crate::command::{self, Command, CommandId, main, other};
 use crate::msg::Effect;

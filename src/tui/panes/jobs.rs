@@ -2,7 +2,7 @@
 
 use ratatui::layout::Rect;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{self, Command, CommandId, FILTER, LIST, main};
 use crate::msg::Effect;
 use crate::number;

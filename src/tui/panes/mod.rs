@@ -5,6 +5,7 @@ mod cases;
 mod charts;
 mod drawing;
 mod inputs;
+mod interface;
 mod jobs;
 mod model;
 pub mod modes;
@@ -20,67 +21,14 @@ mod tables;
 mod trials;
 mod validation;
 
-use ratatui::layout::Rect;
-
 use super::bindings::BoundCommand;
 use super::command::{self, Command, CommandId};
 use super::key::KeyPress;
-use super::msg::Effect;
 use super::pane::PaneId;
 use super::state::{AppState, ParameterEditor};
 use super::update::tables::why_not;
-use super::view::painter::Painter;
+pub use interface::{Pane, PaneInfo};
 pub(super) use jobs::load_cases;
-
-/// What a pane is called and which commands it has.
-#[derive(Debug, Clone, Copy)]
-pub struct PaneInfo {
-    /// The name on its frame and tab.
-    pub title: &'static str,
-    /// What its number key does, for the help.
-    pub go: &'static str,
-    /// Its own commands, and the tables of those that it shares with others.
-    pub commands: &'static [&'static [Command]],
-}
-
-const fn about(
-    title: &'static str,
-    go: &'static str,
-    commands: &'static [&'static [Command]],
-) -> PaneInfo {
-    PaneInfo {
-        title,
-        go,
-        commands,
-    }
-}
-
-/// A pane of the screen.
-pub trait Pane: Sync {
-    /// What it is called and which commands it has.
-    fn about(&self) -> PaneInfo;
-
-    /// The commands that it has now.
-    fn commands(&self, _state: &AppState) -> Vec<Command> {
-        self.about().commands.concat()
-    }
-
-    /// Commands that it has at times only, beside those of [`PaneInfo`].
-    fn at_times(&self) -> &'static [Command] {
-        &[]
-    }
-
-    /// Why a command cannot be done now.
-    fn reason(&self, _state: &AppState, _id: CommandId) -> Option<&'static str> {
-        None
-    }
-
-    /// Does a command; nothing where it is none of this pane.
-    fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>>;
-
-    /// Draws it.
-    fn view(&self, painter: &mut Painter, area: Rect);
-}
 
 /// A pane by its name.
 #[must_use]

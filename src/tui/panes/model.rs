@@ -3,7 +3,7 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 use unicode_width::UnicodeWidthStr;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::case::structure::OutlineRow;
 use crate::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::msg::Effect;

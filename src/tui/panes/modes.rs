@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{COLUMNS, Command, CommandId, LIST, TABLE, main, other};
 use crate::modes::LineModes;
 use crate::msg::Effect;

@@ -4,14 +4,14 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
 use crate::line_tables::LineTable;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::report::limits;
 use crate::state::parts::Part;
-use crate::state::report::TextOf;
+use crate::state::text_request::TextOf;
 use crate::state::{AppState, LineView};
 use crate::table::Table;
 use crate::table_pane::TablePane;

@@ -4,11 +4,12 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::chart::Glyphs;
 use crate::command::{self, Command, CommandId, LIST, main, other};
-use crate::msg::{Effect, StudyOf};
+use crate::msg::Effect;
 use crate::result_lines::{self, ResultLine};
+use crate::state::study_of::StudyOf;
 use crate::state::{AppState, LineView};
 use crate::update::motion::{moved, step};
 use crate::update::{pages, results};
@@ -77,12 +78,6 @@ impl Pane for ResultsPane {
             widths.line(painter, span(at, 4, at.width), &lines[i], style);
         });
     }
-}
-
-/// How many lines the band takes, its title included; none where the case is not solved yet.
-#[must_use]
-pub fn band_height(line: &LineView) -> u16 {
-    u16::try_from(line.results.len()).map_or(0, |count| count.min(5) + 1)
 }
 
 /// The band of the cockpit: the results chosen, below a line that says what they are held against and how old they are.

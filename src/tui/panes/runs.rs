@@ -4,7 +4,7 @@ use ratatui::layout::Rect;
 use ratatui::style::Style;
 use unicode_width::UnicodeWidthStr;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{
     self, COLUMNS, Command, CommandId, EXPLAIN, FILTER, HIDE_COLUMN, LIST, SHOW_COLUMNS, SORT,
     main, other,

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{self, CommandId, DOWN};
 use crate::msg::Effect;
 use crate::part_views::ship::LIST;

@@ -6,7 +6,7 @@ mod shade;
 
 use ratatui::layout::Rect;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{Command, CommandId, CommandOrder, DOWN, LIST, TABLE, command, main, other};
 use crate::msg::Effect;
 use crate::state::AppState;

@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{Command, CommandId, main};
 use crate::msg::Effect;
 use crate::state::parts::Part;

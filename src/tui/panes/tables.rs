@@ -2,7 +2,7 @@
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
 use crate::msg::Effect;
 use crate::state::parts::Part;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::{Constraint, Layout, Rect};
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{COLUMNS, Command, CommandId, DOWN, LIST, TABLE, main};
 use crate::msg::Effect;
 use crate::state::trials::{self as data, Trials, TrialsOf};

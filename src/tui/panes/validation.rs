@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use ratatui::layout::Rect;
 
-use super::{Pane, PaneInfo, about};
+use super::interface::{Pane, PaneInfo, about};
 use crate::command::{self, COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE};
 use crate::msg::Effect;
 use crate::report::text;

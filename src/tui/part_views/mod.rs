@@ -2,15 +2,15 @@
 //! [`Part`].
 
 pub mod line;
+mod part_view;
 pub mod ropeway;
 pub mod section;
 pub mod ship;
 pub mod system;
 
 use super::state::DocumentContent;
-use super::state::parts::{Part, PartView};
-use crate::chart::Chart;
-use crate::table::Table;
+use super::state::part_request::PartRequest;
+use super::state::parts::{Part, PartOf, PartView};
 
 /// A part of a model.
 #[must_use]
@@ -24,19 +24,14 @@ pub fn of_model(model: &DocumentContent, part: Part) -> PartView {
     }
 }
 
-/// A table alone, or below its chart.
-fn with_table((chart, table): (Option<Chart>, Table)) -> PartView {
-    PartView {
-        chart,
-        table,
-        ..PartView::default()
-    }
-}
-
-/// A chart alone.
-fn with_chart(chart: Chart) -> PartView {
-    PartView {
-        chart: Some(chart),
-        ..PartView::default()
+impl PartRequest {
+    /// Works the part out.
+    #[must_use]
+    pub fn view(&self) -> PartView {
+        match (&self.key.of, self.key.part, &self.model) {
+            (PartOf::Run(name, run), Part::Line(table), _) => line::view(name, run, table),
+            (_, part, Some(model)) => of_model(model, part),
+            _ => PartView::default(),
+        }
     }
 }

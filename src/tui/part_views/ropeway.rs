@@ -1,6 +1,6 @@
 //! Drawing and tables of a ropeway with its cargo where the user has put it.
 
-use super::with_table;
+use super::part_view::with_table;
 use crate::chart::Chart;
 use crate::number::rounded;
 use crate::report::ropeway::{cargo, drawing, tables, winch};

@@ -1,6 +1,6 @@
 //! Drawing and tables of a cross-section.
 
-use super::{with_chart, with_table};
+use super::part_view::{with_chart, with_table};
 use crate::report::section::{self as views, drawing, tables};
 use crate::section::stiffness::EndRotation;
 use crate::state::SectionView;

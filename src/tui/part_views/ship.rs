@@ -1,6 +1,6 @@
 //! Plan view, headings and tables of a ship at rest and at sea.
 
-use super::with_table;
+use super::part_view::with_table;
 use crate::chart::{Chart, marker};
 use crate::number::{digits, si};
 use crate::report::ship::{coupled, motion, plan, rope, statics};

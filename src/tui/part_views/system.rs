@@ -1,6 +1,6 @@
 //! Views, tables and analyses of a system of lines.
 
-use super::with_table;
+use super::part_view::with_table;
 use crate::chart::Chart;
 use crate::report::system::{analysis, tables, views};
 use crate::state::SystemView;

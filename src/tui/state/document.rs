@@ -4,100 +4,17 @@
 use std::path::PathBuf;
 
 use super::case_list::Filter;
+use super::document_content::DocumentContent;
 use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
-use super::parts::{Part, PartKey, PartOf, PartRequest, Parts};
+use super::part_request::PartRequest;
+use super::parts::{Part, PartKey, PartOf, Parts};
 use super::reading::{Draft, FileOfText, Reading};
-use super::ropeway::RopewayView;
 use super::runs_view::{Charted, RunsView};
-use super::section::SectionView;
-use super::ship::ShipView;
 use super::sweeps::SweepsView;
-use super::system::SystemView;
-use crate::kinds::FileType;
 use crate::pane::PaneId;
 use crate::table_pane::TablePane;
-
-/// The kinds of file, with the result of the text.
-#[derive(Debug, Clone)]
-pub enum DocumentContent {
-    /// A line case.
-    Line(Box<LineView>),
-    /// A cross-section.
-    Section(Box<SectionView>),
-    /// A ropeway.
-    Ropeway(Box<RopewayView>),
-    /// A ship.
-    Ship(Box<ShipView>),
-    /// A system of lines.
-    System(Box<SystemView>),
-}
-
-impl DocumentContent {
-    /// What the screen needs of it.
-    #[must_use]
-    pub fn kind(&self) -> &dyn DocumentKind {
-        match self {
-            Self::Line(line) => line.as_ref(),
-            Self::Section(section) => section.as_ref(),
-            Self::Ropeway(ropeway) => ropeway.as_ref(),
-            Self::Ship(ship) => ship.as_ref(),
-            Self::System(system) => system.as_ref(),
-        }
-    }
-
-    /// The kind of file.
-    #[must_use]
-    pub const fn file_type(&self) -> FileType {
-        match self {
-            Self::Line(_) => FileType::Line,
-            Self::Section(_) => FileType::Section,
-            Self::Ropeway(_) => FileType::Ropeway,
-            Self::Ship(_) => FileType::Ship,
-            Self::System(_) => FileType::System,
-        }
-    }
-
-    /// The runs, to be changed, where it has any.
-    fn runs_view_mut(&mut self) -> Option<&mut RunsView> {
-        match self {
-            Self::Line(line) => Some(&mut line.runs_view),
-            Self::System(system) if system.is_in_motion() => Some(&mut system.runs_view),
-            _ => None,
-        }
-    }
-
-    /// The sweeps of its load cases, where its kind has any.
-    #[must_use]
-    pub const fn sweeps(&self) -> Option<&SweepsView> {
-        match self {
-            Self::Line(line) => Some(&line.sweeps),
-            Self::System(system) => Some(&system.sweeps),
-            _ => None,
-        }
-    }
-
-    /// The same, to be changed.
-    pub const fn sweeps_mut(&mut self) -> Option<&mut SweepsView> {
-        match self {
-            Self::Line(line) => Some(&mut line.sweeps),
-            Self::System(system) => Some(&mut system.sweeps),
-            _ => None,
-        }
-    }
-
-    /// What the screen needs of it, to be changed.
-    pub fn kind_mut(&mut self) -> &mut dyn DocumentKind {
-        match self {
-            Self::Line(line) => line.as_mut(),
-            Self::Section(section) => section.as_mut(),
-            Self::Ropeway(ropeway) => ropeway.as_mut(),
-            Self::Ship(ship) => ship.as_mut(),
-            Self::System(system) => system.as_mut(),
-        }
-    }
-}
 
 /// The document that is open.
 #[derive(Debug, Clone)]
@@ -291,7 +208,7 @@ impl Document {
 
     /// Takes a newer text with all that was read from it.
     pub fn take(&mut self, read: Reading) {
-        self.content.kind_mut().renew(read.content);
+        self.content.renew(read.content);
         let info = self.kind().info();
         if !info.panes.contains(&self.pane) && self.pane != PaneId::Model {
             self.pane = info.first;

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use super::document::DocumentContent;
 use super::parts::Part;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
@@ -47,9 +46,6 @@ pub trait DocumentKind {
     fn is_behind(&self, _part: Part) -> bool {
         false
     }
-
-    /// Replaces the result by that of a newer text of the same kind; what the user looks at stays.
-    fn renew(&mut self, newer: DocumentContent);
 
     /// Works out what is shown of a text beside its result: analyses, and the validation table, of whose inputs these are the user's.
     /// For the threads behind the screen.

@@ -3,17 +3,16 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::modes::ModesView;
 use super::runs_view::RunsView;
+use super::study_of::StudyOf;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
 use crate::command::{Command, CommandId, LINE};
 use crate::line_tables::LineTable;
-use crate::msg::StudyOf;
 use crate::pane::PaneId;
 use crate::report::figures::FigureId;
 use crate::run::settings::method_name;
@@ -160,6 +159,14 @@ const PANES: [PaneId; 10] = [
 ];
 const WITHOUT_SWEEPS: usize = 9;
 
+impl LineView {
+    /// Replaces the result by that of a newer text; what the user looks at stays.
+    pub(super) fn renew(&mut self, newer: Self) {
+        self.case = newer.case;
+        self.runs_view.set_figures(newer.runs_view.figures);
+    }
+}
+
 impl DocumentKind for LineView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -206,14 +213,6 @@ impl DocumentKind for LineView {
             ),
             _ => None,
         }
-    }
-
-    fn renew(&mut self, newer: DocumentContent) {
-        let DocumentContent::Line(newer) = newer else {
-            return;
-        };
-        self.case = newer.case;
-        self.runs_view.set_figures(newer.runs_view.figures);
     }
 
     fn checks(&self) -> Option<&ValidationTable> {

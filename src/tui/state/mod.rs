@@ -4,10 +4,13 @@ pub mod case_list;
 pub mod command_line;
 pub mod curves;
 pub mod document;
+mod document_content;
 pub mod document_kind;
 pub mod edit_check;
+mod field_rows;
 mod focused_table;
 pub mod form;
+mod inputs_before;
 pub mod job_process;
 pub mod jobs;
 pub mod line;
@@ -15,6 +18,7 @@ pub mod model_list;
 pub mod modes;
 pub mod overlay;
 pub mod parameter_editor;
+pub mod part_request;
 pub mod parts;
 pub mod pending;
 pub mod picker;
@@ -25,10 +29,13 @@ pub mod run_list;
 pub mod runs_view;
 pub mod section;
 pub mod ship;
+mod status;
+pub mod study_of;
 pub mod sweep_request;
 pub mod sweep_verdict;
 pub mod sweeps;
 pub mod system;
+pub mod text_request;
 pub mod trials;
 pub mod value_check;
 pub mod variants;
@@ -36,7 +43,8 @@ pub mod variants;
 pub use case_list::{CaseEntry, CaseList, Filter};
 pub use command_line::{CommandLine, LineHistory};
 pub use curves::{RunCurves, RunEntry, RunOrigin, RunStatus};
-pub use document::{Document, DocumentContent};
+pub use document::Document;
+pub use document_content::DocumentContent;
 pub use document_kind::DocumentKind;
 pub use jobs::{JobLine, JobNumber, JobPurpose, JobRequest, JobState, Jobs, QueuedRequest};
 pub use line::LineView;
@@ -55,6 +63,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use self::sweeps::SweepsView;
 use super::bindings::KeyTable;
 use super::msg::Msg;
 use super::pane::PaneId;
@@ -62,6 +71,7 @@ use super::screen_memory::ScreenMemory;
 use super::terminal::capabilities::Capabilities;
 use super::theme::Palette;
 use super::tutorial::Tutorial;
+pub use status::{Severity, StatusMessage};
 
 /// The whole state of the workbench.
 #[derive(Debug, Clone)]
@@ -104,26 +114,6 @@ pub struct AppState {
     pub tutorial_left: Option<usize>,
     /// What the screen of an earlier session showed, until its file is open.
     pub earlier: Option<Box<ScreenMemory>>,
-}
-
-/// A message to the user.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct StatusMessage {
-    /// How much it matters.
-    pub level: Severity,
-    /// Full sentences.
-    pub text: String,
-}
-
-/// How much a message matters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Severity {
-    /// Goes away with the next key.
-    Info,
-    /// Stays until the next message.
-    Warning,
-    /// Stays, and is an obstacle.
-    Error,
 }
 
 impl AppState {
@@ -178,6 +168,11 @@ impl AppState {
     #[must_use]
     pub fn runs_view(&self) -> Option<&RunsView> {
         self.document.as_ref()?.runs_view()
+    }
+
+    /// The sweeps of what is open, to be changed.
+    pub fn sweeps_mut(&mut self) -> Option<&mut SweepsView> {
+        self.document.as_mut()?.sweeps_mut()
     }
 
     /// The runs of what is open, to be changed.

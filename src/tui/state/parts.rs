@@ -3,10 +3,8 @@
 
 use std::sync::Arc;
 
-use super::document::DocumentContent;
 use crate::chart::Chart;
 use crate::line_tables::LineTable;
-use crate::part_views;
 use crate::run::Run;
 use crate::table::{CellStyle, Table};
 
@@ -62,29 +60,6 @@ pub struct PartView {
     pub limits: Option<Table>,
     /// Words beside the chart.
     pub words: Vec<(String, CellStyle)>,
-}
-
-/// A part that is asked for.
-#[derive(Debug, Clone)]
-pub struct PartRequest {
-    /// The part.
-    pub key: PartKey,
-    /// The model that it is of; absent for a part of a run.
-    pub model: Option<DocumentContent>,
-}
-
-impl PartRequest {
-    /// Works the part out.
-    #[must_use]
-    pub fn view(&self) -> PartView {
-        match (&self.key.of, self.key.part, &self.model) {
-            (PartOf::Run(name, run), Part::Line(table), _) => {
-                part_views::line::view(name, run, table)
-            }
-            (_, part, Some(model)) => part_views::of_model(model, part),
-            _ => PartView::default(),
-        }
-    }
 }
 
 /// The parts of a document that are worked out, and those that are being worked out.

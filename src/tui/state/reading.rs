@@ -3,18 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::document::DocumentContent;
+use super::document_content::DocumentContent;
+use super::field_rows::rows;
+use super::inputs_before::InputsBefore;
 use super::line::LineView;
-use super::parameter_editor::InputsBefore;
 use super::ropeway::RopewayView;
 use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
 use crate::case::edited::{self, EditedKey};
-use crate::case::file_kind::FileKind;
-use crate::case::judging_rows::judging_rows;
 use crate::case::structure::{self, OutlineRow};
-use crate::case::{self, Case, Diagnostic, kind};
+use crate::case::{self, Diagnostic, kind};
 use crate::facade::{self, FieldRow};
 use crate::kinds::FileType;
 use crate::open;
@@ -207,23 +206,4 @@ pub fn content(
             DocumentContent::System(Box::new(SystemView::new(solved)))
         }
     })
-}
-
-/// The fields of a text; none where it is not TOML.
-#[must_use]
-pub fn rows(kind: FileType, text: &str) -> Vec<FieldRow> {
-    match kind {
-        FileType::Line => with_judging::<Case>(text),
-        FileType::Section => kind::rows::<CrossSection>(text),
-        FileType::Ropeway => kind::rows::<Ropeway>(text),
-        FileType::Ship => kind::rows::<Ship>(text),
-        FileType::System => with_judging::<SystemFile>(text),
-    }
-}
-
-/// The inputs of a text, then what is asked of its runs together.
-fn with_judging<K: FileKind>(text: &str) -> Vec<FieldRow> {
-    let mut rows = kind::rows::<K>(text);
-    rows.extend(judging_rows::<K>(text));
-    rows
 }

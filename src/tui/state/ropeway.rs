@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::value_check::ValidationTable;
@@ -53,6 +52,22 @@ impl RopewayView {
     }
 }
 
+impl RopewayView {
+    /// Replaces the result by that of a newer text; what the user looks at stays.
+    pub(super) fn renew(&mut self, newer: Self) {
+        // Where the file's own place changes, the cargo goes there.
+        let moved = self.worked.ropeway.cargo.position != newer.worked.ropeway.cargo.position;
+        let position = if moved {
+            newer.worked.ropeway.cargo.position
+        } else {
+            self.position
+        };
+        self.worked = newer.worked;
+        self.checks = newer.checks;
+        self.put(position);
+    }
+}
+
 impl DocumentKind for RopewayView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -75,22 +90,6 @@ impl DocumentKind for RopewayView {
             Part::Drawing | Part::Tab(ROPES) => self.position.to_bits(),
             _ => 0,
         }
-    }
-
-    fn renew(&mut self, newer: DocumentContent) {
-        let DocumentContent::Ropeway(newer) = newer else {
-            return;
-        };
-        // Where the file's own place changes, the cargo goes there.
-        let moved = self.worked.ropeway.cargo.position != newer.worked.ropeway.cargo.position;
-        let position = if moved {
-            newer.worked.ropeway.cargo.position
-        } else {
-            self.position
-        };
-        self.worked = newer.worked;
-        self.checks = newer.checks;
-        self.put(position);
     }
 
     fn validate(&mut self, text: &str, edited: &[EditedKey]) {

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
@@ -39,6 +38,15 @@ impl SectionView {
     }
 }
 
+impl SectionView {
+    /// Replaces the result by that of a newer text; what the user looks at stays.
+    pub(super) fn renew(&mut self, newer: Self) {
+        self.design = newer.design;
+        self.material = newer.material;
+        self.checks = newer.checks;
+    }
+}
+
 impl DocumentKind for SectionView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -57,15 +65,6 @@ impl DocumentKind for SectionView {
             first: PaneId::Inputs,
             tabs: &["Layers", "Whole", "Stiffness", "Carried"],
         }
-    }
-
-    fn renew(&mut self, newer: DocumentContent) {
-        let DocumentContent::Section(newer) = newer else {
-            return;
-        };
-        self.design = newer.design;
-        self.material = newer.material;
-        self.checks = newer.checks;
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {

@@ -6,7 +6,6 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::value_check::ValidationTable;
@@ -101,6 +100,18 @@ impl ShipView {
     }
 }
 
+impl ShipView {
+    /// Replaces the result by that of a newer text; what the user looks at stays.
+    pub(super) fn renew(&mut self, newer: Self) {
+        let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
+        if count(&newer.statics) != count(&self.statics) {
+            self.equilibrium = newer.equilibrium;
+        }
+        self.statics = newer.statics;
+        self.checks = newer.checks;
+    }
+}
+
 impl DocumentKind for ShipView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -141,18 +152,6 @@ impl DocumentKind for ShipView {
     fn is_behind(&self, part: Part) -> bool {
         let at_sea = matches!(part, Part::Tab(tab) if AT_SEA.contains(&tab));
         at_sea && self.running.is_some() && self.dynamic.is_some()
-    }
-
-    fn renew(&mut self, newer: DocumentContent) {
-        let DocumentContent::Ship(newer) = newer else {
-            return;
-        };
-        let count = |statics: &StaticAnalysis| statics.equilibria.as_ref().map_or(0, Vec::len);
-        if count(&newer.statics) != count(&self.statics) {
-            self.equilibrium = newer.equilibrium;
-        }
-        self.statics = newer.statics;
-        self.checks = newer.checks;
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::document::DocumentContent;
 use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::runs_view::RunsView;
@@ -100,6 +99,16 @@ fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
     FigureId::of_system(&quantities(&solved.network))
 }
 
+impl SystemView {
+    /// Replaces the result by that of a newer text; what the user looks at stays.
+    pub(super) fn renew(&mut self, newer: Self) {
+        self.runs_view.set_figures(newer.runs_view.figures);
+        self.solved = newer.solved;
+        self.analyses = newer.analyses;
+        self.checks = newer.checks;
+    }
+}
+
 impl DocumentKind for SystemView {
     fn info(&self) -> KindInfo<'_> {
         KindInfo {
@@ -151,16 +160,6 @@ impl DocumentKind for SystemView {
             }
             _ => None,
         }
-    }
-
-    fn renew(&mut self, newer: DocumentContent) {
-        let DocumentContent::System(newer) = newer else {
-            return;
-        };
-        self.runs_view.set_figures(newer.runs_view.figures);
-        self.solved = newer.solved;
-        self.analyses = newer.analyses;
-        self.checks = newer.checks;
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {

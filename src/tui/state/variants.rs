@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::reading::rows;
+use super::field_rows::rows;
 use crate::case::{Case, StudyPoint, TextDigest};
 use crate::facade::{self, FieldRow};
 use crate::kinds::FileType;

@@ -1,11 +1,9 @@
 //! The tutorial: steps on the screen itself, each done by what the user did.
 
+mod progress;
 mod steps;
 
 pub use self::steps::{COUNT, Step};
-
-use super::pane::PaneId;
-use super::state::{AppState, JobState, RunStatus};
 
 /// The tutorial while it runs.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,61 +25,5 @@ pub(super) struct Since {
     messages: usize,
 }
 
-impl Since {
-    fn now(state: &AppState) -> Self {
-        Self {
-            text: state
-                .editor()
-                .map_or_else(String::new, |editor| editor.text.clone()),
-            runs: complete_runs(state),
-            messages: state.log.len(),
-        }
-    }
-}
-
 /// Rows of the strip in which the step is shown.
 pub const ROWS: u16 = 3;
-
-impl Tutorial {
-    /// The tutorial from a step on.
-    #[must_use]
-    pub fn at(state: &AppState, step: usize) -> Self {
-        Self {
-            step: step.min(COUNT - 1),
-            since: Since::now(state),
-        }
-    }
-
-    /// The step shown.
-    #[must_use]
-    pub fn shown(&self) -> Step {
-        Step::of(self.step)
-    }
-
-    /// Whether the user has done what the step asks for.
-    #[must_use]
-    pub fn is_done(&self, state: &AppState) -> bool {
-        (self.shown().done)(state, &self.since)
-    }
-
-    /// The next step; nothing after the last.
-    #[must_use]
-    pub fn next(&self, state: &AppState) -> Option<Self> {
-        (self.step + 1 < COUNT).then(|| Self::at(state, self.step + 1))
-    }
-}
-
-/// Stored runs of the open file that are complete.
-fn complete_runs(state: &AppState) -> usize {
-    let runs = state.runs_view().map_or(&[][..], |view| view.runs.all());
-    let done = |state: &RunStatus| matches!(state, RunStatus::Job(JobState::Done));
-    runs.iter().filter(|run| done(&run.state)).count()
-}
-
-/// The key of a pane, as a name of its command: `` `:pane_9` ``.
-fn key_of(state: &AppState, pane: PaneId) -> String {
-    match state.number_of(pane) {
-        0 => "`:next_pane`".to_owned(),
-        number => format!("`:pane_{number}`"),
-    }
-}

@@ -1,6 +1,7 @@
 //! The steps: what each says, in two lines of 80 columns, and when it is done.
 
-use super::{Since, complete_runs, key_of};
+use super::Since;
+use super::progress::{complete_runs, key_of};
 use crate::pane::PaneId;
 use crate::state::{AppState, Overlay, ParameterEditor};
 

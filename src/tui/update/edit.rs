@@ -1,11 +1,10 @@
 //! The parameter editor: typing a value, undo, and what every change of the text entails.
 
-use std::path::PathBuf;
-
 use tui_input::Input;
 
-use super::edit_check::ask;
+use super::ask_edit::ask;
 use super::notice::info;
+use super::recovery::keep_recovery;
 use super::text_input::type_key;
 use super::{jobs, runs, vary};
 use crate::case::fields::AbsentValue;
@@ -166,26 +165,6 @@ pub(super) fn taken(state: &mut AppState, changed: bool) -> Vec<Effect> {
         effects.extend(super::ship::resolve(state));
     }
     effects
-}
-
-/// Keeps what is unsaved on disk, so that no kind of exit loses it.
-pub(super) fn keep_recovery(state: &AppState) -> Vec<Effect> {
-    let keep = |(path, text, kept)| Effect::KeepRecovery { path, text, kept };
-    unsaved(state).map(keep).into_iter().collect()
-}
-
-/// Keeps what is unsaved, in place of what an earlier session left.
-pub(super) fn take_over_recovery(state: &AppState) -> Vec<Effect> {
-    let take = |(path, text, kept)| Effect::TakeOverRecovery { path, text, kept };
-    unsaved(state).map(take).into_iter().collect()
-}
-
-/// The file that is open, its text where that or a range is unsaved, and the ranges.
-fn unsaved(state: &AppState) -> Option<(PathBuf, Option<String>, Vec<String>)> {
-    let editor = state.editor()?;
-    let text = (editor.unsaved() || !editor.kept.is_empty()).then(|| editor.text.clone());
-    let kept = editor.kept.iter().map(KeptRange::word).collect();
-    Some((editor.path.clone(), text, kept))
 }
 
 /// Reads the text again.

@@ -1,13 +1,14 @@
 //! Edits are applied and checked behind the screen: asking for them, taking their answer, and the keys that wait for it.
 
+use super::ask_edit::send;
 use super::notice::{info, warn};
-use super::{build, edit, parts};
+use super::{build, edit, parts, recovery};
 use crate::command::CommandId;
 use crate::key::KeyPress;
 use crate::msg::{Effect, Msg};
 use crate::pane::PaneId;
 use crate::panes;
-use crate::state::edit_check::{EditAnswer, EditCheck};
+use crate::state::edit_check::EditAnswer;
 use crate::state::pending::{EditSource, PendingEdit};
 use crate::state::{AppState, Severity};
 
@@ -43,32 +44,6 @@ const PASSING: &[CommandId] = &[
     CommandId::Redraw,
     CommandId::Suspend,
 ];
-
-/// Asks for an edit.
-pub(super) fn ask(state: &mut AppState, edit: PendingEdit) -> Vec<Effect> {
-    if let Some(editor) = state.editor_mut() {
-        editor.pending.push(edit);
-    }
-    send(state)
-}
-
-/// Asks for the check of what waits, unless one is under way.
-fn send(state: &mut AppState) -> Vec<Effect> {
-    let number = state.checks + 1;
-    let Some(document) = &mut state.document else {
-        return Vec::new();
-    };
-    let Some(edits) = document.editor.pending.begin(number) else {
-        return Vec::new();
-    };
-    state.checks = number;
-    vec![Effect::CheckEdits(Box::new(EditCheck {
-        number,
-        file: document.file(),
-        text: document.editor.text.clone(),
-        edits,
-    }))]
-}
 
 /// The answer to a check: what is accepted is taken with its reading, what is refused is said.
 pub(super) fn checked(state: &mut AppState, answer: EditAnswer) -> Vec<Effect> {
@@ -156,11 +131,11 @@ fn accepted(state: &mut AppState, edit: &PendingEdit) -> Vec<Effect> {
     }
     if edit.source != EditSource::Recovered {
         return match dropped {
-            true => edit::keep_recovery(state),
+            true => recovery::keep_recovery(state),
             false => Vec::new(),
         };
     }
-    edit::take_over_recovery(state)
+    recovery::take_over_recovery(state)
 }
 
 /// A refusal stays with the value where that is typed.

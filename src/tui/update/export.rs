@@ -7,7 +7,8 @@ use crate::case::judging_rows::is_judging;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::report::document::ReportFormat;
-use crate::state::report::{ReportRequest, TextOf, TextRequest};
+use crate::state::report::ReportRequest;
+use crate::state::text_request::{TextOf, TextRequest};
 use crate::state::trials::Trials;
 use crate::state::{AppState, Document, Overlay, Question};
 

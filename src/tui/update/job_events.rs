@@ -2,16 +2,16 @@
 
 use std::sync::Arc;
 
-use super::jobs::{set_state, slot, start_waiting};
+use super::end::quit_if_asked;
+use super::job_lines::{set_state, slot};
+use super::jobs::start_waiting;
 use super::runs;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::run::job::JobEvent;
 use crate::run::{Progress, Run, RunState};
 use crate::state::runs_view::CoarseAnswer;
-use crate::state::{
-    AppState, Document, JobNumber, JobState, Overlay, Question, RunCurves, Severity,
-};
+use crate::state::{AppState, Document, JobNumber, JobState, RunCurves, Severity};
 
 /// An event of a job. Events of jobs that nothing waits for any more are dropped.
 pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) -> Vec<Effect> {
@@ -186,21 +186,6 @@ fn said_done(state: &mut AppState, ticket: JobNumber) {
         _ => format!("{id} is done; {left} runs to go."),
     };
     state.say(Severity::Info, text);
-}
-
-/// A quit that waits for jobs continues when they have ended.
-pub(super) fn quit_if_asked(state: &mut AppState) -> Vec<Effect> {
-    let asked = matches!(
-        state.overlay,
-        Some(Overlay::Ask(
-            Question::JobsRunning | Question::JobsGoOn { .. }
-        ))
-    );
-    if asked && state.jobs.open() == 0 {
-        state.overlay = None;
-        return super::quit::now(state);
-    }
-    Vec::new()
 }
 
 /// A job could not be started or stored.

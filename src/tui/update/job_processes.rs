@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use super::jobs::{job_line, set_state, slot, start_waiting};
-use super::{job_events, runs, sweeps};
+use super::job_lines::{job_line, process_mut, set_state, slot};
+use super::jobs::start_waiting;
+use super::{end, runs};
 use crate::case::TextDigest;
 use crate::jobs::SweepRequest;
 use crate::jobs::spec::plain;
@@ -109,17 +110,6 @@ pub(super) fn told(state: &mut AppState, msg: ProcessMsg) -> Vec<Effect> {
             state.jobs.ended_by_logout = Some(why);
             Vec::new()
         }
-    }
-}
-
-fn process_mut(state: &mut AppState, ticket: JobNumber) -> Option<&mut JobProcess> {
-    state.jobs.get_mut(ticket)?.process.as_deref_mut()
-}
-
-/// A process has a directory for its results.
-pub(super) fn has_results(state: &mut AppState, ticket: JobNumber, dir: &Path) {
-    if let Some(process) = process_mut(state, ticket) {
-        process.results = Some(dir.to_owned());
     }
 }
 
@@ -243,7 +233,7 @@ fn show_run(state: &mut AppState, line: &JobLine) -> bool {
 }
 
 fn show_sweep(state: &mut AppState, line: &JobLine) -> bool {
-    let Some(view) = sweeps::sweeps_mut(state).filter(|view| view.job.is_none()) else {
+    let Some(view) = state.sweeps_mut().filter(|view| view.job.is_none()) else {
         return false;
     };
     let dir = line.process.as_ref().and_then(|p| p.results.clone());
@@ -289,7 +279,7 @@ fn is(state: &mut AppState, ticket: JobNumber, new: &JobState) -> Vec<Effect> {
         JobState::Cancelled => {}
     }
     if is_sweep
-        && let Some(view) = sweeps::sweeps_mut(state)
+        && let Some(view) = state.sweeps_mut()
         && view.job.as_ref().is_some_and(|job| job.ticket == ticket)
     {
         view.job = None;
@@ -298,7 +288,7 @@ fn is(state: &mut AppState, ticket: JobNumber, new: &JobState) -> Vec<Effect> {
     runs::check(state);
     let mut effects = start_waiting(state);
     effects.push(Effect::RefreshRuns);
-    effects.extend(job_events::quit_if_asked(state));
+    effects.extend(end::quit_if_asked(state));
     effects
 }
 

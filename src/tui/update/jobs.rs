@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::job_lines::{job_line, set_state};
 use super::notice::info;
 use super::{job_processes, trials};
 use crate::case::{Case, StudyPoint, TextDigest};
@@ -12,7 +13,7 @@ use crate::run::job::Request;
 use crate::run::settings::method_name;
 use crate::state::{
     AppState, Document, DocumentContent, JobLine, JobNumber, JobPurpose, JobRequest, JobState,
-    ParameterEditor, QueuedRequest, RunCurves, RunEntry, RunStatus, SystemView,
+    ParameterEditor, QueuedRequest, RunCurves, RunEntry, SystemView,
 };
 use crate::system::motion::job::SystemRequest;
 
@@ -56,22 +57,6 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
         store: false,
     });
     effects
-}
-
-pub(super) fn job_line(
-    ticket: JobNumber,
-    name: String,
-    purpose: JobPurpose,
-    state: JobState,
-) -> JobLine {
-    JobLine {
-        ticket,
-        name,
-        purpose,
-        state,
-        progress: crate::run::Progress::default(),
-        process: None,
-    }
 }
 
 fn request(
@@ -297,23 +282,6 @@ pub fn cancel(state: &mut AppState, ticket: JobNumber) -> Vec<Effect> {
     }
     // A running job still delivers what it has; its last event says that it is cancelled.
     vec![Effect::Cancel(ticket)]
-}
-
-/// Sets job and run to a state.
-pub(super) fn set_state(state: &mut AppState, ticket: JobNumber, new: JobState) {
-    if let Some(slot) = slot(state, ticket) {
-        slot.state = RunStatus::Job(new.clone());
-    }
-    if let Some(line) = state.jobs.get_mut(ticket) {
-        line.state = new;
-    }
-}
-
-pub(super) fn slot(state: &mut AppState, ticket: JobNumber) -> Option<&mut RunEntry> {
-    state
-        .runs_view_mut()?
-        .runs
-        .newest_mut(|run| run.ticket == Some(ticket))
 }
 
 /// Jobs of the open case end with it; trials and processes keep running.

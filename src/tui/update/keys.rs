@@ -1,12 +1,12 @@
 //! Keys and pastes: first to what is typed, then to what lies over the screen, then to the table.
 
+use super::filter::filtered;
 use super::motion::moved;
 use super::notice::info;
 use super::text_input::{type_key, type_text};
-use super::{command_line, edit, overlay, quit, sweeps};
+use super::{command_line, edit, overlay, quit};
 use crate::key::KeyPress;
 use crate::msg::Effect;
-use crate::pane::PaneId;
 use crate::panes;
 use crate::state::overlay::LineTypePicker;
 use crate::state::{AppState, Filter, Overlay, Severity};
@@ -67,23 +67,6 @@ fn filter_key(state: &mut AppState, key: KeyPress) -> Option<Vec<Effect>> {
         filtered(state);
     }
     Some(Vec::new())
-}
-
-/// Brings the list that has the focus in step with its filter, where it keeps the lines that pass.
-pub(super) fn filtered(state: &mut AppState) {
-    match state.focus() {
-        PaneId::Runs => {
-            if let Some(view) = state.runs_view_mut() {
-                view.runs.filter_rows();
-            }
-        }
-        PaneId::Sweep => {
-            if let Some(open) = sweeps::sweeps_mut(state).and_then(|view| view.open.as_mut()) {
-                open.arrange();
-            }
-        }
-        _ => {}
-    }
 }
 
 pub(super) fn paste(state: &mut AppState, text: &str) -> Vec<Effect> {

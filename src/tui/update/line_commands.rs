@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use tui_input::Input;
 
-use super::{edit, keys, overlay, quit, tables, vary};
+use super::{edit, filter, overlay, quit, tables, vary};
 use crate::bindings::names::pane_of;
 use crate::chart::Glyphs;
 use crate::command_line::LineCommand;
@@ -188,7 +188,7 @@ fn filter(state: &mut AppState, words: &str) -> Done {
         .ok_or("There is no list here to be filtered.")?;
     *filter = Filter::of(words);
     *cursor = 0;
-    keys::filtered(state);
+    filter::filtered(state);
     Ok(Vec::new())
 }
 

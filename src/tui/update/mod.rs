@@ -1,5 +1,6 @@
 //! What each message does to the state. Pure: the world is asked for by [`Effect`]s.
 
+mod ask_edit;
 pub mod build;
 mod cases;
 pub mod column_plot;
@@ -8,8 +9,11 @@ pub mod curves;
 pub mod earlier;
 pub mod edit;
 pub mod edit_check;
+mod end;
 pub mod export;
+mod filter;
 mod job_events;
+mod job_lines;
 mod job_processes;
 pub mod jobs;
 mod keys;
@@ -22,6 +26,7 @@ mod overlay;
 pub mod pages;
 pub mod parts;
 mod quit;
+mod recovery;
 pub mod results;
 pub mod resume;
 pub mod run_table;

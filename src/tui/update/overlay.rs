@@ -6,21 +6,20 @@ use super::motion::moved;
 use super::notice::info;
 use super::text_input::type_key;
 use super::{
-    build, column_plot, command_line, curves, edit, export, jobs, keys, line_types, pages, quit,
-    resume, run_table, runs, studies, sweeps, tables, trials, tutorial, vary,
+    build, column_plot, command_line, curves, edit, end, export, jobs, keys, line_types, pages,
+    quit, resume, run_table, runs, studies, sweeps, tables, trials, tutorial, vary,
 };
 use crate::chart::Glyphs;
 use crate::command::CommandId;
 use crate::key::KeyPress;
 use crate::msg::Effect;
 use crate::pane::PaneId;
-use crate::panes;
 use crate::report::document::ReportFormat;
 use crate::state::command_line::CommandLine;
 use crate::state::parameter_editor::AfterSave;
 use crate::state::{AppState, Filter, Overlay, PromptPurpose, Question};
 use crate::view::last_scroll;
-use crate::visible;
+use crate::{panes, visible};
 
 pub(super) fn key(state: &mut AppState, key: KeyPress) -> Vec<Effect> {
     if key == KeyPress::Ctrl('z') {
@@ -180,7 +179,7 @@ fn answer(state: &mut AppState, question: Question, key: KeyPress) -> Vec<Effect
     match (question, chosen) {
         (Question::Unsaved { quit }, 's') => quit::save_then_leave(state, quit),
         (Question::Unsaved { quit }, 'd') => quit::drop_edits(state, quit),
-        (Question::JobsRunning | Question::JobsGoOn { .. }, 'q') => quit::now(state),
+        (Question::JobsRunning | Question::JobsGoOn { .. }, 'q') => end::now(state),
         (Question::JobsGoOn { .. }, 'x') => quit::cancel_and_quit(state),
         (Question::DeleteRuns { dirs, .. }, 'd') => vec![Effect::DeleteRuns(dirs)],
         (Question::Recover { left }, 'r') => edit::recover(state, left),

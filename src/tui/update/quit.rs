@@ -6,8 +6,9 @@ use std::sync::Arc;
 
 use tui_input::Input;
 
+use super::end::{drop_ranges, nothing_unsaved, now};
 use super::notice::{info, warn};
-use super::{edit, job_processes, jobs, tables};
+use super::{edit, job_processes, jobs, recovery, tables};
 use crate::msg::Effect;
 use crate::state::parameter_editor::AfterSave;
 use crate::state::reading::SavedRows;
@@ -49,29 +50,6 @@ pub(super) fn cancel_and_quit(state: &mut AppState) -> Vec<Effect> {
     let mut effects: Vec<Effect> = tickets.into_iter().map(Effect::Cancel).collect();
     effects.extend(now(state));
     effects
-}
-
-/// Ends the program. Ranges that wait for one in a further field are dropped as they are when the case is left.
-pub(super) fn now(state: &AppState) -> Vec<Effect> {
-    let mut effects = drop_ranges(state);
-    effects.push(Effect::Quit);
-    effects
-}
-
-/// Where nothing else is unsaved, nothing is to be recovered.
-fn drop_ranges(state: &AppState) -> Vec<Effect> {
-    let editor = state.editor();
-    let editor = editor.filter(|editor| !editor.unsaved() && !editor.kept.is_empty());
-    let path = editor.map(|editor| editor.path.clone());
-    path.map(nothing_unsaved).into_iter().collect()
-}
-
-const fn nothing_unsaved(path: PathBuf) -> Effect {
-    Effect::KeepRecovery {
-        path,
-        text: None,
-        kept: Vec::new(),
-    }
 }
 
 pub(super) fn back(state: &mut AppState) -> Vec<Effect> {
@@ -158,7 +136,7 @@ pub(super) fn drop_edits(state: &mut AppState, quit: bool) -> Vec<Effect> {
         editor.text.clone_from(&editor.saved);
         editor.kept.clear();
     }
-    let mut effects = edit::keep_recovery(state);
+    let mut effects = recovery::keep_recovery(state);
     effects.extend(if quit {
         quit_past_edits(state)
     } else {
@@ -196,7 +174,7 @@ pub(super) fn saved(state: &mut AppState, path: PathBuf, text: String) -> Vec<Ef
     let said = format!("Saved to {}.{draft}", visible::path(&editor.path));
     let moved = (old != editor.path).then_some(old);
     // Edits made since, and ranges that wait, are not in the file: they are kept anew before anything is dropped.
-    let mut effects = edit::keep_recovery(state);
+    let mut effects = recovery::keep_recovery(state);
     effects.extend(moved.map(nothing_unsaved));
     info(state, said);
     effects.extend(match after {

@@ -1,14 +1,13 @@
 //! The runs of the open case.
 
-use crate::visible;
+use crate::{facade, visible};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::job_processes;
+use super::job_lines;
 use super::motion::moved;
 use super::notice::info;
 use crate::case::{ChannelQuantity, TextDigest};
-use crate::facade;
 use crate::msg::{Effect, RunsFound};
 use crate::run::Run;
 use crate::run::index::SyncProgress;
@@ -79,7 +78,7 @@ pub(super) fn load(entry: &RunEntry) -> Vec<Effect> {
 }
 
 pub(super) fn stored(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
-    job_processes::has_results(state, ticket, &dir);
+    job_lines::has_results(state, ticket, &dir);
     let Some(view) = state.runs_view_mut() else {
         return Vec::new();
     };

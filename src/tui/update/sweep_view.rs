@@ -5,7 +5,6 @@ use std::path::Path;
 use super::motion::{moved, step};
 use super::notice::{info, warn};
 use super::runs;
-use super::sweeps::sweeps_mut;
 use crate::case::TextDigest;
 use crate::command::CommandId;
 use crate::msg::Effect;
@@ -17,7 +16,7 @@ use crate::table_pane::TableVerb;
 
 /// Shows the result so many places further on.
 pub fn turn_result(state: &mut AppState, by: isize) {
-    let Some(view) = sweeps_mut(state) else {
+    let Some(view) = state.sweeps_mut() else {
         return;
     };
     // The shares that checks use are results too.
@@ -124,7 +123,7 @@ pub fn go(state: &mut AppState, id: CommandId) -> Option<()> {
         _ => 0,
     };
     let by = if across == 0 { step(state, id)? } else { 0 };
-    let view = sweeps_mut(state)?;
+    let view = state.sweeps_mut()?;
     let tab = view.tab;
     let open = view.open.as_mut()?;
     if let Some(cell) = &mut open.cell {
@@ -155,7 +154,7 @@ pub fn go(state: &mut AppState, id: CommandId) -> Option<()> {
 
 /// From a cell or a sea to its load cases, from a load case to its run, from a check to the run that governs it.
 pub fn enter(state: &mut AppState) -> Vec<Effect> {
-    let Some(view) = sweeps_mut(state) else {
+    let Some(view) = state.sweeps_mut() else {
         return Vec::new();
     };
     let tab = view.tab;
@@ -296,5 +295,5 @@ fn entry(dir: &Path, label: &str) -> RunEntry {
 }
 
 fn open(state: &mut AppState) -> Option<&mut OpenSweep> {
-    sweeps_mut(state)?.open.as_mut()
+    state.sweeps_mut()?.open.as_mut()
 }

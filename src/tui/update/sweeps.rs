@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use super::job_processes;
-use super::jobs::{self, job_line};
+use super::job_lines::job_line;
 use super::notice::{info, warn};
+use super::{job_lines, job_processes, jobs};
 use crate::kinds::FileType;
 use crate::msg::Effect;
 use crate::pane::PaneId;
@@ -41,7 +41,7 @@ pub(super) fn start(state: &mut AppState) -> Vec<Effect> {
         process,
         ..job_line(ticket, name.clone(), JobPurpose::Sweep, JobState::Running)
     });
-    if let Some(view) = sweeps_mut(state) {
+    if let Some(view) = state.sweeps_mut() {
         view.job = Some(SweepJob {
             ticket,
             dir: None,
@@ -91,7 +91,7 @@ pub(super) fn told(state: &mut AppState, msg: SweepMsg) -> Vec<Effect> {
         SweepMsg::Listed(file, stored) => listed(state, &file, stored),
         SweepMsg::Read(dir, read) => took(state, &dir, read),
         SweepMsg::Checked(dir, verdict) => {
-            if let Some(view) = sweeps_mut(state) {
+            if let Some(view) = state.sweeps_mut() {
                 view.checking = false;
                 if let Some(open) = view.open.as_mut().filter(|open| open.snapshot.dir == dir) {
                     open.verdict = Some(verdict);
@@ -101,7 +101,7 @@ pub(super) fn told(state: &mut AppState, msg: SweepMsg) -> Vec<Effect> {
             Vec::new()
         }
         SweepMsg::Compared(dir, text, is_same) => {
-            if let Some(view) = sweeps_mut(state) {
+            if let Some(view) = state.sweeps_mut() {
                 view.comparison = SweepComparison {
                     of: Some((dir, text)),
                     is_same,
@@ -121,7 +121,7 @@ pub(super) fn told(state: &mut AppState, msg: SweepMsg) -> Vec<Effect> {
 
 fn listed(state: &mut AppState, file: &str, stored: Vec<SweepEntry>) -> Vec<Effect> {
     if state.editor().is_some_and(|editor| editor.file == file)
-        && let Some(view) = sweeps_mut(state)
+        && let Some(view) = state.sweeps_mut()
     {
         view.take(stored);
     }
@@ -130,7 +130,7 @@ fn listed(state: &mut AppState, file: &str, stored: Vec<SweepEntry>) -> Vec<Effe
 
 /// A sweep is read, or cannot be.
 fn took(state: &mut AppState, dir: &Path, read: Result<SweepRead, String>) -> Vec<Effect> {
-    let Some(view) = sweeps_mut(state) else {
+    let Some(view) = state.sweeps_mut() else {
         return Vec::new();
     };
     if view.reading.as_deref() == Some(dir) {
@@ -158,8 +158,8 @@ fn show(view: &mut SweepsView, read: SweepRead) {
 }
 
 fn begun(state: &mut AppState, ticket: JobNumber, dir: PathBuf) -> Vec<Effect> {
-    job_processes::has_results(state, ticket, &dir);
-    if let Some(view) = sweeps_mut(state)
+    job_lines::has_results(state, ticket, &dir);
+    if let Some(view) = state.sweeps_mut()
         && let Some(job) = view.job.as_mut().filter(|job| job.ticket == ticket)
     {
         job.dir = Some(dir.clone());
@@ -177,7 +177,7 @@ fn went_on(state: &mut AppState, ticket: JobNumber, progress: SweepProgress, sec
         line.progress.duration = (of - stored) as f64;
         line.progress.wall_s = seconds;
     }
-    if let Some(view) = sweeps_mut(state)
+    if let Some(view) = state.sweeps_mut()
         && let Some(job) = view.job.as_mut().filter(|job| job.ticket == ticket)
     {
         job.ended = done;
@@ -198,8 +198,8 @@ fn ended(
         Ok((_, true)) => JobState::Cancelled,
         Err(why) => JobState::Failed(why.clone()),
     };
-    jobs::set_state(state, ticket, new);
-    let view = sweeps_mut(state).filter(|view| {
+    job_lines::set_state(state, ticket, new);
+    let view = state.sweeps_mut().filter(|view| {
         let job = view.job.as_ref();
         job.is_some_and(|job| job.ticket == ticket)
     });
@@ -227,7 +227,7 @@ fn ended(
     }
     let mut effects = vec![Effect::RefreshRuns];
     effects.extend(list(state));
-    effects.extend(super::job_events::quit_if_asked(state));
+    effects.extend(super::end::quit_if_asked(state));
     effects
 }
 
@@ -248,7 +248,7 @@ fn outcome(read: &SweepRead, cancelled: bool) -> String {
 
 /// Shows the stored sweep so many places further on.
 pub fn turn(state: &mut AppState, by: isize) -> Vec<Effect> {
-    let Some(view) = sweeps_mut(state) else {
+    let Some(view) = state.sweeps_mut() else {
         return Vec::new();
     };
     let count = view.stored.len();
@@ -276,7 +276,7 @@ pub(super) fn follow(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     }
     let judged_anyway = layout::shows_verdict(state);
-    let Some(view) = sweeps_mut(state) else {
+    let Some(view) = state.sweeps_mut() else {
         return Vec::new();
     };
     let read = ask_to_read(view);
@@ -295,7 +295,7 @@ fn ask_to_compare(state: &mut AppState) -> Option<SweepEffect> {
         return None;
     }
     let request = request(state)?;
-    sweeps_mut(state)?.comparison.is_open = true;
+    state.sweeps_mut()?.comparison.is_open = true;
     Some(SweepEffect::Compare(snapshot, Box::new(request)))
 }
 
@@ -348,7 +348,7 @@ fn ask_to_check(view: &mut SweepsView, anyway: bool) -> Option<SweepEffect> {
 
 /// Reads the sweep that is shown anew: another program may compute it.
 pub fn reload(state: &mut AppState) -> Vec<Effect> {
-    if let Some(view) = sweeps_mut(state) {
+    if let Some(view) = state.sweeps_mut() {
         view.reload = true;
         view.failure = None;
     }
@@ -357,15 +357,10 @@ pub fn reload(state: &mut AppState) -> Vec<Effect> {
 
 /// Shows the next view.
 pub fn turn_tab(state: &mut AppState, by: usize) {
-    if let Some(view) = sweeps_mut(state) {
+    if let Some(view) = state.sweeps_mut() {
         view.tab = view.tab.turned(by);
         if let Some(open) = &mut view.open {
             open.cell = None;
         }
     }
-}
-
-/// The sweeps of what is open, to be changed.
-pub(super) fn sweeps_mut(state: &mut AppState) -> Option<&mut SweepsView> {
-    state.document.as_mut()?.sweeps_mut()
 }

@@ -197,7 +197,7 @@ pub fn drop_filter(state: &mut AppState) -> bool {
     }
     *filter = Filter::default();
     *cursor = 0;
-    super::keys::filtered(state);
+    super::filter::filtered(state);
     true
 }
 

@@ -1,6 +1,6 @@
 //! Trials of hard cases: computed in the background, their table filled row by row.
 
-use super::jobs;
+use super::job_lines;
 use super::notice::info;
 use crate::case;
 use crate::msg::Effect;
@@ -35,7 +35,7 @@ pub fn begin(state: &mut AppState, of: TrialsOf) -> Vec<Effect> {
         TrialsOf::Case { file, .. } => format!("trials of {file}"),
         TrialsOf::Files(_) => "trials of all hard cases".to_owned(),
     };
-    let line = jobs::job_line(ticket, name, JobPurpose::Trials, JobState::Running);
+    let line = job_lines::job_line(ticket, name, JobPurpose::Trials, JobState::Running);
     state.jobs.lines.push(line);
     state.trials = Some(Trials {
         of: of.clone(),
@@ -57,7 +57,7 @@ pub fn stop(state: &mut AppState) -> Vec<Effect> {
     trials.stopped = true;
     trials.progress.over = true;
     let ticket = trials.ticket;
-    jobs::set_state(state, ticket, JobState::Cancelled);
+    job_lines::set_state(state, ticket, JobState::Cancelled);
     vec![Effect::Cancel(ticket)]
 }
 
@@ -82,7 +82,7 @@ pub(super) fn progress(
     }
     trials.progress = progress;
     if over {
-        jobs::set_state(state, ticket, JobState::Done);
+        job_lines::set_state(state, ticket, JobState::Done);
         info(state, format!("{words}."));
     }
     Vec::new()

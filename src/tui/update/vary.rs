@@ -4,7 +4,7 @@
 //! the range, and one typed into a further field makes the grid.
 
 use super::notice::info;
-use super::{edit, jobs, runs, studies};
+use super::{jobs, recovery, runs, studies};
 use crate::case::fields::{Field, ValueType};
 use crate::case::{self, StudyValue, TextDigest};
 use crate::msg::Effect;
@@ -177,7 +177,7 @@ pub(super) fn keep(state: &mut AppState) -> Vec<Effect> {
         state,
         "The range is kept: one in a second field begins the grid, Esc drops it.",
     );
-    edit::keep_recovery(state)
+    recovery::keep_recovery(state)
 }
 
 /// Drops the ranges that wait.
@@ -186,7 +186,7 @@ pub fn drop_kept(state: &mut AppState) -> Vec<Effect> {
         editor.kept.clear();
     }
     info(state, "The range kept for a grid is dropped.");
-    edit::keep_recovery(state)
+    recovery::keep_recovery(state)
 }
 
 /// The ranges that wait, in words; nothing where none does.
@@ -254,7 +254,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
     };
     let mut effects = vec![Effect::Vary(editor.path.clone(), Box::new(variation))];
     if had_kept {
-        effects.extend(edit::keep_recovery(state));
+        effects.extend(recovery::keep_recovery(state));
     }
     effects
 }

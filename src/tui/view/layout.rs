@@ -6,9 +6,8 @@
 use ratatui::layout::{Constraint, Layout, Rect};
 
 use crate::pane::PaneId;
-use crate::panes::results;
 use crate::report::figures::FigureId;
-use crate::state::AppState;
+use crate::state::{AppState, LineView};
 use crate::tutorial;
 
 /// The smallest screen that is drawn.
@@ -140,7 +139,7 @@ pub fn seen(state: &AppState) -> Vec<PaneId> {
 fn with_band(area: Rect, state: &AppState) -> Vec<(PaneId, Rect)> {
     let height = match state.focus() {
         PaneId::Results => 0,
-        _ => state.line().map_or(0, results::band_height),
+        _ => state.line().map_or(0, band_height),
     };
     let [inputs, band] =
         Layout::vertical([Constraint::Min(0), Constraint::Length(height)]).areas(area);
@@ -174,7 +173,7 @@ pub fn why_not_zoomed(state: &AppState) -> Option<&'static str> {
 
 /// Inputs and chart beside each other, and the results below.
 fn cockpit(body: Rect, state: &AppState) -> [(PaneId, Rect); 3] {
-    let height = state.line().map_or(0, results::band_height);
+    let height = state.line().map_or(0, band_height);
     let [above, band] =
         Layout::vertical([Constraint::Min(0), Constraint::Length(height)]).areas(body);
     let [given, chart] = Layout::horizontal([Constraint::Fill(21), Constraint::Fill(19)])
@@ -400,4 +399,10 @@ pub fn chart_area(state: &AppState) -> Rect {
     charts
         .find(|(kind, _)| *kind == view.chart)
         .map_or_else(Rect::default, |(_, area)| area)
+}
+
+/// How many lines the band takes, its title included; none where the case is not solved yet.
+#[must_use]
+pub fn band_height(line: &LineView) -> u16 {
+    u16::try_from(line.results.len()).map_or(0, |count| count.min(5) + 1)
 }

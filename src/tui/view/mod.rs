@@ -9,7 +9,7 @@ pub(super) mod paint;
 pub mod painter;
 mod tutorial;
 
-use crate::visible;
+use crate::{number, visible};
 use ratatui::backend::TestBackend;
 use ratatui::buffer::Cell;
 use ratatui::layout::Rect;
@@ -21,14 +21,13 @@ pub(super) use self::overlay::last_scroll;
 use self::painter::Painter;
 use super::bindings::BoundCommand;
 use super::command::CommandId;
-use super::msg::StudyOf;
 use super::pane::PaneId;
 use super::panes;
 use super::state::line::RunningStudy;
+use super::state::study_of::StudyOf;
 use super::state::{AppState, JobPurpose, JobState, Severity};
 use super::theme::Theme;
 use crate::chart::Glyphs;
-use crate::number;
 
 /// Draws the whole screen.
 pub fn draw(state: &AppState, frame: &mut Frame) {

@@ -4,7 +4,7 @@ pub mod form;
 pub mod new_file;
 pub mod picker;
 
-use super::edit_check::ask;
+use super::ask_edit::ask;
 use super::notice::info;
 use crate::facade;
 use crate::msg::Effect;
