@@ -13,6 +13,7 @@ pub mod lock;
 pub mod read;
 pub mod root;
 pub mod shallow;
+pub mod strays;
 pub mod unsaved;
 pub mod walk;
 
@@ -23,7 +24,7 @@ use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 use self::disk::Beside;
-use crate::strays::{self, Hidden};
+use self::strays::Hidden;
 
 /// What may happen to a file that exists at the target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

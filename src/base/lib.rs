@@ -10,8 +10,9 @@ pub mod number;
 pub mod padding;
 pub mod places;
 pub mod seal;
-pub mod strays;
 pub mod visible;
+
+pub use files::strays;
 
 /// The version of the program.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");

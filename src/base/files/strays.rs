@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process;
 use std::time::Duration;
 
-use crate::files::disk;
+use super::disk;
 
 use rustix::io::Errno;
 use rustix::process::{Pid, test_kill_process};
