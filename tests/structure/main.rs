@@ -1,0 +1,83 @@
+//! The structure of the program: which file names items of which other.
+//!
+//! Every file below `src` is parsed; a file that names an item defined in another has an arrow to it. What a file hands on by
+//! `pub use`, what only tests name, and links of documentation are no arrows; functions called as methods are not resolved.
+//! Arrows point down the floors, and files that a ring ties are few enough to be read together.
+
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
+
+mod arrows;
+mod floors;
+mod names;
+mod rings;
+mod sources;
+
+use arrows::Arrows;
+use sources::Sources;
+
+/// The most files that a ring may have.
+const LARGEST_RING: usize = 4;
+
+fn read() -> Sources {
+    Sources::read(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src"))
+}
+
+fn describe(rings: &[Vec<String>], arrows: &Arrows) -> String {
+    let each = rings.iter().map(|ring| rings::describe(ring, arrows));
+    each.collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn every_folder_of_the_sources_is_a_floor() {
+    let listed = floors::FLOORS.map(str::to_owned).into_iter().collect();
+    assert_eq!(
+        read().floors(),
+        listed,
+        "`FLOORS` lists the folders of `src` from the lowest up"
+    );
+}
+
+/// A path that leads nowhere is an arrow that is not seen.
+#[test]
+fn every_path_is_resolved() {
+    let unresolved = arrows::unresolved(&read());
+    assert!(
+        unresolved.is_empty(),
+        "these paths lead to no item:\n{}",
+        unresolved.join("\n")
+    );
+}
+
+#[test]
+fn no_ring_has_more_than_four_files() {
+    let arrows = Arrows::between_files(&read());
+    let mut rings = rings::of(&arrows);
+    rings.retain(|ring| ring.len() > LARGEST_RING);
+    assert!(
+        rings.is_empty(),
+        "rings of more than {LARGEST_RING} files:\n{}",
+        describe(&rings, &arrows)
+    );
+}
+
+#[test]
+fn no_file_names_an_item_of_a_higher_floor() {
+    let up = floors::arrows_up(&Arrows::between_files(&read()));
+    assert!(
+        up.is_empty(),
+        "arrows to a higher floor:\n{}",
+        up.join("\n")
+    );
+}
+
+#[test]
+#[ignore = "a case reads the sections that its checks name"]
+fn no_ring_ties_rooms() {
+    let rooms = Arrows::between_rooms(&Arrows::between_files(&read()));
+    let rings = rings::of(&rooms);
+    assert!(
+        rings.is_empty(),
+        "rings of rooms:\n{}",
+        describe(&rings, &rooms)
+    );
+}
