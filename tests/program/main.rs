@@ -25,7 +25,6 @@ mod damage;
 mod documents;
 mod effects;
 mod faults;
-mod floors;
 mod full_disk;
 mod hostile_files;
 mod hostile_screen;

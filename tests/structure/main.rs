@@ -8,6 +8,7 @@
 
 mod arrows;
 mod floors;
+mod manifests;
 mod names;
 mod rings;
 mod sources;

@@ -1,4 +1,4 @@
-//! Floors: every crate below `src` is built, tested and linted with the program, and stands on lower floors alone.
+//! The manifests: every crate below `src` is built, tested and linted with the program, and stands on lower floors alone.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,25 +6,7 @@ use std::path::Path;
 
 use toml::{Table, Value};
 
-/// The floors, each above those before it.
-const FLOORS: [&str; 16] = [
-    "numerics",
-    "physics",
-    "base",
-    "display",
-    "statistics",
-    "keys",
-    "model",
-    "engine",
-    "runs",
-    "systems",
-    "foreign",
-    "studies",
-    "report",
-    "jobs",
-    "tui",
-    "cli",
-];
+use super::floors::FLOORS;
 
 fn manifest(folder: &str) -> Table {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
