@@ -13,15 +13,19 @@ mod names;
 mod rings;
 mod sources;
 
+use std::path::Path;
+use std::sync::LazyLock;
+
 use arrows::Arrows;
 use sources::Sources;
 
 /// The most files that a ring may have.
 const LARGEST_RING: usize = 4;
 
-fn read() -> Sources {
-    Sources::read(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src"))
-}
+static SOURCES: LazyLock<Sources> =
+    LazyLock::new(|| Sources::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src")));
+
+static ARROWS: LazyLock<Arrows> = LazyLock::new(|| Arrows::between_files(&SOURCES));
 
 fn describe(rings: &[Vec<String>], arrows: &Arrows) -> String {
     let each = rings.iter().map(|ring| rings::describe(ring, arrows));
@@ -32,7 +36,7 @@ fn describe(rings: &[Vec<String>], arrows: &Arrows) -> String {
 fn every_folder_of_the_sources_is_a_floor() {
     let listed = floors::FLOORS.map(str::to_owned).into_iter().collect();
     assert_eq!(
-        read().floors(),
+        SOURCES.floors(),
         listed,
         "`FLOORS` lists the folders of `src` from the lowest up"
     );
@@ -41,7 +45,7 @@ fn every_folder_of_the_sources_is_a_floor() {
 /// A path that leads nowhere is an arrow that is not seen.
 #[test]
 fn every_path_is_resolved() {
-    let unresolved = arrows::unresolved(&read());
+    let unresolved = arrows::unresolved(&SOURCES);
     assert!(
         unresolved.is_empty(),
         "these paths lead to no item:\n{}",
@@ -51,19 +55,18 @@ fn every_path_is_resolved() {
 
 #[test]
 fn no_ring_has_more_than_four_files() {
-    let arrows = Arrows::between_files(&read());
-    let mut rings = rings::of(&arrows);
+    let mut rings = rings::of(&ARROWS);
     rings.retain(|ring| ring.len() > LARGEST_RING);
     assert!(
         rings.is_empty(),
         "rings of more than {LARGEST_RING} files:\n{}",
-        describe(&rings, &arrows)
+        describe(&rings, &ARROWS)
     );
 }
 
 #[test]
 fn no_file_names_an_item_of_a_higher_floor() {
-    let up = floors::arrows_up(&Arrows::between_files(&read()));
+    let up = floors::arrows_up(&ARROWS);
     assert!(
         up.is_empty(),
         "arrows to a higher floor:\n{}",
@@ -74,7 +77,7 @@ fn no_file_names_an_item_of_a_higher_floor() {
 #[test]
 #[ignore = "a case reads the sections that its checks name"]
 fn no_ring_ties_rooms() {
-    let rooms = Arrows::between_rooms(&Arrows::between_files(&read()));
+    let rooms = Arrows::between_rooms(&ARROWS);
     let rings = rings::of(&rooms);
     assert!(
         rings.is_empty(),
