@@ -11,6 +11,7 @@ pub mod padding;
 pub mod places;
 pub mod seal;
 pub mod visible;
+pub mod work_log;
 
 pub use files::strays;
 

@@ -1,6 +1,6 @@
 //! Lines in SI: forces as elements, statics, dynamics, modes.
 
-use seacable_base::number;
+use seacable_base::{number, work_log};
 use seacable_model::case;
 use seacable_numerics as numerics;
 use seacable_physics as physics;

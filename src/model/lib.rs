@@ -1,6 +1,6 @@
 //! What a file says: keys, checks, edits, cross-sections, line types.
 
-use seacable_base::{files, limits, number, seal, visible};
+use seacable_base::{files, limits, number, seal, visible, work_log};
 use seacable_numerics as numerics;
 use seacable_physics as physics;
 use seacable_statistics::fatigue;

@@ -1,6 +1,6 @@
 //! Systems of lines, and the ropeways and ships that are computed as such.
 
-use seacable_base::{background, files, limits, number, visible};
+use seacable_base::{background, files, limits, number, visible, work_log};
 use seacable_engine::{dynamics, line_between_ends, modes, scene, solve, statics};
 use seacable_model::{case, checks, published};
 #[cfg(test)]

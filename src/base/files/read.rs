@@ -11,6 +11,8 @@ use std::sync::OnceLock;
 
 use rustix::fs::OFlags;
 
+use crate::work_log::{self, Task};
+
 /// Greatest size of a case, a table or a file of another program \[bytes\], where the user gives none.
 pub const LIMIT: u64 = 64 << 20;
 
@@ -99,6 +101,7 @@ struct Opened {
 
 impl Opened {
     fn at(path: &Path, flags: OFlags, limit: u64) -> io::Result<Self> {
+        work_log::log(Task::Read, path.display());
         let limit = GIVEN.get().copied().unwrap_or(limit);
         let flags = (flags | OFlags::NONBLOCK | OFlags::NOCTTY).bits();
         let file = OpenOptions::new()

@@ -14,6 +14,7 @@ use crate::case::attachments::{PlacedNumber, placed, response_columns, without_m
 use crate::case::{Diagnostic, Finding};
 use crate::number::digits;
 use crate::physics::sea::{DEGREES, Rao};
+use crate::work_log::{self, Task};
 
 /// Upper limits of amplitudes that are physical: metres and degrees per metre of wave amplitude.
 const LIMITS: [f64; 2] = [20.0, 90.0];
@@ -27,6 +28,7 @@ pub struct HeadingRao {
 
 /// The RAOs of a file by ascending heading; a single one for a file without headings.
 pub fn read(text: &str, file: &str) -> Result<Vec<HeadingRao>, Diagnostic> {
+    work_log::log(Task::Parse, file);
     let has_headings = has_headings(text);
     let rows = rows(text, file, has_headings)?;
     let rao = |block: &[Vec<PlacedNumber>]| {

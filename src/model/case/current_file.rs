@@ -8,6 +8,7 @@ use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, Current};
 use crate::numerics::V3;
 use crate::physics::CurrentGrid;
+use crate::work_log::{self, Task};
 
 /// Columns of a table of the current over time and place; those that it does not change with are left out.
 const PLACES: [&str; 4] = ["t_s", "x_m", "y_m", "z_m"];
@@ -44,6 +45,7 @@ pub fn current_grid(
 /// # Errors
 /// The first fault, with its line and column.
 pub fn read_current(text: &str, file: &str) -> Result<CurrentGrid, Diagnostic> {
+    work_log::log(Task::Parse, file);
     let rows = match head(text) {
         Some(columns) => of_table(placed(text, file, &columns)?, &columns),
         None => foreign_current(text).map_err(|fault| fault.at(file, text))?,

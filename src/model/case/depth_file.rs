@@ -7,6 +7,7 @@ use super::depth_formats::foreign_depths;
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, BedInterpolation, Seabed};
 use crate::numerics::{DepthGrid, DepthInterpolation};
+use crate::work_log::{self, Task};
 
 /// Columns of a table of depths.
 const COLUMNS: [&str; 3] = ["x_m", "y_m", "depth_m"];
@@ -36,6 +37,7 @@ pub fn depth_grid(
 }
 
 fn read(text: &str, file: &str, interpolation: BedInterpolation) -> Result<DepthGrid, Diagnostic> {
+    work_log::log(Task::Parse, file);
     let foreign = foreign_depths(text).map_err(|fault| fault.at(file, text))?;
     let table = match foreign {
         Some(rows) => rows.into_iter().map(Vec::from).collect(),

@@ -18,6 +18,7 @@ use super::schema::{TableNode, WrittenKeys};
 use super::tree::TomlNode;
 use super::{parameters, shipped};
 use crate::files::root;
+use crate::work_log::{self, Task};
 
 /// A file with its text and its result.
 #[derive(Debug, Clone, PartialEq)]
@@ -145,6 +146,7 @@ fn computed<K: FileKind>(
     text: &str,
     file: &str,
 ) -> Result<K::Computed, Vec<Diagnostic>> {
+    work_log::log(Task::Solve, file);
     content
         .compute(&K::keys(&TableNode::root(root)))
         .map_err(|finding| vec![finding.at(file, text)])

@@ -30,6 +30,7 @@ use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
 use crate::scene::{current_profile, sea};
 use crate::statics::catenary::SectionProperties;
+use crate::work_log::{self, Task};
 
 /// The parts of lines that differ from what the file states, by the name of line or copy.
 pub type AgedParts = BTreeMap<String, Vec<Part>>;
@@ -43,6 +44,7 @@ pub fn build(
     aged: &AgedParts,
     divided: Divided,
 ) -> Result<Network, (String, String)> {
+    work_log::log(Task::Build, &given.about.title);
     let file = &rods::written_out(given);
     let mut network = Network {
         gravity: file.environment.gravity_m_per_s2,

@@ -7,6 +7,7 @@ use super::freedoms::Placement;
 use super::network::{Held, Network};
 use super::start::start;
 use super::unstable::leave;
+use crate::work_log::{self, Task};
 
 /// Why a system has no answer.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +50,7 @@ pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
 /// # Errors
 /// As [`rest`].
 pub fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
+    work_log::log(Task::Rest, format_args!("{} lines", network.lines.len()));
     let rest = search(network, start).map_err(|error| refused(network, &error))?;
     let rest = leave(network, rest);
     match out_of_water(network, &rest) {

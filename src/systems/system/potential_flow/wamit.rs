@@ -17,6 +17,7 @@ use nalgebra::{Complex, Matrix6, Vector6};
 
 use super::{DriftTable, ExcitationTable, RadiationTable, Scales};
 use crate::case::{Diagnostic, Finding};
+use crate::work_log::{self, Task};
 
 /// A row of numbers and where it is in the text.
 struct Row {
@@ -29,6 +30,7 @@ type Bits = u64;
 
 /// The rows of a file, whose first line may be a heading in words; rows of another length than these are refused.
 fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<Row>, Diagnostic> {
+    work_log::log(Task::Parse, file);
     let mut rows: Vec<Row> = Vec::new();
     let mut start = 0;
     for (number, line) in text.split_inclusive('\n').enumerate() {
