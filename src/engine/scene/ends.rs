@@ -1,5 +1,7 @@
 //! End conditions of a case.
 
+use std::sync::Arc;
+
 use nalgebra::Complex;
 
 use super::EndCondition;
@@ -79,13 +81,13 @@ fn rows(
     end: &case::End,
     key: &str,
     columns: &[String],
-) -> Result<Vec<Vec<f64>>, SceneError> {
+) -> Result<Arc<Vec<Vec<f64>>>, SceneError> {
     let why = "the motion is read from a file";
     let name = end.motion_file.as_ref();
     let name = name.ok_or_else(|| missing(key, "motion_file", why))?;
     let carried = case.files.get(name);
     let carried = carried.ok_or_else(|| missing("files", name, why))?;
-    case::attachments::numbers(&carried.text, name, columns)
+    case::attachments::carried_numbers(&carried.text, name, columns)
         .map_err(|fault| SceneError::File(fault.to_string()))
 }
 

@@ -7,13 +7,16 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::Arc;
 
+use super::carried_text::CarriedText;
 use super::diagnostic::{Diagnostic, Finding};
 use super::model::{Attachment, CASE, Case, EndKind, MotionName};
 use super::shipped;
 use super::tree::TomlNode;
 use crate::files::root;
 use crate::physics::sea::DEGREES;
+use crate::work_log::{self, Task};
 
 /// Columns of a table of places over time.
 pub const PLACES: [&str; 4] = ["time_s", "x_m", "y_m", "z_m"];
@@ -71,7 +74,9 @@ fn gather_from(reading: &FileSource<'_>, case: &mut Case) -> Result<(), Diagnost
         let shown = reading.take(&mut case.files, name, &["ends", letter, "motion_file"])?;
         let carried = &case.files[name].text;
         match end.motion {
-            MotionName::Vessel => numbers(carried, &shown, &response_columns()).map(|_| ())?,
+            MotionName::Vessel => {
+                carried_numbers(carried, &shown, &response_columns())?;
+            }
             _ => places(carried, &shown)?,
         }
     }
@@ -123,7 +128,7 @@ impl FileSource<'_> {
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
                 Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
             })?;
-            files.insert(name.to_owned(), Attachment { text: read });
+            files.insert(name.to_owned(), Attachment { text: read.into() });
         }
         Ok(beside)
     }
@@ -139,9 +144,14 @@ impl FileSource<'_> {
 }
 
 /// Checks a table of places over time: two rows at least, the times increasing.
-fn places(text: &str, file: &str) -> Result<(), Diagnostic> {
-    let rows = placed(text, file, &PLACES.map(str::to_owned))?;
-    times_rise(&rows, PLACES[0]).map_err(|found| found.at(file, text))?;
+fn places(text: &CarriedText, file: &str) -> Result<(), Diagnostic> {
+    let columns = PLACES.map(str::to_owned);
+    let rows = carried_numbers(text, file, &columns)?;
+    if rows.windows(2).any(|pair| pair[1][0] <= pair[0][0]) {
+        // Again, with the places of the numbers.
+        let rows = placed(text, file, &columns)?;
+        times_rise(&rows, PLACES[0]).map_err(|found| found.at(file, text))?;
+    }
     match rows.len() {
         0 | 1 => Err(Diagnostic::whole_file(
             file,
@@ -200,7 +210,7 @@ pub fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Co
     let mut whole = Cow::Borrowed(text);
     for (name, carried) in files {
         if !held(name) {
-            let value = toml::Value::String(carried.text.clone());
+            let value = toml::Value::String(carried.text.to_string());
             let key = toml::Value::String(name.clone());
             whole
                 .to_mut()
@@ -228,13 +238,26 @@ pub struct PlacedNumber {
 /// # Errors
 /// The first fault, with its line and column.
 pub fn numbers(text: &str, file: &str, columns: &[String]) -> Result<Vec<Vec<f64>>, Diagnostic> {
+    work_log::log(Task::Parse, file);
     let rows = placed(text, file, columns)?.into_iter();
     Ok(rows
         .map(|row| row.into_iter().map(|placed| placed.value).collect())
         .collect())
 }
 
-/// The same, each number with its place, for those who have more to say of it.
+/// The numbers of a carried table, which is parsed once.
+///
+/// # Errors
+/// As [`numbers`].
+pub fn carried_numbers(
+    text: &CarriedText,
+    file: &str,
+    columns: &[String],
+) -> Result<Arc<Vec<Vec<f64>>>, Diagnostic> {
+    text.parsed(columns.to_vec(), |text| numbers(text, file, columns))
+}
+
+/// The same as of [`numbers`], each number with its place, for those who have more to say of it.
 ///
 /// # Errors
 /// As [`numbers`].

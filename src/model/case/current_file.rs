@@ -1,6 +1,7 @@
 //! The file of a current over time and place.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::attachments::{FileSource, PlacedNumber, placed, without_mark};
 use super::current_formats::{CurrentRow, foreign_current};
@@ -26,7 +27,7 @@ const FASTEST: f64 = 20.0;
 pub fn current_grid(
     current: &Current,
     files: &BTreeMap<String, Attachment>,
-) -> Result<Option<CurrentGrid>, Diagnostic> {
+) -> Result<Option<Arc<CurrentGrid>>, Diagnostic> {
     let Some(name) = &current.file else {
         return Ok(None);
     };
@@ -37,7 +38,12 @@ pub fn current_grid(
             "name a file of the current beside the case",
         ));
     };
-    read_current(&file.text, name).map(Some)
+    grid_of(file, name).map(Some)
+}
+
+/// The grid of a carried file, which is parsed once.
+fn grid_of(carried: &Attachment, file: &str) -> Result<Arc<CurrentGrid>, Diagnostic> {
+    carried.text.parsed((), |text| read_current(text, file))
 }
 
 /// Reads a file of the current: a table, or a file of MoorDyn.
@@ -119,11 +125,11 @@ impl FileSource<'_> {
         &self,
         files: &mut BTreeMap<String, Attachment>,
         current: &Current,
-    ) -> Result<Option<CurrentGrid>, Diagnostic> {
+    ) -> Result<Option<Arc<CurrentGrid>>, Diagnostic> {
         let Some(name) = &current.file else {
             return Ok(None);
         };
         let shown = self.take(files, name, &["current", "file"])?;
-        read_current(&files[name].text, &shown).map(Some)
+        grid_of(&files[name], &shown).map(Some)
     }
 }

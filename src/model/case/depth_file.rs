@@ -1,6 +1,7 @@
 //! The file of depths that a sea bed names.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::attachments::{FileSource, placed};
 use super::depth_formats::foreign_depths;
@@ -22,7 +23,7 @@ const FARTHEST: f64 = 1e6;
 pub fn depth_grid(
     (depth_file, interpolation): (Option<&str>, BedInterpolation),
     files: &BTreeMap<String, Attachment>,
-) -> Result<Option<DepthGrid>, Diagnostic> {
+) -> Result<Option<Arc<DepthGrid>>, Diagnostic> {
     let Some(name) = depth_file else {
         return Ok(None);
     };
@@ -33,7 +34,17 @@ pub fn depth_grid(
             "name a file of depths beside the case",
         ));
     };
-    read(&file.text, name, interpolation).map(Some)
+    grid_of(file, name, interpolation).map(Some)
+}
+
+/// The grid of a carried file, which is parsed once.
+fn grid_of(
+    carried: &Attachment,
+    file: &str,
+    interpolation: BedInterpolation,
+) -> Result<Arc<DepthGrid>, Diagnostic> {
+    let text = &carried.text;
+    text.parsed(interpolation, |text| read(text, file, interpolation))
 }
 
 fn read(text: &str, file: &str, interpolation: BedInterpolation) -> Result<DepthGrid, Diagnostic> {
@@ -85,7 +96,7 @@ impl FileSource<'_> {
     ) -> Result<(), Diagnostic> {
         if let Some(name) = depth_file {
             let shown = self.take(files, name, &[table, "depth_file"])?;
-            read(&files[name].text, &shown, interpolation)?;
+            grid_of(&files[name], &shown, interpolation)?;
         }
         Ok(())
     }

@@ -125,7 +125,7 @@ impl LoadCases {
                 ))
             }
             (None, Some(name)) => {
-                let text = files.get(name).map_or("", |file| file.text.as_str());
+                let text = files.get(name).map_or("", |file| &*file.text);
                 load_case_file::read(text, name, field)
                     .map_err(|fault| LoadCaseError::Table(Box::new(fault)))
             }

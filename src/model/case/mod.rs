@@ -7,6 +7,7 @@
 //! case records, [`LineQuantity`] the quantities of the whole line.
 
 pub mod attachments;
+mod carried_text;
 mod channel_id;
 pub mod channels;
 mod check;
@@ -45,6 +46,7 @@ use seacable_keys::size;
 pub use seacable_keys::{diagnostic, fields, parameters, schema, structure, tree};
 
 pub use attachments::stand_alone;
+pub use carried_text::CarriedText;
 pub use channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 pub use channels::{ChannelLocation, ChannelSpec, LineEnd, channels};
 pub use current_file::{current_grid, read_current};

@@ -1,9 +1,10 @@
 //! Sets of rules: those that come with the program, and files of a user.
 
 use std::collections::BTreeMap;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use super::attachments::FileSource;
+use super::carried_text::CarriedText;
 use super::check::of_checks;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
@@ -12,7 +13,7 @@ use super::kind;
 use super::model::{Attachment, CheckInputs, RuleSet, RuleSetKeys};
 use super::rows::{FieldLister, FieldRow};
 use super::schema::schema_of;
-use crate::section::CrossSection;
+use crate::section::{CrossSection, Design};
 
 /// Names of the sets that come with the program.
 pub const NAMES: [&str; 3] = ["api-rp-2sk", "dnv-os-e301", "dnv-st-0119"];
@@ -44,7 +45,7 @@ pub fn is_shipped(name: &str) -> bool {
 pub fn text<'a>(name: &str, files: &'a BTreeMap<String, Attachment>) -> Option<&'a str> {
     let place = NAMES.iter().position(|known| *known == name);
     let shipped = place.map(|place| TEXTS[place]);
-    shipped.or_else(|| files.get(name).map(|file| file.text.as_str()))
+    shipped.or_else(|| files.get(name).map(|file| &*file.text))
 }
 
 /// Reads a set.
@@ -53,6 +54,14 @@ pub fn text<'a>(name: &str, files: &'a BTreeMap<String, Attachment>) -> Option<&
 /// Everything that is wrong with it, in the order of the lines.
 pub fn parse(text: &str, file: &str) -> Result<RuleSet, Vec<Diagnostic>> {
     kind::parse_stored::<RuleSet>(text, file)
+}
+
+/// The design of a carried cross-section, which is worked out once.
+///
+/// # Errors
+/// Everything that is wrong with it, in the order of the lines.
+pub(crate) fn section(text: &CarriedText, file: &str) -> Result<Arc<Design>, Vec<Diagnostic>> {
+    text.parsed((), |text| kind::parse_stored::<CrossSection>(text, file))
 }
 
 impl FileSource<'_> {
@@ -81,7 +90,7 @@ impl FileSource<'_> {
             }
             if let Some(name) = check.section.as_ref().filter(is_file) {
                 let shown = self.take(files, name, &["checks", &number, "section"])?;
-                let read = kind::parse_stored::<CrossSection>(&files[name].text, &shown);
+                let read = section(&files[name].text, &shown);
                 if let Err(faults) = read
                     && let Some(first) = faults.into_iter().next()
                 {

@@ -60,9 +60,10 @@ pub(super) fn gather(
             let remedy = "name the directory of a dynamic run that reached an output time, relative to the case file or to here";
             fault(problem, remedy)
         })?;
-        case.files.insert(name.clone(), Attachment { text: read });
+        case.files
+            .insert(name.clone(), Attachment { text: read.into() });
     }
-    let attached = case.files.get(&name).map_or("", |c| c.text.as_str());
+    let attached = case.files.get(&name).map_or("", |c| &*c.text);
     let (checkpoint, _): (CheckpointArc, _) = seal::opened(attached).map_err(|error| {
         // The reason may quote the file.
         let reason = match is_outside {

@@ -1,12 +1,15 @@
 //! The checks of a file, with the rules of the sets that they name.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
-use crate::case::{Attachment, CheckInputs, CheckKind, Diagnostic, kind, nearest, rule_sets};
+use crate::case::{
+    Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, nearest, rule_sets,
+};
 use crate::fatigue::component::Component;
 use crate::fatigue::curve_file::read_curve;
 use crate::fatigue::curve_library::published;
-use crate::section::{CrossSection, Design};
+use crate::section::Design;
 
 /// A check with its name, its clause and its kind.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,9 +23,9 @@ pub struct Check {
     /// Its numbers.
     pub inputs: CheckInputs,
     /// The text of the curve that it names, where that is a file.
-    pub curve: Option<String>,
+    pub curve: Option<CarriedText>,
     /// The text of the cross-section that it names.
-    pub section: Option<String>,
+    pub section: Option<CarriedText>,
 }
 
 /// Why checks cannot be used.
@@ -75,7 +78,9 @@ impl Check {
         strength: Option<f64>,
     ) -> Result<Component, String> {
         if let Some(text) = &self.curve {
-            return read_curve(text).map_err(|error| error.to_string());
+            let curve = text.parsed((), read_curve);
+            let curve = curve.map_err(|error| error.to_string())?;
+            return Ok(Component::clone(&curve));
         }
         let name = self.inputs.curve.as_deref().unwrap_or_default();
         let curve = published(name);
@@ -103,9 +108,9 @@ impl Check {
     ///
     /// # Errors
     /// A file that is no section, in words.
-    pub fn design(&self) -> Result<Option<Design>, String> {
+    pub fn design(&self) -> Result<Option<Arc<Design>>, String> {
         let name = self.inputs.section.as_deref().unwrap_or_default();
-        let read = |text: &String| kind::parse_stored::<CrossSection>(text, name);
+        let read = |text| rule_sets::section(text, name);
         let design = self.section.as_ref().map(read).transpose();
         design.map_err(|faults| {
             let faults = faults.iter().map(ToString::to_string);
@@ -156,7 +161,8 @@ fn one(
             file: file.clone(),
             reason: reason.to_string(),
         };
-        read_curve(&text).map(|_| text).map_err(wrong)
+        text.parsed((), read_curve).map_err(wrong)?;
+        Ok(text)
     });
     let section = inputs.section.as_ref().map(|file| {
         let text = files.get(file).map(|found| found.text.clone());

@@ -198,9 +198,7 @@ mod tests {
     fn damage(peak: f64, plane: f64, slip: UnitSlip) -> Vec<FatigueSpot> {
         let case = case::parse(LINE, "bent.toml").unwrap();
         let scene = build(&case, 1).unwrap();
-        let file = |text: &str| Attachment {
-            text: text.to_owned(),
-        };
+        let file = |text: &str| Attachment { text: text.into() };
         let files = BTreeMap::from([
             ("s.toml".to_owned(), file(SECTION)),
             ("c.toml".to_owned(), file(CURVE)),
@@ -288,7 +286,7 @@ mod tests {
                 ..CheckInputs::default()
             };
             let text = Attachment {
-                text: SECTION.to_owned(),
+                text: SECTION.into(),
             };
             let files = BTreeMap::from([("s.toml".to_owned(), text)]);
             let checks = resolved(&[inputs], &files).unwrap();

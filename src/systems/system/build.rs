@@ -55,7 +55,7 @@ pub fn build(
             .current
             .as_ref()
             .map(|given| current_profile(Some(given), &file.files)),
-        current_over_time: current_over_time(file).map(Arc::new),
+        current_over_time: current_over_time(file),
         wind: file.wind.as_ref().map_or_else(V3::zeros, |wind| {
             let (sin, cos) = wind.direction_deg.to_radians().sin_cos();
             V3::new(cos, sin, 0.0) * wind.speed_m_per_s
@@ -97,14 +97,14 @@ fn bed_of(file: &SystemFile) -> Option<Bed> {
     let given = file.seabed.as_ref()?;
     // Its file was read with the system.
     let grid = depth_grid(given.depths(), &file.files).ok().flatten();
-    Some(grid.map_or(Bed::Level(-given.depth_m), |grid| Bed::Grid(Arc::new(grid))))
+    Some(grid.map_or(Bed::Level(-given.depth_m), |grid| Bed::Grid(grid)))
 }
 
 /// The current of a file, where it changes with time.
-fn current_over_time(file: &SystemFile) -> Option<CurrentGrid> {
+fn current_over_time(file: &SystemFile) -> Option<Arc<CurrentGrid>> {
     // Its file was read with the system.
     let grid = current_grid(file.current.as_ref()?, &file.files).ok()?;
-    grid.filter(CurrentGrid::varies_in_time)
+    grid.filter(|grid| grid.varies_in_time())
 }
 
 /// The bodies of a file, in these waves; `file` has its rods written out as bodies.
@@ -123,7 +123,7 @@ fn bodies(
         let response = moved.map(|sea| wave_response(file, body, sea));
         let response = response.and_then(Result::ok).flatten();
         let flow = PotentialFlow::of(file, body).ok().flatten();
-        let slow = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
+        let slow = flow.as_ref().and_then(|flow| flow.radiation.as_deref());
         let mut built = Body {
             spins_about,
             initial: BodyInitial {
@@ -138,12 +138,12 @@ fn bodies(
         let floating = sea.filter(|_| built.free);
         let responses = floating.and_then(|sea| {
             let raos = responses(file, body)?;
-            let radiation = flow.as_ref().and_then(|flow| flow.radiation.as_ref());
+            let radiation = flow.as_ref().and_then(|flow| flow.radiation.as_deref());
             excitation((network, &built), &raos, radiation, sea)
         });
         built.potential_flow = match responses {
             Some(excitation) => Some(Arc::new(PotentialFlow {
-                excitation: Some(excitation),
+                excitation: Some(Arc::new(excitation)),
                 ..flow.unwrap_or_default()
             })),
             None => flow.map(Arc::new),

@@ -194,7 +194,7 @@ fn load_cases(data: &[u8]) -> bool {
 }
 
 fn one(name: &str, data: &[u8]) -> BTreeMap<String, Attachment> {
-    let text = contained(data);
+    let text = contained(data).into();
     [(name.to_owned(), Attachment { text })].into()
 }
 

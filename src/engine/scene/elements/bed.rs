@@ -1,7 +1,6 @@
 //! Contact of the line with the sea bed: normal springs and dampers and friction at every node.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use crate::case::{self, FrictionLaw};
 use crate::numerics::lanes::outer;
@@ -57,10 +56,7 @@ pub(super) fn seabed(bed: &case::Seabed, files: &Attachments) -> ElasticBed {
         z: -bed.depth_m - slope.tan() * (x * azimuth.cos() + y * azimuth.sin()),
         slope: ElasticBed::sloping(slope, azimuth),
         // Its file was read with the case.
-        grid: case::depth_grid(bed.depths(), files)
-            .ok()
-            .flatten()
-            .map(Arc::new),
+        grid: case::depth_grid(bed.depths(), files).ok().flatten(),
         stiffness: bed.stiffness_n_per_m3,
         damping: bed.damping_n_s_per_m3,
         friction: friction.map(|axial| Friction {

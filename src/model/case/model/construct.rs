@@ -193,6 +193,6 @@ impl Attachment {
             // Writing to a text does not fail.
             let _ = writeln!(text, "{t:?},{x:?},{y:?},{z:?}");
         }
-        Self { text }
+        Self { text: text.into() }
     }
 }

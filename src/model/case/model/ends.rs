@@ -1,5 +1,6 @@
 //! What holds the ends, and the payload.
 
+use crate::case::CarriedText;
 use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, variants, words};
@@ -109,7 +110,7 @@ table! {
     #[derive(Debug, Clone, PartialEq)]
     pub struct Attachment => AttachmentKeys {
         /// The text of a file that the case names.
-        text: String, "carried file";
+        text: CarriedText, "carried file";
     }
 }
 

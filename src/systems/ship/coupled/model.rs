@@ -343,7 +343,7 @@ fn add_waves(
     }
     file.waves.push(waves);
     let carried = Attachment {
-        text: response.table.clone(),
+        text: response.table.as_str().into(),
     };
     file.files.insert(name.to_owned(), carried);
     if let Some(body) = file.bodies.get_mut(SHIP) {

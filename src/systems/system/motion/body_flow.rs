@@ -47,7 +47,7 @@ pub fn flows(network: &Network) -> Vec<BodyFlow> {
         let sea = network.sea.as_ref().filter(|_| feels);
         Some(BodyFlow {
             body,
-            retardation: flow.radiation.as_ref().map(Retardation::new),
+            retardation: flow.radiation.as_deref().map(Retardation::new),
             waves: sea.map(|sea| WaveLoads::new(flow, sea, &given.pose)),
         })
     };

@@ -1,6 +1,8 @@
 //! The motion of a moved body in waves by its responses: a sum of harmonics about its pose.
 
-use crate::case::Diagnostic;
+use std::sync::Arc;
+
+use crate::case::{Attachment, Diagnostic};
 use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
@@ -43,16 +45,18 @@ pub fn wave_response(
 pub(in crate::system) fn responses(
     file: &SystemFile,
     body: &BodyInputs,
-) -> Option<Vec<HeadingRao>> {
+) -> Option<Arc<Vec<HeadingRao>>> {
     let name = body.response_file.as_ref()?;
     read(file, name).ok().flatten()
 }
 
-fn read(file: &SystemFile, name: &str) -> Result<Option<Vec<HeadingRao>>, Diagnostic> {
+fn read(file: &SystemFile, name: &str) -> Result<Option<Arc<Vec<HeadingRao>>>, Diagnostic> {
     let carried = file.files.get(name);
-    carried
-        .map(|carried| rao_file::read(&carried.text, name))
-        .transpose()
+    let read = |carried: &Attachment| {
+        let text = &carried.text;
+        text.parsed((), |text| rao_file::read(text, name))
+    };
+    carried.map(read).transpose()
 }
 
 fn motion(

@@ -16,6 +16,8 @@ pub mod wave_loads;
 
 pub use coefficients::{DriftTable, ExcitationTable, RadiationTable};
 
+use std::sync::Arc;
+
 use crate::case::Diagnostic;
 use crate::system::model::{BodyInputs, SystemFile};
 
@@ -23,11 +25,11 @@ use crate::system::model::{BodyInputs, SystemFile};
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PotentialFlow {
     /// Added mass and damping.
-    pub radiation: Option<RadiationTable>,
+    pub radiation: Option<Arc<RadiationTable>>,
     /// Loads of the first order.
-    pub excitation: Option<ExcitationTable>,
+    pub excitation: Option<Arc<ExcitationTable>>,
     /// Mean drift.
-    pub drift: Option<DriftTable>,
+    pub drift: Option<Arc<DriftTable>>,
 }
 
 /// Water density \[kg/m³\], gravity \[m/s²\] and the length by which the numbers of a file are scaled \[m\].
@@ -54,7 +56,7 @@ impl PotentialFlow {
         };
         let carried = |name: &Option<String>| {
             let name = name.as_ref()?;
-            Some((file.files.get(name)?.text.as_str(), name.clone()))
+            Some((&file.files.get(name)?.text, name.clone()))
         };
         let names = [
             &body.radiation_file,
@@ -66,9 +68,13 @@ impl PotentialFlow {
             return Ok(None);
         }
         let [radiation, excitation, drift] = files;
-        let radiation = radiation.map(|(text, name)| wamit::radiation(text, &name, &scales));
-        let excitation = excitation.map(|(text, name)| wamit::excitation(text, &name, &scales));
-        let drift = drift.map(|(text, name)| wamit::drift(text, &name, &scales));
+        let radiation = radiation
+            .map(|(text, name)| text.parsed(scales, |text| wamit::radiation(text, &name, &scales)));
+        let excitation = excitation.map(|(text, name)| {
+            text.parsed(scales, |text| wamit::excitation(text, &name, &scales))
+        });
+        let drift = drift
+            .map(|(text, name)| text.parsed(scales, |text| wamit::drift(text, &name, &scales)));
         Ok(Some(Self {
             radiation: radiation.transpose()?,
             excitation: excitation.transpose()?,

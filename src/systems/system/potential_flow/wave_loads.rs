@@ -184,6 +184,8 @@ fn in_plan(drift: &[f64; 3]) -> Vector6<f64> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::physics::sea::{Component, DepthDecay, Stretching, WaveLoad, WaveSettings};
     use crate::system::potential_flow::DriftTable;
@@ -211,7 +213,7 @@ mod tests {
             vec![vec![[2.0, 0.0, 0.0], [-4.0, 0.0, 0.0]]],
         );
         let flow = PotentialFlow {
-            drift: Some(drift),
+            drift: Some(Arc::new(drift)),
             ..PotentialFlow::default()
         };
         let loads = WaveLoads::new(&flow, &sea, &Pose::default());
