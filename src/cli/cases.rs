@@ -4,11 +4,11 @@ use seacable_base::visible;
 use std::path::{Path, PathBuf};
 
 use super::CommandError;
-use seacable_base::files::{read, root, walk::Search};
+use seacable_base::files::{root, walk::Search};
 use seacable_foreign::import::ImportOptions;
-use seacable_foreign::open;
+use seacable_foreign::open::OpenedFile;
 use seacable_model::case::{
-    self, Case, Diagnostic, FieldRow, edit, file_kind::FileKind, kind, shipped,
+    self, Case, Diagnostic, FieldRow, FileBytes, ReadFile, edit, file_kind::FileKind, kind, shipped,
 };
 use seacable_model::kinds::FileType;
 use seacable_runs::run::store;
@@ -34,13 +34,29 @@ pub(super) struct NamedCase {
 
 /// Loads a case file.
 pub(super) fn load(path: &Path) -> Result<NamedCase, CommandError> {
+    load_set(FileBytes::read(path), &[])
+}
+
+/// Reads the case of a file with every `KEY=VALUE` applied to its text; the faults of the file itself come first.
+pub(super) fn load_set(file: FileBytes, words: &[String]) -> Result<NamedCase, CommandError> {
+    let path = file.path().to_owned();
     let name = path.display().to_string();
-    let loaded = case::load(path).map_err(CommandError::Invalid)?;
+    let text = case::text_of_line(file).map_err(CommandError::Invalid)?;
+    let own = |text: &str| case::parse_of(text, &path).map_err(CommandError::Invalid);
+    let read = |text: String| own(&text).map(|case| (text, case));
+    let (text, case) = match words {
+        [] => read(text)?,
+        words => {
+            let edited = set(&text, words).and_then(read);
+            // What is wrong without the edits is said of the file, at its lines.
+            edited.map_err(|error| own(&text).err().unwrap_or(error))?
+        }
+    };
     Ok(NamedCase {
         file: file_name(&name),
         name,
-        text: loaded.text,
-        case: loaded.case,
+        text,
+        case,
     })
 }
 
@@ -93,9 +109,10 @@ pub(super) fn set_and_compute<K: FileKind>(
         let computed = computed.map_err(CommandError::Invalid)?;
         return Ok((text.to_owned(), computed));
     }
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let done = kind::set_and_compute_beside::<K>(text, edits, folder);
-    done.map_err(|found| of_options(edits, found))
+    let of_options = |found| of_options(edits, found);
+    let read = kind::read_with::<K>(text, edits, path).map_err(of_options)?;
+    let text = read.text.clone();
+    Ok((text, read.compute().map_err(of_options)?))
 }
 
 /// Faults of edits, in the words of the options that give them in the place of a file.
@@ -119,39 +136,79 @@ fn of_options(edits: &[(&str, &str)], found: Vec<Diagnostic>) -> CommandError {
     CommandError::Invalid(found.into_iter().map(of_option).collect())
 }
 
-/// A file of a kind that is read with keys set.
-pub(super) struct EditedFile<K: FileKind> {
-    /// Its text with the keys, and the files that it names.
-    pub(super) whole_text: String,
+/// A file of a kind that is read with keys set; nothing is computed yet.
+pub(super) struct EditedFile<'w, K: FileKind> {
+    /// With the keys.
+    read: ReadFile<K>,
+    /// Without.
+    opened: OpenedFile,
+    edits: Vec<(&'w str, &'w str)>,
+}
+
+/// The same with its answer.
+pub(super) struct ComputedFile<K: FileKind> {
     /// As it is listed, and as it was without the keys.
     texts: [String; 2],
-    /// Its result.
+    /// Its answer.
     pub(super) computed: K::Computed,
 }
 
-impl<K: FileKind> EditedFile<K> {
-    /// Reads a file.
-    pub(super) fn load(
-        path: &Path,
-        words: &[String],
+impl<'w, K: FileKind> EditedFile<'w, K> {
+    /// Reads a file with every `KEY=VALUE` applied to its text.
+    pub(super) fn read(
+        file: FileBytes,
+        words: &'w [String],
         options: &ImportOptions,
     ) -> Result<Self, CommandError> {
-        let loaded = open::load_as::<K>(path, options).map_err(CommandError::Invalid)?;
-        if words.is_empty() {
-            return Ok(Self {
-                whole_text: loaded.whole_text,
-                texts: [loaded.text.clone(), loaded.text],
-                computed: loaded.computed,
-            });
-        }
-        let (text, computed) = set_and_compute::<K>(&loaded.whole_text, &edits(words)?, path)?;
+        let opened = OpenedFile::of::<K>(file, options).map_err(CommandError::Invalid)?;
+        let edits = edits(words)?;
+        let read = match edits.as_slice() {
+            [] => opened.read().map_err(CommandError::Invalid)?,
+            edits => kind::read_with(&opened.text, edits, &opened.path).map_err(|found| {
+                let own = opened.read::<K>().err();
+                own.map_or_else(|| of_options(edits, found), CommandError::Invalid)
+            })?,
+        };
         Ok(Self {
-            whole_text: text.clone(),
-            texts: [text, loaded.text],
-            computed,
+            read,
+            opened,
+            edits,
         })
     }
 
+    /// What it says.
+    pub(super) const fn content(&self) -> &K {
+        &self.read.content
+    }
+
+    /// Its text with the keys, and the files that it names.
+    pub(super) fn whole_text(&self) -> String {
+        self.read.whole_text()
+    }
+
+    /// Computes it. What shows only then without the keys too is said of the file, at its lines.
+    pub(super) fn compute(self) -> Result<ComputedFile<K>, CommandError> {
+        let Self {
+            read,
+            opened,
+            edits,
+        } = self;
+        let text = read.text.clone();
+        let computed = read.compute().map_err(|found| {
+            if edits.is_empty() {
+                return CommandError::Invalid(opened.at_its_rows(found));
+            }
+            let own = opened.compute::<K>().err();
+            own.map_or_else(|| of_options(&edits, found), CommandError::Invalid)
+        })?;
+        Ok(ComputedFile {
+            texts: [text, opened.text],
+            computed,
+        })
+    }
+}
+
+impl<K: FileKind> ComputedFile<K> {
     /// Its fields: many of a large file.
     pub(super) fn fields(&self) -> Vec<FieldRow> {
         let [now, before] = &self.texts;
@@ -161,11 +218,11 @@ impl<K: FileKind> EditedFile<K> {
 
 /// The fields of a file of a kind that is read with keys set, and its result.
 pub(super) fn load_with<K: FileKind>(
-    path: &Path,
+    file: FileBytes,
     words: &[String],
     options: &ImportOptions,
 ) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
-    let file = EditedFile::<K>::load(path, words, options)?;
+    let file = EditedFile::<K>::read(file, words, options)?.compute()?;
     Ok((file.fields(), file.computed))
 }
 
@@ -275,10 +332,11 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     for file in &files {
         let unreadable =
             |error| CommandError::Usage(format!("Reading {} failed: {error}", visible::path(file)));
-        match FileType::of(file) {
-            FileType::Line => named.lines.push(load(file)?),
+        let bytes = FileBytes::read(file);
+        match bytes.kind() {
+            FileType::Line => named.lines.push(load_set(bytes, &[])?),
             kind => {
-                let text = read::text(file).map_err(unreadable)?;
+                let text = bytes.utf8().map_err(unreadable)?;
                 named.add(kind, file.display().to_string(), text)?;
             }
         }

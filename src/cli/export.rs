@@ -12,6 +12,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::export::{self, ExportOptions, Exported, Target, Unsayable};
+use seacable_model::case::FileBytes;
 use seacable_systems::system::SystemFile;
 
 #[derive(Debug, clap::Args)]
@@ -52,8 +53,11 @@ pub(super) struct ExportArgs {
 pub(super) fn export(args: &ExportArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (_, solved) =
-        cases::load_with::<SystemFile>(&args.file, &args.set, &args.import.options())?;
+    let (_, solved) = cases::load_with::<SystemFile>(
+        FileBytes::read(&args.file),
+        &args.set,
+        &args.import.options(),
+    )?;
     let target = match args.map {
         true => Target::MapPlusPlus,
         false => Target::MoorDyn,

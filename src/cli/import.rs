@@ -10,9 +10,9 @@ use super::{
     CommandError,
     output::{self, FileFormat, OutputFile},
 };
-use seacable_base::files;
-use seacable_foreign::import::{self, ImportOptions};
-use seacable_foreign::open;
+use seacable_foreign::import::ImportOptions;
+use seacable_foreign::open::OpenedFile;
+use seacable_model::case::FileBytes;
 use seacable_systems::system::SystemFile;
 
 /// What a file of another program does not say.
@@ -83,18 +83,19 @@ pub(super) fn import(args: &ImportCommandArgs) -> Result<ExitCode, CommandError>
 
 /// The case of a file, checked as a case.
 fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError> {
-    let source = files::read::text_lossy(path).map_err(|error| {
-        CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)))
-    })?;
-    if !import::is_foreign_file(path, &source) {
+    let unreadable =
+        |error| CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)));
+    let file = FileBytes::read(path).readable().map_err(unreadable)?;
+    if !file.is_foreign() {
         let what = format!(
             "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, which have rows of dashes between their tables, nor a design in YAML.",
             visible::path(path)
         );
         return Err(CommandError::Usage(what));
     }
-    let loaded = open::load_as::<SystemFile>(path, options);
-    Ok(loaded.map_err(CommandError::Invalid)?.text)
+    let opened = OpenedFile::of::<SystemFile>(file, options).map_err(CommandError::Invalid)?;
+    opened.read::<SystemFile>().map_err(CommandError::Invalid)?;
+    Ok(opened.text)
 }
 
 /// A positive number.

@@ -55,9 +55,7 @@ pub(super) fn validation(
             (statics.ship.ship.title.clone(), rows)
         }
         FileType::System => {
-            let whole = kind::whole_text::<SystemFile>(text, name);
-            let whole = whole.map_err(CommandError::Invalid)?;
-            let (text, solved) = &cases::set_and_compute::<SystemFile>(&whole, set, path)?;
+            let (text, solved) = &cases::set_and_compute::<SystemFile>(text, set, path)?;
             let run = in_time(solved, cancel)?;
             let mut rows = system::validation::rows(solved, run.as_ref());
             let (_, edited) = kind::edited_rows::<SystemFile>(text, before);

@@ -11,6 +11,7 @@ use super::{
 };
 use seacable_base::visible;
 use seacable_engine::modes;
+use seacable_model::case::FileBytes;
 use seacable_model::kinds::FileType;
 use seacable_report::{chart, modes as views, run_json};
 
@@ -21,22 +22,22 @@ const HEIGHT: usize = 22;
 const MODES: usize = 10;
 
 pub(super) fn modes(args: &ModesArgs) -> Result<ExitCode, CommandError> {
-    if FileType::of(&args.case.file) == FileType::System {
+    let bytes = FileBytes::read(&args.case.file);
+    if bytes.kind() == FileType::System {
         if args.output.is_some() || !args.shape.is_empty() || args.count.is_some() {
             let how = "Systems of lines do not take --output, --shape or --count: all modes of their bodies are listed, without shapes.";
             return Err(CommandError::Usage(how.to_owned()));
         }
-        return system_study::modes(&SystemArgs {
+        let args = SystemArgs {
             case: args.case.clone(),
             ascii: args.ascii,
             json: args.json,
-        });
+        };
+        return system_study::modes(&args, bytes);
     }
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let loaded = cases::load(&args.case.file)?;
-    let text = cases::set(&loaded.text, &args.case.set)?;
-    let case = cases::parse(&text, &loaded.name)?;
+    let case = cases::load_set(bytes, &args.case.set)?.case;
     let found = match modes::of_case(&case, args.count.unwrap_or(MODES)) {
         Ok(found) => found,
         Err(why) => {

@@ -15,7 +15,7 @@ use super::{
 use seacable_base::files::read;
 use seacable_base::visible;
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::{Diagnostic, FieldRow, file_kind::FileKind};
+use seacable_model::case::{Diagnostic, FieldRow, FileBytes, file_kind::FileKind};
 use seacable_model::kinds::FileType;
 use seacable_model::section::CrossSection;
 use seacable_report::{
@@ -171,14 +171,15 @@ fn of_sweep(dir: &Path, order: &Order) -> Result<String, CommandError> {
 
 /// The report of a file that is computed without a run.
 fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
-    match FileType::of(path) {
+    let file = FileBytes::read(path);
+    match file.kind() {
         FileType::Line => Err(runs_first(path)),
         FileType::Section => {
-            let (fields, design) = loaded::<CrossSection>(path)?;
+            let (fields, design) = loaded::<CrossSection>(file)?;
             order.written(&ReportSubject::Section(&design, &fields, None))
         }
         FileType::Ropeway => {
-            let (fields, solved) = loaded::<Ropeway>(path)?;
+            let (fields, solved) = loaded::<Ropeway>(file)?;
             let results = solved.results(solved.ropeway.cargo.position);
             let results = results.map_err(|error| {
                 CommandError::Usage(format!("The ropeway has no solution: {error}."))
@@ -186,7 +187,7 @@ fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
             order.written(&ReportSubject::Ropeway(&solved, Box::new(results), &fields))
         }
         FileType::Ship => {
-            let (fields, statics) = loaded::<Ship>(path)?;
+            let (fields, statics) = loaded::<Ship>(file)?;
             let folder = path.parent().unwrap_or(Path::new(""));
             let dynamic = DynamicAnalysis::new(&statics, folder, &AtomicBool::new(false));
             if let Some(Some(Err(MotionError::File(fault)))) = dynamic.as_ref().map(|d| &d.motion) {
@@ -195,7 +196,7 @@ fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
             order.written(&ReportSubject::Ship(&statics, dynamic.as_ref(), &fields))
         }
         FileType::System => {
-            let (fields, solved) = loaded::<SystemFile>(path)?;
+            let (fields, solved) = loaded::<SystemFile>(file)?;
             if solved.file.solver.is_some() {
                 return Err(runs_first(path));
             }
@@ -206,8 +207,8 @@ fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
     }
 }
 
-fn loaded<K: FileKind>(path: &Path) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
-    cases::load_with::<K>(path, &[], &ImportOptions::default())
+fn loaded<K: FileKind>(file: FileBytes) -> Result<(Vec<FieldRow>, K::Computed), CommandError> {
+    cases::load_with::<K>(file, &[], &ImportOptions::default())
 }
 
 /// What a file that is computed in time needs.

@@ -8,14 +8,18 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::import::ImportOptions;
+use seacable_model::case::FileBytes;
 use seacable_report::{self as report, text::WIDTH};
 use seacable_systems::ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line};
 
 pub(super) fn ropeway(args: &RopewayArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check_option("--line", args.line.as_deref(), args.force, &inputs)?;
-    let (fields, worked) =
-        cases::load_with::<Ropeway>(&args.file, &args.set, &ImportOptions::default())?;
+    let (fields, worked) = cases::load_with::<Ropeway>(
+        FileBytes::read(&args.file),
+        &args.set,
+        &ImportOptions::default(),
+    )?;
     let results = worked
         .results(worked.ropeway.cargo.position)
         .map_err(|error| CommandError::Usage(format!("The ropeway has no solution: {error}.")))?;

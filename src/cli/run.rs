@@ -13,7 +13,7 @@ use super::{
 };
 use seacable_base::strays;
 use seacable_jobs::JobRequest;
-use seacable_model::case;
+use seacable_model::case::{self, FileBytes};
 use seacable_model::kinds::FileType;
 use seacable_report::{limits, run_json, text, verdict::RunVerdict};
 use seacable_runs::run::{
@@ -28,9 +28,9 @@ use serde_json::json;
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     // Before anything is read: a signal that comes meanwhile stops the run at its start, and leaves it as one that can be resumed.
     let stop = StopFlag::listen()?;
-    let path = args.case.as_deref();
-    if path.is_some_and(|path| FileType::of(path) == FileType::System) {
-        return system::system(args, &stop);
+    let file = FileBytes::read(args.case.as_deref().unwrap_or(Path::new("")));
+    if args.case.is_some() && file.kind() == FileType::System {
+        return system::system(args, file, &stop);
     }
     if let Some(dir) = &args.resume
         && FileType::of(&dir.join(store::CASE)) == FileType::System
@@ -39,7 +39,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     let (request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
-        None => (request(args)?, None),
+        None => (request(args, file)?, None),
     };
     if args.detach {
         let request = JobRequest::Line(Box::new(request), from.map(Box::new));
@@ -82,17 +82,15 @@ pub(super) fn case_of(args: &RunArgs) -> &Path {
 }
 
 /// The case with every `--set` and `--solver` applied, in their order.
-fn request(args: &RunArgs) -> Result<Request, CommandError> {
-    let loaded = cases::load(args.case.as_deref().unwrap_or(Path::new("")))?;
+fn request(args: &RunArgs, file: FileBytes) -> Result<Request, CommandError> {
     let mut overrides = args.set.clone();
     overrides.extend(args.solver.map(|s| format!("solver.method={}", s.name())));
     overrides.extend(args.accuracy.map(|a| format!("solver.accuracy={a:?}")));
     overrides.extend(args.budget.map(|b| format!("solver.budget_s={b:?}")));
-    let text = cases::set(&loaded.text, &overrides)?;
-    let case = cases::parse(&text, &loaded.name)?;
+    let loaded = cases::load_set(file, &overrides)?;
     Ok(Request {
-        case,
-        text,
+        case: loaded.case,
+        text: loaded.text,
         file: loaded.file,
         overrides,
         id: String::new(),

@@ -8,14 +8,18 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::import::ImportOptions;
+use seacable_model::case::FileBytes;
 use seacable_model::section::{self, CrossSection};
 use seacable_report::{self as report, plain, text::WIDTH};
 
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let (fields, design) =
-        cases::load_with::<CrossSection>(&args.file, &[], &ImportOptions::default())?;
+    let (fields, design) = cases::load_with::<CrossSection>(
+        FileBytes::read(&args.file),
+        &[],
+        &ImportOptions::default(),
+    )?;
     let glyphs = output::glyphs(args.ascii);
     if let Some(file) = file {
         let text = section::material_table(&design);

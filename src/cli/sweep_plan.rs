@@ -2,11 +2,15 @@
 
 use std::path::Path;
 
-use super::{CommandError, cases, sweep_args::SweepArgs};
+use super::{
+    CommandError,
+    cases::{self, EditedFile},
+    sweep_args::SweepArgs,
+};
 
 use seacable_base::files::read;
 use seacable_base::visible;
-use seacable_foreign::open;
+use seacable_model::case::FileBytes;
 use seacable_model::case::load_cases::LoadCaseError;
 use seacable_model::kinds::FileType;
 use seacable_studies::study::seas::SeaQuestion;
@@ -29,9 +33,10 @@ pub(super) fn planned(args: &SweepArgs) -> Result<SweepPlan, CommandError> {
         })?;
         csv.push((visible::path(file), text));
     }
-    let plan = match FileType::of(path) {
-        FileType::System => system(args, path, &csv)?,
-        FileType::Line => line(args, path, &csv)?,
+    let file = FileBytes::read(path);
+    let plan = match file.kind() {
+        FileType::System => system(args, file, &csv)?,
+        FileType::Line => line(args, file, &csv)?,
         other => {
             return Err(CommandError::Usage(format!(
                 "A sweep takes cases of lines and systems of lines; {} is {}.",
@@ -49,26 +54,24 @@ pub(super) fn planned(args: &SweepArgs) -> Result<SweepPlan, CommandError> {
 
 fn line(
     args: &SweepArgs,
-    path: &Path,
+    file: FileBytes,
     csv: &[(String, String)],
 ) -> Result<SweepPlan, CommandError> {
-    let loaded = cases::load(path)?;
     let set = args.overrides();
-    let text = cases::set(&loaded.text, &set)?;
-    SweepPlan::of_line(&text, &loaded.name, &set, choices(args, csv)).map_err(refused)
+    let loaded = cases::load_set(file, &set)?;
+    SweepPlan::of_line(&loaded.text, &loaded.name, &set, choices(args, csv)).map_err(refused)
 }
 
 fn system(
     args: &SweepArgs,
-    path: &Path,
+    file: FileBytes,
     csv: &[(String, String)],
 ) -> Result<SweepPlan, CommandError> {
-    let name = path.display().to_string();
-    let loaded = open::load_as::<SystemFile>(path, &args.import.options());
-    let loaded = loaded.map_err(CommandError::Invalid)?;
+    let name = file.path().display().to_string();
     let set = args.overrides();
-    let edits = cases::edits(&set)?;
-    let (text, solved) = cases::set_and_compute::<SystemFile>(&loaded.whole_text, &edits, path)?;
+    let file = EditedFile::<SystemFile>::read(file, &set, &args.import.options())?;
+    let text = file.whole_text();
+    let solved = file.compute()?.computed;
     SweepPlan::of_system((&text, &solved), &name, &set, choices(args, csv)).map_err(refused)
 }
 

@@ -14,6 +14,7 @@ use super::{
     verdict,
 };
 use seacable_jobs::JobRequest;
+use seacable_model::case::FileBytes;
 use seacable_report::{
     system::{self as views, json, motion},
     text::WIDTH,
@@ -28,8 +29,11 @@ use seacable_systems::system::{
     validation,
 };
 
-pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, CommandError> {
-    let path = args.case.clone().unwrap_or_default();
+pub(super) fn system(
+    args: &RunArgs,
+    file: FileBytes,
+    stop: &StopFlag,
+) -> Result<ExitCode, CommandError> {
     let given = [
         (
             args.solver.is_some(),
@@ -49,11 +53,10 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
             "Systems of lines do not take {why}."
         )));
     }
-    let file = EditedFile::<SystemFile>::load(&path, &args.set, &args.import.options())?;
-    if file.computed.file.solver.is_some() {
+    let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
+    if file.content().solver.is_some() {
         return in_motion(args, file, stop);
     }
-    let solved = &file.computed;
     if args.detach {
         return Err(CommandError::Usage(
             "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run in time.".to_owned(),
@@ -64,6 +67,8 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
             "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
         ));
     }
+    let file = file.compute()?;
+    let solved = &file.computed;
     let analyses = match args.json {
         true => Analyses::of_object(solved),
         false => Analyses::of(solved),
@@ -87,7 +92,7 @@ pub(super) fn system(args: &RunArgs, stop: &StopFlag) -> Result<ExitCode, Comman
 /// The run in time, stored as it is computed: its results or JSON on standard output.
 fn in_motion(
     args: &RunArgs,
-    file: EditedFile<SystemFile>,
+    file: EditedFile<'_, SystemFile>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
     let request = request(args, file)?;
@@ -150,12 +155,16 @@ fn stored_run(
 }
 
 /// The run that the file with all `--set` asks for.
-fn request(args: &RunArgs, file: EditedFile<SystemFile>) -> Result<SystemRequest, CommandError> {
+fn request(
+    args: &RunArgs,
+    file: EditedFile<'_, SystemFile>,
+) -> Result<SystemRequest, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let text = file.whole_text();
     let request = SystemRequest::new(
-        Arc::new(file.computed),
-        &file.whole_text,
+        Arc::new(file.compute()?.computed),
+        &text,
         name.into_owned(),
         args.set.clone(),
     );

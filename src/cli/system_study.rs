@@ -5,12 +5,14 @@ use std::process::ExitCode;
 use serde_json::{Value, json};
 
 use super::{
-    BAD_RESULT, CommandError, cases, output,
+    BAD_RESULT, CommandError,
+    cases::EditedFile,
+    output,
     system_args::{OffsetsArgs, SeekArgs, SystemArgs, WatchArgs},
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
-use seacable_foreign::open;
+use seacable_model::case::FileBytes;
 use seacable_report::system::analysis as views;
 use seacable_systems::system::analysis::offset::{HeldAway, OffsetPoint, curve};
 use seacable_systems::system::analysis::{periods, seek, watch_circle};
@@ -22,12 +24,15 @@ const WIDTH: usize = 140;
 const PLOT: (usize, usize) = (80, 24);
 
 fn load(args: &SystemArgs) -> Result<SolvedSystem, CommandError> {
-    Ok(cases::load_with::<SystemFile>(
-        &args.case.file,
-        &args.case.set,
-        &args.case.import.options(),
-    )?
-    .1)
+    solved(args, FileBytes::read(&args.case.file))
+}
+
+fn solved(args: &SystemArgs, file: FileBytes) -> Result<SolvedSystem, CommandError> {
+    Ok(read(args, file)?.compute()?.computed)
+}
+
+fn read(args: &SystemArgs, file: FileBytes) -> Result<EditedFile<'_, SystemFile>, CommandError> {
+    EditedFile::read(file, &args.case.set, &args.case.import.options())
 }
 
 /// The body named, or the only one.
@@ -133,12 +138,9 @@ pub(super) fn watch(args: &WatchArgs) -> Result<ExitCode, CommandError> {
 }
 
 pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
-    let file =
-        open::load_as::<SystemFile>(&args.system.case.file, &args.system.case.import.options())
-            .map_err(CommandError::Invalid)?;
-    let edits = cases::edits(&args.system.case.set)?;
-    let path = &args.system.case.file;
-    let (text, _) = cases::set_and_compute::<SystemFile>(&file.whole_text, &edits, path)?;
+    let file = FileBytes::read(&args.system.case.file);
+    let file = read(&args.system, file)?;
+    let text = file.whole_text();
     let Some((quantity, wanted)) = args
         .want
         .split_once('=')
@@ -178,6 +180,8 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
             output::results(&page, args.system.ascii)?;
         }
         Err(why) => {
+            // A system that has no equilibrium as it is says so at its key.
+            file.compute()?;
             output::message(&format!("error: {why}."));
             return Ok(ExitCode::from(BAD_RESULT));
         }
@@ -186,8 +190,8 @@ pub(super) fn goal(args: &SeekArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// `seacable modes` on a system: the natural periods of its bodies and points.
-pub(super) fn modes(args: &SystemArgs) -> Result<ExitCode, CommandError> {
-    let solved = load(args)?;
+pub(super) fn modes(args: &SystemArgs, file: FileBytes) -> Result<ExitCode, CommandError> {
+    let solved = solved(args, file)?;
     let found = periods::periods(&solved.network, &solved.rest)
         .map_err(|why| CommandError::Usage(format!("No natural periods: {why}.")))?;
     if found.modes.is_empty() {

@@ -1,11 +1,107 @@
 //! Opening of a file of any kind, of this program or of another: `open::load::<SystemFile>(path)`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::case::file_kind::FileKind;
-use crate::case::kind::{LoadedFile, loaded};
-use crate::case::{Diagnostic, text_of};
-use crate::import::{self, ImportOptions};
+use crate::case::kind::{self, LoadedFile, ReadFile};
+use crate::case::{Diagnostic, FileBytes};
+use crate::import::{self, ImportOptions, Imported};
+use crate::visible;
+
+/// A file with the text that is read of it.
+#[derive(Debug, Clone)]
+pub struct OpenedFile {
+    /// Where it is.
+    pub path: PathBuf,
+    /// Its text; of a file of another program that of its case.
+    pub text: String,
+    foreign: Option<ForeignSource>,
+}
+
+/// A file of another program, and how its case comes from it.
+#[derive(Debug, Clone)]
+struct ForeignSource {
+    file: String,
+    text: String,
+    imported: Imported,
+}
+
+impl OpenedFile {
+    /// Opens a file; what is said about a file of another program besides its text is in the options.
+    ///
+    /// # Errors
+    ///
+    /// A missing file, a directory, a binary file; everything that is wrong with a file of another program, each at its row.
+    pub fn of<K: FileKind>(
+        bytes: FileBytes,
+        options: &ImportOptions,
+    ) -> Result<Self, Vec<Diagnostic>> {
+        let path = bytes.path().to_owned();
+        let text = bytes
+            .text(K::schema())
+            .map_err(|diagnostic| vec![diagnostic])?;
+        if !import::is_foreign_file(&path, &text) {
+            return Ok(Self {
+                path,
+                text,
+                foreign: None,
+            });
+        }
+        let file = path.display().to_string();
+        let imported = import::read(&text, &file, options)?;
+        Ok(Self {
+            path,
+            text: imported.text.clone(),
+            foreign: Some(ForeignSource {
+                file,
+                text,
+                imported,
+            }),
+        })
+    }
+
+    /// Whether it is of another program.
+    #[must_use]
+    pub const fn is_foreign(&self) -> bool {
+        self.foreign.is_some()
+    }
+
+    /// Reads and checks it.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong, at once; of a file of another program each at its row.
+    pub fn read<K: FileKind>(&self) -> Result<ReadFile<K>, Vec<Diagnostic>> {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        kind::read_beside::<K>(&self.text, &visible::path(&self.path), folder)
+            .map_err(|found| self.at_its_rows(found))
+    }
+
+    /// Reads, checks and computes it.
+    ///
+    /// # Errors
+    ///
+    /// Everything that is wrong, at once, or what shows only in the computation.
+    pub fn compute<K: FileKind>(&self) -> Result<K::Computed, Vec<Diagnostic>> {
+        let computed = self.read::<K>()?.compute();
+        computed.map_err(|found| self.at_its_rows(found))
+    }
+
+    /// Diagnostics of its text; of a file of another program each at the row that it comes from.
+    #[must_use]
+    pub fn at_its_rows(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        let Some(ForeignSource {
+            file,
+            text,
+            imported,
+        }) = &self.foreign
+        else {
+            return found;
+        };
+        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, file, text);
+        found.iter().map(at_its_row).collect()
+    }
+}
 
 /// Reads, checks and computes a file.
 ///
@@ -26,14 +122,26 @@ pub fn load_as<K: FileKind>(
     path: &Path,
     options: &ImportOptions,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
-    if !import::is_foreign_file(path, &text) {
-        return loaded::<K>(text, path);
-    }
-    let file = path.display().to_string();
-    let imported = import::read(&text, &file, options)?;
-    loaded::<K>(imported.text.clone(), path).map_err(|found| {
-        let at_its_row = |one: &Diagnostic| imported.at_its_row(one, &file, &text);
-        found.iter().map(at_its_row).collect()
+    load_from::<K>(FileBytes::read(path), options)
+}
+
+/// The same of a file that was read from disk.
+///
+/// # Errors
+///
+/// As [`load_as`].
+pub fn load_from<K: FileKind>(
+    bytes: FileBytes,
+    options: &ImportOptions,
+) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
+    let opened = OpenedFile::of::<K>(bytes, options)?;
+    let read = opened.read::<K>()?;
+    let whole_text = read.whole_text();
+    let computed = read.compute().map_err(|found| opened.at_its_rows(found))?;
+    Ok(LoadedFile {
+        text: opened.text,
+        whole_text,
+        computed,
+        path: opened.path,
     })
 }

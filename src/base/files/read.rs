@@ -175,7 +175,11 @@ fn lossy(bytes: Vec<u8>) -> String {
     }
 }
 
-fn utf8(bytes: Vec<u8>) -> io::Result<String> {
+/// The text of the contents of a file.
+///
+/// # Errors
+/// It is not UTF-8.
+pub fn utf8(bytes: Vec<u8>) -> io::Result<String> {
     String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to() + 1;
         let reason = format!("it is not text in UTF-8 at byte {at}");

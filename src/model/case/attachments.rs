@@ -36,7 +36,7 @@ pub fn response_columns() -> Vec<String> {
         .collect()
 }
 
-/// A file that is being read: its tree, its text, what it is called and the folder it stands in.
+/// A file that is being read: its tree, its text, what it is called in diagnostics, the file that it is of and the folder it stands in.
 #[derive(Clone, Copy)]
 pub struct FileSource<'a> {
     /// Its tree.
@@ -45,6 +45,8 @@ pub struct FileSource<'a> {
     pub text: &'a str,
     /// What it is called.
     pub file: &'a str,
+    /// The file that it is of.
+    pub of: &'a str,
     pub(crate) folder: &'a Path,
 }
 
@@ -59,6 +61,7 @@ pub(crate) fn gather(
         root,
         text,
         file,
+        of: file,
         folder,
     };
     gather_from(&reading, case).map_err(|found| reading.quoting_none_outside(found))
@@ -116,7 +119,7 @@ impl FileSource<'_> {
         let beside = root::shown(self.folder, name);
         if !files.contains_key(name) {
             let with_program = |error| {
-                let text = shipped::beside(self.file, name);
+                let text = shipped::beside(self.of, name);
                 text.map(str::to_owned).ok_or(error)
             };
             let read = root::place(self.folder, name)

@@ -1,9 +1,7 @@
 //! Reading, listing and editing of a text of any kind: `kind::parse::<Ship>(text, file)`.
 
-use crate::visible;
 use std::path::{Path, PathBuf};
 
-use super::attachments::{FileSource, with_files};
 use super::check::variable;
 use super::diagnostic::Diagnostic;
 use super::edit::{field_by, put_all};
@@ -11,14 +9,13 @@ use super::edited::{self, EditedKey};
 use super::fields::Field;
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
-use super::read::{checked, diagnose, text_of};
+use super::read::diagnose;
+pub use super::read_file::{ReadFile, read, read_beside, read_stored, read_toml, read_with};
 use super::replaced_value::Origin;
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
 use super::tree::TomlNode;
 use super::{parameters, shipped};
-use crate::files::root;
-use crate::work_log::{self, Task};
 
 /// A file with its text and its result.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,73 +30,35 @@ pub struct LoadedFile<T> {
     pub path: PathBuf,
 }
 
-/// Reads, checks and computes a file in TOML.
-///
-/// # Errors
-///
-/// Everything that is wrong, at once: a missing file, a directory, a binary or empty file, TOML syntax, every invalid key
-/// and value, or what shows only in the computation.
-pub fn load_toml<K: FileKind>(path: &Path) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    let text = text_of(path, K::schema()).map_err(|diagnostic| vec![diagnostic])?;
-    loaded::<K>(text, path)
-}
-
-/// The file with this text.
-///
-/// # Errors
-///
-/// Everything that is wrong, at once, in the order of the lines.
-pub fn loaded<K: FileKind>(
-    text: String,
-    path: &Path,
-) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    let file = visible::path(path);
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let (root, content) = with_its_files::<K>(&text, &file, folder)?;
-    let whole_text = whole(&text, &content);
-    let computed = computed(content, &root, &text, &file)?;
-    Ok(LoadedFile {
-        text,
-        whole_text,
-        computed,
-        path: path.to_owned(),
-    })
-}
-
 /// Checks a text and computes it. `file` is the name in the diagnostics; files that the text names are looked for beside it.
 ///
 /// # Errors
 ///
-/// Everything that is wrong, at once, in the order of the lines.
+/// Everything that is wrong, at once, in the order of the lines, or what shows only in the computation.
 pub fn parse<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
-    parse_beside::<K>(text, file, folder_of(file))
+    read::<K>(text, file)?.compute()
 }
 
 /// The same of a text that stands in a folder, where files that it names are looked for; `file` is the name in the diagnostics.
 ///
 /// # Errors
 ///
-/// Everything that is wrong, at once, in the order of the lines.
+/// As [`parse`].
 pub fn parse_beside<K: FileKind>(
     text: &str,
     file: &str,
     folder: &Path,
 ) -> Result<K::Computed, Vec<Diagnostic>> {
-    let (root, content) = with_its_files::<K>(text, file, folder)?;
-    computed(content, &root, text, file)
+    read_beside::<K>(text, file, folder)?.compute()
 }
 
 /// Checks the text of a file of a stored run, which carries the files that it names, and computes it: none is looked for.
 ///
 /// # Errors
 ///
-/// Everything that is wrong, at once, in the order of the lines.
+/// As [`parse`].
 pub fn parse_stored<K: FileKind>(text: &str, file: &str) -> Result<K::Computed, Vec<Diagnostic>> {
-    parse_beside::<K>(text, file, Path::new(root::NOWHERE))
-}
-
-fn folder_of(file: &str) -> &Path {
-    Path::new(file).parent().unwrap_or(Path::new(""))
+    read_stored::<K>(text, file)?.compute()
 }
 
 /// A text with the files that it names, so that it can be edited and read anywhere; `file` is where it stands.
@@ -108,48 +67,7 @@ fn folder_of(file: &str) -> &Path {
 ///
 /// Everything that is wrong, at once.
 pub fn whole_text<K: FileKind>(text: &str, file: &str) -> Result<String, Vec<Diagnostic>> {
-    let (_, content) = with_its_files::<K>(text, file, folder_of(file))?;
-    Ok(whole(text, &content))
-}
-
-fn whole<K: FileKind>(text: &str, content: &K) -> String {
-    let files = content.files();
-    files.map_or_else(
-        || text.to_owned(),
-        |files| with_files(text, files).into_owned(),
-    )
-}
-
-/// What a text without errors says, with the files that it names.
-fn with_its_files<K: FileKind>(
-    text: &str,
-    file: &str,
-    folder: &Path,
-) -> Result<(TomlNode, K), Vec<Diagnostic>> {
-    let (root, mut content) = checked::<K>(text, file)?;
-    let source = FileSource {
-        root: &root,
-        text,
-        file,
-        folder,
-    };
-    content
-        .take_files(&source)
-        .map_err(|diagnostic| vec![source.quoting_none_outside(diagnostic)])?;
-    Ok((root, content))
-}
-
-/// The result of what a text says.
-fn computed<K: FileKind>(
-    content: K,
-    root: &TomlNode,
-    text: &str,
-    file: &str,
-) -> Result<K::Computed, Vec<Diagnostic>> {
-    work_log::log(Task::Solve, file);
-    content
-        .compute(&K::keys(&TableNode::root(root)))
-        .map_err(|finding| vec![finding.at(file, text)])
+    Ok(read::<K>(text, file)?.whole_text())
 }
 
 /// Checks content that no file gives as that of a file, and computes it.
@@ -268,20 +186,7 @@ pub fn set_and_compute<K: FileKind>(
     text: &str,
     edits: &[(&str, &str)],
 ) -> Result<(String, K::Computed), Vec<Diagnostic>> {
-    set_and_compute_beside::<K>(text, edits, Path::new(""))
-}
-
-/// As [`set_and_compute`], of a file in a folder, where files that an edit names are looked for.
-///
-/// # Errors
-///
-/// As [`set`].
-pub fn set_and_compute_beside<K: FileKind>(
-    text: &str,
-    edits: &[(&str, &str)],
-    folder: &Path,
-) -> Result<(String, K::Computed), Vec<Diagnostic>> {
-    let (edited, shown) = put_all(K::schema(), text, edits)?;
-    let computed = parse_beside::<K>(&edited, &shown, folder)?;
-    Ok((edited, computed))
+    let read = read_with::<K>(text, edits, Path::new(""))?;
+    let edited = read.text.clone();
+    Ok((edited, read.compute()?))
 }

@@ -20,6 +20,7 @@ pub mod edit;
 pub mod edited;
 mod effective_inputs;
 mod file;
+mod file_bytes;
 pub mod file_kind;
 pub mod judging_rows;
 pub mod kind;
@@ -32,6 +33,7 @@ mod near_keys;
 mod placed_words;
 mod quantity_id;
 mod read;
+pub mod read_file;
 mod replaced_value;
 mod rows;
 pub mod rule_sets;
@@ -55,13 +57,16 @@ pub use diagnostic::{Diagnostic, Excerpt, Finding, render_all};
 pub use digest::{TextDigest, digests};
 pub use edited::EditedKey;
 pub use effective_inputs::{EffectiveInput, NO_INPUTS, effective_inputs};
+pub use file_bytes::FileBytes;
 pub use kind::LoadedFile;
 pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
 pub use quantity_id::QuantityId;
 pub use read::{
-    LoadedCase, diagnose, load, parse, parse_beside, parse_keys, parse_stored, text_of, tree_of,
+    LoadedCase, diagnose, load, load_from, parse, parse_beside, parse_keys, parse_of, parse_stored,
+    text_of_line, tree_of,
 };
+pub use read_file::ReadFile;
 pub use replaced_value::{Origin, ReplacedValue, YOURS};
 pub use rows::{FieldLister, FieldRow};
 pub use subject::{ModePlane, Subject};

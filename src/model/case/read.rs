@@ -1,21 +1,20 @@
 //! From a file to a checked case.
 
 use crate::visible;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::attachments::gather;
 use super::check::check_keys;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
+use super::file_bytes::FileBytes;
 use super::file_kind::{FileKind, errors};
 use super::model::{CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::{parameters, size, warm_start};
-use crate::files::{read, root};
+use crate::files::root;
 use crate::kinds::FileType;
-use crate::kinds::foreign::is_foreign_file;
 pub use seacable_keys::read::{diagnose, tree_of};
 
 /// A case with the text and the file it came from.
@@ -36,14 +35,38 @@ pub struct LoadedCase {
 /// Everything that is wrong, at once: that there is no such file, that it is a directory, binary
 /// or empty, faults of the TOML syntax, or every fault of keys and values.
 pub fn load(path: &Path) -> Result<LoadedCase, Vec<Diagnostic>> {
-    let text = text_of(path, &CASE).map_err(|diagnostic| vec![diagnostic])?;
+    load_from(FileBytes::read(path))
+}
+
+/// The same of a file that was read from disk.
+///
+/// # Errors
+///
+/// As [`load`].
+pub fn load_from(file: FileBytes) -> Result<LoadedCase, Vec<Diagnostic>> {
+    let path = file.path().to_owned();
+    let text = text_of_line(file)?;
+    let case = parse_of(&text, &path)?;
+    Ok(LoadedCase { text, case, path })
+}
+
+/// The text of a case file, not checked.
+///
+/// # Errors
+///
+/// There is no such file, it is a directory, or binary.
+pub fn text_of_line(file: FileBytes) -> Result<String, Vec<Diagnostic>> {
+    file.text(&CASE).map_err(|diagnostic| vec![diagnostic])
+}
+
+/// Checks a text as that of a case file.
+///
+/// # Errors
+///
+/// Everything that is wrong, at once, in the order of the lines.
+pub fn parse_of(text: &str, path: &Path) -> Result<Case, Vec<Diagnostic>> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    let case = parse_beside(&text, &visible::path(path), folder)?;
-    Ok(LoadedCase {
-        text,
-        case,
-        path: path.to_owned(),
-    })
+    parse_beside(text, &visible::path(path), folder)
 }
 
 /// Checks the text of a case. `file` is the name the diagnostics carry; the files it names are looked for beside it.
@@ -153,62 +176,4 @@ fn nothing_said(text: &str, file: &str, schema: &Schema) -> Option<Diagnostic> {
                 schema.least,
             )
         })
-}
-
-/// The text of a file.
-pub fn text_of(path: &Path, schema: &Schema) -> Result<String, Diagnostic> {
-    let file = visible::path(path);
-    if path.is_dir() {
-        let what = schema.what;
-        let remedy = format!(
-            "name a {what} file in it; `seacable DIR` opens the workbench on all its cases"
-        );
-        return Err(Diagnostic::whole_file(
-            &file,
-            format!("is a directory, not a {what} file"),
-            remedy,
-        ));
-    }
-    let bytes = read::bytes(path).map_err(|error| unreadable(&file, &error))?;
-    String::from_utf8(bytes).or_else(|error| {
-        // Files of other programs are read in any encoding: only their remarks are not ASCII.
-        let text = String::from_utf8_lossy(error.as_bytes());
-        match is_foreign_file(path, &text) {
-            true => Ok(text.into_owned()),
-            false => Err(binary(&file, &error, schema)),
-        }
-    })
-}
-
-fn unreadable(file: &str, error: &std::io::Error) -> Diagnostic {
-    match error.kind() {
-        ErrorKind::NotFound => Diagnostic::whole_file(
-            file,
-            "there is no such file",
-            "check the name and the directory",
-        ),
-        ErrorKind::PermissionDenied => Diagnostic::whole_file(
-            file,
-            "the file may not be read",
-            "give yourself permission to read it",
-        ),
-        _ => Diagnostic::whole_file(
-            file,
-            format!("the file cannot be read: {error}"),
-            "check the file and its disk",
-        ),
-    }
-}
-
-/// A file that is not UTF-8, with the place of the first byte that is not.
-fn binary(file: &str, error: &std::string::FromUtf8Error, schema: &Schema) -> Diagnostic {
-    let good = error.utf8_error().valid_up_to();
-    let before = String::from_utf8_lossy(&error.as_bytes()[..good]);
-    let problem = format!(
-        "this is not text: byte {} of the file is not UTF-8",
-        good + 1
-    );
-    let remedy = format!("a {} is a text file in TOML, saved as UTF-8", schema.what);
-    let finding = Finding::new(&(good..good), "", problem, remedy);
-    finding.at(file, &before)
 }

@@ -4,6 +4,8 @@ pub mod foreign;
 
 use std::path::Path;
 
+use crate::case::FileBytes;
+
 /// What a TOML file describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum FileType {
@@ -57,9 +59,15 @@ impl FileType {
     /// The kind of a file.
     #[must_use]
     pub fn of(path: &Path) -> Self {
+        FileBytes::read(path).kind()
+    }
+
+    /// The kind of a file with this text.
+    #[must_use]
+    pub fn of_file(path: &Path, text: &str) -> Self {
         match foreign::is_named_yaml(path) {
             true => Self::System,
-            false => Self::of_text(&crate::files::read::text_lossy(path).unwrap_or_default()),
+            false => Self::of_text(text),
         }
     }
 

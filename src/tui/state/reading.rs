@@ -13,8 +13,9 @@ use super::ship::ShipView;
 use super::system::SystemView;
 use crate::case::edited::{self, EditedKey};
 use crate::case::structure::{self, OutlineRow};
-use crate::case::{self, Diagnostic, kind};
+use crate::case::{self, Diagnostic, FileBytes, kind};
 use crate::facade::{self, FieldRow};
+use crate::import::ImportOptions;
 use crate::kinds::FileType;
 use crate::open;
 use crate::ropeway::Ropeway;
@@ -143,31 +144,33 @@ impl Draft {
 /// # Errors
 /// Everything that is wrong with the file.
 pub fn read_file(path: &Path) -> Result<(String, DocumentContent), Vec<Diagnostic>> {
-    Ok(match FileType::of(path) {
+    let bytes = FileBytes::read(path);
+    let options = ImportOptions::default();
+    Ok(match bytes.kind() {
         FileType::Line => {
-            let file = case::load(path)?;
+            let file = case::load_from(bytes)?;
             (
                 file.text,
                 DocumentContent::Line(Box::new(LineView::new(file.case))),
             )
         }
         FileType::Section => {
-            let file = open::load::<CrossSection>(path)?;
+            let file = open::load_from::<CrossSection>(bytes, &options)?;
             let view = SectionView::new(file.computed);
             (file.text, DocumentContent::Section(Box::new(view)))
         }
         FileType::Ropeway => {
-            let file = open::load::<Ropeway>(path)?;
+            let file = open::load_from::<Ropeway>(bytes, &options)?;
             let view = RopewayView::new(file.computed);
             (file.text, DocumentContent::Ropeway(Box::new(view)))
         }
         FileType::Ship => {
-            let file = open::load::<Ship>(path)?;
+            let file = open::load_from::<Ship>(bytes, &options)?;
             let view = ShipView::new(file.computed);
             (file.text, DocumentContent::Ship(Box::new(view)))
         }
         FileType::System => {
-            let file = open::load::<SystemFile>(path)?;
+            let file = open::load_from::<SystemFile>(bytes, &options)?;
             let view = SystemView::new(file.computed);
             (file.text, DocumentContent::System(Box::new(view)))
         }

@@ -19,7 +19,7 @@ use self::tension_surface::{TensionSurface, exact_tension};
 use super::model::MotionSettings;
 use super::motion::wave_response::WaveResponse;
 use super::motion::{ShipMotion, point_displacement};
-use crate::case::kind;
+use crate::case::{ReadFile, kind};
 use crate::files::root;
 use crate::numerics::V3;
 use crate::numerics::statistics::Gumbel;
@@ -56,13 +56,14 @@ impl RopeAnalysis {
     pub fn load(hang_off: &HangOffMotion<'_>, folder: &Path) -> Result<Self, String> {
         let name = &hang_off.rope.ropeway;
         let place = root::place(folder, name).map_err(|error| format!("{name}: {error}"))?;
-        let loaded = kind::load_toml::<Ropeway>(&folder.join(name)).map_err(|all| {
+        let read = kind::read_toml::<Ropeway>(&folder.join(name));
+        let ropeway = read.and_then(ReadFile::compute).map_err(|all| {
             match all.first().filter(|_| !place.is_outside) {
                 Some(first) => first.to_string(),
                 None => "it cannot be read".to_owned(),
             }
         })?;
-        Self::new(hang_off, loaded.computed)
+        Self::new(hang_off, ropeway)
     }
 
     /// Follows the hang-off point with a ropeway.
