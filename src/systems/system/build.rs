@@ -6,7 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
 use super::bed::Bed;
-use super::discretised::{DiscretisedLine, Divided, LineForm};
+use super::discretised::{DiscretisedLine, LineForm};
 use super::initial::{BodyInitial, PointInitial};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
@@ -35,15 +35,12 @@ use crate::work_log::{self, Task};
 /// The parts of lines that differ from what the file states, by the name of line or copy.
 pub type AgedParts = BTreeMap<String, Vec<Part>>;
 
-/// The system that a file states, which the checks passed, with lines of other parts where they aged.
+/// The system that a file states, which the checks passed, with lines of other parts where they aged. Lines without a closed form are
+/// divided into segments.
 ///
 /// # Errors
 /// The name of a line that has no element, and why.
-pub fn build(
-    given: &SystemFile,
-    aged: &AgedParts,
-    divided: Divided,
-) -> Result<Network, (String, String)> {
+pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, String)> {
     work_log::log(Task::Build, &given.about.title);
     let file = &rods::written_out(given);
     let mut network = Network {
@@ -71,7 +68,6 @@ pub fn build(
     let mut builder = Builder {
         file,
         aged,
-        divided,
         network,
         numbers: BTreeMap::new(),
     };
@@ -90,6 +86,44 @@ pub fn build(
     let mut network = builder.network;
     network.payouts = payouts(file, &network);
     Ok(network)
+}
+
+/// Divides all lines of a system that was built of this file into segments, as in motion; those that are stay as they are.
+///
+/// # Errors
+/// The name of a line that has no element, and why.
+pub fn divide(
+    network: &mut Network,
+    file: &SystemFile,
+    aged: &AgedParts,
+) -> Result<(), (String, String)> {
+    let mut lines = network.lines.iter_mut();
+    for given in &file.lines {
+        let new = parts(file, given);
+        for &angle in angles(&given.repeat_at_deg) {
+            let Some(line) = lines.next() else {
+                return Ok(());
+            };
+            let parts = aged.get(&line.name).unwrap_or(&new);
+            let divided = match line.discretised.take() {
+                Some(divided) => divided.with_element(),
+                None => DiscretisedLine::divided(file, &turned_clamps(given, angle), parts),
+            };
+            let divided = divided.map_err(|why| (line.name.clone(), why))?;
+            line.discretised = Some(divided);
+            line.closed_where_known = false;
+        }
+    }
+    Ok(())
+}
+
+/// A line whose clamps turn with its copy.
+fn turned_clamps(line: &LineInputs, angle: f64) -> LineInputs {
+    LineInputs {
+        clamp_a_azimuth_deg: line.clamp_a_azimuth_deg + angle,
+        clamp_b_azimuth_deg: line.clamp_b_azimuth_deg + angle,
+        ..line.clone()
+    }
 }
 
 /// The sea bed of a file.
@@ -204,7 +238,6 @@ impl SystemFile {
 struct Builder<'a> {
     file: &'a SystemFile,
     aged: &'a AgedParts,
-    divided: Divided,
     network: Network,
     /// Points by the name that they have in the system.
     numbers: BTreeMap<String, usize>,
@@ -221,16 +254,11 @@ impl Builder<'_> {
             let to = self.point(&line.to, angle, axis);
             let name = copy_name(&line.name, angle);
             let parts = self.aged.get(&name).unwrap_or(&new);
-            // Clamps turn with their copy.
-            let turned = LineInputs {
-                clamp_a_azimuth_deg: line.clamp_a_azimuth_deg + angle,
-                clamp_b_azimuth_deg: line.clamp_b_azimuth_deg + angle,
-                ..line.clone()
-            };
-            let discretised = DiscretisedLine::of(self.file, &turned, parts, self.divided);
+            let turned = turned_clamps(line, angle);
+            let discretised = DiscretisedLine::where_needed(self.file, &turned, parts);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
-            let form = LineForm::of(self.file, &turned, parts, self.divided);
+            let form = LineForm::of(self.file, &turned, parts);
             self.network.lines.push(Line {
                 discretised,
                 closed_where_known: form == LineForm::ClosedWhereKnown,

@@ -29,14 +29,14 @@ pub enum LineForm {
 }
 
 impl LineForm {
-    /// The form of a line of these parts: divided where its file has a current, a material of it bends or has a table, or all are divided.
+    /// The form of a line of these parts: divided where its file has a current, or a material of it bends or has a table.
     #[must_use]
-    pub fn of(file: &SystemFile, line: &LineInputs, parts: &[Part], divided: Divided) -> Self {
+    pub fn of(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
         let still = file.current.is_none() || line.still_water;
         let tabled = |part: &Part| part.material.strain.is_some();
         let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
-        if !closed || divided == Divided::All {
+        if !closed {
             Self::Divided
         } else if is_crossed(file)
             || file
@@ -108,31 +108,55 @@ impl DiscretisedLine {
     ///
     /// # Errors
     /// What the element says of the line.
-    pub fn of(
+    pub fn where_needed(
         file: &SystemFile,
         line: &LineInputs,
         parts: &[Part],
-        divided: Divided,
     ) -> Result<Option<Arc<Self>>, String> {
-        let form = LineForm::of(file, line, parts, divided);
+        let form = LineForm::of(file, line, parts);
         if form == LineForm::Closed {
             return Ok(None);
         }
+        let line = Arc::new(Self::of(file, line, parts));
+        let is_flat = file
+            .seabed
+            .as_ref()
+            .is_none_or(|bed| bed.depth_file.is_none());
+        if form == LineForm::Divided || !is_flat {
+            line.element()?;
+        }
+        Ok(Some(line))
+    }
+
+    /// The element of a line of these parts, which needs none at rest.
+    ///
+    /// # Errors
+    /// What the element says of the line.
+    pub fn divided(
+        file: &SystemFile,
+        line: &LineInputs,
+        parts: &[Part],
+    ) -> Result<Arc<Self>, String> {
+        Arc::new(Self::of(file, line, parts)).with_element()
+    }
+
+    /// The same with its element built.
+    ///
+    /// # Errors
+    /// What the element says of the line.
+    pub fn with_element(self: Arc<Self>) -> Result<Arc<Self>, String> {
+        self.element()?;
+        Ok(self)
+    }
+
+    fn of(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let mut case = case(file, line, parts);
         if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
             bed.friction = Some(line.friction.unwrap_or(given.friction));
         }
-        let built = Self::stated_by(case);
-        let is_flat = file
-            .seabed
-            .as_ref()
-            .is_none_or(|bed| bed.depth_file.is_none());
-        if form == LineForm::Divided || !is_flat {
-            built.element()?;
-        }
-        Ok(Some(Arc::new(built)))
+        Self::stated_by(case)
     }
 
     fn stated_by(case: Case) -> Self {
@@ -337,13 +361,4 @@ fn shares(case: &Case) -> Vec<f64> {
         before += section.length_m;
     }
     shares
-}
-
-/// Which lines are divided into segments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Divided {
-    /// Those without a closed form.
-    WhereNeeded,
-    /// All, as in motion.
-    All,
 }

@@ -8,7 +8,6 @@ use super::bounds::Contact;
 use super::build::{AgedParts, build};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
-use super::discretised::Divided;
 use super::equilibrium::{Equilibrium, SystemError};
 use super::errors_at_rest::ErrorsAtRest;
 use super::immersion::Immersion;
@@ -95,7 +94,7 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let file = without_lost_line(file);
-    let new = build(&file, &AgedParts::new(), Divided::WhereNeeded).map_err(not_divided)?;
+    let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
     let (new, dropped) = held_until_dropped(new, file.ageing.is_some());
     if let Some(buried) = below_bed(&new) {
         return Err(buried);

@@ -4,7 +4,6 @@
 //! on by a share of what the depths moved, by Aitken's rule for vectors (Irons and Tuck 1969; Küttler and Wall, Comput. Mech. 43,
 //! 2008), so that growth that lowers a line to where it grows less does not swing to and fro.
 
-use super::super::discretised::Divided;
 use super::material::AgedState;
 use super::pieces::{AgeingLine, aged, depths, lines, varying};
 use crate::system::build::{AgedParts, build};
@@ -62,7 +61,7 @@ pub fn settle(
     let mut start = rest.placement.clone();
     for round in 1..=MOST_ROUNDS {
         let (parts, states) = aged(&lines, &iteration.depths, network.density);
-        let network = build(file, &parts, Divided::WhereNeeded).map_err(not_divided)?;
+        let network = build(file, &parts).map_err(not_divided)?;
         let rest = rest_from(&network, &start)?;
         start.clone_from(&rest.placement);
         if iteration.is_settled(&depths(&lines, &network, &rest)) {

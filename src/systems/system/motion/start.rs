@@ -8,11 +8,10 @@ use super::moving_system::{MovingSystem, turn_bases};
 use super::payout_border::holding;
 use super::system_state::SystemState;
 
-use super::super::discretised::Divided;
 use super::rest_state::{at_rest, carried, lines_at_rest, longest, still};
 use crate::solve::{Factors, NewtonError, StaticSearch};
 use crate::system::SolvedSystem;
-use crate::system::build::{AgedParts, build};
+use crate::system::build::{AgedParts, build, divide};
 use crate::system::discretised::SEGMENTS;
 use crate::system::equilibrium::weight_of_bodies;
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
@@ -57,20 +56,12 @@ pub struct Start {
 /// # Errors
 /// [`UnsolvedSystem`], as for a system at rest; divided lines on their bed that do not come to rest.
 pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, UnsolvedSystem> {
-    let mut file = solved.file.clone();
-    for line in &mut file.lines {
-        let segments = line.segments.unwrap_or(SEGMENTS);
-        line.segments = Some(segments.div_ceil(coarsening));
-    }
-    let file = breaks::written_out(&file);
-    let none = AgedParts::new();
-    let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
     let DividedAtRest {
         network,
         held,
         placement,
         lines,
-    } = divided_at_rest(&file, parts, solved)?;
+    } = divided_at_rest(solved, coarsening)?;
     let (mut system, mut state) = at_rest(held, &placement, &lines);
     drop(lines);
     system.prescribe(0.0, &mut state);
@@ -114,18 +105,22 @@ struct DividedAtRest {
 /// The divided lines, each at rest between its ends where the system rests, with what is moved, or placed by the file, where it is at time
 /// zero. Friction of the bed acts by springs from where a line was laid: for these ends.
 fn divided_at_rest(
-    file: &SystemFile,
-    parts: &AgedParts,
     solved: &SolvedSystem,
+    coarsening: usize,
 ) -> Result<DividedAtRest, UnsolvedSystem> {
-    let closed = held(&moved_to_start(file, parts, Divided::WhereNeeded)?);
+    let none = AgedParts::new();
+    let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
+    let (file, mut network) = of_mesh(solved, parts, coarsening)?;
+    move_to_start(&mut network);
+    let closed = held(&network);
     let mut placement = breaks::placed(solved, &closed);
     let given = placement.clone();
     carried(&closed, &mut placement);
     if placement != given && Freedoms::of(&closed, UnknownBodies::Free).count > 0 {
         placement = rest_from(&closed, &placement)?.placement;
     }
-    let mut network = moved_to_start(file, parts, Divided::All)?;
+    drop(closed);
+    divide(&mut network, &file, parts).map_err(not_divided)?;
     measure(&mut network, solved, &given);
     let held = held(&network);
     let lines = lines_at_rest(&held, &placement)?;
@@ -137,13 +132,29 @@ fn divided_at_rest(
     })
 }
 
-/// The system with what is moved where it is at time zero.
-fn moved_to_start(
-    file: &SystemFile,
+/// The file and the system of a mesh: the system at rest itself, unless lines have fewer segments or may break, or parts of it were held to
+/// come to rest.
+fn of_mesh(
+    solved: &SolvedSystem,
     parts: &AgedParts,
-    divided: Divided,
-) -> Result<Network, UnsolvedSystem> {
-    let mut network = build(file, parts, divided).map_err(not_divided)?;
+    coarsening: usize,
+) -> Result<(SystemFile, Network), UnsolvedSystem> {
+    let mut file = solved.file.clone();
+    for line in &mut file.lines {
+        let segments = line.segments.unwrap_or(SEGMENTS);
+        line.segments = Some(segments.div_ceil(coarsening));
+    }
+    let whole = breaks::written_out(&file);
+    let is_own = coarsening == 1 && whole.lines.len() == file.lines.len();
+    let network = match is_own && solved.dropped.is_empty() {
+        true => solved.network.clone(),
+        false => build(&whole, parts).map_err(not_divided)?,
+    };
+    Ok((whole, network))
+}
+
+/// Puts what is moved where it is at time zero.
+fn move_to_start(network: &mut Network) {
     for point in &mut network.points {
         if let Some(motion) = &point.motion {
             point.held = Held::At(motion.at(0.0).0);
@@ -161,7 +172,6 @@ fn moved_to_start(
             };
         }
     }
-    Ok(network)
 }
 
 /// Newton's method at rest, damped by a little mass, and by more where a step leaves more out of balance than there was: slack line on a
