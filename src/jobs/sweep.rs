@@ -44,15 +44,13 @@ impl SweepRequest {
         let choices = PlanChoices::default();
         let plan = match self.kind {
             FileType::System => {
-                let folder = self.path.parent().unwrap_or(Path::new(""));
-                let solved = kind::parse_beside::<SystemFile>(&self.text, &path, folder);
-                let text = kind::whole_text::<SystemFile>(&self.text, &path);
-                match (solved, text) {
-                    (Ok(solved), Ok(text)) => {
+                let read = kind::read::<SystemFile>(&self.text, &path);
+                let solved = read.and_then(|read| Ok((read.whole_text(), read.compute()?)));
+                solved
+                    .map_err(PlanError::Invalid)
+                    .and_then(|(text, solved)| {
                         SweepPlan::of_system((&text, &solved), &path, &self.overrides, choices)
-                    }
-                    (Err(faults), _) | (_, Err(faults)) => Err(PlanError::Invalid(faults)),
-                }
+                    })
             }
             _ => SweepPlan::of_line(&self.text, &path, &self.overrides, choices),
         };

@@ -2,15 +2,14 @@
 
 use serde_json::{Value, json};
 
-use super::{ReportSubject, RunSubject};
+use super::{ReportSubject, RunInputs, RunSubject};
 use crate::document::{Block, Report};
 use crate::system::{self, motion};
 use crate::{comparison, run_json};
 use seacable_display::chart::{Axis, Chart};
 use seacable_display::table::Table;
-use seacable_model::case::{self, Diagnostic, kind};
+use seacable_model::case::Diagnostic;
 pub(super) use seacable_studies::comparison::Comparison;
-use seacable_systems::system::SystemFile;
 use seacable_systems::system::analysis::analyses::Analyses;
 
 impl ReportSubject<'_> {
@@ -32,24 +31,21 @@ impl ReportSubject<'_> {
 /// A run, its published values, and its differences from another run.
 fn of_run(subject: &RunSubject<'_>) -> Result<Value, Vec<Diagnostic>> {
     let run = subject.run;
-    let mut object = if subject.is_of_system() {
-        let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
-        let mut object = system::json::object(&solved, &Analyses::of_object(&solved));
-        object["motion"] = motion::object(run, subject.dir);
-        object
-    } else {
-        let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
-        let mut object = run_json::run(run, subject.dir);
-        object["published"] = run_json::validation(&subject.rows(&case));
-        object
+    let inputs = subject.inputs()?;
+    let mut object = match &inputs {
+        RunInputs::System(solved) => {
+            let mut object = system::json::object(solved, &Analyses::of_object(solved));
+            object["motion"] = motion::object(run, subject.dir);
+            object
+        }
+        RunInputs::Line(case) => {
+            let mut object = run_json::run(run, subject.dir);
+            object["published"] = run_json::validation(&subject.rows(case));
+            object
+        }
     };
-    object["checks"] = json!(
-        subject
-            .verdict()?
-            .ok()
-            .flatten()
-            .map(|found| found.to_json())
-    );
+    let checks = subject.verdict(&inputs).ok().flatten();
+    object["checks"] = json!(checks.map(|found| found.to_json()));
     object["against"] = json!(subject.against.map(|other| {
         let compared = Comparison::of(&[other, run]);
         json!({

@@ -41,6 +41,12 @@ pub struct RunSubject<'a> {
     pub against: Option<&'a Run>,
 }
 
+/// What a run was computed of.
+enum RunInputs {
+    Line(Box<Case>),
+    System(Box<SolvedSystem>),
+}
+
 /// What a report is of. `fields` are those of the file.
 #[derive(Debug, Clone)]
 pub enum ReportSubject<'a> {
@@ -118,32 +124,37 @@ impl RunSubject<'_> {
         FileType::of_text(&self.run.case_text) == FileType::System
     }
 
+    /// What its text says; of a system at rest, as it began.
+    fn inputs(&self) -> Result<RunInputs, Vec<Diagnostic>> {
+        let (text, file) = (&self.run.case_text, &self.run.info.case_file);
+        Ok(match self.is_of_system() {
+            true => RunInputs::System(Box::new(kind::parse_stored::<SystemFile>(text, file)?)),
+            false => RunInputs::Line(Box::new(case::parse_stored(text, file)?)),
+        })
+    }
+
     fn report(&self) -> Result<Report, Vec<Diagnostic>> {
         let run = self.run;
-        let mut report = if self.is_of_system() {
-            motion::stored_report(run)?
-        } else {
-            let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
-            text::of_run(run, &case, &self.rows(&case))
+        let inputs = self.inputs()?;
+        let mut report = match &inputs {
+            RunInputs::System(solved) => motion::stored_report(run, solved),
+            RunInputs::Line(case) => text::of_run(run, case, &self.rows(case)),
         };
-        verdict::add(&mut report, self.verdict()?);
+        verdict::add(&mut report, self.verdict(&inputs));
         Ok(report)
     }
 
     /// The verdict of the checks of its file, where it is stored and has any; the reason where they cannot be used.
-    fn verdict(&self) -> Result<Result<Option<RunVerdict>, String>, Vec<Diagnostic>> {
+    fn verdict(&self, inputs: &RunInputs) -> Result<Option<RunVerdict>, String> {
         let run = self.run;
         if self.dir.as_os_str().is_empty() {
-            return Ok(Ok(None));
+            return Ok(None);
         }
-        let question = if self.is_of_system() {
-            let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
-            SeaQuestion::of_system(&solved)
-        } else {
-            let case = case::parse_stored(&run.case_text, &run.info.case_file)?;
-            SeaQuestion::of_line(&case)
+        let question = match inputs {
+            RunInputs::System(solved) => SeaQuestion::of_system(solved),
+            RunInputs::Line(case) => SeaQuestion::of_line(case),
         };
-        Ok(question.map(|question| RunVerdict::of_run(&question, self.dir, &run.summary)))
+        question.map(|question| RunVerdict::of_run(&question, self.dir, &run.summary))
     }
 
     /// The validation table.

@@ -13,7 +13,7 @@ use seacable_base::number::{si, with_error};
 use seacable_display::chart::{Chart, Glyphs};
 use seacable_display::table::{Align, Cell, NumberFormat, Table};
 use seacable_model::case::{
-    ChannelQuantity, Diagnostic, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
+    ChannelQuantity, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
 };
 use seacable_runs::run::{Channel, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
@@ -160,15 +160,12 @@ fn charts(run: &Run) -> Vec<Chart> {
         .collect()
 }
 
-/// The report of a stored run, of its own text.
-///
-/// # Errors
-/// Everything that is wrong with the text for this version.
-pub fn stored_report(run: &Run) -> Result<Report, Vec<Diagnostic>> {
-    let solved = kind::parse_stored::<SystemFile>(&run.case_text, &run.info.case_file)?;
+/// The report of a stored run, of the system of its own text.
+#[must_use]
+pub fn stored_report(run: &Run, solved: &SolvedSystem) -> Report {
     let mut fields = kind::rows::<SystemFile>(&run.case_text);
     edited::mark(&mut fields, &edited_inputs::<SystemFile>(run));
-    Ok(report(&solved, run, &fields))
+    report(solved, run, &fields)
 }
 
 /// The report of a run: what was computed and how, inputs, results with their errors, charts, work and cost.
