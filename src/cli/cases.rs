@@ -32,11 +32,6 @@ pub(super) struct NamedCase {
     pub(super) case: Case,
 }
 
-/// Loads a case file.
-pub(super) fn load(path: &Path) -> Result<NamedCase, CommandError> {
-    load_set(FileBytes::read(path), &[])
-}
-
 /// Reads the case of a file with every `KEY=VALUE` applied to its text; the faults of the file itself come first.
 pub(super) fn load_set(file: FileBytes, words: &[String]) -> Result<NamedCase, CommandError> {
     let path = file.path().to_owned();

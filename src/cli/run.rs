@@ -28,8 +28,8 @@ use serde_json::json;
 pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     // Before anything is read: a signal that comes meanwhile stops the run at its start, and leaves it as one that can be resumed.
     let stop = StopFlag::listen()?;
-    let file = FileBytes::read(args.case.as_deref().unwrap_or(Path::new("")));
-    if args.case.is_some() && file.kind() == FileType::System {
+    let mut file = args.case.as_deref().map(FileBytes::read);
+    if let Some(file) = file.take_if(|file| file.kind() == FileType::System) {
         return system::system(args, file, &stop);
     }
     if let Some(dir) = &args.resume
@@ -39,7 +39,10 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     }
     let (request, from) = match &args.resume {
         Some(dir) => resume_request(dir, args.until).map_err(CommandError::Usage)?,
-        None => (request(args, file)?, None),
+        None => {
+            let file = file.unwrap_or_else(|| FileBytes::read(Path::new("")));
+            (request(args, file)?, None)
+        }
     };
     if args.detach {
         let request = JobRequest::Line(Box::new(request), from.map(Box::new));

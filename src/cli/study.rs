@@ -15,7 +15,7 @@ use super::{
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
-use seacable_model::case::Case;
+use seacable_model::case::{Case, FileBytes};
 use seacable_report::run_json as study_json;
 use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
@@ -122,10 +122,8 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
 
 /// The case of a file with what is set on top of it, and its name.
 fn case_of(args: &CaseArgs) -> Result<(String, Case), CommandError> {
-    let loaded = cases::load(&args.file)?;
-    let text = cases::set(&loaded.text, &args.set)?;
-    let case = cases::parse(&text, &loaded.file)?;
-    Ok((loaded.name, case))
+    let loaded = cases::load_set(FileBytes::read(&args.file), &args.set)?;
+    Ok((loaded.name, loaded.case))
 }
 
 /// How a study ends that did not come to its end: stopped by a signal, or in failure.

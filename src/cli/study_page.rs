@@ -3,14 +3,15 @@
 use std::{io, path::Path, sync::Mutex};
 
 use super::{
-    CommandError, cases,
+    CommandError,
+    cases::{self, NamedCase},
     common_args::StudyPageArgs,
     output::{self, FileFormat, OutputFile},
     progress::ProgressLine,
 };
 use seacable_display::chart::{Chart, draw};
 use seacable_display::table::Table;
-use seacable_model::case::{self, Case, QuantityId};
+use seacable_model::case::{self, Case, FileBytes, QuantityId};
 use seacable_report::seas::SeasView;
 use seacable_report::{plain, run_json};
 use seacable_studies::study::points::{BaseCase, PointProgress};
@@ -21,13 +22,14 @@ const CHART: (usize, usize) = (18, 100);
 
 /// A case with keys set on top of its file, and what points are set on.
 pub(super) fn base_case(file: &Path, set: &[String]) -> Result<(BaseCase, Case), CommandError> {
-    let loaded = cases::load(file)?;
-    let text = cases::set(&loaded.text, set)?;
-    let case = cases::parse(&text, &loaded.name)?;
+    let NamedCase {
+        name, text, case, ..
+    } = cases::load_set(FileBytes::read(file), set)?;
     let base = BaseCase {
         text: case::stand_alone(&text, &case).into_owned(),
-        path: loaded.name,
+        path: name,
         overrides: set.to_vec(),
+        files: case.files.clone(),
     };
     Ok((base, case))
 }

@@ -37,6 +37,7 @@ mod kills_editor;
 mod limits;
 mod manners;
 mod output_files;
+mod read_once;
 mod reports;
 mod signals;
 mod standard_output;

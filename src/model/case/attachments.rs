@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use super::carried_text::CarriedText;
 use super::diagnostic::{Diagnostic, Finding};
+use super::file_kind::FileKind;
 use super::model::{Attachment, CASE, Case, EndKind, MotionName};
 use super::shipped;
 use super::tree::TomlNode;
@@ -221,6 +222,15 @@ pub fn with_files<'t>(text: &'t str, files: &BTreeMap<String, Attachment>) -> Co
         }
     }
     whole
+}
+
+/// Takes over files of the same text, with the tables that were parsed of them.
+pub(crate) fn share<K: FileKind>(content: &mut K, known: &BTreeMap<String, Attachment>) {
+    for (name, carried) in content.files_mut().into_iter().flatten() {
+        if let Some(same) = known.get(name).filter(|same| *same == carried) {
+            carried.clone_from(same);
+        }
+    }
 }
 
 /// A word of a line and where it stands in the text.

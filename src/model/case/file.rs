@@ -1,10 +1,12 @@
 //! The line case as a kind of file.
 
+use std::collections::BTreeMap;
+
 use super::check::check;
 use super::diagnostic::Finding;
 use super::fields::Schema;
 use super::file_kind::{FileContent, FileKind};
-use super::model::{CASE, Case, CaseKeys};
+use super::model::{Attachment, CASE, Case, CaseKeys};
 use super::rows::{FieldLister, FieldRow};
 use super::tree::TomlNode;
 
@@ -19,6 +21,10 @@ impl FileKind for Case {
 
     fn check(keys: &CaseKeys<'_>) -> Vec<Finding> {
         check(keys)
+    }
+
+    fn files_mut(&mut self) -> Option<&mut BTreeMap<String, Attachment>> {
+        Some(&mut self.files)
     }
 
     fn compute(self, _: &CaseKeys<'_>) -> Result<Self, Finding> {

@@ -38,6 +38,11 @@ pub trait FileKind: FileContent + TableType {
         None
     }
 
+    /// The same, to share what was parsed of them.
+    fn files_mut(&mut self) -> Option<&mut BTreeMap<String, Attachment>> {
+        None
+    }
+
     /// The result of a file without errors; `keys` are those that it was read from.
     ///
     /// # Errors

@@ -63,8 +63,8 @@ pub use line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 pub use model::*;
 pub use quantity_id::QuantityId;
 pub use read::{
-    LoadedCase, diagnose, load, load_from, parse, parse_beside, parse_keys, parse_of, parse_stored,
-    text_of_line, tree_of,
+    LoadedCase, diagnose, load, load_from, parse, parse_beside, parse_keys, parse_of,
+    parse_sharing, parse_stored, text_of_line, tree_of,
 };
 pub use read_file::ReadFile;
 pub use replaced_value::{Origin, ReplacedValue, YOURS};

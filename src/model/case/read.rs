@@ -1,15 +1,16 @@
 //! From a file to a checked case.
 
 use crate::visible;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use super::attachments::gather;
+use super::attachments::{gather, share};
 use super::check::check_keys;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
 use super::file_bytes::FileBytes;
 use super::file_kind::{FileKind, errors};
-use super::model::{CASE, Case};
+use super::model::{Attachment, CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::{parameters, size, warm_start};
@@ -86,7 +87,30 @@ pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<Diagnostic>> {
+    parse_with(text, (file, folder), &BTreeMap::new())
+}
+
+/// As [`parse`], of a text that carries files which were parsed before as far as they are known.
+///
+/// # Errors
+///
+/// As [`parse`].
+pub fn parse_sharing(
+    text: &str,
+    file: &str,
+    known: &BTreeMap<String, Attachment>,
+) -> Result<Case, Vec<Diagnostic>> {
+    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+    parse_with(text, (file, folder), known)
+}
+
+fn parse_with(
+    text: &str,
+    (file, folder): (&str, &Path),
+    known: &BTreeMap<String, Attachment>,
+) -> Result<Case, Vec<Diagnostic>> {
     let (tree, mut case) = checked::<Case>(text, file)?;
+    share(&mut case, known);
     gather(&mut case, &tree, text, (file, folder))
         .and_then(|()| warm_start::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;

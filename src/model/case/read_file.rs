@@ -1,12 +1,14 @@
 //! A file that was read and checked, before anything is computed of it.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
-use super::attachments::{FileSource, with_files};
+use super::attachments::{FileSource, share, with_files};
 use super::diagnostic::Diagnostic;
 use super::edit::put_all;
 use super::file_bytes::FileBytes;
 use super::file_kind::FileKind;
+use super::model::Attachment;
 use super::read::checked;
 use super::schema::TableNode;
 use super::tree::TomlNode;
@@ -75,16 +77,19 @@ pub fn read_beside<K: FileKind>(
     file: &str,
     folder: &Path,
 ) -> Result<ReadFile<K>, Vec<Diagnostic>> {
-    read_named(text, (file, file), folder)
+    read_sharing(text, (file, file), folder, &BTreeMap::new())
 }
 
-/// Reads and checks a text: what it is called in diagnostics, and the file that it is of.
-fn read_named<K: FileKind>(
+/// Reads and checks a text: what it is called in diagnostics, and the file that it is of; what was parsed of files that it carries too is
+/// shared.
+fn read_sharing<K: FileKind>(
     text: &str,
     (file, of): (&str, &str),
     folder: &Path,
+    known: &BTreeMap<String, Attachment>,
 ) -> Result<ReadFile<K>, Vec<Diagnostic>> {
     let (root, mut content) = checked::<K>(text, file)?;
+    share(&mut content, known);
     let source = FileSource {
         root: &root,
         text,
@@ -134,7 +139,22 @@ pub fn read_with<K: FileKind>(
     path: &Path,
 ) -> Result<ReadFile<K>, Vec<Diagnostic>> {
     let (edited, shown) = put_all(K::schema(), text, edits)?;
-    read_named(&edited, (&shown, &visible::path(path)), folder_of(path))
+    let named = (&*shown, &*visible::path(path));
+    read_sharing(&edited, named, folder_of(path), &BTreeMap::new())
+}
+
+/// The same of a text that carries its files, which were parsed before as far as they are known.
+///
+/// # Errors
+///
+/// As [`read_with`].
+pub fn read_variant<K: FileKind>(
+    text: &str,
+    edits: &[(&str, &str)],
+    known: &BTreeMap<String, Attachment>,
+) -> Result<ReadFile<K>, Vec<Diagnostic>> {
+    let (edited, shown) = put_all(K::schema(), text, edits)?;
+    read_sharing(&edited, (&shown, ""), Path::new(""), known)
 }
 
 fn folder_of(file: &Path) -> &Path {

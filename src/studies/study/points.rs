@@ -1,20 +1,21 @@
 //! A case computed at many points, side by side: what studies have in common.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
 use crate::case::fields::number;
-use crate::case::{self, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
+use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{Recorder, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
 use crate::system::motion::job::{self as motion_job, SystemRequest};
 
 /// The case that points are set on top of.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct BaseCase {
     /// Its text, overrides applied.
     pub text: String,
@@ -22,6 +23,8 @@ pub struct BaseCase {
     pub path: String,
     /// Keys that were set on top of the file, as `key=value`.
     pub overrides: Vec<String>,
+    /// The files that it carries, with the tables that were parsed of them, which its points share.
+    pub files: BTreeMap<String, Attachment>,
 }
 
 /// A key with the value it has at a point.
@@ -132,6 +135,7 @@ impl BaseCase {
             text: text.to_owned(),
             path: path.to_owned(),
             overrides: Vec::new(),
+            files: BTreeMap::new(),
         }
     }
 
@@ -161,7 +165,8 @@ impl BaseCase {
     /// # Errors
     /// What is wrong with the text.
     pub fn request_of(&self, text: String, overrides: Vec<String>) -> PointRequest {
-        let case = case::parse(&text, &self.path).map_err(|faults| reasons(&faults))?;
+        let case = case::parse_sharing(&text, &self.path, &self.files);
+        let case = case.map_err(|faults| reasons(&faults))?;
         Ok(Request {
             case,
             text,

@@ -85,6 +85,10 @@ impl FileKind for SystemFile {
         Some(&self.files)
     }
 
+    fn files_mut(&mut self) -> Option<&mut BTreeMap<String, Attachment>> {
+        Some(&mut self.files)
+    }
+
     fn compute(self, keys: &SystemKeys<'_>) -> Result<SolvedSystem, Finding> {
         solve(self).map_err(|refusal| located(&refusal, keys))
     }

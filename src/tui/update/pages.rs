@@ -94,6 +94,7 @@ pub fn study(state: &mut AppState, of: StudyOf) -> Vec<Effect> {
             text: stand_alone(&editor.text, &line.case).into_owned(),
             path: editor.path.display().to_string(),
             overrides: overrides(editor),
+            files: line.case.files.clone(),
         },
         result,
         width,

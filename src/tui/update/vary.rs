@@ -251,6 +251,7 @@ pub(super) fn begin(state: &mut AppState) -> Vec<Effect> {
         text: case::stand_alone(&editor.text, &line.case).into_owned(),
         path: editor.file.clone(),
         overrides,
+        files: line.case.files.clone(),
     };
     let mut effects = vec![Effect::Vary(editor.path.clone(), Box::new(variation))];
     if had_kept {

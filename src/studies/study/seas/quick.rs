@@ -82,16 +82,16 @@ pub fn look_at_seas(
     let one = |sea: Sea| {
         let settings = &variation.points[sea.load_cases[0]].settings;
         match FileType::of_text(&variation.base.text) {
-            FileType::System => of_system(&variation.base.text, settings),
+            FileType::System => of_system(&variation.base, settings),
             _ => of_line(&variation.base, settings),
         }
     };
     side_by_side(all, cancel, one, |done, of, _, _| told(done, of))
 }
 
-fn of_system(text: &str, settings: &[Setting]) -> SeaLookOutcome {
+fn of_system(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
     let clock = Instant::now();
-    let solved = solve(text, settings)?;
+    let solved = solve(base, settings)?;
     let estimates = solved
         .file
         .solver

@@ -163,8 +163,10 @@ impl Sweep {
         let written: Vec<String> = settings.iter().map(Setting::written).collect();
         let keys = settings.iter().map(|setting| setting.key.as_str());
         let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
-        let found = kind::set_and_compute::<SystemFile>(&base.text, &edits);
-        let (text, solved) = found.map_err(|faults| reasons(&faults))?;
+        let read = kind::read_variant::<SystemFile>(&base.text, &edits, &base.files);
+        let read = read.map_err(|faults| reasons(&faults))?;
+        let text = read.text.clone();
+        let solved = read.compute().map_err(|faults| reasons(&faults))?;
         let overrides = self.overrides(settings);
         let request = SystemRequest::new(Arc::new(solved), &text, base.file(), overrides);
         request.ok_or_else(|| "it has no table [solver]".to_owned())

@@ -6,7 +6,7 @@ use super::{
     StoredSweep, Sweep, SweepKind, SweepOutcomes, SweepResults, load_cases, without_load_cases,
 };
 use crate::case::load_cases::{LoadCaseError, LoadCases};
-use crate::case::{self, Case, Diagnostic, kind};
+use crate::case::{self, Attachment, Case, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::study::points::BaseCase;
 use crate::study::seas::{SeaQuestion, SeaResults, StoredRun};
@@ -72,7 +72,8 @@ impl SweepPlan {
         let text = without_load_cases(text);
         let case = case::parse(&text, path).map_err(PlanError::Invalid)?;
         let text = case::stand_alone(&text, &case).into_owned();
-        Self::line(&case, base(text, path, overrides), cases, choices.results)
+        let base = base(text, path, (overrides, &case.files));
+        Self::line(&case, base, cases, choices.results)
     }
 
     /// The sweep of a system whose text, with the files that it names, has this result.
@@ -92,7 +93,8 @@ impl SweepPlan {
         };
         let cases = load_cases::<SystemFile>(of, choices.csv, choices.varied);
         let cases = cases.map_err(PlanError::LoadCases)?;
-        let base = base(without_load_cases(text), path, overrides);
+        let of = (overrides, &solved.file.files);
+        let base = base(without_load_cases(text), path, of);
         Self::system(solved, base, cases, choices.results)
     }
 
@@ -108,20 +110,22 @@ impl SweepPlan {
             tables: &[],
             files: &BTreeMap::new(),
         };
-        let base = |text| base(text, &info.case_file, &info.overrides);
+        let base = |text, files| base(text, &info.case_file, (&info.overrides, files));
         match FileType::of_text(&text) {
             FileType::System => {
                 let solved = kind::parse_stored::<SystemFile>(&text, &info.case_file);
                 let solved = solved.map_err(PlanError::Invalid)?;
                 let cases = load_cases::<SystemFile>(of, &csv, &[]);
                 let cases = cases.map_err(PlanError::LoadCases)?;
-                Self::system(&solved, base(text), cases, &info.results)
+                let base = base(text, &solved.file.files);
+                Self::system(&solved, base, cases, &info.results)
             }
             _ => {
                 let case = case::parse_stored(&text, &info.case_file);
                 let case = case.map_err(PlanError::Invalid)?;
                 let cases = load_cases::<Case>(of, &csv, &[]).map_err(PlanError::LoadCases)?;
-                Self::line(&case, base(text), cases, &info.results)
+                let base = base(text, &case.files);
+                Self::line(&case, base, cases, &info.results)
             }
         }
     }
@@ -189,10 +193,15 @@ impl Sweep {
     }
 }
 
-fn base(text: String, path: &str, overrides: &[String]) -> BaseCase {
+fn base(
+    text: String,
+    path: &str,
+    (overrides, files): (&[String], &BTreeMap<String, Attachment>),
+) -> BaseCase {
     BaseCase {
         text,
         path: path.to_owned(),
         overrides: overrides.to_vec(),
+        files: files.clone(),
     }
 }

@@ -2,9 +2,9 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::super::points::{Point, Setting, reasons, side_by_side};
+use super::super::points::{BaseCase, Point, Setting, reasons, side_by_side};
 use super::Variation;
-use crate::case::kind;
+use crate::case::{ReadFile, kind};
 use crate::system::quantities::{error, value};
 use crate::system::stability::Stability;
 use crate::system::{SolvedSystem, SystemFile};
@@ -57,22 +57,21 @@ pub fn compute(
 ) -> Vec<Option<SystemOutcome>> {
     let points: Vec<&Point> = variation.points.iter().collect();
     let one = |point: &Point| {
-        let solved = solve(&variation.base.text, &point.settings)?;
+        let solved = solve(&variation.base, &point.settings)?;
         Ok(SystemPoint::of(&solved, results))
     };
     side_by_side(points, cancel, one, |done, of, _, _| told(done, of))
 }
 
-/// The system of a text with some keys set.
+/// The system of a case with some keys set.
 ///
 /// # Errors
 /// What is wrong with it then, or why it does not come to rest, in words.
-pub fn solve(text: &str, settings: &[Setting]) -> Result<SolvedSystem, String> {
+pub fn solve(base: &BaseCase, settings: &[Setting]) -> Result<SolvedSystem, String> {
     let written: Vec<String> = settings.iter().map(Setting::written).collect();
     let keys = settings.iter().map(|setting| setting.key.as_str());
     let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
-    let solved = kind::set_and_compute::<SystemFile>(text, &edits);
-    solved
-        .map(|(_, solved)| solved)
+    kind::read_variant::<SystemFile>(&base.text, &edits, &base.files)
+        .and_then(ReadFile::compute)
         .map_err(|faults| reasons(&faults))
 }
