@@ -3,9 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::state::reading::read_file;
-use super::state::{CaseEntry, DocumentContent};
+use super::state::CaseEntry;
+use super::state::reading::{FileTitle, read_title};
 use crate::case::{self, render_all};
+use crate::kinds::FileType;
 use crate::run::store::RUN;
 use seacable_base::files::walk::{Found, Search};
 use seacable_base::files::{Target, disk};
@@ -75,14 +76,18 @@ fn entry(dir: &Path, path: PathBuf, about: About) -> CaseEntry {
 type About = Result<(String, String), (String, String)>;
 
 fn about(path: &Path) -> About {
-    match read_file(path) {
-        Ok((_, content)) => {
-            let kind = content.kind().info();
-            let title = match &content {
-                DocumentContent::Line(_) => kind.title.to_owned(),
-                _ => format!("{}: {}", kind.name, kind.title),
+    match read_title(path) {
+        Ok(FileTitle {
+            kind,
+            title,
+            source,
+        }) => {
+            let name = kind.description().0.trim_start_matches("a ");
+            let title = match kind {
+                FileType::Line => title,
+                _ => format!("{name}: {title}"),
             };
-            Ok((title, kind.source.to_owned()))
+            Ok((title, source))
         }
         Err(all) => {
             let line = all.first().map_or_else(String::new, |d| {

@@ -1,11 +1,12 @@
 //! The core as the screen needs it: one thin layer over case, reference and report.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
 use crate::case::fields::Schema;
 use crate::case::structure::{self, StructureEdit};
-use crate::case::{self, Case, EditedKey, StudyPoint, kind};
+use crate::case::{self, Attachment, Case, EditedKey, StudyPoint, kind};
 use crate::kinds::FileType;
 use crate::reference;
 use crate::ropeway::{ROPEWAY, Ropeway};
@@ -45,13 +46,17 @@ pub fn parse(text: &str, file: &str) -> Result<Case, String> {
     case::parse_stored(text, file).map_err(|all| first(&all, file))
 }
 
-/// Reads a text as the case of a file, which may name others beside it.
+/// Reads a text as the case of a file, which may name others beside it; those that are known and have not changed are not parsed again.
 ///
 /// # Errors
 /// All that is wrong.
-pub fn parse_at(text: &str, path: &Path, file: &str) -> Result<Case, Vec<case::Diagnostic>> {
+pub fn parse_at(
+    text: &str,
+    (path, file): (&Path, &str),
+    known: &BTreeMap<String, Attachment>,
+) -> Result<Case, Vec<case::Diagnostic>> {
     let folder = path.parent().unwrap_or(Path::new(""));
-    case::parse_beside(text, file, folder)
+    case::parse_sharing(text, (file, folder), known)
 }
 
 /// Sets a key of the text.

@@ -1,5 +1,6 @@
 //! What reaches the state, and what the state asks of the world.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
@@ -198,6 +199,7 @@ impl FileRead {
             saved: text.clone(),
             saved_rows: None,
             before: None,
+            files: BTreeMap::new(),
         };
         Self {
             read: Reading::of(&file, text, content),

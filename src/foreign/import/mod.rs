@@ -20,8 +20,7 @@ pub mod yaml;
 use std::path::{Path, PathBuf};
 
 use self::mooring::Mooring;
-use crate::case::Diagnostic;
-use crate::files;
+use crate::case::{Diagnostic, FileBytes};
 use crate::kinds::foreign::{is_design, is_named_yaml};
 pub use crate::kinds::foreign::{is_foreign, is_foreign_file};
 pub use imported::{ImportOptions, Imported};
@@ -38,10 +37,15 @@ fn is_yaml(path: &Path, text: &str) -> bool {
 /// Where the case of a file is saved: a case onto itself, one of another program beside its file.
 #[must_use]
 pub fn case_path(path: &Path) -> PathBuf {
-    let is_foreign = files::read::text_lossy(path).is_ok_and(|text| is_foreign_file(path, &text));
-    match is_foreign {
-        true => path.with_extension("toml"),
-        false => path.to_owned(),
+    case_path_of(&FileBytes::read(path))
+}
+
+/// The same of a file that was read.
+#[must_use]
+pub fn case_path_of(file: &FileBytes) -> PathBuf {
+    match file.is_foreign() {
+        true => file.path().with_extension("toml"),
+        false => file.path().to_owned(),
     }
 }
 

@@ -37,7 +37,8 @@ pub fn response_columns() -> Vec<String> {
         .collect()
 }
 
-/// A file that is being read: its tree, its text, what it is called in diagnostics, the file that it is of and the folder it stands in.
+/// A file that is being read: its tree, its text, what it is called in diagnostics, the file that it is of, the folder it stands in, and files that
+/// were read before.
 #[derive(Clone, Copy)]
 pub struct FileSource<'a> {
     /// Its tree.
@@ -49,6 +50,7 @@ pub struct FileSource<'a> {
     /// The file that it is of.
     pub of: &'a str,
     pub(crate) folder: &'a Path,
+    pub(crate) known: &'a BTreeMap<String, Attachment>,
 }
 
 /// Takes in the files that the case uses, and reads them as what they are named for.
@@ -57,6 +59,7 @@ pub(crate) fn gather(
     root: &TomlNode,
     text: &str,
     (file, folder): (&str, &Path),
+    known: &BTreeMap<String, Attachment>,
 ) -> Result<(), Diagnostic> {
     let reading = FileSource {
         root,
@@ -64,6 +67,7 @@ pub(crate) fn gather(
         file,
         of: file,
         folder,
+        known,
     };
     gather_from(&reading, case).map_err(|found| reading.quoting_none_outside(found))
 }
@@ -132,7 +136,11 @@ impl FileSource<'_> {
                 let remedy = "name a file beside the case file, or carry it in the case as [files.\"NAME\"] text = \"...\"";
                 Finding::new(&span, key.join("."), problem, remedy).at(self.file, self.text)
             })?;
-            files.insert(name.to_owned(), Attachment { text: read.into() });
+            let known = self.known.get(name).filter(|known| *known.text == *read);
+            let carried = known
+                .cloned()
+                .unwrap_or_else(|| Attachment { text: read.into() });
+            files.insert(name.to_owned(), carried);
         }
         Ok(beside)
     }

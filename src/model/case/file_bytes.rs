@@ -52,7 +52,7 @@ impl FileBytes {
     /// Whether it is of another program.
     #[must_use]
     pub fn is_foreign(&self) -> bool {
-        is_foreign_file(&self.path, &self.lossy())
+        self.bytes.is_ok() && is_foreign_file(&self.path, &self.lossy())
     }
 
     fn lossy(&self) -> Cow<'_, str> {

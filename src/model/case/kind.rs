@@ -11,7 +11,7 @@ pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
 use super::read::diagnose;
 pub use super::read_file::{
-    ReadFile, read, read_beside, read_stored, read_toml, read_variant, read_with,
+    ReadFile, read, read_again, read_beside, read_stored, read_toml, read_variant, read_with,
 };
 use super::replaced_value::Origin;
 use super::rows::{FieldLister, FieldRow};

@@ -87,31 +87,23 @@ pub fn parse(text: &str, file: &str) -> Result<Case, Vec<Diagnostic>> {
 ///
 /// Everything that is wrong, at once, in the order of the lines.
 pub fn parse_beside(text: &str, file: &str, folder: &Path) -> Result<Case, Vec<Diagnostic>> {
-    parse_with(text, (file, folder), &BTreeMap::new())
+    parse_sharing(text, (file, folder), &BTreeMap::new())
 }
 
-/// As [`parse`], of a text that carries files which were parsed before as far as they are known.
+/// As [`parse_beside`], of a text whose file was read before: files that it named then and that have not changed keep what was parsed of
+/// them.
 ///
 /// # Errors
 ///
 /// As [`parse`].
 pub fn parse_sharing(
     text: &str,
-    file: &str,
-    known: &BTreeMap<String, Attachment>,
-) -> Result<Case, Vec<Diagnostic>> {
-    let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-    parse_with(text, (file, folder), known)
-}
-
-fn parse_with(
-    text: &str,
     (file, folder): (&str, &Path),
     known: &BTreeMap<String, Attachment>,
 ) -> Result<Case, Vec<Diagnostic>> {
     let (tree, mut case) = checked::<Case>(text, file)?;
     share(&mut case, known);
-    gather(&mut case, &tree, text, (file, folder))
+    gather(&mut case, &tree, text, (file, folder), known)
         .and_then(|()| warm_start::gather(&mut case, &tree, text, (file, folder)))
         .map_err(|diagnostic| vec![diagnostic])?;
     Ok(case)

@@ -67,6 +67,19 @@ pub fn read<K: FileKind>(text: &str, file: &str) -> Result<ReadFile<K>, Vec<Diag
     read_beside(text, file, folder_of(Path::new(file)))
 }
 
+/// The same of a text whose file was read before: files that it named then and that have not changed keep what was parsed of them.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn read_again<K: FileKind>(
+    text: &str,
+    file: &str,
+    known: &BTreeMap<String, Attachment>,
+) -> Result<ReadFile<K>, Vec<Diagnostic>> {
+    read_sharing(text, (file, file), folder_of(Path::new(file)), known)
+}
+
 /// The same of a text that stands in a folder, where files that it names are looked for; `file` is the name in the diagnostics.
 ///
 /// # Errors
@@ -80,8 +93,8 @@ pub fn read_beside<K: FileKind>(
     read_sharing(text, (file, file), folder, &BTreeMap::new())
 }
 
-/// Reads and checks a text: what it is called in diagnostics, and the file that it is of; what was parsed of files that it carries too is
-/// shared.
+/// Reads and checks a text: what it is called in diagnostics, and the file that it is of; what was parsed of known files of the same
+/// text is shared.
 fn read_sharing<K: FileKind>(
     text: &str,
     (file, of): (&str, &str),
@@ -96,6 +109,7 @@ fn read_sharing<K: FileKind>(
         file,
         of,
         folder,
+        known,
     };
     content
         .take_files(&source)

@@ -165,7 +165,8 @@ impl BaseCase {
     /// # Errors
     /// What is wrong with the text.
     pub fn request_of(&self, text: String, overrides: Vec<String>) -> PointRequest {
-        let case = case::parse_sharing(&text, &self.path, &self.files);
+        let folder = Path::new(&self.path).parent().unwrap_or(Path::new(""));
+        let case = case::parse_sharing(&text, (&self.path, folder), &self.files);
         let case = case.map_err(|faults| reasons(&faults))?;
         Ok(Request {
             case,

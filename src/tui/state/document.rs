@@ -203,6 +203,7 @@ impl Document {
             saved: editor.saved.clone(),
             saved_rows: editor.saved_rows.clone(),
             before: editor.before.clone(),
+            files: self.content.files(),
         }
     }
 

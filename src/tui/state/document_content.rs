@@ -1,9 +1,12 @@
 //! What a file of each kind holds.
 
+use std::collections::BTreeMap;
+
 use super::{
     document_kind::DocumentKind, line::LineView, ropeway::RopewayView, runs_view::RunsView,
     section::SectionView, ship::ShipView, sweeps::SweepsView, system::SystemView,
 };
+use crate::case::Attachment;
 use crate::kinds::FileType;
 
 /// The kinds of file, with the result of the text.
@@ -71,6 +74,16 @@ impl DocumentContent {
             Self::Line(line) => Some(&mut line.sweeps),
             Self::System(system) => Some(&mut system.sweeps),
             _ => None,
+        }
+    }
+
+    /// The files that it names, with what was parsed of them.
+    #[must_use]
+    pub fn files(&self) -> BTreeMap<String, Attachment> {
+        match self {
+            Self::Line(line) => line.case.files.clone(),
+            Self::System(system) => system.solved.file.files.clone(),
+            _ => BTreeMap::new(),
         }
     }
 

@@ -117,6 +117,8 @@ impl EditCheck {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use super::*;
     use crate::case::shipped::SHIPPED;
     use crate::state::ParameterEditor;
@@ -137,6 +139,7 @@ mod tests {
             saved: (*text).to_owned(),
             saved_rows: None,
             before: None,
+            files: BTreeMap::new(),
         };
         let text = (*text).to_owned();
         let edits = edits.collect();

@@ -1,5 +1,6 @@
 //! A text read as a file of its kind: its content, its fields, and which of them are the user's.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -12,12 +13,13 @@ use super::section::SectionView;
 use super::ship::ShipView;
 use super::system::SystemView;
 use crate::case::edited::{self, EditedKey};
+use crate::case::file_kind::FileKind;
 use crate::case::structure::{self, OutlineRow};
-use crate::case::{self, Diagnostic, FileBytes, kind};
+use crate::case::{self, Attachment, Diagnostic, FileBytes, kind};
 use crate::facade::{self, FieldRow};
 use crate::import::ImportOptions;
 use crate::kinds::FileType;
-use crate::open;
+use crate::open::{self, OpenedFile};
 use crate::ropeway::Ropeway;
 use crate::section::CrossSection;
 use crate::ship::Ship;
@@ -38,6 +40,8 @@ pub struct FileOfText {
     pub saved_rows: Option<Arc<SavedRows>>,
     /// What its inputs were before the user's edits; absent: those of `saved`.
     pub before: Option<Arc<InputsBefore>>,
+    /// The files that it named as it was read last, with what was parsed of them.
+    pub files: BTreeMap<String, Attachment>,
 }
 
 /// The fields of a file as it is on disk.
@@ -74,7 +78,7 @@ impl Reading {
     /// # Errors
     /// All that is wrong with it.
     pub fn new(file: &FileOfText, text: String) -> Result<Self, Vec<Diagnostic>> {
-        let content = content(file.kind, &text, &file.path, &file.name)?;
+        let content = content_again(file.kind, &text, (&file.path, &file.name), &file.files)?;
         Ok(Self::of(file, text, content))
     }
 
@@ -144,7 +148,14 @@ impl Draft {
 /// # Errors
 /// Everything that is wrong with the file.
 pub fn read_file(path: &Path) -> Result<(String, DocumentContent), Vec<Diagnostic>> {
-    let bytes = FileBytes::read(path);
+    read_bytes(FileBytes::read(path))
+}
+
+/// The same of a file that was read from disk.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn read_bytes(bytes: FileBytes) -> Result<(String, DocumentContent), Vec<Diagnostic>> {
     let options = ImportOptions::default();
     Ok(match bytes.kind() {
         FileType::Line => {
@@ -177,6 +188,58 @@ pub fn read_file(path: &Path) -> Result<(String, DocumentContent), Vec<Diagnosti
     })
 }
 
+/// What a list says of a file.
+#[derive(Debug, Clone)]
+pub struct FileTitle {
+    /// Its kind.
+    pub kind: FileType,
+    /// Its title.
+    pub title: String,
+    /// The source of its data.
+    pub source: String,
+}
+
+/// What a list says of a file, which is read and checked; nothing is computed.
+///
+/// # Errors
+/// Everything that is wrong with the file.
+pub fn read_title(path: &Path) -> Result<FileTitle, Vec<Diagnostic>> {
+    let bytes = FileBytes::read(path);
+    let kind = bytes.kind();
+    let (title, source) = match kind {
+        FileType::Line => {
+            let about = case::load_from(bytes)?.case.case;
+            (about.title, about.source)
+        }
+        FileType::Section => {
+            let about = read::<CrossSection>(bytes)?.about;
+            (about.title, about.source)
+        }
+        FileType::Ropeway => {
+            let about = read::<Ropeway>(bytes)?.about;
+            (about.title, about.source)
+        }
+        FileType::Ship => {
+            let about = read::<Ship>(bytes)?.ship;
+            (about.title, about.source)
+        }
+        FileType::System => {
+            let about = read::<SystemFile>(bytes)?.about;
+            (about.title, about.source)
+        }
+    };
+    Ok(FileTitle {
+        kind,
+        title,
+        source,
+    })
+}
+
+fn read<K: FileKind>(bytes: FileBytes) -> Result<K, Vec<Diagnostic>> {
+    let opened = OpenedFile::of::<K>(bytes, &ImportOptions::default())?;
+    Ok(opened.read::<K>()?.content)
+}
+
 /// The content of a text; a case may name files beside its own.
 ///
 /// # Errors
@@ -187,9 +250,19 @@ pub fn content(
     path: &Path,
     file: &str,
 ) -> Result<DocumentContent, Vec<Diagnostic>> {
+    content_again(kind, text, (path, file), &BTreeMap::new())
+}
+
+/// The same of a text whose file was read before: files that it named then and that have not changed are not parsed again.
+fn content_again(
+    kind: FileType,
+    text: &str,
+    (path, file): (&Path, &str),
+    known: &BTreeMap<String, Attachment>,
+) -> Result<DocumentContent, Vec<Diagnostic>> {
     Ok(match kind {
         FileType::Line => {
-            let case = facade::parse_at(text, path, file)?;
+            let case = facade::parse_at(text, (path, file), known)?;
             DocumentContent::Line(Box::new(LineView::new(case)))
         }
         FileType::Section => {
@@ -205,7 +278,7 @@ pub fn content(
             DocumentContent::Ship(Box::new(ShipView::new(statics)))
         }
         FileType::System => {
-            let solved = kind::parse::<SystemFile>(text, file)?;
+            let solved = kind::read_again::<SystemFile>(text, file, known)?.compute()?;
             DocumentContent::System(Box::new(SystemView::new(solved)))
         }
     })
