@@ -131,7 +131,7 @@ fn bed_of(file: &SystemFile) -> Option<Bed> {
     let given = file.seabed.as_ref()?;
     // Its file was read with the system.
     let grid = depth_grid(given.depths(), &file.files).ok().flatten();
-    Some(grid.map_or(Bed::Level(-given.depth_m), |grid| Bed::Grid(grid)))
+    Some(grid.map_or(Bed::Level(-given.depth_m), Bed::Grid))
 }
 
 /// The current of a file, where it changes with time.

@@ -1,9 +1,10 @@
 //! The input that gives a wanted result.
 
+use std::collections::BTreeMap;
+
 use super::super::model::SystemFile;
 use super::super::quantities::{unit, value};
-use super::super::solved::SolvedSystem;
-use crate::case::kind;
+use crate::case::{Attachment, Diagnostic, ReadFile, kind};
 
 /// A wanted result met.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +38,7 @@ pub fn seek(
         key,
         quantity,
         wanted,
+        files: BTreeMap::new(),
         solved: 0,
         refusal: None,
     };
@@ -78,27 +80,28 @@ struct Search<'a> {
     key: &'a str,
     quantity: &'a str,
     wanted: f64,
+    /// The files that the text carries, with what was parsed of them.
+    files: BTreeMap<String, Attachment>,
     solved: usize,
     /// Why a value could not be solved.
     refusal: Option<String>,
 }
 
 impl Search<'_> {
-    /// The text with the key at a value, and its system.
-    fn edited(&self, x: f64) -> Result<(String, SolvedSystem), String> {
+    /// The file with the key at a value.
+    fn read(&mut self, x: f64) -> Result<ReadFile<SystemFile>, String> {
         let edits = [(self.key, &*format!("{x:?}"))];
-        kind::set_and_compute::<SystemFile>(self.text, &edits).map_err(|all| {
-            all.first()
-                .map_or_else(String::new, |first| first.problem.clone())
-        })
+        let read = kind::read_variant::<SystemFile>(self.text, &edits, &self.files);
+        let read = read.map_err(first)?;
+        self.files.clone_from(&read.content.files);
+        Ok(read)
     }
 
     /// The result less that wanted.
     fn off(&mut self, x: f64) -> Option<f64> {
         self.solved += 1;
-        let found = self
-            .edited(x)
-            .and_then(|(_, solved)| value(&solved, self.quantity));
+        let solved = self.read(x).and_then(|read| read.compute().map_err(first));
+        let found = solved.and_then(|solved| value(&solved, self.quantity));
         match found {
             Ok(result) if result.is_finite() => Some(result - self.wanted),
             Ok(_) => None,
@@ -153,12 +156,19 @@ impl Search<'_> {
         self.found(best.0, best.1)
     }
 
-    fn found(self, x: f64, off: f64) -> Result<Sought, String> {
+    fn found(mut self, x: f64, off: f64) -> Result<Sought, String> {
         Ok(Sought {
             value: x,
             result: self.wanted + off,
             solved: self.solved,
-            text: self.edited(x)?.0,
+            text: self.read(x)?.text,
         })
     }
+}
+
+/// The first fault, in words.
+fn first(all: Vec<Diagnostic>) -> String {
+    all.into_iter()
+        .next()
+        .map_or_else(String::new, |first| first.problem)
 }
