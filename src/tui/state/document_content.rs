@@ -1,13 +1,12 @@
 //! What a file of each kind holds.
 
-use std::collections::BTreeMap;
-
 use super::{
     document_kind::DocumentKind, line::LineView, ropeway::RopewayView, runs_view::RunsView,
     section::SectionView, ship::ShipView, sweeps::SweepsView, system::SystemView,
 };
 use crate::case::Attachment;
 use crate::kinds::FileType;
+use std::collections::BTreeMap;
 
 /// The kinds of file, with the result of the text.
 #[derive(Debug, Clone)]
@@ -78,8 +77,7 @@ impl DocumentContent {
     }
 
     /// The files that it names, with what was parsed of them.
-    #[must_use]
-    pub fn files(&self) -> BTreeMap<String, Attachment> {
+    pub(super) fn files(&self) -> BTreeMap<String, Attachment> {
         match self {
             Self::Line(line) => line.case.files.clone(),
             Self::System(system) => system.solved.file.files.clone(),
