@@ -26,7 +26,7 @@ pub struct LineAtRest {
     pub note: Option<LineNote>,
     /// Why a line of one section with the same length, weight and stretch stands in its place, as only a search may do.
     pub replaced: Option<CatenaryError>,
-    /// Weight that weightless sections were given \[N\]: see [`weighted`].
+    /// Weight that weightless sections were given \[N\]: see [`weighted`](super::network::weighted).
     pub added_weight: f64,
     /// The line in segments, where it has no closed form.
     pub discretised: Option<Box<DiscretisedRest>>,

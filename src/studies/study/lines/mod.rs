@@ -22,7 +22,7 @@ use rayon::prelude::*;
 /// CSV of lines in still water needs `x_m, z_m, length_m, ea_n, weight_n_per_m` and may have `friction`,
 /// `bed_below_a_m`, `bed_slope_deg`, `surface_above_a_m`; any other column is passed through. The answer adds
 /// `h_b_n, v_b_n, h_a_n, v_a_n, on_bed_m`, `status` (`ok`, or why not) and `shape`, with the signs of
-/// [`Solution`].
+/// [`Solution`](crate::statics::catenary::Solution).
 ///
 /// # Errors
 /// [`TableError`] when the columns are not there or the bytes are no table.
