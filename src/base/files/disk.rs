@@ -1,5 +1,5 @@
 //! The one way to what changes a disk: files made, written, synced, renamed and removed. Here tests let an operation fail (see
-//! [`super::faults`]).
+//! `faults`).
 
 use std::ffi::OsStr;
 use std::fs::{self, File, OpenOptions, Permissions};

@@ -1,4 +1,4 @@
-//! One declaration a key. [`table!`](macros) declares a table of a file as a struct; from it come the rows of the
+//! One declaration a key. [`table!`](macro@crate::table) declares a table of a file as a struct; from it come the rows of the
 //! [`Schema`](super::fields::Schema), the reading of the table from the tree of a file and the writing of it as TOML.
 //!
 //! A file is read in two steps. [`TableType::keys`] reads what it can: every key with its place and its value, none where the

@@ -2,7 +2,7 @@
 //!
 //! A check is a table [`CheckInputs`](crate::case::CheckInputs) of a case, a system or a [set of rules](crate::case::rule_sets); [`resolved`] puts
 //! the rules of the sets in the place of their names. [`Utilisation`](utilisation::Utilisation) carries both errors of its load: the
-//! numerical one and that of the sample. What runs say of a check is [`study::seas`](crate::study::seas).
+//! numerical one and that of the sample. What runs say of a check is `study::seas`.
 
 pub mod along;
 pub mod resolved;

@@ -2,7 +2,7 @@
 //! cost; difference curves and shapes at a common time.
 //!
 //! Every difference is from the first run. [`Comparison::of`] only reads its runs;
-//! [`report::comparison`](crate::report::comparison) shows it.
+//! `report::comparison` shows it.
 
 mod agreement;
 mod channels;

@@ -1,6 +1,6 @@
 //! A case computed at many points: keys varied over ranges, alone or as a grid.
 //!
-//! [`Variation`] says what is computed, a [sweep](super::sweep) computes it, and [`report::variation`](crate::report::variation) shows the
+//! [`Variation`] says what is computed, a [sweep](super::sweep) computes it, and `report::variation` shows the
 //! results. Points need not be a grid: each is a list of settings of its own, so that load cases are points as well.
 
 mod error;
