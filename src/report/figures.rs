@@ -1,9 +1,9 @@
 //! The charts of a run, or of several laid over each other: the same for screen and report.
 //!
 //! ```
-//! use seacable::case::ChannelQuantity;
-//! use seacable::report::figures::{PlottedRun, against_time};
-//! use seacable::run::History;
+//! use seacable_model::case::ChannelQuantity;
+//! use seacable_report::figures::{PlottedRun, against_time};
+//! use seacable_runs::run::History;
 //!
 //! let history = History::default();
 //! let runs = [PlottedRun::streamed(&history, &[], "this run")];

@@ -8,7 +8,7 @@
 //! [`svg::svg`] draws the same chart as a picture of lines and words, for pages that are printed.
 //!
 //! ```
-//! use seacable::report::chart::{Axis, Chart, Glyphs, Series, draw};
+//! use seacable_display::chart::{Axis, Chart, Glyphs, Series, draw};
 //!
 //! let chart = Chart {
 //!     title: "A ramp".into(),

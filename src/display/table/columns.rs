@@ -1,7 +1,7 @@
 //! Tables from a description of their columns: heading, format, and how a cell is read from a record.
 //!
 //! ```
-//! use seacable::report::table::{NumberFormat, Table};
+//! use seacable_display::table::{NumberFormat, Table};
 //!
 //! let joints = [("vessel|chain", 3.94e6, Some(0.41)), ("wire|payload", 1.9e6, None)];
 //! let table = Table::of("Joints", &joints)

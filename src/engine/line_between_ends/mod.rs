@@ -9,8 +9,8 @@
 //! its derivative.
 //!
 //! ```
-//! use seacable::case::{Case, Current, End, Ends, Material, OneOrMany, Section};
-//! use seacable::line_between_ends::LineBetweenEnds;
+//! use seacable_model::case::{Case, Current, End, Ends, Material, OneOrMany, Section};
+//! use seacable_engine::line_between_ends::LineBetweenEnds;
 //!
 //! let ends = Ends {
 //!     a: End::fixed("anchor", [0.0, 0.0, -100.0]),
@@ -31,7 +31,7 @@
 //! let change = there.force_b_n[0] - here.force_b_n[0];
 //! let stiffness = here.stiffness_n_per_m[1][1][(0, 0)];
 //! assert!((change / 0.001 - stiffness).abs() < 1e-3 * stiffness.abs());
-//! # Ok::<(), seacable::line_between_ends::LineError>(())
+//! # Ok::<(), seacable_engine::line_between_ends::LineError>(())
 //! ```
 
 mod error;

@@ -5,7 +5,7 @@
 //! 30 digits before it is returned; otherwise [`CatenaryLine::solve`] fails with a [`CatenaryError`].
 //!
 //! ```
-//! use seacable::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape};
+//! use seacable_engine::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape};
 //!
 //! // 900 m of chain from an anchor on the bed to a fairlead 100 m above it, 860 m away.
 //! let chain = [SectionProperties::new(900.0, 1_200.0, 5.0e8)];
@@ -21,7 +21,7 @@
 //! // A fairlead moved by a metre: start from here.
 //! let moved = CatenaryLine { ends: EndOffset { x_m: 861.0, z_m: 100.0 }, ..line }.solve_from(&rest)?;
 //! assert!(moved.h_b_n > rest.h_b_n);
-//! # Ok::<(), seacable::statics::catenary::CatenaryError>(())
+//! # Ok::<(), seacable_engine::statics::catenary::CatenaryError>(())
 //! ```
 //!
 //! Signs: `h` is the horizontal part of the tension; `v_b` pulls B down and `v_a` pulls A up when

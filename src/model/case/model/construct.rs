@@ -3,7 +3,7 @@
 //! A line of one material between two fixed points, hanging in air:
 //!
 //! ```
-//! use seacable::case::{self, Case, End, Ends, Material, Method, Section};
+//! use seacable_model::case::{self, Case, End, Ends, Material, Method, Section};
 //!
 //! let ends = Ends {
 //!     a: End::fixed("platform", [0.0, 0.0, 20.0]),

@@ -3,9 +3,9 @@
 //! A weight on a rope between two points:
 //!
 //! ```
-//! use seacable::case::Material;
-//! use seacable::system::model::{LineInputs, PointInputs, SystemFile};
-//! use seacable::system::solved::solve;
+//! use seacable_model::case::Material;
+//! use seacable_systems::system::model::{LineInputs, PointInputs, SystemFile};
+//! use seacable_systems::system::solved::solve;
 //!
 //! let mut system = SystemFile::new("Weight on a rope");
 //! system.environment.water_density_kg_per_m3 = 0.0;
