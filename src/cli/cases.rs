@@ -8,9 +8,9 @@ use seacable_base::files::{root, walk::Search};
 use seacable_foreign::import::ImportOptions;
 use seacable_foreign::open::OpenedFile;
 use seacable_model::case::{
-    self, Case, Diagnostic, FieldRow, FileBytes, ReadFile, edit, file_kind::FileKind, kind, shipped,
+    self, Case, Diagnostic, FieldRow, ReadFile, edit, file_kind::FileKind, kind, shipped,
 };
-use seacable_model::kinds::FileType;
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_runs::run::store;
 
 /// Where the cases that come with the program lie in its source.

@@ -12,7 +12,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::export::{self, ExportOptions, Exported, Target, Unsayable};
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_systems::system::SystemFile;
 
 #[derive(Debug, clap::Args)]

@@ -12,7 +12,7 @@ use super::{
 };
 use seacable_foreign::import::ImportOptions;
 use seacable_foreign::open::OpenedFile;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_systems::system::SystemFile;
 
 /// What a file of another program does not say.

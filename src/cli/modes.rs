@@ -11,8 +11,7 @@ use super::{
 };
 use seacable_base::visible;
 use seacable_engine::modes;
-use seacable_model::case::FileBytes;
-use seacable_model::kinds::FileType;
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::{chart, modes as views, run_json};
 
 /// Columns and lines of the page.

@@ -8,7 +8,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_report::{self as report, text::WIDTH};
 use seacable_systems::ropeway::{ModelResults, Ropeway, SolvedRopeway, elastic::Carrier, line};
 

@@ -13,8 +13,8 @@ use super::{
 };
 use seacable_base::strays;
 use seacable_jobs::JobRequest;
-use seacable_model::case::{self, FileBytes};
-use seacable_model::kinds::FileType;
+use seacable_model::case;
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::{limits, run_json, text, verdict::RunVerdict};
 use seacable_runs::run::{
     Run, RunInfo, RunState,

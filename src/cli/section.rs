@@ -8,7 +8,7 @@ use super::{
     output::{self, FileFormat, OutputFile},
 };
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_model::section::{self, CrossSection};
 use seacable_report::{self as report, plain, text::WIDTH};
 

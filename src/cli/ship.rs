@@ -4,7 +4,7 @@ use std::{path::Path, process::ExitCode, sync::atomic::AtomicBool};
 
 use super::{CommandError, cases, model_args::ShipArgs, output};
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_report::{ship, text::WIDTH};
 use seacable_systems::ship::{DynamicAnalysis, MotionError, Ship};
 

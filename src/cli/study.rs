@@ -15,7 +15,8 @@ use super::{
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
-use seacable_model::case::{Case, FileBytes};
+use seacable_model::case::Case;
+use seacable_model::kinds::FileBytes;
 use seacable_report::run_json as study_json;
 use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},

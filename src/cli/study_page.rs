@@ -11,7 +11,8 @@ use super::{
 };
 use seacable_display::chart::{Chart, draw};
 use seacable_display::table::Table;
-use seacable_model::case::{self, Case, FileBytes, QuantityId};
+use seacable_model::case::{self, Case, QuantityId};
+use seacable_model::kinds::FileBytes;
 use seacable_report::seas::SeasView;
 use seacable_report::{plain, run_json};
 use seacable_studies::study::points::{BaseCase, PointProgress};

@@ -10,9 +10,8 @@ use super::{
 
 use seacable_base::files::read;
 use seacable_base::visible;
-use seacable_model::case::FileBytes;
 use seacable_model::case::load_cases::LoadCaseError;
-use seacable_model::kinds::FileType;
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_studies::study::sweep::{
     PlanChoices, PlanError, StoredSweep, Sweep, SweepError, SweepFolder, SweepPlan,

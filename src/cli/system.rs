@@ -14,7 +14,7 @@ use super::{
     verdict,
 };
 use seacable_jobs::JobRequest;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_report::{
     system::{self as views, json, motion},
     text::WIDTH,

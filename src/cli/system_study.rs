@@ -12,7 +12,7 @@ use super::{
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
-use seacable_model::case::FileBytes;
+use seacable_model::kinds::FileBytes;
 use seacable_report::system::analysis as views;
 use seacable_systems::system::analysis::offset::{HeldAway, OffsetPoint, curve};
 use seacable_systems::system::analysis::{periods, seek, watch_circle};

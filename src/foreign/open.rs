@@ -2,10 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::case::Diagnostic;
 use crate::case::file_kind::FileKind;
 use crate::case::kind::{self, LoadedFile, ReadFile};
-use crate::case::{Diagnostic, FileBytes};
 use crate::import::{self, ImportOptions, Imported};
+use crate::kinds::FileBytes;
 use crate::visible;
 
 /// A file with the text that is read of it.

@@ -20,7 +20,8 @@ pub mod yaml;
 use std::path::{Path, PathBuf};
 
 use self::mooring::Mooring;
-use crate::case::{Diagnostic, FileBytes};
+use crate::case::Diagnostic;
+use crate::kinds::FileBytes;
 use crate::kinds::foreign::{is_design, is_named_yaml};
 pub use crate::kinds::foreign::{is_foreign, is_foreign_file};
 pub use imported::{ImportOptions, Imported};

@@ -8,14 +8,13 @@ use super::attachments::{gather, share};
 use super::check::check_keys;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
-use super::file_bytes::FileBytes;
 use super::file_kind::{FileKind, errors};
 use super::model::{Attachment, CASE, Case};
 use super::schema::{TableNode, TableType};
 use super::tree::TomlNode;
 use super::{parameters, size, warm_start};
 use crate::files::root;
-use crate::kinds::FileType;
+use crate::kinds::{FileBytes, FileType};
 pub use seacable_keys::read::{diagnose, tree_of};
 
 /// A case with the text and the file it came from.

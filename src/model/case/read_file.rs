@@ -6,13 +6,13 @@ use std::path::Path;
 use super::attachments::{FileSource, share, with_files};
 use super::diagnostic::Diagnostic;
 use super::edit::put_all;
-use super::file_bytes::FileBytes;
 use super::file_kind::FileKind;
 use super::model::Attachment;
 use super::read::checked;
 use super::schema::TableNode;
 use super::tree::TomlNode;
 use crate::files::root;
+use crate::kinds::FileBytes;
 use crate::visible;
 use crate::work_log::{self, Task};
 

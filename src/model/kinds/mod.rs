@@ -1,10 +1,11 @@
 //! The kinds of file, distinguished by the table that every file of a kind begins with, and by what files of other programs have.
 
+mod file_bytes;
 pub mod foreign;
 
 use std::path::Path;
 
-use crate::case::FileBytes;
+pub use file_bytes::FileBytes;
 
 /// What a TOML file describes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::case::FileBytes;
 use crate::import::case_path_of;
+use crate::kinds::FileBytes;
 use crate::msg::{FileRead, Msg};
 use crate::state::reading::read_bytes;
 use crate::{case_library, recovery};

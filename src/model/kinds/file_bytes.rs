@@ -4,12 +4,12 @@ use std::borrow::Cow;
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-use super::diagnostic::{Diagnostic, Finding};
-use super::fields::Schema;
+use super::FileType;
+use super::foreign::is_foreign_file;
 use crate::files::read;
-use crate::kinds::FileType;
-use crate::kinds::foreign::is_foreign_file;
 use crate::visible;
+use seacable_keys::fields::Schema;
+use seacable_keys::{Diagnostic, Finding};
 
 /// The bytes of a file, or why it cannot be read, which its reader says in the words of its kind.
 #[derive(Debug)]
