@@ -36,6 +36,7 @@ pub mod read_file;
 mod replaced_value;
 mod rows;
 pub mod rule_sets;
+mod section_text;
 pub mod shipped;
 mod study_point;
 mod subject;
@@ -67,6 +68,7 @@ pub use read::{
 pub use read_file::ReadFile;
 pub use replaced_value::{Origin, ReplacedValue, YOURS};
 pub use rows::{FieldLister, FieldRow};
+pub use section_text::SectionText;
 pub use subject::{ModePlane, Subject};
 pub use value_range::{RangeError, Spacing, ValueRange};
 pub use write::write;

@@ -1,10 +1,9 @@
 //! Sets of rules: those that come with the program, and files of a user.
 
 use std::collections::BTreeMap;
-use std::sync::{Arc, LazyLock};
+use std::sync::LazyLock;
 
 use super::attachments::FileSource;
-use super::carried_text::CarriedText;
 use super::check::of_checks;
 use super::diagnostic::{Diagnostic, Finding};
 use super::fields::Schema;
@@ -13,7 +12,7 @@ use super::kind;
 use super::model::{Attachment, CheckInputs, RuleSet, RuleSetKeys};
 use super::rows::{FieldLister, FieldRow};
 use super::schema::schema_of;
-use crate::section::{CrossSection, Design};
+use super::section_text::SectionText;
 
 /// Names of the sets that come with the program.
 pub const NAMES: [&str; 3] = ["api-rp-2sk", "dnv-os-e301", "dnv-st-0119"];
@@ -56,14 +55,6 @@ pub fn parse(text: &str, file: &str) -> Result<RuleSet, Vec<Diagnostic>> {
     kind::parse_stored::<RuleSet>(text, file)
 }
 
-/// The design of a carried cross-section, which is worked out once.
-///
-/// # Errors
-/// Everything that is wrong with it, in the order of the lines.
-pub(crate) fn section(text: &CarriedText, file: &str) -> Result<Arc<Design>, Vec<Diagnostic>> {
-    text.parsed((), |text| kind::parse_stored::<CrossSection>(text, file))
-}
-
 impl FileSource<'_> {
     /// Takes in the files of rules, curves and cross-sections that checks name.
     ///
@@ -90,7 +81,7 @@ impl FileSource<'_> {
             }
             if let Some(name) = check.section.as_ref().filter(is_file) {
                 let shown = self.take(files, name, &["checks", &number, "section"])?;
-                let read = section(&files[name].text, &shown);
+                let read = files[name].text.design(&shown);
                 if let Err(faults) = read
                     && let Some(first) = faults.into_iter().next()
                 {

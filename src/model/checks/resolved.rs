@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::case::{
-    Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, nearest, rule_sets,
+    Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, SectionText, nearest, rule_sets,
 };
 use crate::fatigue::component::Component;
 use crate::fatigue::curve_file::read_curve;
@@ -110,7 +110,7 @@ impl Check {
     /// A file that is no section, in words.
     pub fn design(&self) -> Result<Option<Arc<Design>>, String> {
         let name = self.inputs.section.as_deref().unwrap_or_default();
-        let read = |text| rule_sets::section(text, name);
+        let read = |text: &CarriedText| text.design(name);
         let design = self.section.as_ref().map(read).transpose();
         design.map_err(|faults| {
             let faults = faults.iter().map(ToString::to_string);

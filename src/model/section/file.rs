@@ -1,6 +1,6 @@
 //! The section as a kind of file.
 
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock};
 
 use super::check::{check, located};
 use super::design::{Design, design};
@@ -8,7 +8,10 @@ use super::model::{CrossSection, SectionKeys};
 use crate::case::fields::Schema;
 use crate::case::file_kind::{FileContent, FileKind};
 use crate::case::schema::schema_of;
-use crate::case::{FieldLister, FieldRow, Finding, Mark, Provenance, split};
+use crate::case::{
+    CarriedText, Diagnostic, FieldLister, FieldRow, Finding, Mark, Provenance, SectionText, kind,
+    split,
+};
 
 /// The section file.
 pub static SECTION: LazyLock<Schema> = LazyLock::new(|| {
@@ -47,6 +50,14 @@ impl FileKind for CrossSection {
             row.standing = node.and_then(|node| standing(lister.text.get(node.span.end..)?));
         }
         rows
+    }
+}
+
+impl SectionText for CarriedText {
+    type Design = Design;
+
+    fn design(&self, file: &str) -> Result<Arc<Design>, Vec<Diagnostic>> {
+        self.parsed((), |text| kind::parse_stored::<CrossSection>(text, file))
     }
 }
 
