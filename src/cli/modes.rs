@@ -10,9 +10,10 @@ use super::{
     system_study,
 };
 use seacable_base::visible;
+use seacable_display::chart;
 use seacable_engine::modes;
 use seacable_model::kinds::{FileBytes, FileType};
-use seacable_report::{chart, modes as views, run_json};
+use seacable_report::{modes as views, run_json};
 
 /// Columns and lines of the page.
 const WIDTH: usize = 108;

@@ -13,7 +13,7 @@ use std::{
 use super::{BAD_INPUT, CommandError, inputs};
 use seacable_base::files::{Existing, Target, WriteError};
 use seacable_base::visible;
-use seacable_report::{chart::Glyphs, plain};
+use seacable_display::{chart::Glyphs, plain};
 use seacable_runs::run::store;
 use seacable_tui::terminal::capabilities;
 

@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::output;
-use seacable_report::number::duration;
+use seacable_base::number::duration;
 use seacable_runs::run::Progress;
 
 /// How often the line changes.

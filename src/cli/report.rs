@@ -14,12 +14,12 @@ use super::{
 };
 use seacable_base::files::read;
 use seacable_base::visible;
+use seacable_display::chart::Glyphs;
 use seacable_foreign::import::ImportOptions;
 use seacable_model::case::{Diagnostic, FieldRow, file_kind::FileKind};
 use seacable_model::kinds::{FileBytes, FileType};
 use seacable_model::section::CrossSection;
 use seacable_report::{
-    chart::Glyphs,
     document::ReportFormat,
     subject::{ReportSubject, RunSubject, StudyTable},
     sweep::SweepReport,

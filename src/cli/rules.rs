@@ -11,8 +11,9 @@ use super::{
 };
 use seacable_base::files::read;
 use seacable_base::visible;
+use seacable_display::table::Table;
 use seacable_model::case::{nearest, rule_sets};
-use seacable_report::{rules, table::Table};
+use seacable_report::rules;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct RulesArgs {

@@ -7,10 +7,11 @@ use super::{
     model_args::SectionArgs,
     output::{self, FileFormat, OutputFile},
 };
+use seacable_display::plain;
 use seacable_foreign::import::ImportOptions;
 use seacable_model::kinds::FileBytes;
 use seacable_model::section::{self, CrossSection};
-use seacable_report::{self as report, plain, text::WIDTH};
+use seacable_report::{self as report, text::WIDTH};
 
 pub(super) fn section(args: &SectionArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.file.clone()];

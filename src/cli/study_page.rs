@@ -10,11 +10,12 @@ use super::{
     progress::ProgressLine,
 };
 use seacable_display::chart::{Chart, draw};
+use seacable_display::plain;
 use seacable_display::table::Table;
 use seacable_model::case::{self, Case, QuantityId};
 use seacable_model::kinds::FileBytes;
+use seacable_report::run_json;
 use seacable_report::seas::SeasView;
-use seacable_report::{plain, run_json};
 use seacable_studies::study::points::{BaseCase, PointProgress};
 use seacable_studies::study::results::{main_results, named_result};
 

@@ -15,9 +15,9 @@ use super::{
     signals::StopFlag,
 };
 use seacable_base::visible;
+use seacable_display::chart::Glyphs;
 use seacable_model::case::{Case, EditedKey, StudyPoint, kind};
 use seacable_report::{
-    chart::Glyphs,
     document::{Block, Report},
     run_json, text,
     validation::{self, Extent, JudgedPaper},

@@ -7,7 +7,7 @@ use clap::CommandFactory;
 use strsim::levenshtein;
 
 use super::{CommandError, args::Args};
-use seacable_report::chart::Glyphs;
+use seacable_display::chart::Glyphs;
 use seacable_tui::{self as tui, WorkbenchOptions};
 
 pub(crate) fn open(args: Args) -> Result<ExitCode, CommandError> {

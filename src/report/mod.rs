@@ -1,5 +1,8 @@
 //! What every view shares: tables, charts and the wording of numbers, as plain text.
 
+use seacable_base::number;
+use seacable_display::{chart, plain, table};
+
 pub mod audit;
 pub mod comparison;
 pub mod document;
@@ -30,8 +33,3 @@ pub mod validation;
 pub mod variation;
 pub mod verdict;
 pub mod window;
-
-pub use seacable_base::number;
-pub use seacable_display::chart;
-pub use seacable_display::plain;
-pub use seacable_display::table;

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use seacable::case::kind;
 use seacable::case::shipped::{ROPEWAYS, SECTIONS, SHIPS, SYSTEMS};
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
+use seacable::plain;
 use seacable::report::document::{Block, ReportFormat};
-use seacable::report::plain;
 use seacable::report::subject::ReportSubject;
 use seacable::ropeway::Ropeway;
 use seacable::section::CrossSection;

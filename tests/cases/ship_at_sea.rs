@@ -190,7 +190,7 @@ fn a_ship_at_rest_without_waves_stays_and_its_rope_follows() {
     let rope = sea.rope.unwrap().unwrap();
     assert!(rope.gumbel.is_none() && rope.winch.made_fast.is_ok());
     let page = report(&rest(&text), None, &kind::rows::<Ship>(&text));
-    let page = page.to_text(80, seacable::report::chart::Glyphs::Ascii);
+    let page = page.to_text(80, seacable::chart::Glyphs::Ascii);
     assert!(page.contains("dynamic analysis is still running"));
 }
 

@@ -5,8 +5,9 @@ use std::sync::{LazyLock, atomic::AtomicBool};
 use rayon::prelude::*;
 use seacable::{
     case::{self, Case, StudyPoint, shipped::SHIPPED},
+    chart::Glyphs,
     reference::{self, Outcome, RowKind, ValidationRow},
-    report::{chart::Glyphs, text},
+    report::text,
     run::{
         Run, RunState,
         job::{self, Request},

@@ -14,9 +14,9 @@ use std::time::{Duration, Instant};
 
 use assert_cmd::Command;
 use seacable::case::{self, edit, kind};
+use seacable::chart::Glyphs;
 use seacable::kinds::FileType;
 use seacable::reference;
-use seacable::report::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::job::{self, JobEvent};
 use seacable::run::store::{self, RunLocation, RunWriter};

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use crate::reseal::{reseal, unsealed};
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::store::{RunLocation, RunWriter, StoreError, read};
 use seacable::run::{Run, job, resume_request};

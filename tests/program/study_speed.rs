@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use assert_cmd::Command;
 use seacable::case::{self, Case, Method};
-use seacable::report::chart::{Glyphs, draw};
+use seacable::chart::{Glyphs, draw};
 use seacable::study::speed::{self, SpeedError, SpeedPlan, SpeedStudy};
 
 fn pendulum() -> Case {

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use proptest::prelude::*;
 use seacable::case::{self, shipped::SHIPPED};
-use seacable::report::chart::{
+use seacable::chart::{
     Axis, AxisScale, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series,
     draw, marker, readout,
 };

@@ -1,7 +1,7 @@
 //! Compared runs as tables.
 
+use seacable::chart::Glyphs;
 use seacable::comparison::Comparison;
-use seacable::report::chart::Glyphs;
 use seacable::report::comparison;
 use seacable::report::document::Report;
 use seacable::run::{LineShape, Quantity, Run};

@@ -1,7 +1,7 @@
 //! Tables as people see them, and what must hold at any width.
 
 use proptest::prelude::*;
-use seacable::report::table::{Cell, CellStyle, Column, Table};
+use seacable::table::{Cell, CellStyle, Column, Table};
 use unicode_width::UnicodeWidthStr;
 
 /// Accepted tables live in the top-level `snapshots/`, named by what they show.

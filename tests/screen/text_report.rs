@@ -1,11 +1,7 @@
 //! The text report as it is printed.
 
 use crate::sample;
-use seacable::{
-    case, reference,
-    report::{chart::Glyphs, plain, text},
-    run::Run,
-};
+use seacable::{case, chart::Glyphs, plain, reference, report::text, run::Run};
 
 const CASE: &str = r#"
 [case]

@@ -5,8 +5,8 @@ use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, shipped};
+use seacable::chart::Glyphs;
 use seacable::reference;
-use seacable::report::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::index::RunIndex;
 use seacable::run::store::{self, RunNotes};

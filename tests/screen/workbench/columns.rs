@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use seacable::modes;
-use seacable::report::table::{Table, explanations};
 use seacable::study::hard_cases;
+use seacable::table::{Table, explanations};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::Overlay;

@@ -1,6 +1,6 @@
 //! Commands typed with their arguments.
 
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::tui::Effect;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::Overlay;

@@ -9,8 +9,8 @@ use ratatui::backend::TestBackend;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 use seacable::case;
+use seacable::chart::Glyphs;
 use seacable::kinds::FileType;
-use seacable::report::chart::Glyphs;
 use seacable::run::job::{JobEvent, Request};
 use seacable::run::{
     Channel, Cost, History, LineShape, OutputFrame, Profile, Progress, Quantity, QuantityId, Run,

@@ -37,7 +37,7 @@ mod vary;
 use std::path::PathBuf;
 
 use desk::{Desk, content_of, looks, run, shared};
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::JobEvent;
 use seacable::tui::command_line::candidates::{Candidate, candidates};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use seacable::case::shipped;
 use seacable::kinds::FileType;
-use seacable::report::table::Table;
+use seacable::table::Table;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;
 use seacable::tui::state::parts::{PartKey, PartView};

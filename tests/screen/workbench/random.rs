@@ -1,7 +1,7 @@
 //! Any keys at any size: the screen never breaks.
 
 use proptest::prelude::*;
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::tui::Msg;
 use seacable::tui::key::KeyPress;
 

@@ -11,7 +11,7 @@ use seacable::tui::{Effect, Msg};
 
 use super::desk::{Desk, content_of};
 use super::{LARGE, SMALL, looks, snapshot};
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 
 /// The cable in the regular wave on a coarse mesh, for a shorter time, computed for real.
 fn cable(size: (u16, u16)) -> Desk {

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use seacable::case::kind;
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::ropeway::Ropeway;
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 use seacable::case::kind;
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::ship::{DynamicAnalysis, Ship};
 use seacable::tui::msg::FileRead;
 use seacable::tui::pane::PaneId;

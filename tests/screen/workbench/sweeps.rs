@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 
 use seacable::case::judging_rows::is_judging;
 use seacable::case::{StudyValue, kind};
+use seacable::chart::Glyphs;
 use seacable::kinds::FileType;
-use seacable::report::chart::Glyphs;
 use seacable::run::{Cost, Quantity, RunInfo, RunState, Settings, VERSION, Work};
 use seacable::study::points::{PointOutcome, PointRun};
 use seacable::study::sweep::{

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use seacable::case::kind;
-use seacable::report::chart::Glyphs;
+use seacable::chart::Glyphs;
 use seacable::system::SystemFile;
 use seacable::tui::Msg;
 use seacable::tui::msg::FileRead;
