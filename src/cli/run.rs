@@ -64,7 +64,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         return Ok(verdict::status(found, status(&run, &stop)));
     }
     let mut text = format!("{}\n\n{}", visible::path(&dir), text::summary(&run));
-    if let Some(limits) = limits::of_run(&request.case, &run.profile) {
+    if let Some(limits) = limits::of_run(&request.case, run.profile()) {
         text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));
     }
     if let Some(accuracy) = &run.info.settings.accuracy {

@@ -104,7 +104,7 @@ impl Board {
             JobEvent::Searching(search) => {
                 self.progress_of_run(|progress| progress.search = Some(*search));
             }
-            JobEvent::Started { channels } => {
+            JobEvent::Started { channels, .. } => {
                 self.progress_of_run(|progress| progress.search = None);
                 self.content().begin(channels);
             }
@@ -221,9 +221,7 @@ impl Content {
         let fresh = wanting.map(|follower| &mut follower.fresh);
         for record in fresh.chain([&mut self.record]) {
             record.row(frame.time, &frame.values);
-            if let Some(shape) = &frame.shape {
-                record.shape(shape.clone());
-            }
+            record.add_shapes(&frame.shapes);
         }
     }
 
@@ -266,7 +264,7 @@ mod tests {
         JobEvent::Frame(Box::new(OutputFrame {
             time,
             values: vec![time.sin()],
-            shape: None,
+            shapes: Vec::new(),
             progress: Progress {
                 time,
                 steps: 1,
@@ -278,7 +276,10 @@ mod tests {
     fn begun() -> Board {
         let board = Board::default();
         let channels = vec![ChannelQuantity::X.at("a")];
-        board.event(&JobEvent::Started { channels });
+        board.event(&JobEvent::Started {
+            channels,
+            lines: Vec::new(),
+        });
         board
     }
 

@@ -51,11 +51,14 @@ pub struct Rows {
 #[serde(transparent)]
 pub struct Values(#[serde(serialize_with = "finite", deserialize_with = "or_nan")] pub Vec<f64>);
 
-/// The line at one instant.
+/// A line at one instant.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Shape {
     /// Time \[s\].
     pub time: f64,
+    /// Number of the line.
+    #[serde(default)]
+    pub line: usize,
     /// Coordinates of the nodes \[m\], node by node.
     pub coordinates: Values,
     /// Tensions at the nodes \[N\].
@@ -97,6 +100,7 @@ impl Shape {
     fn of(shape: &LineShape) -> Self {
         Self {
             time: shape.time,
+            line: shape.line,
             coordinates: Values(shape.nodes.iter().flatten().copied().collect()),
             tension: Values(shape.tension.clone()),
         }
@@ -108,6 +112,7 @@ impl From<Shape> for LineShape {
         let coordinates = shape.coordinates.0.chunks_exact(3);
         Self {
             time: shape.time,
+            line: shape.line,
             nodes: coordinates
                 .map(|node| [node[0], node[1], node[2]])
                 .collect(),
@@ -151,11 +156,12 @@ mod tests {
         let mut record = DecimatedRecord::new([ChannelQuantity::Tension.at("a|b")]);
         record.row(0.1, &[1.0 / 3.0]);
         record.row(0.2, &[f64::NAN]);
-        record.shape(LineShape {
+        record.add_shapes(&[LineShape {
             time: 0.2,
+            line: 0,
             nodes: vec![[0.0, -1e-300, 2.0], [0.1, 0.2, 0.3]],
             tension: vec![1e5, 2e5],
-        });
+        }]);
         let text = line(&FromJob::Rows(Rows::of(&record))).unwrap();
         assert!(text.ends_with('\n') && text.lines().count() == 1);
         assert!(text.contains("null"), "{text}");

@@ -57,7 +57,7 @@ impl<'a> PlottedRun<'a> {
     pub fn whole(run: &'a Run, label: &'a str) -> Self {
         let duration = run.info.settings.duration_s;
         Self {
-            profile: (!run.profile.nodes.is_empty()).then_some(&run.profile),
+            profile: (!run.profile().nodes.is_empty()).then_some(run.profile()),
             duration: (duration > 0.0 && run.history.time.len() > 1).then_some(duration),
             ..Self::streamed(&run.history, &run.shapes, label)
         }

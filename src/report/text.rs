@@ -52,7 +52,7 @@ pub fn of_run(run: &Run, case: &Case, rows: &[ValidationRow]) -> Report {
     }
     page.heading("Results");
     results::add_summary(&mut page, run);
-    if let Some(limits) = limits::of_run(case, &run.profile) {
+    if let Some(limits) = limits::of_run(case, run.profile()) {
         page.section("What the sections bear", limits);
     }
     charts::all(&mut page, run, case, rows);

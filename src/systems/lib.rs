@@ -8,7 +8,6 @@ use seacable_model::{kinds, section, templates};
 use seacable_numerics as numerics;
 use seacable_physics as physics;
 use seacable_runs::{reference, run};
-use seacable_statistics::fatigue;
 
 pub mod ropeway;
 pub mod ship;

@@ -503,10 +503,10 @@ fn relay(
         }
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
-            JobEvent::Frame(frame) => recorded().push(*frame),
+            JobEvent::Frame(frame) => recorded().push(&frame),
             JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
             event => {
-                if let JobEvent::Started { channels } = &event {
+                if let JobEvent::Started { channels, .. } = &event {
                     recorded().begin(channels.clone());
                 }
                 out.send(Msg::Job(ticket, Box::new(event)));

@@ -43,8 +43,8 @@ impl LineTable {
     pub fn of(run: &Run) -> Vec<Self> {
         let told = |table: &Self| match table {
             Self::Nodes => true,
-            Self::Response => !run.profile.rms.is_empty(),
-            Self::Waves => !run.profile.wkb_number.is_empty(),
+            Self::Response => !run.profile().rms.is_empty(),
+            Self::Waves => !run.profile().wkb_number.is_empty(),
         };
         let all = [Self::Nodes, Self::Response, Self::Waves];
         all.into_iter().filter(told).collect()
@@ -73,11 +73,11 @@ impl LineTable {
     #[must_use]
     pub fn table(self, run: &Run) -> Table {
         match self {
-            Self::Nodes => nodes::table(&run.profile),
-            Self::Response => response::peaks(&run.profile),
+            Self::Nodes => nodes::table(run.profile()),
+            Self::Response => response::peaks(run.profile()),
             Self::Waves => {
                 let case = facade::parse(&run.case_text, &run.info.case_file);
-                case.map_or_else(|_| Table::default(), |c| response::waves(&c, &run.profile))
+                case.map_or_else(|_| Table::default(), |c| response::waves(&c, run.profile()))
             }
         }
     }
@@ -86,7 +86,7 @@ impl LineTable {
     #[must_use]
     pub fn csv(self, run: &Run) -> String {
         if self == Self::Nodes {
-            return nodes::csv(&run.profile);
+            return nodes::csv(run.profile());
         }
         let mut text = Vec::new();
         // Writing to memory does not fail; what is no text would be shown as such.

@@ -125,14 +125,14 @@ fn share(case: &Case, run: &Run, quantity: &Quantity) -> Option<(f64, &'static s
     };
     match (of, statistic) {
         (Subject::Line(LineQuantity::Tension), Statistic::Max) => {
-            let checks = limits::check(case, &run.profile);
+            let checks = limits::check(case, run.profile());
             let shares = checks
                 .iter()
                 .filter_map(limits::LimitCheck::tension_utilisation);
             Some((shares.reduce(f64::max)?, of_break))
         }
         (Subject::Line(LineQuantity::BendRadius), Statistic::Min) => {
-            let checks = limits::check(case, &run.profile);
+            let checks = limits::check(case, run.profile());
             let shares = checks
                 .iter()
                 .filter_map(limits::LimitCheck::bending_utilisation);

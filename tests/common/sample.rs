@@ -65,6 +65,7 @@ pub(crate) fn run() -> Run {
         .collect();
     let shapes = [0.0, 5.0 / 3.0].map(|time| LineShape {
         time,
+        line: 0,
         nodes: nodes.clone(),
         tension: vec![2.02e6, 0.1, 0.2, 5e-324],
     });
@@ -79,7 +80,7 @@ pub(crate) fn run() -> Run {
             ],
         },
         shapes: shapes.to_vec(),
-        profile: Profile {
+        profiles: vec![Profile {
             arc: vec![0.0, 0.1, 0.2, 0.1 + 0.2],
             nodes,
             tension: vec![1.0, 2.0, 3.0, 4.0 / 3.0],
@@ -88,7 +89,7 @@ pub(crate) fn run() -> Run {
             z_min: vec![-1400.0 / 3.0; 4],
             z_max: vec![1e-17; 4],
             ..Profile::default()
-        },
+        }],
         fatigue: Vec::new(),
         summary: vec![
             quantity(

@@ -48,7 +48,7 @@ fn no_result_depends_on_the_output_times() {
         assert_eq!(often.info.work, rarely.info.work, "{solver}");
         assert_eq!(often.history.time.len(), 241);
         assert_eq!(rarely.history.time, [0.0, 3.0, 6.0, 9.0, 12.0]);
-        assert_eq!(often.profile, rarely.profile, "{solver}");
+        assert_eq!(often.profiles, rarely.profiles, "{solver}");
         assert_eq!(often.summary, rarely.summary, "{solver}");
         for (a, b) in often.history.channels.iter().zip(&rarely.history.channels) {
             assert_eq!((a.peak, a.trough), (b.peak, b.trough), "{solver} {}", a.id);
@@ -82,7 +82,7 @@ fn landing_does_not_depend_on_the_output_times() {
             (often.history.time.len(), rarely.history.time.len()),
             (801, 5)
         );
-        assert_eq!(often.profile, rarely.profile, "{method}");
+        assert_eq!(often.profiles, rarely.profiles, "{method}");
         let landed = often
             .history
             .channel("landing_speed_m_per_s[body]")

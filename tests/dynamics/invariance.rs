@@ -38,7 +38,11 @@ fn manifold_in_digits(threads: usize) -> String {
     );
     format!(
         "{:?} {:?} {:?} {:?} {:?}",
-        run.info.work, run.summary, run.history, run.shapes, run.profile
+        run.info.work,
+        run.summary,
+        run.history,
+        run.shapes,
+        run.profile()
     )
 }
 

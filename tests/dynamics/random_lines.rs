@@ -215,7 +215,7 @@ fn run(text: &str, method: Method, time_step_s: Option<f64>, rho: f64) -> Run {
 fn finite(run: &Run) -> bool {
     let channels = run.history.channels.iter();
     let mut values = channels.flat_map(|c| c.values.iter().chain([&c.peak.0, &c.trough.0]));
-    let p = &run.profile;
+    let p = &run.profile();
     let profile = [
         &p.tension,
         &p.tension_min,
@@ -288,7 +288,7 @@ proptest! {
             RunState::Done => {
                 prop_assert!(finite(&run), "{text}");
                 // Nothing drawn here goes farther, unless it stretches without limit.
-                let far = run.profile.nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+                let far = run.profile().nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
                 let soft = stretches_far(&text);
                 prop_assert!(soft || far < 1e4, "{far} m {:?}\n{text}", run.info.settings);
             }
@@ -312,7 +312,7 @@ proptest! {
         match run.info.state {
             RunState::Done => {
                 prop_assert!(finite(&run), "{text}");
-                let far = run.profile.nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
+                let far = run.profile().nodes.iter().flatten().fold(0.0, |far: f64, x| far.max(x.abs()));
                 prop_assert!(far < 1e4, "{far} m {:?}\n{text}", run.info.settings);
             }
             RunState::Failed => {

@@ -76,7 +76,7 @@ fn stored(request: &Request, from: Option<&ResumedRun>, dir: &Path) -> Run {
 fn assert_same(whole: &Run, resumed: &Run) {
     assert_eq!(resumed.history, whole.history);
     assert_eq!(resumed.shapes, whole.shapes);
-    assert_eq!(resumed.profile, whole.profile);
+    assert_eq!(resumed.profile(), whole.profile());
     assert_eq!(resumed.summary, whole.summary);
     assert!(!whole.fatigue.is_empty());
     assert_eq!(resumed.fatigue, whole.fatigue);

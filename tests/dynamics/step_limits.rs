@@ -170,7 +170,7 @@ fn a_quasi_static_line_is_not_let_astray() {
         solver = { method = "quasi", duration_s = 10.0 }
         "#);
     let far = run
-        .profile
+        .profile()
         .nodes
         .iter()
         .flatten()

@@ -145,7 +145,7 @@ fn a_kill_at_any_moment_leaves_a_whole_run_or_a_partial_one() {
                 RunState::Done => {
                     done += 1;
                     assert_eq!(run.history.time.len(), 101);
-                    assert!(!run.summary.is_empty() && !run.profile.nodes.is_empty());
+                    assert!(!run.summary.is_empty() && !run.profile().nodes.is_empty());
                     assert!(run.info.warnings.iter().all(|w| !w.contains(".csv")));
                 }
                 RunState::Partial => {

@@ -41,12 +41,17 @@ fn begun(root: &Path, rows: usize) -> RunWriter {
 fn give(writer: &mut RunWriter, rows: usize) {
     let run = sample::run();
     let channels: Vec<_> = run.history.channels.iter().map(|c| c.id.clone()).collect();
-    writer.event(&JobEvent::Started { channels }).unwrap();
+    writer
+        .event(&JobEvent::Started {
+            channels,
+            lines: Vec::new(),
+        })
+        .unwrap();
     for i in 0..rows {
         let frame = OutputFrame {
             time: run.history.time[i],
             values: run.history.channels.iter().map(|c| c.values[i]).collect(),
-            shape: (i % 10 == 0).then(|| shape(&run, i)),
+            shapes: (i % 10 == 0).then(|| shape(&run, i)).into_iter().collect(),
             progress: Progress::default(),
         };
         writer.event(&JobEvent::Frame(Box::new(frame))).unwrap();

@@ -74,7 +74,7 @@ fn assert_resumes(dir: &Path) {
     let whole = job::execute(&request, &never, &mut |_| ());
     assert_eq!(resumed.history, whole.history);
     assert_eq!(resumed.shapes, whole.shapes);
-    assert_eq!(resumed.profile, whole.profile);
+    assert_eq!(resumed.profile(), whole.profile());
     assert_eq!(resumed.summary, whole.summary);
 }
 
@@ -83,7 +83,7 @@ fn assert_same(run: &Run) {
     let expected = read(&stored()).unwrap();
     assert_eq!(run.history, expected.history);
     assert_eq!(run.shapes, expected.shapes);
-    assert_eq!(run.profile, expected.profile);
+    assert_eq!(run.profiles, expected.profiles);
     assert_eq!(run.summary, expected.summary);
 }
 
@@ -99,10 +99,10 @@ fn a_run_of_the_version_before_opens_and_reports_and_says_why_it_does_not_resume
         "-"
     );
     assert_eq!(run.shapes.len(), 9);
-    assert_eq!(run.profile.moment.len(), 9);
-    assert_eq!(run.profile.wkb_number.len(), 9);
-    assert!(run.profile.towards_a.is_empty());
-    assert_eq!(run.profile.ropes.stiffness_max.len(), 4);
+    assert_eq!(run.profile().moment.len(), 9);
+    assert_eq!(run.profile().wkb_number.len(), 9);
+    assert!(run.profile().towards_a.is_empty());
+    assert_eq!(run.profile().ropes.stiffness_max.len(), 4);
     let greatest = run.quantity("tension_n[anchor|lower].max").unwrap();
     assert_eq!(greatest.value, 1_631_483.536_216_028_5);
     assert_eq!(greatest.mesh_error, Some(6.225_505_437_934_771));
@@ -164,8 +164,8 @@ fn columns_in_another_order_and_one_less_are_read() {
     let dir = changed(&stored(), less);
     let run = read(dir.path()).unwrap();
     let mut expected = read(&stored()).unwrap();
-    assert_eq!(expected.profile.rms_error.len(), 9);
-    expected.profile.rms_error.clear();
+    assert_eq!(expected.profile().rms_error.len(), 9);
+    expected.profiles[0].rms_error.clear();
     assert_eq!(run, expected);
     let new = computed();
     assert_resumes(changed(&new.path().join("run"), less).path());

@@ -73,11 +73,12 @@ fn swinging(by: f64, nodes: u32) -> Run {
     let arc = || (0..nodes).map(|i| 100.0 * f64::from(i) / f64::from(nodes - 1));
     let shape = |time: f64| LineShape {
         time,
+        line: 0,
         nodes: arc().map(|s| [by * time * s / 100.0, 0.0, -s]).collect(),
         tension: arc().map(|_| 0.0).collect(),
     };
     run.shapes = (0..=4).map(|i| shape(f64::from(i))).collect();
-    run.profile.arc = arc().collect();
+    run.profiles[0].arc = arc().collect();
     run
 }
 

@@ -142,7 +142,7 @@ fn an_empty_run_is_reported_too() {
     let mut run = run();
     run.history = seacable::run::History::default();
     run.shapes.clear();
-    run.profile = seacable::run::Profile::default();
+    run.profiles.clear();
     run.summary.clear();
     let text = report(&run, Glyphs::Braille);
     assert!(text.contains("The run holds no results."));

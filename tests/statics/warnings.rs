@@ -154,7 +154,7 @@ fn slack_line_on_a_slope_needs_friction() {
     );
     let smooth = on("");
     let lowest = smooth
-        .profile
+        .profile()
         .nodes
         .iter()
         .map(|x| x[2])

@@ -30,6 +30,21 @@ pub struct EnergyRates {
     pub dissipated: f64,
     /// `v' (dM/dt) v / 2` of the added mass as it turns and submerges \[W\], the power of no force.
     pub growth: f64,
+    /// Power of the tension on what meshing left too much in end segments that are paid out \[W\].
+    #[serde(default)]
+    pub remeshed: f64,
+}
+
+impl EnergyRates {
+    /// Adds those of another part.
+    pub fn add(&mut self, other: &Self) {
+        self.energy += other.energy;
+        self.kinetic += other.kinetic;
+        self.supplied += other.supplied;
+        self.dissipated += other.dissipated;
+        self.growth += other.growth;
+        self.remeshed += other.remeshed;
+    }
 }
 
 /// A segment as it is read.

@@ -24,7 +24,12 @@ const SLOP: f64 = 1e-9;
 /// What is read here of a checkpoint; the rest is read when the run starts.
 #[derive(Deserialize)]
 struct CheckpointArc {
-    profile: CheckpointProfile,
+    recorded: CheckpointRecord,
+}
+
+#[derive(Deserialize)]
+struct CheckpointRecord {
+    profiles: Vec<CheckpointProfile>,
 }
 
 #[derive(Deserialize)]
@@ -73,7 +78,10 @@ pub(super) fn gather(
         let problem = format!("the checkpoint of {name} cannot be read: {reason}");
         fault(problem, "name another run, or compute that one anew")
     })?;
-    mismatch(case, &checkpoint.profile.arc).map_or(Ok(()), |problem| {
+    // The checkpoint of a system has the lines of that.
+    let lines = &checkpoint.recorded.profiles;
+    let arc = lines.first().map_or(&[][..], |line| &line.arc);
+    mismatch(case, arc).map_or(Ok(()), |problem| {
         let remedy = "start from a run of the same line: sections, lengths and segments";
         Err(fault(problem, remedy))
     })

@@ -42,7 +42,7 @@ impl Moment {
     fn at(a: &Run, b: &Run, shapes: [&[LineShape]; 2], time: f64) -> Option<Self> {
         let [first, second] = shapes_at(shapes[0], shapes[1], time)?;
         let nodes = [first.nodes, second.nodes];
-        let apart = distances((&nodes[0], &a.profile.arc), (&nodes[1], &b.profile.arc))?;
+        let apart = distances((&nodes[0], &a.profile().arc), (&nodes[1], &b.profile().arc))?;
         let gap = apart.into_iter().max_by(|x, y| x.1.total_cmp(&y.1))?;
         Some(Self {
             time: (!at_rest(a)).then_some(time),
@@ -138,8 +138,9 @@ fn shapes_of(run: &Run) -> Vec<LineShape> {
     }
     let rest = LineShape {
         time: 0.0,
-        nodes: run.profile.nodes.clone(),
-        tension: run.profile.tension.clone(),
+        line: 0,
+        nodes: run.profile().nodes.clone(),
+        tension: run.profile().tension.clone(),
     };
     vec![rest]
 }

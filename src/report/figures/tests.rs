@@ -26,6 +26,7 @@ fn history() -> History {
 fn shapes() -> Vec<LineShape> {
     let at = |time: f64, x: f64, z: f64| LineShape {
         time,
+        line: 0,
         nodes: vec![[0.0, 0.0, 0.0], [x, 0.0, z]],
         tension: vec![0.0, 0.0],
     };

@@ -55,12 +55,12 @@ pub(super) fn add_summary(page: &mut Report, run: &Run) {
 
 /// Peaks and valleys of the response, and the waves on the sections.
 pub(super) fn answer(page: &mut Report, run: &Run, case: &Case) {
-    if run.profile.rms.is_empty() {
+    if run.profile().rms.is_empty() {
         return;
     }
-    let peaks = response::peaks(&run.profile);
+    let peaks = response::peaks(run.profile());
     page.section("Peaks and valleys of the response", peaks);
-    let waves = response::waves(case, &run.profile);
+    let waves = response::waves(case, run.profile());
     if !waves.rows.is_empty() {
         page.section("Waves on the line", waves);
     }
@@ -68,8 +68,8 @@ pub(super) fn answer(page: &mut Report, run: &Run, case: &Case) {
 
 /// The line node by node at the end of the run.
 pub(super) fn nodes(page: &mut Report, run: &Run) {
-    if !run.profile.nodes.is_empty() {
-        let nodes = nodes::sampled(&run.profile, NODES);
+    if !run.profile().nodes.is_empty() {
+        let nodes = nodes::sampled(run.profile(), NODES);
         page.section("The line node by node", nodes);
     }
 }

@@ -3,7 +3,7 @@
 use super::{CalibrationBasis, Outcome, ValidationRow, count_outcomes, plan, rows};
 use crate::{
     case::{Case, StudyPoint},
-    run::{Channel, History, Profile, Quantity, Run, RunInfo, RunState, Settings},
+    run::{Channel, History, Quantity, Run, RunInfo, RunState, Settings},
 };
 
 const CASE: &str = r#"
@@ -88,7 +88,7 @@ fn run(quantities: &[(&str, f64, f64)]) -> Run {
             channels: vec![channel],
         },
         shapes: Vec::new(),
-        profile: Profile::default(),
+        profiles: Vec::new(),
         summary: quantities.iter().map(quantity).collect(),
         fatigue: Vec::new(),
     }

@@ -166,7 +166,7 @@ fn unfinished(run: &Run) -> Option<String> {
 
 fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
     match subject {
-        Subject::Line(quantity) if quantity.of_bending() && !run.profile.bends() => {
+        Subject::Line(quantity) if quantity.of_bending() && !run.profile().bends() => {
             format!("Nothing bends in this run, so it has no `{id}`.")
         }
         Subject::Line(quantity) if let Some(reason) = too_few(run, *quantity, id) => reason,
@@ -189,7 +189,7 @@ fn too_few(run: &Run, quantity: LineQuantity, id: &QuantityId) -> Option<String>
         return None;
     };
     let name = quantity.name();
-    let count = |statistic| along_line(&run.profile, quantity, statistic, *within, None);
+    let count = |statistic| along_line(run.profile(), quantity, statistic, *within, None);
     let (count, what) = match statistic {
         Statistic::Peak => (count(Statistic::Peaks)?, "peaks"),
         Statistic::Valley => (

@@ -144,11 +144,12 @@ impl ChannelStatistics {
     pub(super) fn finish(
         self,
         channels: &[Channel],
-        profile: &Profile,
+        profiles: &[Profile],
     ) -> (Vec<(RequestedStatistic, Option<f64>)>, Vec<String>) {
         let number = |w: &RequestedStatistic| match w.of {
             StatisticSource::Channel(index) => self.over_time(index, channels.get(index)?, w),
-            StatisticSource::Line(quantity) => {
+            StatisticSource::Line(number, quantity) => {
+                let profile = profiles.get(number)?;
                 line_statistics::evaluate(profile, quantity, w.statistic, w.window, w.nth)
             }
         };
@@ -340,7 +341,7 @@ mod tests {
             trough: (-9.0, 3.25),
             ..Channel::new(ChannelQuantity::X.at("body"))
         };
-        let (statistics, warnings) = of_channel.finish(&[channel], &Profile::default());
+        let (statistics, warnings) = of_channel.finish(&[channel], &[]);
         assert_eq!(warnings, [""; 0]);
         statistics[0].1
     }

@@ -5,16 +5,10 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::channel_statistics::ChannelSummary;
-use super::energy_balance::EnergyBalance;
-use super::late_samples::LateSamples;
-use super::response::ResponseSums;
-use super::step_interval::LatestSteps;
-use super::touchdown_speed::TouchdownSpeed;
-use super::{Profile, step_envelope};
+use super::recorder_state::RecorderState;
+use super::step_envelope;
 use crate::case::{self, Case};
 use crate::dynamics::{MarchProgress, MethodState};
-use crate::fatigue::spot::SpotCounter;
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
 
@@ -25,25 +19,10 @@ pub struct Checkpoint {
     pub case: BTreeMap<String, String>,
     /// Length of a whole step \[s\].
     pub whole_step_s: f64,
-    /// Interval of the rows of the record \[s\].
-    pub output_interval_s: f64,
-    /// Rows of the record so far.
-    pub rows: u64,
     /// Events of the line so far.
     pub phase: usize,
     /// Newton iterations of the search for the start.
     pub start_iterations: u64,
-    /// Greatest value of every channel so far and its time \[s\].
-    pub peaks: Vec<(f64, f64)>,
-    /// Smallest value of every channel so far and its time \[s\].
-    pub troughs: Vec<(f64, f64)>,
-    /// Statistics of the channels so far.
-    pub summaries: Vec<ChannelSummary>,
-    /// The latest steps, between which rows and statistics are interpolated.
-    pub latest: LatestSteps,
-    /// Touchdown of the line on the bed so far.
-    #[serde(default, rename = "front")]
-    pub touchdown: Option<TouchdownSpeed>,
     /// Warnings of the start.
     pub warnings: Vec<String>,
     /// Position of the time march.
@@ -53,29 +32,15 @@ pub struct Checkpoint {
     /// State of the time integration method.
     #[serde(rename = "carried")]
     pub method_state: MethodState,
-    /// The line node by node, with its envelopes.
-    pub profile: Profile,
-    /// Sums over the displacements, where the case asks for them.
-    #[serde(default)]
-    pub response: Option<ResponseSums>,
-    /// Cycles counted along the line so far, where checks count them.
-    #[serde(default)]
-    pub fatigue: Vec<SpotCounter>,
-    /// The channels shortly before the end, as far as it is reached.
-    #[serde(default)]
-    pub late: LateSamples,
-    /// Energy balance so far, where one is stated.
-    #[serde(default)]
-    pub energy: Option<EnergyBalance>,
+    /// What is recorded so far.
+    pub recorded: RecorderState,
 }
 
 impl Checkpoint {
     /// Time of the state \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.latest
-            .latest()
-            .map_or(self.place.time, |step| step.time)
+        self.recorded.time().unwrap_or(self.place.time)
     }
 
     /// Checks that it is one of this case.
@@ -105,8 +70,10 @@ impl Checkpoint {
     /// # Errors
     /// What does not agree, in words.
     pub(super) fn check(&self, scene: &Scene, channels: usize) -> Result<(), String> {
-        self.check_lists(scene, channels)?;
-        self.check_parts(scene, channels)?;
+        self.check_lists(scene)?;
+        self.recorded
+            .check(channels, &[step_envelope::profile(scene)])?;
+        self.check_parts(scene)?;
         let (state, method) = (&self.state, &self.method_state);
         let vectors = [&state.x, &state.v, &state.a, &method.jerk, &method.x_before];
         let mut numbers = vectors.into_iter().flatten().flat_map(|v| v.iter());
@@ -119,15 +86,13 @@ impl Checkpoint {
     }
 
     /// Checks every list with an entry a node, segment or channel.
-    fn check_lists(&self, scene: &Scene, channels: usize) -> Result<(), String> {
+    fn check_lists(&self, scene: &Scene) -> Result<(), String> {
         let (nodes, segments) = (scene.nodes(), scene.nodes() - 1);
         let (state, memory, method) = (&self.state, &self.state.memory, &self.method_state);
         let needed = [
             ("positions", state.x.len(), nodes),
             ("velocities", state.v.len(), nodes),
             ("accelerations", state.a.len(), nodes),
-            ("greatest values", self.peaks.len(), channels),
-            ("smallest values", self.troughs.len(), channels),
         ];
         let optional = [
             ("friction springs", memory.grips.len(), nodes),
@@ -157,33 +122,15 @@ impl Checkpoint {
         }
     }
 
-    /// Checks what the observers, the bodies and the march left of it.
-    fn check_parts(&self, scene: &Scene, channels: usize) -> Result<(), String> {
-        let nodes = scene.line_nodes();
+    /// Checks what the bodies and the march left of it.
+    fn check_parts(&self, scene: &Scene) -> Result<(), String> {
         let bodies = scene.elements.body_contact.as_ref();
         let bodies = bodies.map_or(0, |contact| contact.bodies.len());
         let known = self.state.memory.bodies.len();
         let parts = [
             ("place in the march", self.place.is_possible()),
-            (
-                "latest steps",
-                self.latest.latest().is_some() && self.latest.fits(channels, nodes),
-            ),
             // A body that was released keeps its history.
             ("bodies on the bed", known == 0 || known >= bodies),
-            (
-                "profile",
-                self.profile.is_like(&step_envelope::profile(scene)),
-            ),
-            (
-                "touchdown",
-                self.touchdown.as_ref().is_none_or(|t| t.fits(nodes)),
-            ),
-            ("last samples", self.late.fits(channels)),
-            (
-                "response",
-                self.response.as_ref().is_none_or(|r| r.fits(nodes)),
-            ),
         ];
         match parts.into_iter().find(|(_, fits)| !fits) {
             Some((what, _)) => Err(format!("its {what} cannot be that of this line")),

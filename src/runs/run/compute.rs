@@ -4,8 +4,8 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::event::{JobEvent, Listener};
+use super::line_recorder::LineRecorder;
 use super::observer::RunRecord;
-use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
 use super::time_march::{MarchResult, phases};
@@ -93,6 +93,7 @@ pub(super) fn compute(
             let channels = case::channels(case).into_iter();
             events(JobEvent::Started {
                 channels: channels.map(|channel| channel.id).collect(),
+                lines: Vec::new(),
             });
             Some(events)
         }
@@ -101,7 +102,7 @@ pub(super) fn compute(
     let (cpu, wall) = (cpu_time(), Instant::now());
     let mut warnings = warnings(&scene, &settings);
     let phases = phases(scene);
-    let mut recorder = Recorder::new(case, &phases[0], events, cancel);
+    let mut recorder = LineRecorder::new(case, &phases[0], events, cancel);
     let outcome = simulate(case, &phases, &settings, &mut recorder, &mut warnings, from);
     let record = recorder.finish();
     let cost = Cost {
@@ -131,7 +132,7 @@ fn evaluate(case: &Case, scene: &Scene, mut computed: Computed) -> Computed {
     let (warnings, record) = (&mut computed.warnings, &mut computed.record);
     let steps = &computed.outcome.lengths;
     set_numerical_damping(&mut computed.settings, scene, steps);
-    warnings.extend(out_of_water(case, &record.profile));
+    warnings.extend(out_of_water(case, record.profile()));
     warnings.append(&mut record.warnings);
     computed.modes = natural_modes::frequencies(case, scene).unwrap_or_else(|why| {
         warnings.push(format!("natural modes are not computed: {why}"));

@@ -24,7 +24,8 @@ pub struct DecimatedRecord {
     span: u64,
     /// Rows recorded since the last complete stretch.
     open: u64,
-    /// Shapes recorded, and every which of them is kept.
+    /// Lines that have shapes, times whose shapes were recorded, and every which of these times is kept.
+    lines: usize,
     drawn: u64,
     stride: u64,
     /// How many numbers the rows kept may hold, where that is fewer than usual; 0 where it is not.
@@ -105,8 +106,8 @@ impl DecimatedRecord {
             let values: Vec<f64> = values.filter_map(|c| c.values.get(row)).copied().collect();
             self.row(*time, &values);
         }
-        for shape in &later.shapes {
-            self.shape(shape.clone());
+        for shapes in later.shapes.chunks(later.lines.max(1)) {
+            self.add_shapes(shapes);
         }
     }
 
@@ -134,26 +135,35 @@ impl DecimatedRecord {
         }
     }
 
-    /// Adds a shape. The newest is always kept.
-    pub fn shape(&mut self, shape: LineShape) {
+    /// Adds the shapes of all lines at a time. The newest are always kept.
+    pub fn add_shapes(&mut self, shapes: &[LineShape]) {
+        if shapes.is_empty() {
+            return;
+        }
+        let lines = shapes.len();
+        self.lines = lines;
         let provisional = self.drawn > 0 && !(self.drawn - 1).is_multiple_of(self.stride);
         if provisional {
-            self.shapes.pop();
+            self.shapes.truncate(self.shapes.len() - lines);
         }
         let nodes = if self.numbers == 0 {
             NODES
         } else {
             self.numbers
         };
-        let room = (nodes / shape.nodes.len().max(1)).max(16);
-        self.shapes.push(shape);
+        let own: usize = shapes.iter().map(|shape| shape.nodes.len()).sum();
+        let room = (nodes / own.max(1)).max(16);
+        self.shapes.extend_from_slice(shapes);
         self.drawn += 1;
-        if self.shapes.len() > room {
+        let times = self.shapes.len() / lines;
+        if times > room {
             self.stride *= 2;
-            let last = self.shapes.len() - 1;
-            let mut number = 0..;
-            self.shapes
-                .retain(|_| number.next().is_some_and(|i| i % 2 == 0 || i == last));
+            let mut numbers = (0..times * lines).map(|shape| shape / lines);
+            self.shapes.retain(|_| {
+                numbers
+                    .next()
+                    .is_some_and(|time| time % 2 == 0 || time == times - 1)
+            });
         }
     }
 
@@ -351,11 +361,12 @@ mod tests {
     fn shapes_are_decimated_evenly_and_the_newest_stays() {
         let mut record = DecimatedRecord::new([]);
         for i in 0..5000 {
-            record.shape(LineShape {
+            record.add_shapes(&[LineShape {
                 time: f64::from(i),
+                line: 0,
                 nodes: vec![[0.0; 3]; 1000],
                 tension: vec![0.0; 1000],
-            });
+            }]);
             assert_eq!(record.shapes.last().map(|s| s.time), Some(f64::from(i)));
             assert!(record.shapes.len() <= 131);
         }

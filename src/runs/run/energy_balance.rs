@@ -3,7 +3,8 @@
 //! The powers of every accepted step ([`Scene::energy_rates`](crate::scene::Scene::energy_rates)) are integrated between the
 //! steps by the parabola of [`StepInterval`]. What is stored is the change of the energy between events: what a release takes along
 //! is neither work nor stored. The drift is numerical only, since every force has its term: it is the error of the method in
-//! time, and falls with its order.
+//! time, and falls with its order. Where segments at ends that are paid out are parted and joined, what comes and goes by it is kept
+//! apart: it is the error of the mesh, which shorter steps leave as it is.
 
 use serde::{Deserialize, Serialize};
 
@@ -40,6 +41,8 @@ pub struct EnergyBalance {
     kinetic: f64,
     /// The greatest energy without its sign.
     greatest: f64,
+    /// What of the drift came and went where segments at ends that are paid out were parted and joined.
+    remeshed: f64,
 }
 
 /// Whether runs of a case have an energy balance: those in time with inertia.
@@ -58,6 +61,7 @@ impl EnergyBalance {
         self.supplied += between.integral(|sample| sample.energy.supplied);
         self.dissipated += between.integral(|sample| sample.energy.dissipated);
         self.growth += between.integral(|sample| sample.energy.growth);
+        self.remeshed += between.integral(|sample| sample.energy.remeshed);
         self.stored += to.energy - from.energy;
         let size =
             |rates: &crate::scene::EnergyRates| rates.supplied.abs() + rates.dissipated.abs();
@@ -67,8 +71,33 @@ impl EnergyBalance {
         self.greatest = self.greatest.max(size);
     }
 
+    /// Takes in what a change of the mesh adds to the energy \[J\].
+    pub(super) fn jump(&mut self, more: f64) {
+        self.stored += more;
+        self.remeshed += more;
+    }
+
+    /// Whether more than half of what does not add up is due to the mesh.
+    #[must_use]
+    pub fn is_of_mesh(&self) -> bool {
+        (self.drift() - self.remeshed).abs() < 0.5 * self.drift().abs()
+    }
+
+    /// Dissipated by drag, axial damping, ropes, the bed and friction \[J\].
+    #[must_use]
+    pub const fn dissipated(&self) -> f64 {
+        self.dissipated
+    }
+
+    /// What does not add up by all that passed through \[-\].
+    #[must_use]
+    pub fn relative_drift(&self) -> f64 {
+        self.drift().abs() / self.passed_through().max(f64::MIN_POSITIVE)
+    }
+
     /// What does not add up \[J\].
-    fn drift(&self) -> f64 {
+    #[must_use]
+    pub fn drift(&self) -> f64 {
         self.stored + self.dissipated - self.supplied - self.growth
     }
 

@@ -110,7 +110,7 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
     let quantity = |(wanted, number): &(RequestedStatistic, Option<f64>)| {
         let of = match wanted.of {
             StatisticSource::Channel(index) => Subject::Channel(channels.get(index)?.id.clone()),
-            StatisticSource::Line(quantity) => Subject::Line(quantity),
+            StatisticSource::Line(_, quantity) => Subject::Line(quantity),
         };
         let id = QuantityId::new(of, wanted.statistic, wanted.window).numbered(wanted.nth);
         Some(Quantity::new(id, (*number)?))
@@ -288,7 +288,7 @@ fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
     for quantity in list {
         let mut least = 0.0;
         if let QuantityId::Statistic { statistic, .. } = &quantity.id {
-            least = line_statistics::resolution(&run.record.profile, *statistic);
+            least = line_statistics::resolution(run.record.profile(), *statistic);
             if quantity.value == 0.0 && is_least_tension(&quantity.id) {
                 least = segment_weight(case);
             }
@@ -299,9 +299,9 @@ fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
 
 /// Errors of the root mean square displacements: sums of the differences in the nearest pairs, each times its factor.
 fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) -> Vec<f64> {
-    let profile = &run.record.profile;
+    let profile = run.record.profile();
     let recorded = |evidence: &&Evidence<'_>| {
-        let mut profiles = evidence.near.iter().map(|run| &run.record.profile);
+        let mut profiles = evidence.near.iter().map(|run| run.record.profile());
         profiles.all(|profile| profile.rms.len() == profile.arc.len() && profile.arc.len() > 1)
     };
     let evidence = evidence.into_iter().zip([growth, 1.0]);
@@ -313,7 +313,7 @@ fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) 
     let error = |s: &f64| {
         let each = evidence.iter().map(|(by, growth)| {
             let [fine, coarse] = by.near.map(|run| {
-                let profile = &run.record.profile;
+                let profile = run.record.profile();
                 linear_clamped(&profile.arc, &profile.rms, *s)
             });
             growth * by.presumed((fine - coarse).abs())

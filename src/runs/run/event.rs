@@ -15,6 +15,8 @@ pub enum JobEvent {
     Started {
         /// In the order of [`OutputFrame::values`].
         channels: Vec<ChannelId>,
+        /// Names of the lines, in the order of their numbers; none of a line by itself.
+        lines: Vec<String>,
     },
     /// The text of the case as it is computed, where a search chose its mesh and its steps: what checkpoints are of.
     Case(String),

@@ -29,7 +29,7 @@ mod tests {
     use super::*;
     use crate::case::{parse, shipped::SHIPPED};
     use crate::run::job::Request;
-    use crate::run::{History, Profile, Quantity};
+    use crate::run::{History, Quantity};
 
     #[test]
     fn a_run_with_a_result_that_is_not_finite_has_failed() {
@@ -54,7 +54,7 @@ mod tests {
             case_text: String::new(),
             history: History::default(),
             shapes: Vec::new(),
-            profile: Profile::default(),
+            profiles: Vec::new(),
             summary: vec![quantity("tension_n.max", 1.0)],
             fatigue: Vec::new(),
         };

@@ -137,14 +137,16 @@ pub fn execute_from(
     if done && case.solver.error_estimate && cancel.load(Ordering::Relaxed) {
         computed.outcome.state = RunState::Cancelled;
     }
-    let checks = limits::check(case, &computed.record.profile);
+    let checks = limits::check(case, computed.record.profile());
     let exceeded = checks.iter().flat_map(limits::LimitCheck::warnings);
     computed.warnings.extend(exceeded);
     computed.warnings.extend(estimates.warnings);
     computed
         .warnings
         .extend(energy_balance::warning(&estimates.summary));
-    computed.record.profile.rms_error = estimates.rms;
+    if let Some(profile) = computed.record.profiles.first_mut() {
+        profile.rms_error = estimates.rms;
+    }
     computed.cost.companions_wall_s = companions.elapsed().as_secs_f64();
     computed.settings.method_reason = reason;
     if let Some(reached) = &reached {
@@ -210,7 +212,7 @@ pub(super) fn assemble(
     let RunRecord {
         history,
         shapes,
-        profile,
+        profiles,
         fatigue,
         ..
     } = computed.record;
@@ -228,7 +230,7 @@ pub(super) fn assemble(
         case_text: stand_alone(&request.text, &request.case).into_owned(),
         history,
         shapes,
-        profile,
+        profiles,
         summary,
         fatigue,
     };

@@ -1,6 +1,8 @@
 //! A run as plain data, complete in itself: the case text it came from, every setting used, results
 //! with units and estimated errors, work and cost. Screen, command line and report only read it.
 
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 
 use super::along::FatigueSpot;
@@ -19,10 +21,10 @@ pub struct Run {
     pub case_text: String,
     /// Channels against time; of a long run some of the output times, see [`DecimatedRecord`](super::DecimatedRecord).
     pub history: History,
-    /// Shapes of the line at chosen instants, oldest first; decimated likewise.
+    /// Shapes of the lines at chosen instants, oldest first; decimated likewise.
     pub shapes: Vec<LineShape>,
-    /// The line at the end of the run, node by node, with envelopes over time.
-    pub profile: Profile,
+    /// The lines at the end of the run, node by node, with envelopes over time.
+    pub profiles: Vec<Profile>,
     /// Single numbers with their estimated numerical errors.
     pub summary: Vec<Quantity>,
     /// The damage along the line, where checks count it.
@@ -35,6 +37,13 @@ impl Run {
     pub fn quantity(&self, name: &str) -> Option<&Quantity> {
         let id = name.parse::<QuantityId>().ok()?;
         self.summary.iter().find(|q| q.id == id)
+    }
+
+    /// The first line node by node; one without nodes where there is none.
+    #[must_use]
+    pub fn profile(&self) -> &Profile {
+        static NONE: LazyLock<Profile> = LazyLock::new(Profile::default);
+        self.profiles.first().unwrap_or(&NONE)
     }
 
     /// Number of output times, those included that the history leaves out.
@@ -234,11 +243,13 @@ impl Channel {
     }
 }
 
-/// The line at one instant.
+/// A line at one instant.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LineShape {
     /// Time \[s\].
     pub time: f64,
+    /// Number of the line, from 0.
+    pub line: usize,
     /// Positions of the nodes \[m\], from A to B.
     pub nodes: Vec<[f64; 3]>,
     /// Tensions at the nodes \[N\]: the mean of the segments that meet there; at an end, its segment's.
@@ -248,6 +259,9 @@ pub struct LineShape {
 /// The line node by node: its state at the end of the run, and envelopes over every step.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
+    /// Name of the line; empty of a line by itself.
+    #[serde(default)]
+    pub line: String,
     /// Unstretched arc length from A \[m\].
     pub arc: Vec<f64>,
     /// Positions \[m\].
@@ -495,8 +509,8 @@ pub struct OutputFrame {
     pub time: f64,
     /// Values of all channels, in their order.
     pub values: Vec<f64>,
-    /// The shape, at the instants at which shapes are stored.
-    pub shape: Option<LineShape>,
+    /// The shapes of the lines, at the instants at which shapes are stored.
+    pub shapes: Vec<LineShape>,
     /// How far the job is.
     pub progress: Progress,
 }

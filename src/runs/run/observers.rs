@@ -1,116 +1,167 @@
 //! The observers of a run, and at which moments each of them acts.
 
-use super::along::AlongCount;
 use super::channel_statistics::ChannelStatistics;
 use super::decimation::DecimatedRecord;
 use super::energy_balance::EnergyBalance;
 use super::late_samples::LateSamples;
-use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
-use super::recorder::OutputTimes;
-use super::requested_statistics::requested;
+use super::lines_along::LinesAlong;
+use super::observer::{LineStep, NodeChange, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
+use super::output_times::OutputTimes;
+use super::recorder_state::RecorderState;
+use super::requested_statistics::{RequestedStatistic, requested};
 use super::response::ResponseSums;
 use super::step_envelope::{self, StepEnvelope};
 use super::step_interval::StepInterval;
 use super::touchdown_speed::TouchdownSpeed;
-use super::{Checkpoint, Profile, energy_balance, wave_decomposition};
-use crate::case::{Case, ChannelSpec, Method};
+use super::{Profile, energy_balance, wave_decomposition};
+use crate::case::{Case, ChannelId, ChannelSpec, Method};
 use crate::fatigue::spot::SpotCounter;
-use crate::scene::Scene;
+use crate::scene::{EnergyRates, Scene};
 
-/// All observers, in the order in which they complete the record: statistics come last, of what the others recorded.
+/// The observers of a line by itself.
 pub(super) fn observers(
     case: &Case,
     scene: &Scene,
     channels: &[ChannelSpec],
 ) -> Vec<Box<dyn Observer>> {
-    let ids = channels.iter().map(|channel| channel.id.clone());
     let rows = match case.solver.method {
         Method::Static => 1,
-        _ => OutputTimes::of(case).rows(),
+        _ => OutputTimes::new(case.solver.duration_s, case.output.interval_s).rows(),
     };
-    vec![
-        Box::new(StepEnvelope),
-        Box::new(TouchdownSpeed::of(scene)),
-        Box::new(AlongCount::of_case(case, scene)),
+    let mut all = of_lines(ObservedRun {
+        channels: channels.iter().map(|channel| channel.id.clone()).collect(),
+        scenes: &[scene],
+        along: LinesAlong::of_case(case, scene),
+        balances: energy_balance::is_stated(case),
+        duration: case.solver.duration_s,
+        rows,
+        statistics: requested(case, channels),
+    });
+    let response: [Box<dyn Observer>; 2] = [
         Box::new(ResponseSums::of(case)),
         Box::new(WaveDecomposition),
-        Box::new(energy_balance::is_stated(case).then(EnergyBalance::default)),
-        Box::new(LateSamples::of(case.solver.duration_s, channels.len())),
-        Box::new(DecimatedRecord::new(ids).with_room_for(rows)),
-        Box::new(ChannelStatistics::new(requested(case, channels))),
+    ];
+    all.splice(AFTER_STEPS..AFTER_STEPS, response);
+    all
+}
+
+/// What the observers of a run are made for.
+pub struct ObservedRun<'a> {
+    /// The channels.
+    pub channels: Vec<ChannelId>,
+    /// The lines before the first step.
+    pub scenes: &'a [&'a Scene],
+    /// The cycles counted along them.
+    pub along: LinesAlong,
+    /// Whether the energy balance is read.
+    pub balances: bool,
+    /// The end of the run \[s\].
+    pub duration: f64,
+    /// Number of rows.
+    pub rows: usize,
+    /// The statistics that it asks for.
+    pub statistics: Vec<RequestedStatistic>,
+}
+
+/// How many of the observers complete the profiles by the last state, before any other reads them.
+const AFTER_STEPS: usize = 3;
+
+/// The observers of every run, in the order in which they complete the record: statistics come last, of what the others recorded.
+#[must_use]
+pub fn of_lines(run: ObservedRun<'_>) -> Vec<Box<dyn Observer>> {
+    let scenes = run.scenes.iter().copied();
+    let touchdown: Vec<TouchdownSpeed> = scenes.map(TouchdownSpeed::of).collect();
+    let late = LateSamples::of(run.duration, run.channels.len());
+    vec![
+        Box::new(StepEnvelope),
+        Box::new(touchdown),
+        Box::new(run.along),
+        Box::new(run.balances.then(EnergyBalance::default)),
+        Box::new(late),
+        Box::new(DecimatedRecord::new(run.channels).with_room_for(run.rows)),
+        Box::new(ChannelStatistics::new(run.statistics)),
     ]
 }
 
 impl Observer for StepEnvelope {
-    fn accepted_step(&mut self, at: &Observation<'_>, profile: &mut Profile) {
+    fn accepted_step(&mut self, at: &LineStep<'_>, profile: &mut Profile) {
         self.step(at.scene, at.state, profile);
     }
 
-    fn interval(&mut self, between: &StepInterval<'_>, profile: &mut Profile) {
-        self.widen(between, profile);
+    fn interval(&mut self, between: &StepInterval<'_>, profiles: &mut [Profile]) {
+        self.widen(between, profiles);
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        if let Some(state) = end.state {
-            step_envelope::end(end.last, state, &mut record.profile);
+        for (line, profile) in end.lines.iter().zip(&mut record.profiles) {
+            if let Some(state) = line.state {
+                step_envelope::end(line.scene, state, profile);
+            }
         }
     }
 }
 
-impl Observer for Option<AlongCount> {
-    fn accepted_step(&mut self, at: &Observation<'_>, _: &mut Profile) {
-        if let Some(count) = self {
-            count.step(at.scene, at.time, at.state);
-        }
+impl Observer for LinesAlong {
+    fn accepted_step(&mut self, at: &LineStep<'_>, _: &mut Profile) {
+        self.step(at);
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        let counters = self.as_ref().map(AlongCount::counters);
-        checkpoint.fatigue = counters.unwrap_or_default().to_vec();
+    fn save(&self, state: &mut RecorderState) {
+        state.fatigue = self.counters().cloned().collect();
     }
 
-    fn fits(&self, checkpoint: &Checkpoint) -> bool {
-        let counters = self.as_ref().map_or(0, |count| count.counters().len());
+    fn fits(&self, state: &RecorderState) -> bool {
         let sound = |counter: &SpotCounter| counter.is_sound();
-        checkpoint.fatigue.len() == counters && checkpoint.fatigue.iter().all(sound)
+        state.fatigue.len() == self.counters().count() && state.fatigue.iter().all(sound)
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        if let Some(count) = self {
-            count.restore(&checkpoint.fatigue);
-        }
+    fn restore(&mut self, state: &RecorderState) {
+        self.restore(&state.fatigue);
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        let Some(count) = *self else { return };
-        let (found, missing) = count.finish(&end.last.line.arc);
+        let arc = |number: usize| end.lines[number].scene.line.arc.as_slice();
+        let (found, missing) = (*self).finish(arc);
         record.fatigue = found;
         record.warnings.extend(missing);
     }
 }
 
-impl Observer for TouchdownSpeed {
-    fn accepted_step(&mut self, at: &Observation<'_>, _: &mut Profile) {
-        self.update(at.scene, at.time, at.state);
-    }
-
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.touchdown = Some(self.clone());
-    }
-
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        if let Some(known) = &checkpoint.touchdown {
-            self.clone_from(known);
+/// Line by line.
+impl Observer for Vec<TouchdownSpeed> {
+    fn accepted_step(&mut self, at: &LineStep<'_>, _: &mut Profile) {
+        if let Some(line) = self.get_mut(at.number) {
+            line.update(at.scene, at.time, at.state);
         }
     }
 
+    fn node_change(&mut self, change: NodeChange) {
+        if let Some(line) = self.get_mut(change.line) {
+            line.change_node(change.node, change.comes);
+        }
+    }
+
+    fn save(&self, state: &mut RecorderState) {
+        state.touchdown.clone_from(self);
+    }
+
+    fn fits(&self, state: &RecorderState) -> bool {
+        state.touchdown.len() == self.len()
+    }
+
+    fn restore(&mut self, state: &RecorderState) {
+        self.clone_from(&state.touchdown);
+    }
+
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
-        record.warnings.extend(self.warning());
+        let lines = self.iter().zip(&record.profiles);
+        let warnings = lines.filter_map(|(touchdown, profile)| touchdown.warning(&profile.line));
+        record.warnings.extend(warnings);
     }
 }
 
 impl Observer for Option<ResponseSums> {
-    fn reads_line(&self) -> bool {
+    fn reads_lines(&self) -> bool {
         self.is_some()
     }
 
@@ -120,59 +171,69 @@ impl Observer for Option<ResponseSums> {
         }
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.response.clone_from(self);
+    fn save(&self, state: &mut RecorderState) {
+        state.response.clone_from(self);
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
+    fn restore(&mut self, state: &RecorderState) {
         // Without the sums of what was recorded before, half a window would count as a whole one.
         let unbegun = self.take();
-        let unbegun = unbegun.filter(|r| r.begins_after(checkpoint.time()));
-        *self = checkpoint.response.clone().or(unbegun);
+        let unbegun = unbegun.filter(|r| r.begins_after(state.time().unwrap_or_default()));
+        *self = state.response.clone().or(unbegun);
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        let Some(response) = *self else { return };
-        let segments = &end.last.line.segments;
+        let (Some(response), Some(line)) = (*self, end.lines.first()) else {
+            return;
+        };
+        let segments = &line.scene.line.segments;
         let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
-        let diameters: Vec<f64> = (0..record.profile.arc.len()).map(diameter).collect();
-        response.finish(&diameters, &mut record.profile);
+        if let Some(profile) = record.profiles.first_mut() {
+            let diameters: Vec<f64> = (0..profile.arc.len()).map(diameter).collect();
+            response.finish(&diameters, profile);
+        }
     }
 }
 
 impl Observer for Option<EnergyBalance> {
-    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut [Profile]) {
         if let Some(balance) = self {
             balance.update(between);
         }
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.energy = *self;
+    fn energy_jump(&mut self, before: &EnergyRates, after: &EnergyRates) {
+        if let Some(balance) = self {
+            balance.jump(after.energy - before.energy);
+        }
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
+    fn save(&self, state: &mut RecorderState) {
+        state.energy = *self;
+    }
+
+    fn restore(&mut self, state: &RecorderState) {
         // Without what passed before, the rest would count as the whole.
-        *self = checkpoint.energy;
+        *self = state.energy;
     }
 
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
-        let balance = self.map_or_else(Vec::new, |balance| balance.quantities());
-        record.energy = balance;
+        record.energy = self.map_or_else(Vec::new, |balance| balance.quantities());
+        record.balance = *self;
     }
 }
 
 impl Observer for LateSamples {
-    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut [Profile]) {
         self.update(between);
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.late.clone_from(self);
+    fn save(&self, state: &mut RecorderState) {
+        state.late.clone_from(self);
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        self.restore(&checkpoint.late);
+    fn restore(&mut self, state: &RecorderState) {
+        self.restore(&state.late);
     }
 
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
@@ -185,30 +246,31 @@ struct WaveDecomposition;
 
 impl Observer for WaveDecomposition {
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        wave_decomposition::decompose_response(end.case, end.initial, &mut record.profile);
+        if let (Some((case, scene)), Some(profile)) = (end.single_line, record.profiles.first_mut())
+        {
+            wave_decomposition::decompose_response(case, scene, profile);
+        }
     }
 }
 
 impl Observer for DecimatedRecord {
-    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut [Profile]) {
         self.widen_extremes(between);
     }
 
     fn row(&mut self, row: &RecordRow<'_>) {
         self.row(row.time, row.values);
-        if let Some(shape) = row.shape {
-            self.shape(shape.clone());
-        }
+        self.add_shapes(row.shapes);
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
+    fn save(&self, state: &mut RecorderState) {
         let channels = || self.history().channels.iter();
-        checkpoint.peaks = channels().map(|c| c.peak).collect();
-        checkpoint.troughs = channels().map(|c| c.trough).collect();
+        state.peaks = channels().map(|c| c.peak).collect();
+        state.troughs = channels().map(|c| c.trough).collect();
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        let known = checkpoint.peaks.iter().zip(&checkpoint.troughs);
+    fn restore(&mut self, state: &RecorderState) {
+        let known = state.peaks.iter().zip(&state.troughs);
         for (channel, (peak, trough)) in self.channels_mut().iter_mut().zip(known) {
             (channel.peak, channel.trough) = (*peak, *trough);
         }
@@ -220,7 +282,7 @@ impl Observer for DecimatedRecord {
 }
 
 impl Observer for ChannelStatistics {
-    fn interval(&mut self, between: &StepInterval<'_>, _: &mut Profile) {
+    fn interval(&mut self, between: &StepInterval<'_>, _: &mut [Profile]) {
         self.interval(between);
     }
 
@@ -228,23 +290,23 @@ impl Observer for ChannelStatistics {
         self.row(row.time, row.values);
     }
 
-    fn save(&self, checkpoint: &mut Checkpoint) {
-        checkpoint.summaries = self.summaries();
+    fn save(&self, state: &mut RecorderState) {
+        state.summaries = self.summaries();
     }
 
-    fn fits(&self, checkpoint: &Checkpoint) -> bool {
-        checkpoint.summaries.len() == self.series()
+    fn fits(&self, state: &RecorderState) -> bool {
+        state.summaries.len() == self.series()
     }
 
-    fn restore(&mut self, checkpoint: &Checkpoint) {
-        self.restore(&checkpoint.summaries, checkpoint.time());
+    fn restore(&mut self, state: &RecorderState) {
+        self.restore(&state.summaries, state.time().unwrap_or_default());
     }
 
     fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
         let RunRecord {
-            history, profile, ..
+            history, profiles, ..
         } = record;
-        let (statistics, warnings) = (*self).finish(&history.channels, profile);
+        let (statistics, warnings) = (*self).finish(&history.channels, profiles);
         record.statistics = statistics;
         record.warnings.extend(warnings);
     }

@@ -1,42 +1,41 @@
-//! Records a run: reads the channels of every accepted step, and passes them and what lies between to the observers. Rows are
-//! written at the output times, which change no step.
+//! Records a run while it marches through time: rows at output times, shapes at their interval, statistics of every step; passes
+//! the rows on.
+//!
+//! What lies between two steps is interpolated with the steps around them ([`step_interval`](super::step_interval)): it is
+//! taken in once the next step is known, one step late.
 
-use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::channel_reading::ChannelReading;
 use super::event::{JobEvent, Listener};
-use super::observer::{Observation, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
-use super::observers::observers;
+use super::observer::{LineStep, NodeChange, Observer, OutputSample, RecordRow, RunEnd, RunRecord};
+use super::output_times::OutputTimes;
+use super::recorded::Recorded;
+use super::recorder_state::RecorderState;
+use super::replay;
 use super::step_interval::{LatestSteps, StepInterval, StepSample};
-use super::store::{CHECKPOINT, StoreError};
-use super::{
-    Checkpoint, LineShape, OutputFrame, Progress, ResumedRun, energy_balance, replay, step_envelope,
-};
-use crate::case::{self, Case, ChannelQuantity, ChannelSpec, Method};
-use crate::scene::Scene;
-use crate::solve::{AcceptedStep, Kinematics, Progressing, Sink, State};
+use super::store::StoreError;
+use super::{LineShape, OutputFrame, Profile, Progress, step_envelope};
+use crate::case::{ChannelId, ChannelQuantity};
+use crate::numerics::V3;
+use crate::scene::EnergyRates;
+use crate::solve::Progressing;
 
-/// Records a run. Between output times a step costs the tensions of the line and no allocation.
-pub(super) struct Recorder<'a> {
-    case: &'a Case,
-    /// Its digests, once a checkpoint needs them.
-    digests: Option<BTreeMap<String, String>>,
-    initial: &'a Scene,
-    scene: &'a Scene,
-    channels: Vec<ChannelSpec>,
+/// Records a run. Between output times a step costs the tensions of the lines and no allocation.
+pub struct Recorder<'a> {
+    channels: Vec<ChannelId>,
     latest: LatestSteps,
     /// Whether the energy balance is read: that of a dynamic run.
     balances: bool,
     /// Which channels are nowhere negative: tensions.
     positive: Vec<bool>,
-    /// The values of the channels at an output time, and the line there where it is read.
+    /// The values of the channels at an output time, and the lines there where they are read.
     row: StepSample,
-    /// Whether an observer reads the line at every output time.
-    reads_line: bool,
+    /// Whether an observer reads the lines at every output time.
+    reads_lines: bool,
     /// Rows recorded so far.
     rows: u64,
     output_times: OutputTimes,
+    shape_interval: Option<f64>,
     /// The first value that is not finite, in words: what ends the run.
     fault: Option<String>,
     observers: Vec<Box<dyn Observer>>,
@@ -44,8 +43,6 @@ pub(super) struct Recorder<'a> {
     /// Time of the latest shape \[s\].
     latest_shape: Option<f64>,
     duration: f64,
-    /// The state at the end.
-    end: Option<State>,
     clock: std::time::Instant,
     progress: Progress,
     /// Receives every output time.
@@ -53,42 +50,59 @@ pub(super) struct Recorder<'a> {
     cancel: &'a AtomicBool,
 }
 
+/// What a run records.
+pub struct RecorderPlan {
+    /// Its channels.
+    pub channels: Vec<ChannelId>,
+    /// Its lines before the first step.
+    pub profiles: Vec<Profile>,
+    /// What records more of it.
+    pub observers: Vec<Box<dyn Observer>>,
+    /// Whether the energy balance is read.
+    pub balances: bool,
+    /// When rows are due.
+    pub output_times: OutputTimes,
+    /// The least time between two shapes \[s\]; none where no shapes are kept.
+    pub shape_interval: Option<f64>,
+    /// Its end \[s\].
+    pub duration: f64,
+}
+
 impl<'a> Recorder<'a> {
     /// A recorder for one run.
-    pub(super) fn new(
-        case: &'a Case,
-        scene: &'a Scene,
-        events: Listener<'a>,
-        cancel: &'a AtomicBool,
-    ) -> Self {
-        let channels = case::channels(case);
-        let at_rest = case.solver.method == Method::Static;
-        let observers = observers(case, scene, &channels);
+    #[must_use]
+    pub fn new(plan: RecorderPlan, events: Listener<'a>, cancel: &'a AtomicBool) -> Self {
+        let RecorderPlan {
+            channels,
+            profiles,
+            observers,
+            balances,
+            output_times,
+            shape_interval,
+            duration,
+        } = plan;
+        let nodes = profiles.iter().map(|profile| profile.arc.len()).sum();
         Self {
-            case,
-            digests: None,
-            initial: scene,
-            scene,
-            reads_line: observers.iter().any(|observer| observer.reads_line()),
+            reads_lines: observers.iter().any(|observer| observer.reads_lines()),
             observers,
             record: RunRecord {
-                profile: step_envelope::profile(scene),
+                profiles,
                 ..RunRecord::default()
             },
-            balances: energy_balance::is_stated(case),
-            latest: LatestSteps::new(channels.len(), scene.line_nodes()),
+            balances,
+            latest: LatestSteps::new(channels.len(), nodes),
             positive: channels
                 .iter()
-                .map(|channel| channel.id.quantity == ChannelQuantity::Tension)
+                .map(|id| id.quantity == ChannelQuantity::Tension)
                 .collect(),
-            row: StepSample::new(channels.len(), scene.line_nodes()),
+            row: StepSample::new(channels.len(), nodes),
             rows: 0,
-            output_times: OutputTimes::of(case),
+            output_times,
+            shape_interval,
             fault: None,
             channels,
             latest_shape: None,
-            duration: if at_rest { 0.0 } else { case.solver.duration_s },
-            end: None,
+            duration,
             clock: std::time::Instant::now(),
             progress: Progress::default(),
             events,
@@ -97,162 +111,236 @@ impl<'a> Recorder<'a> {
     }
 
     /// The flag that stops the run.
-    pub(super) fn cancel(&self) -> &'a AtomicBool {
+    #[must_use]
+    pub fn cancel(&self) -> &'a AtomicBool {
         self.cancel
     }
 
-    /// Completes a checkpoint by the state of the observers, and sends it.
-    pub(super) fn send_checkpoint(&mut self, mut checkpoint: Checkpoint) {
-        let Some(events) = self.events.as_mut().filter(|_| self.fault.is_none()) else {
-            return;
-        };
-        let digests = self.digests.get_or_insert_with(|| case::digests(self.case));
-        checkpoint.case.clone_from(digests);
-        checkpoint.profile = self.record.profile.clone();
-        checkpoint.output_interval_s = self.output_times.interval;
-        checkpoint.rows = self.rows;
-        checkpoint.latest = self.latest.clone();
-        for observer in &self.observers {
-            observer.save(&mut checkpoint);
-        }
-        events(JobEvent::Checkpoint(Box::new(checkpoint)));
+    /// The channels.
+    #[must_use]
+    pub fn channels(&self) -> &[ChannelId] {
+        &self.channels
     }
 
-    /// Continues from a checkpoint: the rows recorded before it are recorded and sent again, and it with them, so that the new run
-    /// can be resumed before it has one of its own.
+    /// When rows are due.
+    #[must_use]
+    pub const fn output_times(&self) -> OutputTimes {
+        self.output_times
+    }
+
+    /// Time of the last step \[s\].
+    #[must_use]
+    pub fn reached(&self) -> f64 {
+        self.latest.latest().map_or(0.0, |step| step.time)
+    }
+
+    /// Why the run cannot go on: the first value that is not finite, with its time.
+    #[must_use]
+    pub fn fault(&self) -> Option<&str> {
+        self.fault.as_deref()
+    }
+
+    /// Whether anybody listens, and nothing is wrong: what a checkpoint is sent by.
+    #[must_use]
+    pub fn takes_checkpoints(&self) -> bool {
+        self.events.is_some() && self.fault.is_none()
+    }
+
+    /// Sends an event.
+    pub fn send(&mut self, event: JobEvent) {
+        if let Some(events) = &mut self.events {
+            events(event);
+        }
+    }
+
+    /// What is recorded so far, but for the rows.
+    #[must_use]
+    pub fn state(&self) -> RecorderState {
+        let mut state = RecorderState {
+            output_interval_s: self.output_times.interval,
+            rows: self.rows,
+            latest: self.latest.clone(),
+            profiles: self.record.profiles.clone(),
+            ..RecorderState::default()
+        };
+        for observer in &self.observers {
+            observer.save(&mut state);
+        }
+        state
+    }
+
+    /// Whether every observer finds in a state what it needs.
+    #[must_use]
+    pub fn fits(&self, state: &RecorderState) -> bool {
+        self.observers.iter().all(|observer| observer.fits(state))
+    }
+
+    /// Continues from a state: the rows recorded before it in this run directory are recorded and sent again.
     ///
     /// # Errors
-    /// The earlier record does not reach the checkpoint, or the checkpoint is not that of this line.
-    pub(super) fn restore(&mut self, from: &ResumedRun) -> Result<(), StoreError> {
-        let mut observers = self.observers.iter();
-        if !observers.all(|observer| observer.fits(&from.checkpoint)) {
-            return Err(StoreError::Damaged {
-                file: from.dir.join(CHECKPOINT),
-                reason:
-                    "it does not belong to this case: it has not the statistics of its channels"
-                        .to_owned(),
-            });
-        }
-        let ids: Vec<_> = self.channels.iter().map(|c| c.id.clone()).collect();
-        replay::replay(from, &ids, &mut |time, values, shape| {
+    /// The earlier record does not reach the state.
+    pub fn restore(
+        &mut self,
+        state: &RecorderState,
+        dir: &std::path::Path,
+    ) -> Result<(), StoreError> {
+        let ids = self.channels.clone();
+        replay::replay(dir, state, &ids, &mut |time, values, shapes| {
             self.row.values.copy_from_slice(values);
             self.progress = Progress {
                 time,
                 duration: self.duration,
                 ..self.progress
             };
-            self.record_row(time, shape);
+            self.record_row(time, shapes);
         })?;
         for observer in &mut self.observers {
-            observer.restore(&from.checkpoint);
+            observer.restore(state);
         }
-        self.latest.clone_from(&from.checkpoint.latest);
-        self.record.profile.clone_from(&from.checkpoint.profile);
-        if let Some(events) = &mut self.events {
-            events(JobEvent::Checkpoint(Box::new(from.checkpoint.clone())));
-        }
+        self.latest.clone_from(&state.latest);
+        self.record.profiles.clone_from(&state.profiles);
+        self.size_row();
         Ok(())
     }
 
-    /// Takes in what is left before the line changes by an event.
-    pub(super) fn leave(&mut self) {
+    /// Takes in an accepted step, the `steps`th.
+    pub fn accept<R: Recorded>(
+        &mut self,
+        recorded: &R,
+        time: f64,
+        state: &R::State,
+        steps: u64,
+    ) -> Progressing {
+        self.read(recorded, time, state);
+        if self.fault.is_some() {
+            return Progressing::Stop;
+        }
+        for (number, profile) in self.record.profiles.iter_mut().enumerate() {
+            let (scene, state) = recorded.line(number, state);
+            let at = LineStep {
+                number,
+                scene,
+                time,
+                state,
+            };
+            for observer in &mut self.observers {
+                observer.accepted_step(&at, profile);
+            }
+        }
+        self.progress.steps = steps;
+        if self.rows == 0 {
+            if let Some(first) = self.latest.latest() {
+                self.row.clone_from(first);
+            }
+            self.output(time);
+        }
+        self.take_in_interval(false);
+        if self.cancel.load(Ordering::Relaxed) {
+            Progressing::Stop
+        } else {
+            Progressing::Continue
+        }
+    }
+
+    /// Ends a stretch of smooth motion: what follows begins anew, from the state after a jump.
+    pub fn jump<R: Recorded>(&mut self, recorded: &R, time: f64, state: &R::State) {
+        self.leave();
+        self.read(recorded, time, state);
+    }
+
+    /// The same after a node has come or gone, which changes the energy of a line.
+    pub fn remesh<R: Recorded>(
+        &mut self,
+        recorded: &R,
+        time: f64,
+        state: &R::State,
+        change: NodeChange,
+    ) {
+        let before = self.latest.latest().map(|step| step.energy);
+        self.leave();
+        if let Some(profile) = self.record.profiles.get_mut(change.line) {
+            step_envelope::change_node(profile, change);
+        }
+        for observer in &mut self.observers {
+            observer.node_change(change);
+        }
+        self.latest = LatestSteps::new(self.channels.len(), recorded.nodes(state));
+        self.size_row();
+        self.read(recorded, time, state);
+        let after = self.latest.latest().map(|step| step.energy);
+        if let (Some(before), Some(after)) = (before, after) {
+            for observer in &mut self.observers {
+                observer.energy_jump(&before, &after);
+            }
+        }
+    }
+
+    /// Takes in what is left before a change.
+    pub fn leave(&mut self) {
         self.take_in_interval(true);
         self.latest.clear();
     }
 
-    /// Continues with the line as it is after an event, from this state on.
-    pub(super) fn enter(&mut self, scene: &'a Scene, time: f64, state: &State) {
-        self.scene = scene;
-        self.read(time, state);
-    }
-
-    /// The case.
-    pub(super) fn case(&self) -> &Case {
-        self.case
-    }
-
-    /// Number of channels.
-    pub(super) fn channels(&self) -> usize {
-        self.channels.len()
-    }
-
-    /// Continues with the line as it was at a checkpoint.
-    pub(super) fn resume_with(&mut self, scene: &'a Scene) {
-        self.scene = scene;
-    }
-
     /// Takes in what is left at the end.
-    pub(super) fn end(&mut self, state: &State) {
+    pub fn end(&mut self) {
         self.take_in_interval(true);
-        self.end = self.fault.is_none().then(|| state.clone());
     }
 
-    /// Why the run cannot go on: the first value that is not finite, with its time.
-    pub(super) fn fault(&self) -> Option<String> {
-        self.fault.clone()
+    /// Sets the energy of the latest step.
+    pub(super) fn set_energy(&mut self, energy: EnergyRates) {
+        if let Some(latest) = self.latest.latest_mut() {
+            latest.energy = energy;
+        }
+    }
+
+    /// Whether nothing is recorded yet, and the energy is.
+    pub(super) fn begins_balance(&self) -> bool {
+        self.balances && self.rows == 0 && self.fault.is_none()
     }
 
     /// The complete record of the run.
-    pub(super) fn finish(self) -> RunRecord {
-        let end = RunEnd {
-            case: self.case,
-            initial: self.initial,
-            last: self.scene,
-            state: self.end.as_ref(),
-        };
+    #[must_use]
+    pub fn finish(self, end: &RunEnd<'_>) -> RunRecord {
         let mut record = self.record;
         for observer in self.observers {
-            observer.finish(&end, &mut record);
+            observer.finish(end, &mut record);
         }
         record
     }
 
+    /// Room for a row of as many nodes as steps have.
+    fn size_row(&mut self) {
+        let nodes = self.latest.nodes();
+        self.row.tension.resize(nodes, 0.0);
+        self.row.nodes.resize(nodes, V3::zeros());
+    }
+
     /// Reads an accepted step into the latest ones.
-    fn read(&mut self, time: f64, state: &State) {
+    pub(super) fn read<R: Recorded>(&mut self, recorded: &R, time: f64, state: &R::State) {
         let sample = self.latest.next();
         sample.time = time;
-        let StepSample {
-            values,
-            tension,
-            nodes,
-            energy,
-            ..
-        } = sample;
-        *energy = self.scene.read_step(time, state, self.balances, tension);
-        let mut reading = ChannelReading::new(self.scene, time, state, tension);
-        for (value, channel) in values.iter_mut().zip(&self.channels) {
-            let read = reading.channel(channel.id.quantity, channel.site);
-            *value = read.unwrap_or(f64::NAN);
-        }
-        let wild = values.iter().position(|value| !value.is_finite());
-        let fault = match wild {
-            Some(channel) => Some(self.channels[channel].id.to_string()),
-            None => tension
+        recorded.read(time, state, self.balances, sample);
+        let wild = sample.values.iter().position(|value| !value.is_finite());
+        let wild = match wild {
+            Some(channel) => Some(self.channels[channel].to_string()),
+            None => sample
+                .tension
                 .iter()
                 .position(|tension| !tension.is_finite())
-                .map(|node| format!("the tension at node {node}")),
+                .map(|node| tension_in_words(&self.record.profiles, node)),
         };
-        let known = nodes.len();
-        nodes.copy_from_slice(&state.x[..known]);
-        if let Some(what) = fault {
+        let mut first = 0;
+        for number in 0..recorded.lines() {
+            let (scene, state) = recorded.line(number, state);
+            let count = scene.line_nodes();
+            sample.nodes[first..first + count].copy_from_slice(&state.x[..count]);
+            first += count;
+        }
+        if let Some(what) = wild {
             // Nothing is recorded of such a step.
             self.latest.forget_latest();
             self.fault
                 .get_or_insert_with(|| format!("{what} is not finite at t = {time:.6} s"));
-            return;
-        }
-        if self.balances && self.rows == 0 {
-            self.begin_balance(time, state);
-        }
-    }
-
-    /// Reads the energy of the first state with its ends in motion: a line at rest whose ends move from time zero on is pulled along
-    /// at once, and the kinetic energy of the ends themselves is no work of a force.
-    fn begin_balance(&mut self, time: f64, state: &State) {
-        let mut moving = state.clone();
-        self.scene.prescribe(time, &mut moving);
-        if let Some(first) = self.latest.latest_mut() {
-            first.energy = self.scene.energy_rates(time, &moving);
         }
     }
 
@@ -269,15 +357,15 @@ impl<'a> Recorder<'a> {
             return;
         };
         for observer in observers {
-            observer.interval(&between, &mut self.record.profile);
+            observer.interval(&between, &mut self.record.profiles);
         }
         let until = between.time()[1];
         while let Some(time) = self.output_times.due(self.rows, until) {
-            let reads_line = self.reads_line || self.shape_is_due(time);
+            let reads_lines = self.reads_lines || self.shape_is_due(time);
             if let Some(between) = interval(&self.latest, &self.positive, last) {
                 let row = &mut self.row;
                 between.sample_channels(time, &mut row.values);
-                if reads_line {
+                if reads_lines {
                     between.sample_line(time, &mut row.tension, &mut row.nodes);
                 }
             }
@@ -287,7 +375,7 @@ impl<'a> Recorder<'a> {
 
     /// Records an output time, read into the row.
     fn output(&mut self, time: f64) {
-        if self.reads_line {
+        if self.reads_lines {
             let nodes = &self.row.nodes;
             for observer in &mut self.observers {
                 observer.output(&OutputSample { time, nodes });
@@ -299,30 +387,50 @@ impl<'a> Recorder<'a> {
             wall_s: self.clock.elapsed().as_secs_f64(),
             ..self.progress
         };
-        let shape = self.shape_is_due(time).then(|| LineShape {
-            time,
-            nodes: self.row.nodes.iter().map(|p| [p.x, p.y, p.z]).collect(),
-            tension: self.row.tension.clone(),
-        });
-        self.record_row(time, shape);
+        let shapes = match self.shape_is_due(time) {
+            true => self.shapes(time),
+            false => Vec::new(),
+        };
+        self.record_row(time, shapes);
     }
 
-    /// Whether the shape at an output time is stored: one an interval, and the last.
+    /// The lines at an output time, as they are in the row.
+    fn shapes(&self, time: f64) -> Vec<LineShape> {
+        let (mut nodes, mut tension) = (&self.row.nodes[..], &self.row.tension[..]);
+        let profiles = self.record.profiles.iter().enumerate();
+        let shape = |(line, profile): (usize, &Profile)| {
+            let count = profile.arc.len();
+            let (own, rest) = nodes.split_at(count);
+            let (own_tension, rest_tension) = tension.split_at(count);
+            (nodes, tension) = (rest, rest_tension);
+            LineShape {
+                time,
+                line,
+                nodes: own.iter().map(|p| [p.x, p.y, p.z]).collect(),
+                tension: own_tension.to_vec(),
+            }
+        };
+        profiles.map(shape).collect()
+    }
+
+    /// Whether the shapes at an output time are stored: those of one time an interval, and the last.
     fn shape_is_due(&self, time: f64) -> bool {
-        let interval = self.case.output.shape_interval_s;
+        let Some(interval) = self.shape_interval else {
+            return false;
+        };
         let next = |latest: f64| latest + interval * (1.0 - 1e-9);
         self.latest_shape.is_none_or(|latest| time >= next(latest))
             || time >= self.duration * (1.0 - 1e-12)
     }
 
     /// Passes the latest values on as a row of the record, and sends them.
-    fn record_row(&mut self, time: f64, shape: Option<LineShape>) {
-        self.latest_shape = shape.as_ref().map(|s| s.time).or(self.latest_shape);
+    fn record_row(&mut self, time: f64, shapes: Vec<LineShape>) {
+        self.latest_shape = shapes.first().map(|s| s.time).or(self.latest_shape);
         self.rows += 1;
         let row = RecordRow {
             time,
             values: &self.row.values,
-            shape: shape.as_ref(),
+            shapes: &shapes,
         };
         for observer in &mut self.observers {
             observer.row(&row);
@@ -331,47 +439,26 @@ impl<'a> Recorder<'a> {
             events(JobEvent::Frame(Box::new(OutputFrame {
                 time,
                 values: self.row.values.clone(),
-                shape,
+                shapes,
                 progress: self.progress,
             })));
         }
     }
 }
 
-impl Sink for Recorder<'_> {
-    fn accept(&mut self, instant: AcceptedStep<'_>) -> Progressing {
-        let (time, state) = (instant.time, instant.state);
-        self.read(time, state);
-        if self.fault.is_some() {
-            return Progressing::Stop;
+/// The tension at a node of all, in words.
+fn tension_in_words(profiles: &[Profile], node: usize) -> String {
+    let mut rest = node;
+    for profile in profiles {
+        if rest < profile.arc.len() {
+            return match profile.line.as_str() {
+                "" => format!("the tension at node {rest}"),
+                name => format!("the tension at node {rest} of line {name}"),
+            };
         }
-        let at = Observation {
-            scene: self.scene,
-            time,
-            state,
-        };
-        for observer in &mut self.observers {
-            observer.accepted_step(&at, &mut self.record.profile);
-        }
-        self.progress.steps = instant.steps;
-        if self.rows == 0 {
-            if let Some(first) = self.latest.latest() {
-                self.row.clone_from(first);
-            }
-            self.output(time);
-        }
-        self.take_in_interval(false);
-        if self.cancel.load(Ordering::Relaxed) {
-            Progressing::Stop
-        } else {
-            Progressing::Continue
-        }
+        rest -= profile.arc.len();
     }
-
-    fn jump(&mut self, time: f64, state: &State) {
-        self.leave();
-        self.read(time, state);
-    }
+    format!("the tension at node {node}")
 }
 
 /// The latest interval that has a step after it, or the `last` one.
@@ -384,42 +471,5 @@ fn interval<'a>(
         latest.last_interval(positive)
     } else {
         latest.complete_interval(positive)
-    }
-}
-
-/// The times of the rows of the record: intervals that divide the duration.
-pub(super) struct OutputTimes {
-    pub(super) interval: f64,
-    count: u64,
-    duration: f64,
-}
-
-impl OutputTimes {
-    pub(super) fn of(case: &Case) -> Self {
-        const SAME: f64 = 1e-9;
-        let (duration, interval) = (case.solver.duration_s, case.output.interval_s);
-        let count = (duration / interval).round().max(1.0);
-        // A run that is resumed to a later time goes on with the same intervals to the bit, where both are whole numbers of them.
-        let whole = (count * interval / duration - 1.0).abs() < SAME;
-        Self {
-            interval: if whole { interval } else { duration / count },
-            count: count as u64,
-            duration,
-        }
-    }
-
-    /// Number of rows.
-    pub(super) fn rows(&self) -> usize {
-        self.count as usize + 1
-    }
-
-    /// The time of a row by its number, if it is not after `until` \[s\].
-    fn due(&self, number: u64, until: f64) -> Option<f64> {
-        let time = if number == self.count {
-            self.duration
-        } else {
-            number as f64 * self.interval
-        };
-        (number <= self.count && time <= until).then_some(time)
     }
 }

@@ -2,56 +2,37 @@
 
 use std::path::Path;
 
+use super::LineShape;
+use super::recorder_state::RecorderState;
 use super::store::{HistoryReader, ShapeReader, StoreError};
-use super::{LineShape, ResumedRun};
 use crate::case::ChannelId;
 
-/// Receives a row of the record: time \[s\], values of the channels, and the shape at that time where there is one.
-type RowReceiver<'a> = dyn FnMut(f64, &[f64], Option<LineShape>) + 'a;
+/// Receives a row of the record: time \[s\], values of the channels, and the shapes at that time where there are any.
+type RowReceiver<'a> = dyn FnMut(f64, &[f64], Vec<LineShape>) + 'a;
 
-/// Reads the first rows of the history of these channels in a run directory, which reach to a time \[s\].
-///
-/// # Errors
-/// There are fewer, or they are of other channels.
-pub fn replay_rows(
-    dir: &Path,
-    channels: &[ChannelId],
-    (count, until): (u64, f64),
-    receive: &mut dyn FnMut(f64, &[f64]),
-) -> Result<(), StoreError> {
-    let mut rows = HistoryReader::of(dir, channels)?;
-    for _ in 0..count {
-        let Some((time, values)) = rows.next() else {
-            return Err(rows.short_of(dir, until));
-        };
-        receive(time, values);
-    }
-    Ok(())
-}
-
-/// Reads the record of a run of these channels up to its checkpoint.
+/// Reads the record of a run of these channels in a run directory, up to a checkpoint with this state.
 ///
 /// # Errors
 /// The record does not reach so far, or is of other channels.
 pub(super) fn replay(
-    from: &ResumedRun,
+    dir: &Path,
+    state: &RecorderState,
     channels: &[ChannelId],
     receive: &mut RowReceiver<'_>,
 ) -> Result<(), StoreError> {
-    let mut rows = HistoryReader::of(&from.dir, channels)?;
-    let mut shapes = ShapeReader::open(&from.dir);
+    let mut rows = HistoryReader::of(dir, channels)?;
+    let mut shapes = ShapeReader::open(dir);
     let mut shape = shapes.next();
-    let mut replayed = 0;
-    while replayed < from.checkpoint.rows {
+    for _ in 0..state.rows {
         let Some((time, values)) = rows.next() else {
-            return Err(rows.short_of(&from.dir, from.checkpoint.time()));
+            return Err(rows.short_of(dir, state.time().unwrap_or_default()));
         };
-        let here = shape.take_if(|shape| shape.time <= time);
-        receive(time, values, here);
-        replayed += 1;
-        if shape.is_none() {
+        let mut here = Vec::new();
+        while let Some(due) = shape.take_if(|shape| shape.time <= time) {
+            here.push(due);
             shape = shapes.next();
         }
+        receive(time, values, here);
     }
     Ok(())
 }

@@ -9,8 +9,8 @@ use crate::case::{Case, ChannelQuantity, ChannelSpec, LineQuantity, Method, Stat
 pub enum StatisticSource {
     /// The channel of this index.
     Channel(usize),
-    /// A quantity of the whole line.
-    Line(LineQuantity),
+    /// A quantity of a whole line, by its number.
+    Line(usize, LineQuantity),
 }
 
 /// A statistic of a channel or of the whole line.
@@ -31,23 +31,16 @@ pub struct RequestedStatistic {
 /// trends ask for.
 #[must_use]
 pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatistic> {
-    use Statistic::{Final, Max, Mean, Min};
-    let whole = |of, statistic| RequestedStatistic {
-        of,
-        statistic,
-        window: None,
-        nth: None,
-    };
-    let mut list: Vec<RequestedStatistic> = (0..channels.len())
-        .flat_map(|channel| {
-            [Max, Min, Mean, Final].map(|s| whole(StatisticSource::Channel(channel), s))
-        })
-        .collect();
+    let mut list: Vec<RequestedStatistic> = of_channels(channels.len()).collect();
     list.extend(
         line_statistics::ALWAYS
-            .map(|(quantity, statistic)| whole(StatisticSource::Line(quantity), statistic)),
+            .map(|(quantity, statistic)| whole(StatisticSource::Line(0, quantity), statistic)),
     );
-    list.extend(settled(case, channels));
+    // The start of a record over time is left out where the case says so.
+    let moves = case.solver.method != Method::Static;
+    let window = case.statistics.settled_window(case.solver.duration_s);
+    let quantities = channels.iter().map(|channel| channel.id.quantity);
+    list.extend(settled(quantities, window.filter(|_| moves)));
     let published = case
         .published
         .iter()
@@ -67,7 +60,7 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
                 let index = channels.iter().position(|channel| channel.id == *id);
                 index.map(StatisticSource::Channel)
             }
-            Subject::Line(quantity) => Some(StatisticSource::Line(*quantity)),
+            Subject::Line(quantity) => Some(StatisticSource::Line(0, *quantity)),
             _ => None,
         };
         let Some(of) = of else {
@@ -86,16 +79,30 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
     list
 }
 
-/// The extremes of what checks compare after `statistics.from_s`, where that leaves out the start of a record over time.
-fn settled<'a>(
-    case: &Case,
-    channels: &'a [ChannelSpec],
-) -> impl Iterator<Item = RequestedStatistic> + 'a {
-    let moves = case.solver.method != Method::Static;
-    let window = case.statistics.settled_window(case.solver.duration_s);
-    let window = window.filter(|_| moves);
-    let checked = channels.iter().enumerate().filter(move |(_, channel)| {
-        window.is_some() && ChannelQuantity::CHECKED.contains(&channel.id.quantity)
+/// The greatest, smallest, mean and last value of so many channels over the whole run.
+pub fn of_channels(channels: usize) -> impl Iterator<Item = RequestedStatistic> {
+    use Statistic::{Final, Max, Mean, Min};
+    (0..channels).flat_map(|channel| {
+        [Max, Min, Mean, Final].map(|s| whole(StatisticSource::Channel(channel), s))
+    })
+}
+
+const fn whole(of: StatisticSource, statistic: Statistic) -> RequestedStatistic {
+    RequestedStatistic {
+        of,
+        statistic,
+        window: None,
+        nth: None,
+    }
+}
+
+/// The extremes of what checks compare within a window of time \[s\] that leaves out the start of a record.
+pub fn settled(
+    channels: impl Iterator<Item = ChannelQuantity>,
+    window: Option<[f64; 2]>,
+) -> impl Iterator<Item = RequestedStatistic> {
+    let checked = channels.enumerate().filter(move |(_, quantity)| {
+        window.is_some() && ChannelQuantity::CHECKED.contains(quantity)
     });
     checked.flat_map(move |(channel, _)| {
         [Statistic::Max, Statistic::Min].map(|statistic| RequestedStatistic {

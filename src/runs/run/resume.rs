@@ -4,7 +4,7 @@ use crate::visible;
 use std::path::Path;
 
 use super::job::Request;
-use super::recorder::OutputTimes;
+use super::output_times::OutputTimes;
 use super::store::{self, StoreError};
 use super::{Checkpoint, ResumedRun, RunInfo, RunState};
 use crate::case::{self, Case, Diagnostic, Method};
@@ -108,10 +108,10 @@ pub fn check_later(
 
 /// Checks that a case can be computed on from a checkpoint of a run of it.
 fn check(case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
-    let times = OutputTimes::of(case);
+    let times = OutputTimes::new(case.solver.duration_s, case.output.interval_s);
     // Older runs have intervals that are rounded otherwise.
     const ROUNDED: f64 = 1e-12;
-    if (times.interval / checkpoint.output_interval_s - 1.0).abs() > ROUNDED {
+    if (times.interval / checkpoint.recorded.output_interval_s - 1.0).abs() > ROUNDED {
         return Err(format!(
             "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
             case.solver.duration_s, case.output.interval_s

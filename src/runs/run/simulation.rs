@@ -3,7 +3,7 @@
 use std::sync::atomic::Ordering;
 
 use super::initial_equilibrium::find_equilibrium;
-use super::recorder::Recorder;
+use super::line_recorder::LineRecorder;
 use super::settings::{motion_scale, position_tolerance};
 use super::time_march::{MarchResult, MarchStart, march};
 use super::warm_start::warm_start;
@@ -21,7 +21,7 @@ pub(super) fn simulate<'a>(
     case: &Case,
     phases: &'a [Scene],
     settings: &Settings,
-    recorder: &mut Recorder<'a>,
+    recorder: &mut LineRecorder<'a>,
     warnings: &mut Vec<String>,
     resume: Option<&ResumedRun>,
 ) -> MarchResult {
@@ -47,7 +47,7 @@ fn simulate_from<'a>(
     case: &Case,
     phases: &'a [Scene],
     settings: &Settings,
-    recorder: &mut Recorder<'a>,
+    recorder: &mut LineRecorder<'a>,
     warnings: &mut Vec<String>,
     (state, resume): (&mut State, Option<&ResumedRun>),
 ) -> MarchResult {
@@ -93,7 +93,7 @@ fn run_method<'a>(
     settings: &Settings,
     phases: &'a [Scene],
     state: &mut State,
-    recorder: &mut Recorder<'a>,
+    recorder: &mut LineRecorder<'a>,
     start: &MarchStart<'_>,
 ) -> MarchResult {
     let scene = &phases[0];
@@ -159,7 +159,7 @@ fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
 }
 
 /// Records a single state.
-fn record_single(recorder: &mut Recorder<'_>, state: &State) {
+fn record_single(recorder: &mut LineRecorder<'_>, state: &State) {
     let _: Progressing = recorder.accept(AcceptedStep {
         time: 0.0,
         state,

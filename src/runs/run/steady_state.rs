@@ -75,6 +75,7 @@ mod tests {
             let z = size * (std::f64::consts::TAU * time / 10.0).sin();
             LineShape {
                 time,
+                line: 0,
                 nodes: vec![[0.0; 3], [1.0, 0.0, z]],
                 tension: vec![0.0; 2],
             }

@@ -1,5 +1,6 @@
 //! The line node by node: its envelopes over every accepted step and what lies between them, and its state at the end.
 
+use super::observer::NodeChange;
 use super::step_interval::StepInterval;
 use super::{Profile, RopeProfile};
 use crate::scene::Scene;
@@ -25,21 +26,29 @@ impl StepEnvelope {
     }
 
     /// Takes in what lies between two steps; does not allocate.
-    pub(super) fn widen(&self, between: &StepInterval<'_>, profile: &mut Profile) {
-        for i in 0..between.nodes() {
-            let ([slackest, tautest], [lowest, highest]) =
-                (between.tension_range(i), between.height_range(i));
-            profile.tension_min[i] = profile.tension_min[i].min(slackest);
-            profile.tension_max[i] = profile.tension_max[i].max(tautest);
-            profile.z_min[i] = profile.z_min[i].min(lowest);
-            profile.z_max[i] = profile.z_max[i].max(highest);
+    pub(super) fn widen(&self, between: &StepInterval<'_>, profiles: &mut [Profile]) {
+        let mut first = 0;
+        for profile in profiles {
+            let count = profile.arc.len();
+            for i in 0..count {
+                let ([slackest, tautest], [lowest, highest]) = (
+                    between.tension_range(first + i),
+                    between.height_range(first + i),
+                );
+                profile.tension_min[i] = profile.tension_min[i].min(slackest);
+                profile.tension_max[i] = profile.tension_max[i].max(tautest);
+                profile.z_min[i] = profile.z_min[i].min(lowest);
+                profile.z_max[i] = profile.z_max[i].max(highest);
+            }
+            first += count;
         }
     }
 }
 
 /// The profile of a line before its first step. Envelopes hold nothing yet: they begin with the greatest numbers there are, not with
 /// infinite ones, since a run may be stopped here and all of a checkpoint is finite.
-pub(super) fn profile(scene: &Scene) -> Profile {
+#[must_use]
+pub fn profile(scene: &Scene) -> Profile {
     let nodes = scene.line_nodes();
     let bending = if scene.elements.flexure.is_some() {
         nodes
@@ -62,9 +71,70 @@ pub(super) fn profile(scene: &Scene) -> Profile {
     }
 }
 
+/// Follows a node next to an end that comes or goes. One that comes has seen nothing yet; what one that goes has seen counts for the end,
+/// which it passed.
+pub(super) fn change_node(p: &mut Profile, change: NodeChange) {
+    let NodeChange { node, comes, .. } = change;
+    let end = if node == 1 { 0 } else { p.arc.len() - 1 };
+    if !comes {
+        for (list, better) in envelopes(p) {
+            if !list.is_empty() {
+                list[end] = better(list[end], list[node]);
+            }
+        }
+    }
+    let nodes = p.arc.len();
+    for (list, unseen) in [
+        (&mut p.arc, 0.0),
+        (&mut p.tension, 0.0),
+        (&mut p.tension_min, f64::MAX),
+        (&mut p.tension_max, f64::MIN),
+        (&mut p.z_min, f64::MAX),
+        (&mut p.z_max, f64::MIN),
+        (&mut p.curvature, 0.0),
+        (&mut p.curvature_max, 0.0),
+        (&mut p.moment, 0.0),
+        (&mut p.moment_max, 0.0),
+    ] {
+        if list.len() == nodes {
+            put(list, node, comes, unseen);
+        }
+    }
+    put(&mut p.nodes, node, comes, [0.0; 3]);
+    // Which segments have a dynamic stiffness is known by the first step only: it begins anew.
+    p.ropes = RopeProfile::default();
+}
+
+/// Which of two values counts.
+type Better = fn(f64, f64) -> f64;
+
+/// The lists that every step widens, and which of two values counts.
+fn envelopes(p: &mut Profile) -> [(&mut Vec<f64>, Better); 6] {
+    [
+        (&mut p.tension_min, f64::min),
+        (&mut p.tension_max, f64::max),
+        (&mut p.z_min, f64::min),
+        (&mut p.z_max, f64::max),
+        (&mut p.curvature_max, f64::max),
+        (&mut p.moment_max, f64::max),
+    ]
+}
+
+/// Puts a value into a list, or takes one out.
+fn put<T>(list: &mut Vec<T>, at: usize, comes: bool, value: T) {
+    if comes {
+        list.insert(at, value);
+    } else {
+        list.remove(at);
+    }
+}
+
 /// Takes in the last state, which counts for the envelopes as well: a line at rest has no other.
 pub(super) fn end(scene: &Scene, state: &State, p: &mut Profile) {
-    for i in 0..p.arc.len() {
+    // Ends that are paid out move along the line.
+    let nodes = p.arc.len();
+    p.arc.copy_from_slice(&scene.line.arc[..nodes]);
+    for i in 0..nodes {
         let (x, t) = (&state.x[i], scene.tension_at(i, state));
         p.nodes[i] = [x.x, x.y, x.z];
         p.tension[i] = t;

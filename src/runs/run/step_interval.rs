@@ -14,14 +14,14 @@ use crate::scene::EnergyRates;
 
 /// What is read of an accepted step.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct StepSample {
+pub struct StepSample {
     /// Time \[s\].
     pub time: f64,
     /// Values of the channels.
     pub values: Vec<f64>,
-    /// Tension of the nodes of the line \[N\].
+    /// Tension of the nodes \[N\], one line after the other.
     pub tension: Vec<f64>,
-    /// Positions of the nodes of the line \[m\].
+    /// Positions of the nodes \[m\], likewise.
     pub nodes: Vec<V3>,
     /// Energy and powers; zero where no energy balance is stated.
     #[serde(default)]
@@ -51,7 +51,7 @@ pub struct LatestSteps {
 
 /// Two successive steps, with the step before and the step after where there is one.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct StepInterval<'a> {
+pub struct StepInterval<'a> {
     before: Option<&'a StepSample>,
     from: &'a StepSample,
     to: &'a StepSample,
@@ -112,6 +112,11 @@ impl LatestSteps {
             self.samples.rotate_left(1);
         }
         &mut self.samples[self.known - 1]
+    }
+
+    /// Number of nodes of a step.
+    pub(super) fn nodes(&self) -> usize {
+        self.samples.first().map_or(0, |sample| sample.nodes.len())
     }
 
     /// Forgets the latest step.
@@ -317,11 +322,6 @@ impl StepInterval<'_> {
         for (node, place) in nodes.iter_mut().enumerate() {
             *place = V3::from_fn(|axis, _| self.coordinate(node, axis).at(time));
         }
-    }
-
-    /// Number of nodes.
-    pub(super) fn nodes(&self) -> usize {
-        self.to.tension.len()
     }
 }
 

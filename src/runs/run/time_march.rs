@@ -3,11 +3,10 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::late_samples::LateSamples;
-use super::recorder::Recorder;
-use super::step_interval::LatestSteps;
+use super::line_recorder::LineRecorder;
+use super::recorder_state::RecorderState;
 use super::store::StoreError;
-use super::{Checkpoint, Profile, ResumedRun, RunState, Settings, Work};
+use super::{Checkpoint, ResumedRun, RunState, Settings, Work};
 use crate::dynamics::{March, MarchError, MarchProgress, MethodState, Stepper};
 use crate::limits::STEPS;
 use crate::scene::Scene;
@@ -79,7 +78,7 @@ pub(super) fn march<'a, M: Stepper<Scene>>(
     settings: &Settings,
     phases: &'a [Scene],
     state: &mut State,
-    recorder: &mut Recorder<'a>,
+    recorder: &mut LineRecorder<'a>,
     start: &MarchStart<'_>,
 ) -> MarchResult {
     let steps = settings.duration_s / settings.time_step_s;
@@ -123,7 +122,7 @@ struct TimeMarch<'a, 'r, M> {
     position: MarchProgress,
     /// Events of the line so far.
     phase: usize,
-    recorder: &'r mut Recorder<'a>,
+    recorder: &'r mut LineRecorder<'a>,
     start: &'r MarchStart<'r>,
 }
 
@@ -261,25 +260,14 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
         self.recorder.send_checkpoint(Checkpoint {
             case: BTreeMap::new(),
             whole_step_s: self.march.step,
-            output_interval_s: 0.0,
-            rows: 0,
-            latest: LatestSteps::default(),
-            summaries: Vec::new(),
             phase: self.phase,
             start_iterations: self.start.work.iterations,
             warnings: self.start.warnings.to_vec(),
             place: self.position,
             state: state.clone(),
             method_state: self.method.method_state(),
-            // The observers fill in the rest.
-            peaks: Vec::new(),
-            troughs: Vec::new(),
-            touchdown: None,
-            profile: Profile::default(),
-            response: None,
-            fatigue: Vec::new(),
-            late: LateSamples::default(),
-            energy: None,
+            // The recorder fills it in.
+            recorded: RecorderState::default(),
         });
     }
 

@@ -64,6 +64,22 @@ impl TouchdownSpeed {
         sizes == [nodes; 3] || sizes == [0; 3]
     }
 
+    /// Follows a node that comes or goes: it counts as one that never was off the bed.
+    pub(super) fn change_node(&mut self, node: usize, comes: bool) {
+        if self.height.is_empty() {
+            return;
+        }
+        if comes {
+            self.height.insert(node, f64::MIN);
+            self.clear.insert(node, false);
+            self.landed.insert(node, NEVER);
+        } else {
+            self.height.remove(node);
+            self.clear.remove(node);
+            self.landed.remove(node);
+        }
+    }
+
     /// Takes in an accepted step; does not allocate.
     pub(super) fn update(&mut self, scene: &Scene, t: f64, state: &State) {
         let Some(bed) = &scene.elements.bed else {
@@ -113,8 +129,8 @@ impl TouchdownSpeed {
         }
     }
 
-    /// The warning where the touchdown point was faster than waves.
-    pub(super) fn warning(&self) -> Option<String> {
+    /// The warning where the touchdown point of a line of this name was faster than waves.
+    pub(super) fn warning(&self, line: &str) -> Option<String> {
         let TouchdownFront {
             time,
             arc,
@@ -126,8 +142,12 @@ impl TouchdownSpeed {
         } else {
             format!("at {front:.1} m/s")
         };
+        let line = match line {
+            "" => "the line".to_owned(),
+            name => format!("line {name}"),
+        };
         Some(format!(
-            "the line lay down on the bed faster than waves run along it: {speed} near {arc:.1} m at t = {time:.2} s, waves \
+            "{line} lay down on the bed faster than waves run along it: {speed} near {arc:.1} m at t = {time:.2} s, waves \
              there at {wave:.1} m/s; it slams down there, and the tension goes with the mesh and the bed's stiffness and damping"
         ))
     }

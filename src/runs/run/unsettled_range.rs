@@ -40,7 +40,7 @@ fn bounds(id: &QuantityId, run: &Computed) -> [f64; 2] {
     let anything = [f64::NEG_INFINITY, f64::INFINITY];
     match statistic {
         Statistic::ArcOfMax | Statistic::ArcOfMin => {
-            let arc = &run.record.profile.arc;
+            let arc = &run.record.profile().arc;
             let line = arc.first().zip(arc.last());
             within.unwrap_or(line.map_or(anything, |(from, to)| [*from, *to]))
         }
@@ -76,7 +76,10 @@ mod tests {
     /// A line of 500 m over 60 s.
     fn range(name: &str, value: f64, error: f64, others: &[f64]) -> Option<[f64; 2]> {
         let mut run = Computed::stopped();
-        run.record.profile.arc = vec![0.0, 200.0, 500.0];
+        run.record.profiles = vec![crate::run::Profile {
+            arc: vec![0.0, 200.0, 500.0],
+            ..crate::run::Profile::default()
+        }];
         run.settings.duration_s = 60.0;
         let quantity = Quantity {
             mesh_error: Some(error),

@@ -31,7 +31,11 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     let text = case.files.get(name).map_or("", |file| &file.text);
     let (stored, _): (Checkpoint, _) = seal::opened(text)
         .map_err(|reason| format!("the checkpoint of {name} cannot be read: {reason}"))?;
-    let there = &stored.profile.arc;
+    let there = stored
+        .recorded
+        .profiles
+        .first()
+        .map_or(&[][..], |profile| &profile.arc);
     let here = &scene.line.arc[..scene.line_nodes()];
     let beyond = scene.nodes() - here.len();
     let sizes = [stored.state.v.len(), stored.state.a.len()];

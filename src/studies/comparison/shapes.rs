@@ -41,6 +41,7 @@ pub fn shape_at(shapes: &[LineShape], time: f64) -> Option<LineShape> {
     let tensions = from.tension.iter().zip(&to.tension);
     Some(LineShape {
         time,
+        line: from.line,
         nodes: from.nodes.iter().zip(&to.nodes).map(node).collect(),
         tension: tensions.map(|(a, b)| mix(*a, *b, part)).collect(),
     })
@@ -80,6 +81,7 @@ mod tests {
     fn shape(time: f64, z: f64, nodes: usize) -> LineShape {
         LineShape {
             time,
+            line: 0,
             nodes: vec![[0.0, 0.0, z]; nodes],
             tension: vec![10.0 * z; nodes],
         }

@@ -103,7 +103,7 @@ pub fn result_ids(case: &Case) -> Vec<QuantityId> {
     let statistics = requested(case, &channels).into_iter().map(|asked| {
         let of = match asked.of {
             StatisticSource::Channel(index) => Subject::Channel(channels[index].id.clone()),
-            StatisticSource::Line(quantity) => Subject::Line(quantity),
+            StatisticSource::Line(_, quantity) => Subject::Line(quantity),
         };
         QuantityId::new(of, asked.statistic, asked.window).numbered(asked.nth)
     });

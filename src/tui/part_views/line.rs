@@ -24,7 +24,7 @@ pub(crate) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
         table,
         limits: case
             .ok()
-            .and_then(|case| limits::of_run(&case, &run.profile)),
+            .and_then(|case| limits::of_run(&case, run.profile())),
         ..PartView::default()
     }
 }

@@ -35,17 +35,15 @@ impl RunCurves {
     }
 
     /// Adds an output instant.
-    pub fn push(&mut self, frame: OutputFrame) {
+    pub fn push(&mut self, frame: &OutputFrame) {
         self.progress = frame.progress;
         self.streamed.row(frame.time, &frame.values);
-        if let Some(shape) = frame.shape {
-            self.streamed.shape(shape);
-        }
+        self.streamed.add_shapes(&frame.shapes);
     }
 
-    /// Adds a shape of the line.
-    pub fn push_shape(&mut self, shape: LineShape) {
-        self.streamed.shape(shape);
+    /// Adds the shapes of the lines at an instant.
+    pub fn push_shapes(&mut self, shapes: &[LineShape]) {
+        self.streamed.add_shapes(shapes);
     }
 
     /// Adds what was streamed to other curves of the same run since.

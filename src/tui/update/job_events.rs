@@ -30,7 +30,7 @@ pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) ->
                 line.progress.search = Some(search);
             }
         }
-        JobEvent::Started { channels } => {
+        JobEvent::Started { channels, .. } => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress.search = None;
             }
@@ -43,7 +43,7 @@ pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) ->
                 line.progress = frame.progress;
             }
             if let Some(curves) = curves(state, ticket, live) {
-                curves.push(*frame);
+                curves.push(&frame);
             }
         }
         JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}

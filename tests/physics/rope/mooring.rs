@@ -297,7 +297,7 @@ fn what_was_fitted_is_marked() {
 /// About the mean state, dynamic stiffness is none at rest.
 #[test]
 fn about_the_mean_a_line_at_rest_has_its_static_tensions() {
-    let tensions = |reading| run(FIXED, &[(READING, reading)]).profile.tension;
+    let tensions = |reading| run(FIXED, &[(READING, reading)]).profile().tension.clone();
     let (a, b) = (tensions("none"), tensions("about-the-mean"));
     for (a, b) in a.iter().zip(&b) {
         assert!((a - b).abs() < 1.0, "{a} {b}");
@@ -337,7 +337,7 @@ fn the_lower_end_of_the_polyester_swings_more() {
         let tension = |joint: &str| swing(&run, &format!("tension_n[{joint}]"));
         assert!(tension("lower|polyester") > tension("polyester|upper"));
         // What the line remembers along the rope is recorded along with the channels.
-        let ropes = &run.profile.ropes;
+        let ropes = &run.profile().ropes;
         assert_eq!(ropes.arc.len(), 80);
         assert!((ropes.arc[0] - 1537.5).abs() < 1e-9);
         let last = |channel: &str| *run.history.channel(channel).unwrap().values.last().unwrap();
@@ -378,7 +378,12 @@ fn a_peak_between_output_times_breaks_the_rope() {
         "{shown} {}",
         top.peak.0
     );
-    let greatest = run.profile.tension_max.iter().copied().fold(0.0, f64::max);
+    let greatest = run
+        .profile()
+        .tension_max
+        .iter()
+        .copied()
+        .fold(0.0, f64::max);
     assert!((greatest / top.peak.0 - 1.0).abs() < 1e-3, "{greatest}");
     let reported = |word: &&String| word.contains("beyond its breaking load");
     assert!(

@@ -222,7 +222,13 @@ impl Desk {
         let whole = run(request, RunState::Done);
         let channels = whole.history.channels.iter();
         let channels = channels.map(|c| c.id.clone()).collect();
-        self.tell(Msg::Job(ticket, Box::new(JobEvent::Started { channels })));
+        self.tell(Msg::Job(
+            ticket,
+            Box::new(JobEvent::Started {
+                channels,
+                lines: Vec::new(),
+            }),
+        ));
         for (i, time) in whole.history.time.iter().enumerate() {
             if *time > until {
                 break;
@@ -230,7 +236,13 @@ impl Desk {
             let frame = OutputFrame {
                 time: *time,
                 values: whole.history.channels.iter().map(|c| c.values[i]).collect(),
-                shape: whole.shapes.iter().find(|s| s.time == *time).cloned(),
+                shapes: whole
+                    .shapes
+                    .iter()
+                    .find(|s| s.time == *time)
+                    .cloned()
+                    .into_iter()
+                    .collect(),
                 progress: Progress {
                     time: *time,
                     duration: 600.0,
@@ -327,6 +339,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
     ];
     let shape = |t: f64| LineShape {
         time: t,
+        line: 0,
         nodes: (0..=22)
             .map(|i| {
                 let s = 1000.0 * f64::from(i) / 22.0;
@@ -398,7 +411,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
             channels,
         },
         shapes: (0..=6).map(|i| shape(100.0 * f64::from(i))).collect(),
-        profile,
+        profiles: vec![profile],
         summary,
         fatigue: Vec::new(),
     }

@@ -171,15 +171,16 @@ fn a_job_of_an_earlier_login_is_followed_with_its_curves() {
         ticket,
         Box::new(JobEvent::Started {
             channels: channels.clone(),
+            lines: Vec::new(),
         }),
     ));
     let mut curves = RunCurves::default();
     curves.begin(channels);
     for time in [0.0, 10.0, 40.0] {
-        curves.push(OutputFrame {
+        curves.push(&OutputFrame {
             time,
             values: vec![-time],
-            shape: None,
+            shapes: Vec::new(),
             progress: Progress {
                 time,
                 duration: 120.0,

@@ -30,11 +30,8 @@ impl EventRecord {
         }
         self.numbers += match &event {
             JobEvent::Frame(frame) => {
-                let shape = frame
-                    .shape
-                    .as_ref()
-                    .map_or(0, |shape| 4 * shape.nodes.len());
-                frame.values.len() + shape
+                let nodes = frame.shapes.iter().map(|shape| 4 * shape.nodes.len());
+                frame.values.len() + nodes.sum::<usize>()
             }
             _ => 0,
         };

@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::*;
 use crate::run::store::{self, RunLocation};
-use crate::run::{History, Profile, Run, RunInfo};
+use crate::run::{History, Run, RunInfo};
 
 const FILE: &str = "a.toml";
 
@@ -21,7 +21,7 @@ fn stored(root: &Path, name: &str, speed: f64, steps: u64) {
         case_text: format!("[current]\nspeed_m_per_s = {speed}\n[solver]\nmethod = 'alpha'\n"),
         history: History::default(),
         shapes: Vec::new(),
-        profile: Profile::default(),
+        profiles: Vec::new(),
         summary: Vec::new(),
         fatigue: Vec::new(),
     };

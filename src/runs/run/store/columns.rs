@@ -44,36 +44,47 @@ macro_rules! column {
 }
 pub(super) use column;
 
-/// The file of a table with this many rows.
+/// The column of the name of a line, which tables of several lines begin with.
+pub(super) const LINE: &str = "line";
+
+/// The table of a line, by its name, with this many rows.
+pub(super) type LineTable<'a, T> = (&'a str, &'a T, usize);
+
+/// The file of the tables of some lines, one after the other. A column that any of them has is written for all of them.
 pub(super) fn write<T>(
     columns: &[CsvColumn<T>],
-    table: &T,
-    rows: usize,
+    tables: &[LineTable<'_, T>],
 ) -> Result<Vec<u8>, StoreError> {
-    let written = columns.iter().filter(|column| (column.written)(table));
-    let written: Vec<_> = written.map(|c| (c.name, (c.values)(table))).collect();
-    let mut csv = CsvWriter::new(written.iter().map(|(name, _)| name))?;
-    for row in 0..rows {
-        let values = written.iter().map(|(_, values)| values.get(row));
-        csv.row(values.map(|value| value.copied().map(text).unwrap_or_default()))?;
+    let has_names = tables.iter().any(|(line, ..)| !line.is_empty());
+    let is_written = |column: &&CsvColumn<T>| tables.iter().any(|(_, t, _)| (column.written)(t));
+    let written: Vec<_> = columns.iter().filter(is_written).collect();
+    let names = has_names.then_some(LINE).into_iter();
+    let mut csv = CsvWriter::new(names.chain(written.iter().map(|column| column.name)))?;
+    for (line, table, rows) in tables {
+        let values: Vec<Vec<f64>> = written.iter().map(|c| (c.values)(table)).collect();
+        for row in 0..*rows {
+            let name = has_names.then(|| (*line).to_owned()).into_iter();
+            let values = values.iter().map(|values| values.get(row).copied());
+            csv.row(name.chain(values.map(|value| value.map(text).unwrap_or_default())))?;
+        }
     }
     csv.bytes()
 }
 
-/// Reads a table as far as it can be read, and what is wrong with its file.
+/// Reads the tables of lines as far as they can be read, with their names, and what is wrong with the file.
 pub(super) fn read<T: Default>(
     columns: &[CsvColumn<T>],
     dir: &Path,
     name: &str,
-) -> (T, Option<String>) {
+) -> (Vec<(String, T)>, Option<String>) {
     let mut csv = CsvReader::open(dir, name);
     let required = columns.iter().filter(|column| column.required);
     let required: Vec<&str> = required.map(|column| column.name).collect();
     csv.require(&required);
-    csv.note_unknown(|name| columns.iter().any(|column| column.name == name));
+    csv.note_unknown(|name| name == LINE || columns.iter().any(|column| column.name == name));
+    let line_at = csv.position(LINE);
     let places: Vec<Option<usize>> = columns.iter().map(|c| csv.position(c.name)).collect();
-    let mut read: Vec<Vec<f64>> = vec![Vec::new(); columns.len()];
-    let mut rows = 0;
+    let mut tables: Vec<TableBeingRead> = Vec::new();
     while let Some((line, fields)) = csv.next() {
         let field = |place: &Option<usize>| place.and_then(|at| fields.get(at)).unwrap_or("");
         let values: Vec<Option<f64>> = places.iter().map(|place| parse(field(place))).collect();
@@ -85,17 +96,37 @@ pub(super) fn read<T: Default>(
             csv.give_up(not_a_number(name, line));
             break;
         }
-        for (column, value) in read.iter_mut().zip(values) {
-            column.extend(value);
+        let line = field(&line_at);
+        if tables.last().is_none_or(|table| table.line != line) {
+            tables.push(TableBeingRead {
+                line: line.to_owned(),
+                rows: 0,
+                columns: vec![Vec::new(); columns.len()],
+            });
         }
-        rows += 1;
-    }
-    let mut table = T::default();
-    for (column, values) in columns.iter().zip(read) {
-        // A column with gaps is as good as absent.
-        if values.len() == rows {
-            (column.set)(&mut table, values);
+        if let Some(table) = tables.last_mut() {
+            for (column, value) in table.columns.iter_mut().zip(values) {
+                column.extend(value);
+            }
+            table.rows += 1;
         }
     }
-    (table, csv.problem())
+    let whole = tables.into_iter().map(|read| {
+        let mut table = T::default();
+        for (column, values) in columns.iter().zip(read.columns) {
+            // A column with gaps is as good as absent.
+            if values.len() == read.rows {
+                (column.set)(&mut table, values);
+            }
+        }
+        (read.line, table)
+    });
+    (whole.collect(), csv.problem())
+}
+
+/// The table of a line that is being read.
+struct TableBeingRead {
+    line: String,
+    rows: usize,
+    columns: Vec<Vec<f64>>,
 }

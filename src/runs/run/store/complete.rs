@@ -14,7 +14,7 @@ use super::{
     table::CsvWriter,
 };
 use crate::case::ChannelId;
-use crate::run::{Channel, Quantity, Run, RunInfo};
+use crate::run::{Channel, Profile, Quantity, Run, RunInfo};
 
 /// Columns of `summary.csv`.
 pub(super) const SUMMARY_COLUMNS: [&str; 4] = ["quantity", "value", "unit", "error_estimate"];
@@ -54,15 +54,18 @@ pub(super) fn all(
     put(CHANNELS, &channels(&run.history.channels)?)?;
     if !streamed {
         put(HISTORY, &write_history(&run.history)?)?;
-        put(SHAPES, write_shapes(&run.shapes).as_bytes())?;
+        put(
+            SHAPES,
+            write_shapes(&run.shapes, &line_names(run)).as_bytes(),
+        )?;
     }
-    let profile = &run.profile;
-    let nodes = profile.nodes.len();
-    put(PROFILE, &columns::write(&PROFILE_COLUMNS, profile, nodes)?)?;
-    if !profile.ropes.is_empty() {
-        let segments = profile.ropes.arc.len();
-        let table = columns::write(&ROPE_COLUMNS, &profile.ropes, segments)?;
-        put(ROPES, &table)?;
+    put(PROFILE, &profiles(&run.profiles)?)?;
+    let with_ropes = run.profiles.iter().filter(|line| !line.ropes.is_empty());
+    let ropes: Vec<_> = with_ropes
+        .map(|line| (line.line.as_str(), &line.ropes, line.ropes.arc.len()))
+        .collect();
+    if !ropes.is_empty() {
+        put(ROPES, &columns::write(&ROPE_COLUMNS, &ropes)?)?;
     }
     if !run.fatigue.is_empty() {
         put(FATIGUE, &write_fatigue(&run.fatigue)?)?;
@@ -79,6 +82,25 @@ pub(super) fn all(
         ));
     }
     put(RUN, info_text(dir, &info)?.as_bytes())
+}
+
+/// `profile.csv`; of a run without lines its header.
+fn profiles(lines: &[Profile]) -> Result<Vec<u8>, StoreError> {
+    let none = Profile::default();
+    let tables = lines
+        .iter()
+        .map(|line| (line.line.as_str(), line, line.nodes.len()));
+    let tables: Vec<_> = match lines {
+        [] => vec![("", &none, 0)],
+        _ => tables.collect(),
+    };
+    columns::write(&PROFILE_COLUMNS, &tables)
+}
+
+/// Names of the lines of a run; none of a line by itself.
+fn line_names(run: &Run) -> Vec<String> {
+    let names = run.profiles.iter().map(|line| line.line.clone());
+    names.filter(|name| !name.is_empty()).collect()
 }
 
 /// Writes `run.toml` alone.

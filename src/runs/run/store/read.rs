@@ -18,8 +18,8 @@ use crate::files::read::{run_table, run_text};
 use crate::files::shallow::shallow;
 use crate::run::along::FatigueSpot;
 use crate::run::{
-    Channel, Checkpoint, DecimatedRecord, History, Profile, Quantity, QuantityId, ResumedRun, Run,
-    RunInfo, RunState, VERSION,
+    Channel, Checkpoint, DecimatedRecord, History, LineShape, Profile, Quantity, QuantityId,
+    ResumedRun, Run, RunInfo, RunState, VERSION,
 };
 use crate::seal::{self, SealedPart};
 
@@ -40,7 +40,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
 
     let case_text = reader.case_text();
     let (history, shapes) = reader.record().into_parts();
-    let (profile, summary) = (reader.profile(), reader.summary());
+    let (profiles, summary) = (reader.profiles(), reader.summary());
     let fatigue = reader.fatigue();
     let mut warnings = reader.warnings;
     if !warnings.is_empty() && info.version != VERSION {
@@ -55,7 +55,7 @@ pub fn read(dir: &Path) -> Result<Run, StoreError> {
         case_text,
         history,
         shapes,
-        profile,
+        profiles,
         summary,
         fatigue,
     };
@@ -284,9 +284,18 @@ impl RunReader<'_> {
             kept.row(time, values);
         }
         let mut shapes = ShapeReader::open(self.dir);
+        let mut at_once: Vec<LineShape> = Vec::new();
         while let Some(shape) = shapes.next() {
-            kept.shape(shape);
+            if at_once
+                .first()
+                .is_some_and(|first| first.time != shape.time)
+            {
+                kept.add_shapes(&at_once);
+                at_once.clear();
+            }
+            at_once.push(shape);
         }
+        kept.add_shapes(&at_once);
         // Extremes over every step, where they are known; a run that was stopped has those of its rows.
         for channel in kept.channels_mut() {
             let known = of(&channel.id).filter(|c| {
@@ -322,16 +331,24 @@ impl RunReader<'_> {
         channels
     }
 
-    fn profile(&mut self) -> Profile {
-        let (mut profile, problem) = columns::read(&PROFILE_COLUMNS, self.dir, PROFILE);
+    fn profiles(&mut self) -> Vec<Profile> {
+        let (lines, problem) = columns::read(&PROFILE_COLUMNS, self.dir, PROFILE);
         self.report(problem);
-        // Only a line with such ropes has the file.
+        let mut lines: Vec<Profile> = lines
+            .into_iter()
+            .map(|(line, profile)| Profile { line, ..profile })
+            .collect();
+        // Only a run with such ropes has the file.
         if self.dir.join(ROPES).exists() {
             let (ropes, problem) = columns::read(&ROPE_COLUMNS, self.dir, ROPES);
-            profile.ropes = ropes;
             self.report(problem);
+            for (name, ropes) in ropes {
+                if let Some(line) = lines.iter_mut().find(|line| line.line == name) {
+                    line.ropes = ropes;
+                }
+            }
         }
-        profile
+        lines
     }
 
     /// The damage along the line; only runs whose checks count it have the file.

@@ -12,7 +12,7 @@ use super::{
     late::Late,
     lock::DirectoryLock,
     reserve::Reserve,
-    shapes_csv::{SHAPE_COLUMNS, shape_rows},
+    shapes_csv::{self, shape_rows},
     table::CsvWriter,
 };
 use crate::case::ChannelId;
@@ -24,7 +24,7 @@ use crate::seal::{Digest, Seal, sealed};
 const FLUSH: Duration = Duration::from_secs(1);
 
 /// Writes a run while it is computed: [`RunWriter::begin`], [`RunWriter::event`] for all that the job says (or
-/// [`RunWriter::channels`] and [`RunWriter::frame`]), and [`RunWriter::finish`].
+/// [`RunWriter::begin_record`] and [`RunWriter::frame`]), and [`RunWriter::finish`].
 ///
 /// Dropped without `finish`, it leaves a run marked partial.
 #[derive(Debug)]
@@ -33,6 +33,8 @@ pub struct RunWriter {
     id: String,
     /// While nothing is on the disk.
     late: Option<Late>,
+    /// Names of the lines; none of a line by itself.
+    lines: Vec<String>,
     /// History and shapes, once the channels are known.
     streams: Vec<GrowingFile>,
     flushed: Instant,
@@ -90,6 +92,7 @@ impl RunWriter {
             dir,
             id,
             late: None,
+            lines: Vec::new(),
             streams: Vec::new(),
             flushed: Instant::now(),
             case: Digest::of(case_text.as_bytes()),
@@ -130,7 +133,7 @@ impl RunWriter {
             self.appear(late)?;
         }
         match event {
-            JobEvent::Started { channels } => self.channels(channels),
+            JobEvent::Started { channels, lines } => self.begin_record(channels, lines),
             JobEvent::Frame(frame) => self.frame(frame),
             JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
             JobEvent::SystemCheckpoint(text) => self.checkpoint_text(text),
@@ -143,15 +146,23 @@ impl RunWriter {
         }
     }
 
-    /// Names the channels that the frames will fill.
+    /// Names the channels and the lines that the frames will fill.
     ///
     /// # Errors
     /// The system refuses.
-    pub fn channels(&mut self, channels: &[ChannelId]) -> Result<(), StoreError> {
+    pub fn begin_record(
+        &mut self,
+        channels: &[ChannelId],
+        lines: &[String],
+    ) -> Result<(), StoreError> {
+        self.lines = lines.to_vec();
         let units = complete::channel_units(channels)?;
         let header = history_header(channels.iter())?;
         let history = GrowingFile::of(self.dir.join(HISTORY), header)?;
-        let shapes = GrowingFile::of(self.dir.join(SHAPES), CsvWriter::new(SHAPE_COLUMNS)?)?;
+        let shapes = GrowingFile::of(
+            self.dir.join(SHAPES),
+            CsvWriter::new(shapes_csv::columns(lines))?,
+        )?;
         self.streams = vec![history, shapes];
         match &mut self.late {
             Some(late) => {
@@ -189,9 +200,12 @@ impl RunWriter {
         self.unsaved.get_or_insert_with(Unsaved::begin);
         if let [history, shapes] = &mut self.streams[..] {
             history.push(history_row(frame).as_bytes());
-            if let Some(shape) = &frame.shape {
-                self.reserve.hold_checkpoint_of(shape.nodes.len());
-                shapes.push(shape_rows(shape).as_bytes());
+            let nodes = frame.shapes.iter().map(|shape| shape.nodes.len()).sum();
+            if nodes > 0 {
+                self.reserve.hold_checkpoint_of(nodes);
+            }
+            for shape in &frame.shapes {
+                shapes.push(shape_rows(shape, &self.lines).as_bytes());
             }
         }
         if self.flushed.elapsed() >= FLUSH || self.streams.iter().any(GrowingFile::is_due) {

@@ -4,26 +4,35 @@ use std::path::Path;
 
 use super::{
     SHAPES,
+    columns::LINE,
     number::{ROOM, append, parse, text},
     table::{CsvReader, not_a_number},
 };
 use crate::run::LineShape;
 
-/// Columns of `shapes.csv`.
+/// Columns of `shapes.csv`; that of the lines' names comes first where there are any.
 pub(super) const SHAPE_COLUMNS: [&str; 6] = ["time_s", "node", "x_m", "y_m", "z_m", "tension_n"];
 
-/// The whole file of shapes that are held in memory.
-pub(super) fn write_shapes(shapes: &[LineShape]) -> String {
-    let mut file = SHAPE_COLUMNS.join(",") + "\n";
+/// The names of the columns for lines of these names.
+pub(super) fn columns(lines: &[String]) -> impl Iterator<Item = &'static str> {
+    let name = (!lines.is_empty()).then_some(LINE);
+    name.into_iter().chain(SHAPE_COLUMNS)
+}
+
+/// The whole file of shapes that are held in memory, of lines of these names.
+pub(super) fn write_shapes(shapes: &[LineShape], lines: &[String]) -> String {
+    let names: Vec<&str> = columns(lines).collect();
+    let mut file = names.join(",") + "\n";
     for shape in shapes {
-        file += &shape_rows(shape);
+        file += &shape_rows(shape, lines);
     }
     file
 }
 
-/// The rows of a shape. Numbers need no quotes.
-pub(super) fn shape_rows(shape: &LineShape) -> String {
-    let time = text(shape.time);
+/// The rows of a shape of one of these lines. Numbers need no quotes.
+pub(super) fn shape_rows(shape: &LineShape, lines: &[String]) -> String {
+    let name = lines.get(shape.line).map(|name| quoted(name) + ",");
+    let time = name.unwrap_or_default() + &text(shape.time);
     let mut rows = String::with_capacity(5 * ROOM * shape.nodes.len());
     for (node, (place, tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
         rows += &time;
@@ -44,22 +53,27 @@ pub(in crate::run) struct ShapeReader {
     csv: CsvReader,
     /// Where the columns are, in the order of [`SHAPE_COLUMNS`].
     columns: Vec<usize>,
+    /// Where the names of lines are, and those read so far.
+    line: Option<usize>,
+    names: Vec<String>,
     /// The shape being read.
     current: Option<LineShape>,
-    /// Nodes of the first shape, once it is read.
-    nodes: usize,
+    /// Nodes of the first shape of each line, once it is read.
+    nodes: Vec<usize>,
 }
 
 impl ShapeReader {
     /// Of the run in this directory. What is wrong with the file ends it early, see [`ShapeReader::problem`].
     pub(crate) fn open(dir: &Path) -> Self {
         let mut csv = CsvReader::open(dir, SHAPES);
-        csv.note_unknown(|name| SHAPE_COLUMNS.contains(&name));
+        csv.note_unknown(|name| name == LINE || SHAPE_COLUMNS.contains(&name));
         Self {
             columns: csv.require(&SHAPE_COLUMNS),
+            line: csv.position(LINE),
+            names: Vec::new(),
             csv,
             current: None,
-            nodes: 0,
+            nodes: Vec::new(),
         }
     }
 
@@ -72,9 +86,13 @@ impl ShapeReader {
                 self.csv.give_up(not_a_number(SHAPES, line));
                 break;
             };
-            let begun = (node < 0.5).then(|| LineShape {
-                time,
-                ..LineShape::default()
+            let begun = (node < 0.5).then(|| {
+                let name = self.line.and_then(|at| fields.get(at)).unwrap_or_default();
+                LineShape {
+                    time,
+                    line: number_of(&mut self.names, name),
+                    ..LineShape::default()
+                }
             });
             let whole = begun.and_then(|begun| self.current.replace(begun));
             if let Some(shape) = &mut self.current {
@@ -82,14 +100,16 @@ impl ShapeReader {
                 shape.tension.push(tension);
             }
             if let Some(whole) = whole {
-                if self.nodes == 0 {
-                    self.nodes = whole.nodes.len();
+                if whole.line == self.nodes.len() {
+                    self.nodes.push(whole.nodes.len());
                 }
                 return Some(whole);
             }
         }
         let last = self.current.take()?;
-        if last.nodes.len() < self.nodes {
+        // Lines that are paid out have more nodes at one time and fewer at another.
+        let whole = self.nodes.get(last.line).copied().unwrap_or_default();
+        if last.nodes.len() < whole {
             self.csv.give_up(format!(
                 "{SHAPES} ends in the middle of a shape; that shape was left out."
             ));
@@ -101,5 +121,22 @@ impl ShapeReader {
     /// What is wrong with the file, once it is read.
     pub(super) fn problem(self) -> Option<String> {
         self.csv.problem()
+    }
+}
+
+/// The number of a line by its name, in the order in which names come.
+fn number_of(names: &mut Vec<String>, name: &str) -> usize {
+    let known = names.iter().position(|known| known == name);
+    known.unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    })
+}
+
+/// A name as a field.
+fn quoted(name: &str) -> String {
+    match name.contains([',', '"', '\n', '\r']) {
+        true => format!("\"{}\"", name.replace('"', "\"\"")),
+        false => name.to_owned(),
     }
 }

@@ -89,7 +89,7 @@ struct Rows {
 impl Rows {
     fn take(&mut self, event: JobEvent) {
         match event {
-            JobEvent::Started { channels } => {
+            JobEvent::Started { channels, .. } => {
                 let pose = ChannelQuantity::POSITION
                     .into_iter()
                     .chain(ChannelQuantity::ANGLES)

@@ -154,32 +154,33 @@ impl Channels {
         self.sources.push(source);
     }
 
-    /// Their values at time t \[s\], in order; `bodies` are those that turn, with their mass.
+    /// Their values at time t \[s\], in order; `bodies` are those that turn, with their mass, `tensions` those of all nodes of the lines \[N\],
+    /// one line after the other, where they are known.
     pub fn read(
         &self,
         (system, bodies): (&MovingSystem, &[MovingBody]),
-        t: f64,
-        state: &SystemState,
-        values: &mut Vec<f64>,
+        (t, state): (f64, &SystemState),
+        tensions: Option<&[f64]>,
+        values: &mut [f64],
     ) {
         let network = &system.network;
         // Its three components come one after the other.
         let mut pin = V3::zeros();
-        values.clear();
-        values.extend(self.sources.iter().map(|source| match *source {
-            Source::Tension(line, end) => {
-                let (scene, line) = (system.scene(line, state), &state.lines[line]);
-                scene.tension_at(end * (line.x.len() - 1), line)
-            }
+        let mut first = FirstNode::default();
+        let mut tension = |line: usize, node: usize| {
+            let known = tensions.and_then(|all| all.get(first.of(line, state) + node));
+            known.copied().unwrap_or_else(|| {
+                let scene = system.scene(line, state);
+                scene.tension_at(node, &state.lines[line])
+            })
+        };
+        let read = self.sources.iter().map(|source| match *source {
+            Source::Tension(line, end) => tension(line, end * (state.lines[line].x.len() - 1)),
             Source::Between(line, meeting) => {
-                let (scene, state) = (system.scene(line, state), &state.lines[line]);
-                let joint = scene.labels.joints.get(meeting);
-                joint.map_or(f64::NAN, |joint| scene.tension_at(joint.node, state))
+                let joint = system.scene(line, state).labels.joints.get(meeting);
+                joint.map_or(f64::NAN, |joint| tension(line, joint.node))
             }
-            Source::At(line, node) => {
-                let (scene, line) = (system.scene(line, state), &state.lines[line]);
-                scene.tension_at(node, line)
-            }
+            Source::At(line, node) => tension(line, node),
             Source::Place(joint, axis) => state.joints.x[joint][axis],
             Source::Pin(body, axis) => {
                 if axis == 0 {
@@ -199,7 +200,29 @@ impl Channels {
                 meshed - left[0] - left[1]
             }
             Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
-        }));
+        });
+        for (value, read) in values.iter_mut().zip(read) {
+            *value = read;
+        }
+    }
+}
+
+/// The first node of a line among those of all. Lines are asked for in their order.
+#[derive(Default)]
+struct FirstNode {
+    line: usize,
+    node: usize,
+}
+
+impl FirstNode {
+    fn of(&mut self, line: usize, state: &SystemState) -> usize {
+        if line < self.line {
+            *self = Self::default();
+        }
+        let passed = &state.lines[self.line..line];
+        self.node += passed.iter().map(|line| line.x.len()).sum::<usize>();
+        self.line = line;
+        self.node
     }
 }
 

@@ -7,19 +7,17 @@ use serde::{Deserialize, Serialize};
 use super::job::SystemRequest;
 use super::march::Marching;
 use super::method_state::MethodState;
-use super::recorder::RecorderState;
 use super::system_state::SystemState;
 use crate::case::kind;
 use crate::dynamics::MarchProgress;
+use crate::run::recorder_state::RecorderState;
 use crate::run::store::{self, StoreError};
-use crate::run::{check_later, info_of_ended};
+use crate::run::{Profile, check_later, info_of_ended};
 use crate::system::SystemFile;
 
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SystemCheckpoint {
-    /// Interval of the rows of the history \[s\].
-    pub interval_s: f64,
     /// What happened to the lines so far, in words.
     pub happened: Vec<String>,
     /// Position of the march.
@@ -27,7 +25,7 @@ pub struct SystemCheckpoint {
     /// The method.
     pub method: MethodState,
     /// What is recorded so far.
-    pub recorder: RecorderState,
+    pub recorded: RecorderState,
     /// The lines, points and bodies.
     pub state: SystemState,
 }
@@ -48,17 +46,16 @@ impl SystemCheckpoint {
     /// Time of the state \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
-        self.recorder.time()
+        self.recorded.time().unwrap_or(self.place.time)
     }
 
-    /// The state of a march with rows at this interval \[s\].
-    pub(super) fn of(march: &Marching, interval_s: f64) -> Self {
+    /// The state of a march.
+    pub(super) fn of(march: &Marching<'_>) -> Self {
         Self {
-            interval_s,
             happened: march.happened.clone(),
             place: march.place,
             method: march.method.method_state(),
-            recorder: march.recorder.state(),
+            recorded: march.recorder.state(),
             state: march.state.clone(),
         }
     }
@@ -76,7 +73,13 @@ impl SystemCheckpoint {
     }
 
     /// Checks that it is one of this system: sizes agree, and lines end at joints that it has.
-    pub(super) fn check(&self, state: &SystemState, channels: usize) -> Result<(), String> {
+    pub(super) fn check(
+        &self,
+        state: &SystemState,
+        channels: usize,
+        profiles: &[Profile],
+    ) -> Result<(), String> {
+        self.recorded.check(channels, profiles)?;
         let sizes = |state: &SystemState| -> Vec<usize> {
             let parts = state
                 .parts()
@@ -93,7 +96,6 @@ impl SystemCheckpoint {
             && self.state.velocities.len() == state.velocities.len()
             && self.state.drive_excess.len() == state.drive_excess.len()
             && attached.all(|joint| *joint < state.joints.x.len())
-            && self.recorder.fits(channels)
             && self.place.is_possible();
         agrees
             .then_some(())

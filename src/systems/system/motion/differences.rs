@@ -4,7 +4,7 @@
 //! same value says nothing. There the greatest difference counts that the channel shows while either is on the floor, and
 //! at the output times next to the extremes: how far above the floor one of them is where the other is on it.
 
-use super::recorder::ChannelSummary;
+use super::channel_result::ChannelSummary;
 use crate::case::ChannelId;
 use crate::run::{Channel, History};
 

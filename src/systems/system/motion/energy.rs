@@ -1,9 +1,7 @@
-//! The energy of a system in motion: `d(energy)/dt = power in - power lost`.
+//! The energy of a system in motion: `d(energy)/dt = supplied - dissipated + growth`.
 //!
 //! Energy is that of the lines and of free points, and the kinetic energy of free bodies. What water, bed and steady loads do to a body
 //! counts as power in, whatever its sign.
-
-use serde::{Deserialize, Serialize};
 
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
@@ -13,37 +11,18 @@ use super::pins::pin_force;
 use super::point_loads::{Around, point_load};
 use super::system_state::SystemState;
 use crate::numerics::V3;
+use crate::scene::EnergyRates;
 use crate::solve::Factors;
 use crate::system::network::Held;
 
-/// Energy and power at an instant.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Energy {
-    /// Kinetic and potential energy \[J\].
-    pub stored: f64,
-    /// The kinetic part of it \[J\].
-    #[serde(default)]
-    pub kinetic: f64,
-    /// Power of prescribed points and bodies, and of the loads on free bodies \[W\].
-    pub power_in: f64,
-    /// Power of drag, damping and bed \[W\].
-    pub lost: f64,
-    /// Power of the tension on what meshing left too much in end segments \[W\].
-    #[serde(default)]
-    pub remeshed: f64,
-}
-
-/// The energy of a state at time t \[s\]; `bodies` are those that turn, with their mass.
-#[must_use]
-pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &SystemState) -> Energy {
-    let mut sum = Energy::default();
-    for (scene, line) in system.lines(state) {
-        let rates = scene.energy_rates(t, line);
-        sum.stored += rates.energy;
-        sum.kinetic += rates.kinetic;
-        sum.power_in += rates.supplied + rates.growth;
-        sum.lost += rates.dissipated;
-    }
+/// Adds what points, bodies and drives have to the energy and the powers of the lines, at time t \[s\]; `bodies` are those that turn,
+/// with their mass.
+pub fn add_beside_lines(
+    system: &MovingSystem,
+    bodies: &[MovingBody],
+    (t, state): (f64, &SystemState),
+    sum: &mut EnergyRates,
+) {
     for joint in system.joints.free.clone() {
         if let Role::Free(number) = system.joints.roles[joint]
             && let Held::Free(point) = &system.network.points[number].held
@@ -53,27 +32,24 @@ pub fn energy(system: &MovingSystem, bodies: &[MovingBody], t: f64, state: &Syst
             let load = point_load(&system.network, point, (x, v), around);
             let kinetic = 0.5 * point.moving_mass * v.norm_squared();
             sum.kinetic += kinetic;
-            sum.stored += kinetic + load.energy;
-            sum.lost += load.lost;
+            sum.energy += kinetic + load.energy;
+            sum.dissipated += load.lost;
         }
     }
     // It came with the mesh: neither a drive nor a load does it.
-    sum.remeshed = system.surplus_power(state);
-    sum.power_in -= sum.remeshed;
+    let remeshed = system.surplus_power(state);
+    sum.remeshed += remeshed;
+    sum.supplied -= remeshed;
     for drive in drives(system, t, state) {
-        sum.stored += drive.stored;
-        sum.kinetic += drive.kinetic;
-        sum.power_in += drive.power_in;
-        sum.lost += drive.lost;
+        sum.add(&drive);
     }
     for body in bodies {
         let kinetic = body.kinetic_energy(&system.body(state, body.number));
         sum.kinetic += kinetic;
-        sum.stored += kinetic;
-        sum.power_in += power_of_loads(system, body, state);
-        sum.power_in += power_of_pin(system, body, state);
+        sum.energy += kinetic;
+        sum.supplied += power_of_loads(system, body, state);
+        sum.supplied += power_of_pin(system, body, state);
     }
-    sum
 }
 
 /// The power of what moves the origin of a body that is pinned to it \[W\]; none between bodies that both turn.

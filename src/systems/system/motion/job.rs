@@ -5,15 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use super::checkpoint::ResumedSystem;
 use super::march::Stored;
-use super::recorder::EnergyBalance;
 use super::run::{ChannelResult, MotionRun, run_stored};
 use crate::case::attachments::with_files;
-use crate::case::{ChannelQuantity, EnergyQuantity, QuantityId, Statistic, Subject};
+use crate::case::{ChannelQuantity, QuantityId, Statistic, Subject};
 use crate::run::event::JobEvent;
 use crate::run::store::{now, rfc3339};
 use crate::run::{
-    Cost, History, Profile, Quantity, Run, RunInfo, RunState, Settings, VERSION, Work,
-    refuse_not_finite,
+    Cost, History, Quantity, Run, RunInfo, RunState, Settings, VERSION, Work, refuse_not_finite,
 };
 use crate::system::SolvedSystem;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -107,7 +105,7 @@ pub fn execute(
             case_text,
             history: History::default(),
             shapes: Vec::new(),
-            profile: Profile::default(),
+            profiles: Vec::new(),
             summary: Vec::new(),
             fatigue: Vec::new(),
         },
@@ -121,7 +119,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
     let window = used.settled_from_s.map(|from| [from, used.duration_s]);
     let settled = |channel| settled(channel, window);
     summary.extend(computed.channels.iter().flat_map(settled));
-    summary.extend(energies(&computed.balance));
+    summary.extend(computed.energy.iter().cloned());
     Run {
         info: RunInfo {
             state: computed.state,
@@ -141,7 +139,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
         case_text,
         history: computed.history,
         shapes: Vec::new(),
-        profile: Profile::default(),
+        profiles: Vec::new(),
         summary,
         fatigue: computed.fatigue,
     }
@@ -208,22 +206,5 @@ fn settled(
     statistics.into_iter().flatten().map(move |(of, value)| {
         let subject = Subject::Channel(id.clone());
         Quantity::new(QuantityId::new(subject, of, window), value)
-    })
-}
-
-/// The energy balance, without errors.
-fn energies(balance: &EnergyBalance) -> impl Iterator<Item = Quantity> {
-    let value = |quantity| match quantity {
-        EnergyQuantity::Supplied => balance.put_in,
-        EnergyQuantity::Dissipated => balance.lost,
-        EnergyQuantity::Stored => balance.stored,
-        EnergyQuantity::Drift => balance.drift(),
-        EnergyQuantity::DriftShare => {
-            100.0 * balance.drift() / balance.passed.max(f64::MIN_POSITIVE)
-        }
-    };
-    EnergyQuantity::ALL.into_iter().map(move |quantity| {
-        let id = QuantityId::single(Subject::Energy(quantity));
-        Quantity::new(id, value(quantity))
     })
 }

@@ -1,44 +1,54 @@
 //! The march of a system through time, from one end that is let go to the next.
 
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
 use super::broken_names;
+use super::channel_result::ChannelResult;
+use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::mesh_of_ends::{EndMesh, Remesh};
 use super::method::Method;
 use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
-use super::recorder::{ChannelSummary, Recorder};
+use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
-use super::run::{ChannelResult, MotionRun, MotionWork};
+use super::run::{MotionRun, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
-use crate::case::ChannelId;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
 use crate::run::event::JobEvent;
-use crate::run::{Cost, OutputFrame, Progress, RunState, replay_rows};
+use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
+use crate::run::observers::{ObservedRun, of_lines};
+use crate::run::output_times::OutputTimes;
+use crate::run::recorder::{Recorder, RecorderPlan};
+use crate::run::requested_statistics::{of_channels, settled};
+use crate::run::{Cost, Profile, RunState, step_envelope};
 use crate::scene::Scene;
-use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing};
+use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing, Sink};
 
 /// Least wall time between two checkpoints.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
 
 /// A march under way.
-pub(super) struct Marching {
+pub(super) struct Marching<'a> {
     system: MovingSystem,
     pub(super) state: SystemState,
     pub(super) method: Method,
     bodies: Vec<MovingBody>,
-    pub(super) recorder: Recorder,
+    channels: Channels,
+    pub(super) recorder: Recorder<'a>,
     march: March,
     pub(super) place: MarchProgress,
     /// What happened to the lines, in words.
     pub(super) happened: Vec<String>,
     settings: MotionSettings,
+    /// Whether the run is stored, and when the latest checkpoint was sent.
+    sends_checkpoints: bool,
+    saved: Instant,
 }
 
 /// Why a march stops on its way.
@@ -63,80 +73,29 @@ enum EarlyEnd {
     Failed(String),
 }
 
-/// Sends the rows of a march as they are recorded.
-struct RowSender<'a> {
-    events: &'a mut dyn FnMut(JobEvent),
-    clock: Instant,
-    progress: Progress,
-    /// The interval of the rows \[s\], as checkpoints name it; absent: none are sent.
-    checkpoints: Option<f64>,
-    saved: Instant,
-}
-
-impl RowSender<'_> {
-    /// Sends a row; `steps` are accepted by then.
-    fn send(&mut self, steps: u64, time: f64, values: &[f64]) {
-        let progress = Progress {
-            time,
-            steps,
-            wall_s: self.clock.elapsed().as_secs_f64(),
-            ..self.progress
-        };
-        (self.events)(JobEvent::Frame(Box::new(OutputFrame {
-            time,
-            values: values.to_vec(),
-            shape: None,
-            progress,
-        })));
-    }
-
-    /// Sends the state of a march.
-    fn checkpoint(&mut self, march: &Marching) {
-        if let Some(interval) = self.checkpoints {
-            self.send_checkpoint(&SystemCheckpoint::of(march, interval));
-        }
-    }
-
-    fn send_checkpoint(&mut self, checkpoint: &SystemCheckpoint) {
-        // What cannot be written is no checkpoint; the run goes on without.
-        if let Ok(text) = toml::to_string(checkpoint) {
-            (self.events)(JobEvent::SystemCheckpoint(text));
-        }
-        self.saved = Instant::now();
-    }
-}
-
-/// Marches from the start, or from where a stored run is resumed, to the end, and sends every row.
-pub(super) fn compute(
+/// Marches from the start, or from where a stored run is resumed, to the end, and sends every row to who listens.
+pub(super) fn compute<'a>(
     begun: Start,
     settings: &MotionSettings,
     stored: Option<Stored<'_>>,
-    cancel: &AtomicBool,
-    events: &mut dyn FnMut(JobEvent),
+    cancel: &'a AtomicBool,
+    events: Option<&'a mut dyn FnMut(JobEvent)>,
 ) -> MotionRun {
     let (cpu, clock) = (cpu_time(), Instant::now());
-    let mut rows = RowSender {
-        events,
-        clock,
-        progress: Progress {
-            duration: settings.duration_s,
-            ..Progress::default()
-        },
-        checkpoints: stored.map(|_| settings.interval_s),
-        saved: clock,
-    };
     let at_start = begun.iterations;
-    let mut marching = Marching::new(begun, settings);
+    let channels = Channels::of(&begun.system);
+    let plan = plan(&begun, &channels, settings);
+    let recorder = Recorder::new(plan, events, cancel);
+    let mut marching = Marching::new(begun, settings, channels, recorder);
+    marching.sends_checkpoints = stored.is_some();
     let from = stored.and_then(|stored| stored.from);
     let begun = match from {
-        Some(from) => marching.resume(from, &mut rows),
-        None => marching.begin(&mut rows),
+        Some(from) => marching.resume(from),
+        None => marching.begin(),
     };
     let ended = begun.map_err(EarlyEnd::Failed);
-    let ended = ended.and_then(|()| marching.march(cancel, &mut rows)).err();
-    let steps = marching.place.steps;
-    let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
-    marching.recorder.end(last);
+    let ended = ended.and_then(|()| marching.march()).err();
+    marching.recorder.end();
     let work = MotionWork {
         iterations: at_start + marching.method.work_counts().iterations,
         evaluations: marching.method.work_counts().evaluations,
@@ -150,20 +109,60 @@ pub(super) fn compute(
     marching.result(settings, (work, cost), ended)
 }
 
-impl Marching {
-    fn new(begun: Start, settings: &MotionSettings) -> Self {
-        let Start {
-            system,
-            state,
-            along,
-            ..
-        } = begun;
+/// What is recorded of a run.
+fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> RecorderPlan {
+    let duration = settings.duration_s;
+    let output_times = OutputTimes::new(duration, settings.interval_s);
+    let window = settings.settled_from_s.map(|from| [from, duration]);
+    let quantities = channels.ids.iter().map(|id| id.quantity);
+    let statistics = of_channels(channels.ids.len()).chain(settled(quantities, window));
+    let lines = begun.system.lines(&begun.state).map(|(scene, _)| scene);
+    let scenes: Vec<&Scene> = lines.collect();
+    let observers = of_lines(ObservedRun {
+        channels: channels.ids.clone(),
+        scenes: &scenes,
+        along: begun.along.clone(),
+        balances: true,
+        duration,
+        rows: output_times.rows(),
+        statistics: statistics.collect(),
+    });
+    RecorderPlan {
+        channels: channels.ids.clone(),
+        profiles: profiles(&begun.system, &begun.state),
+        observers,
+        balances: true,
+        output_times,
+        shape_interval: None,
+        duration,
+    }
+}
+
+/// The lines node by node, before anything is recorded of them.
+pub(super) fn profiles(system: &MovingSystem, state: &SystemState) -> Vec<Profile> {
+    let names = system.network.lines.iter().map(|line| &line.name);
+    let lines = names.zip(system.lines(state));
+    lines
+        .map(|(name, (scene, _))| Profile {
+            line: name.clone(),
+            ..step_envelope::profile(scene)
+        })
+        .collect()
+}
+
+impl<'a> Marching<'a> {
+    fn new(
+        begun: Start,
+        settings: &MotionSettings,
+        channels: Channels,
+        recorder: Recorder<'a>,
+    ) -> Self {
+        let Start { system, state, .. } = begun;
         let method = Method::new(settings, &system, &state);
         Self {
             bodies: method.bodies().to_vec(),
-            recorder: Recorder::new(&system, settings.interval_s)
-                .settled_from(settings.settled_from_s)
-                .counting(along),
+            channels,
+            recorder,
             march: March {
                 duration: settings.duration_s,
                 step: settings.time_step_s,
@@ -171,15 +170,32 @@ impl Marching {
             place: MarchProgress::default(),
             happened: Vec::new(),
             settings: settings.clone(),
+            sends_checkpoints: false,
+            saved: Instant::now(),
             system,
             state,
             method,
         }
     }
 
+    /// Sends the state of the march.
+    fn checkpoint(&mut self) {
+        if self.sends_checkpoints && self.recorder.takes_checkpoints() {
+            self.send_checkpoint(&SystemCheckpoint::of(self));
+        }
+    }
+
+    fn send_checkpoint(&mut self, checkpoint: &SystemCheckpoint) {
+        // What cannot be written is no checkpoint; the run goes on without.
+        if let Ok(text) = toml::to_string(checkpoint) {
+            self.recorder.send(JobEvent::SystemCheckpoint(text));
+        }
+        self.saved = Instant::now();
+    }
+
     /// Marches to the end, from one end that is let go to the next; sends checkpoints at intervals, where it is stopped, and at the end:
     /// before the last whole step where the end cuts it short, so that a longer run resumes with a whole one.
-    fn march(&mut self, cancel: &AtomicBool, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
+    fn march(&mut self) -> Result<(), EarlyEnd> {
         let mut events = by_time(&self.system);
         events.retain(|event| !self.is_over_with(*event));
         let mut events = events.into_iter().peekable();
@@ -187,19 +203,19 @@ impl Marching {
             let next = (self.place.whole + 1) as f64 * self.march.step;
             let cut_by_end = self.march.is_after_end(next);
             if cut_by_end {
-                rows.checkpoint(self);
+                self.checkpoint();
             }
             let event = events.peek().map_or(f64::INFINITY, |event| event.time);
-            match self.advance(next.min(event), cancel, rows) {
+            match self.advance(next.min(event)) {
                 Ok(Some(Pause::Release(event))) => {
-                    self.release(event, rows);
-                    self.release_by_tension(event.time, rows);
+                    self.release(event);
+                    self.release_by_tension(event.time);
                 }
-                Ok(Some(Pause::Mesh(end))) => self.remesh(end, rows)?,
+                Ok(Some(Pause::Mesh(end))) => self.remesh(end)?,
                 Ok(None) => {}
                 Err(end) => {
                     if matches!(end, EarlyEnd::Cancelled) {
-                        rows.checkpoint(self);
+                        self.checkpoint();
                     }
                     return Err(end);
                 }
@@ -208,12 +224,12 @@ impl Marching {
             while let Some(event) = events.next_if(|event| march.is_at(&place, event.time)) {
                 match self.system.is_released(event, &self.state) {
                     true => self.happened.push(gone_before(&self.system, event)),
-                    false => self.release(event, rows),
+                    false => self.release(event),
                 }
             }
-            let due = march.is_over(&place) || rows.saved.elapsed() >= BETWEEN_CHECKPOINTS;
+            let due = march.is_over(&place) || self.saved.elapsed() >= BETWEEN_CHECKPOINTS;
             if due && !cut_by_end {
-                rows.checkpoint(self);
+                self.checkpoint();
             }
         }
         Ok(())
@@ -221,7 +237,7 @@ impl Marching {
 
     /// Continues from the checkpoint of a stored run; its rows are recorded and sent again, and it with them, so that the new run can
     /// be resumed before it has one of its own.
-    fn resume(&mut self, from: &ResumedSystem, rows: &mut RowSender<'_>) -> Result<(), String> {
+    fn resume(&mut self, from: &ResumedSystem) -> Result<(), String> {
         let stored = &from.checkpoint;
         let remeshed = stored.state.added != self.state.added;
         if remeshed {
@@ -229,29 +245,25 @@ impl Marching {
             self.system.mesh_as(&stored.state.added, &mut self.state)?;
             self.state.size_as(&stored.state);
         }
-        stored.check(&self.state, self.recorder.channels().len())?;
-        if !self.recorder.fits(&stored.recorder) {
+        let profiles = profiles(&self.system, &self.state);
+        stored.check(&self.state, self.channels.ids.len(), &profiles)?;
+        if !self.recorder.fits(&stored.recorded) {
             return Err("its checkpoint.toml counts fatigue at other places".to_owned());
         }
-        if stored.interval_s.to_bits() != self.recorder.interval().to_bits() {
+        let interval = self.recorder.output_times().interval;
+        if stored.recorded.output_interval_s.to_bits() != interval.to_bits() {
             return Err("the interval of its history is another one".to_owned());
         }
-        let span = (stored.recorder.rows, stored.recorder.time());
-        let recorder = &mut self.recorder;
-        let channels = recorder.channels().to_vec();
-        replay_rows(&from.dir, &channels, span, &mut |time, values| {
-            recorder.take_row(time, values);
-            rows.send(0, time, values);
-        })
-        .map_err(|why| why.to_string())?;
-        self.recorder.restore(&stored.recorder);
+        self.recorder
+            .restore(&stored.recorded, &from.dir)
+            .map_err(|why| why.to_string())?;
         self.state.restore(&stored.state);
         self.system.free_released_ends(&mut self.state);
         self.system.pay_out(&mut self.state);
-        self.renew_method(span.1, &stored.method);
+        self.renew_method(stored.time(), &stored.method);
         self.place = stored.place;
         self.happened.clone_from(&stored.happened);
-        rows.send_checkpoint(stored);
+        self.send_checkpoint(stored);
         Ok(())
     }
 
@@ -261,7 +273,7 @@ impl Marching {
     }
 
     /// The accelerations at the start, the first row, and the ends whose tension at rest lets them go.
-    fn begin(&mut self, rows: &mut RowSender<'_>) -> Result<(), String> {
+    fn begin(&mut self) -> Result<(), String> {
         self.system.update_wave_kinematics(0.0, &mut self.state);
         let mut begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         self.system.commit(0.0, 0.0, &mut self.state);
@@ -269,68 +281,68 @@ impl Marching {
         if lines.any(|scene| scene.line.begins_off_rest()) {
             begun = self.method.accelerate(&self.system, 0.0, &mut self.state);
         }
-        let first = &mut |time, values: &[f64]| rows.send(0, time, values);
-        self.recorder
-            .accept(&self.system, &self.bodies, (0.0, &self.state), first);
+        let ((recorded, state), recorder) = self.recorded();
+        recorder.accept(&recorded, 0.0, state, 0);
         begun.map_err(|why| in_words(&self.system, 0.0, &why))?;
-        self.release_by_tension(0.0, rows);
+        self.release_by_tension(0.0);
         Ok(())
     }
 
+    /// What is recorded, its state, and by what.
+    fn recorded(&mut self) -> ((RecordedSystem<'_>, &SystemState), &mut Recorder<'a>) {
+        let recorded = RecordedSystem {
+            system: &self.system,
+            bodies: &self.bodies,
+            channels: &self.channels,
+        };
+        ((recorded, &self.state), &mut self.recorder)
+    }
+
     /// Marches to a time, to the end, or to where a tension lets an end go.
-    fn advance(
-        &mut self,
-        until: f64,
-        cancel: &AtomicBool,
-        rows: &mut RowSender<'_>,
-    ) -> Result<Option<Pause>, EarlyEnd> {
-        let (system, bodies, recorder) = (&self.system, &self.bodies, &mut self.recorder);
-        let mut pulled = None;
-        let mut sink = |instant: AcceptedStep<'_, SystemState>| {
-            let send = &mut |time, values: &[f64]| rows.send(instant.steps, time, values);
-            recorder.accept(system, bodies, (instant.time, instant.state), send);
-            let release = by_tension(system, instant.state, instant.time).map(Pause::Release);
-            pulled = release.or_else(|| system.end_mesh(instant.state).map(Pause::Mesh));
-            match recorder.fault().is_some() || pulled.is_some() || cancel.load(Ordering::Relaxed) {
-                true => Progressing::Stop,
-                false => Progressing::Continue,
-            }
+    fn advance(&mut self, until: f64) -> Result<Option<Pause>, EarlyEnd> {
+        let mut sink = SystemSink {
+            recorded: RecordedSystem {
+                system: &self.system,
+                bodies: &self.bodies,
+                channels: &self.channels,
+            },
+            recorder: &mut self.recorder,
+            pause: None,
         };
         let (place, method, state) = (&mut self.place, &mut self.method, &mut self.state);
         let going = self
             .march
-            .advance(place, until, method, system, state, &mut sink);
+            .advance(place, until, method, &self.system, state, &mut sink);
+        let pause = sink.pause;
         if let (Ok(_), Some(fault)) = (&going, self.recorder.fault()) {
             return Err(EarlyEnd::Failed(fault.to_owned()));
         }
         match going {
             Err(error) => Err(EarlyEnd::Failed(march_in_words(&self.system, &error))),
-            Ok(Progressing::Stop) if pulled.is_none() => Err(EarlyEnd::Cancelled),
-            Ok(_) => Ok(pulled),
+            Ok(Progressing::Stop) if pause.is_none() => Err(EarlyEnd::Cancelled),
+            Ok(_) => Ok(pause),
         }
     }
 
     /// Lets an end go, and starts the method anew.
-    fn release(&mut self, event: Release, rows: &mut RowSender<'_>) {
+    fn release(&mut self, event: Release) {
         self.system.release(event, &mut self.state);
         self.method
             .restart(&self.system, event.time, &mut self.state);
-        let steps = self.place.steps;
-        let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
-        self.recorder
-            .jump(&self.system, &self.bodies, (event.time, &self.state), last);
+        let ((recorded, state), recorder) = self.recorded();
+        recorder.jump(&recorded, event.time, state);
         self.happened.push(in_time(&self.system, event));
     }
 
     /// Lets go every end whose tension is at its limit at this time \[s\], one after the other.
-    fn release_by_tension(&mut self, time: f64, rows: &mut RowSender<'_>) {
+    fn release_by_tension(&mut self, time: f64) {
         while let Some(event) = by_tension(&self.system, &self.state, time) {
-            self.release(event, rows);
+            self.release(event);
         }
     }
 
     /// Parts or joins the segment of an end that is paid out.
-    fn remesh(&mut self, end: EndMesh, rows: &mut RowSender<'_>) -> Result<(), EarlyEnd> {
+    fn remesh(&mut self, end: EndMesh) -> Result<(), EarlyEnd> {
         let t = self.recorder.reached();
         let (number, at, need) = end;
         let line = self.system.paid[number].line;
@@ -342,14 +354,13 @@ impl Marching {
             )));
         }
         let mut kept = self.method.method_state();
-        self.system
+        let (node, comes) = self
+            .system
             .remesh(end, t, &mut self.state, &mut kept)
             .map_err(EarlyEnd::Failed)?;
         self.renew_method(t, &kept);
-        let steps = self.place.steps;
-        let last = &mut |time, values: &[f64]| rows.send(steps, time, values);
-        self.recorder
-            .jump(&self.system, &self.bodies, (t, &self.state), last);
+        let ((recorded, state), recorder) = self.recorded();
+        recorder.remesh(&recorded, t, state, NodeChange { line, node, comes });
         Ok(())
     }
 
@@ -377,38 +388,67 @@ impl Marching {
         (work, cost): (MotionWork, Cost),
         ended: Option<EarlyEnd>,
     ) -> MotionRun {
-        let mut recorder = self.recorder;
-        let along = recorder.take_along();
-        let summaries = recorder.summaries();
-        let channels = recorder.channels().iter().zip(summaries).enumerate();
-        let channel =
-            |(number, (id, summary)): (usize, (&ChannelId, ChannelSummary))| ChannelResult {
-                id: id.clone(),
-                summary,
-                settled: recorder.settled(number),
-                time_error: None,
-                mesh_error: None,
-            };
+        let ends = self.recorder.fault().is_none();
+        let lines = self.system.lines(&self.state);
+        let lines: Vec<LineAtEnd<'_>> = lines
+            .map(|(scene, state)| LineAtEnd {
+                scene,
+                state: ends.then_some(state),
+            })
+            .collect();
+        let record = self.recorder.finish(&RunEnd {
+            single_line: None,
+            lines: &lines,
+        });
         let (state, failure) = match ended {
             None => (RunState::Done, None),
             Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
             Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
         };
-        let (fatigue, warnings) = along.finish();
         MotionRun {
             settings: settings.clone(),
-            fatigue,
-            channels: channels.map(channel).collect(),
+            channels: ChannelResult::of(&record),
             companions: Vec::new(),
-            balance: recorder.balance,
-            history: recorder.into_history(),
+            balance: record.balance.unwrap_or_default(),
+            energy: record.energy,
+            fatigue: record.fatigue,
+            history: record.history,
+            shapes: record.shapes,
+            profiles: record.profiles,
             work,
             cost,
             happened: self.happened,
             state,
             failure,
-            warnings,
+            warnings: record.warnings,
         }
+    }
+}
+
+/// Records the steps of a march, and stops it where an end is let go or the mesh is no longer good.
+struct SystemSink<'r, 'a> {
+    recorded: RecordedSystem<'r>,
+    recorder: &'r mut Recorder<'a>,
+    pause: Option<Pause>,
+}
+
+impl Sink<SystemState> for SystemSink<'_, '_> {
+    fn accept(&mut self, instant: AcceptedStep<'_, SystemState>) -> Progressing {
+        let (time, state) = (instant.time, instant.state);
+        let going = self
+            .recorder
+            .accept(&self.recorded, time, state, instant.steps);
+        let system = self.recorded.system;
+        let release = by_tension(system, state, time).map(Pause::Release);
+        self.pause = release.or_else(|| system.end_mesh(state).map(Pause::Mesh));
+        match self.pause {
+            Some(_) => Progressing::Stop,
+            None => going,
+        }
+    }
+
+    fn jump(&mut self, time: f64, state: &SystemState) {
+        self.recorder.jump(&self.recorded, time, state);
     }
 }
 

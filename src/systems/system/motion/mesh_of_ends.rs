@@ -164,7 +164,8 @@ impl MovingSystem {
         section.segments.saturating_add_signed(added as isize) > if one { 2 } else { 1 }
     }
 
-    /// Parts or joins the segment of an end, in the system, the state and what the method keeps.
+    /// Parts or joins the segment of an end, in the system, the state and what the method keeps; returns the node that comes or goes, and
+    /// whether it comes.
     ///
     /// # Errors
     /// Why the line cannot be built.
@@ -174,7 +175,7 @@ impl MovingSystem {
         t: f64,
         state: &mut SystemState,
         method: &mut MethodState,
-    ) -> Result<(), String> {
+    ) -> Result<(usize, bool), String> {
         let line = self.paid[number].line;
         let nodes = state.lines[line].x.len();
         let parts = need == Remesh::Part;
@@ -215,7 +216,7 @@ impl MovingSystem {
             self.add_surplus((number, end), (after - before) / stretch, state);
         }
         self.follow(state);
-        Ok(())
+        Ok((node, parts))
     }
 
     /// Meshes the lines as a stored state has them.

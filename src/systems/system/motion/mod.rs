@@ -18,6 +18,7 @@ pub mod border;
 
 pub mod breaks;
 pub mod broken_names;
+mod channel_result;
 pub mod channels;
 pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;
@@ -45,7 +46,7 @@ pub mod payout_inputs;
 pub mod pins;
 mod point_loads;
 pub mod pose_motion;
-pub mod recorder;
+mod recorded_system;
 pub mod release;
 pub mod responses;
 mod rest_state;

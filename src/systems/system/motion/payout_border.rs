@@ -3,7 +3,6 @@
 //! With the system without them factored, `M y = r` and the column `M Y = b` of each, the lengths are those of
 //! `(s - c' Y) p = r_p - c' y`, and what is left `y - Y p`.
 
-use super::energy::Energy;
 use super::joint_place::{add_to_rows, set_ends};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
@@ -11,6 +10,7 @@ use super::payout::{Drive, Friction, PaidEnd, Payout};
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, V3};
 use crate::scene::DrumPull;
+use crate::scene::EnergyRates;
 use crate::solve::Factors;
 
 /// A length of line that is an unknown, and its work arrays.
@@ -150,7 +150,7 @@ pub(super) fn drives(
     system: &MovingSystem,
     t: f64,
     state: &SystemState,
-) -> impl Iterator<Item = Energy> {
+) -> impl Iterator<Item = EnergyRates> {
     let payouts = system.network.payouts.iter().enumerate();
     let free = payouts.filter(|(_, payout)| payout.drive.is_free());
     free.map(move |(number, payout)| {
@@ -168,13 +168,13 @@ pub(super) fn drives(
             Drive::Winch(winch) => (winch.mass, force, 0.0),
             _ => (0.0, 0.0, force),
         };
-        Energy {
-            stored: 0.5 * mass * q * q,
+        EnergyRates {
+            energy: 0.5 * mass * q * q,
             kinetic: 0.5 * mass * q * q,
             // The drum and what drives it, which the equation leaves of the pull of the line.
-            power_in: q * (held - drive - of_lines),
-            lost: q * friction,
-            remeshed: 0.0,
+            supplied: q * (held - drive - of_lines),
+            dissipated: q * friction,
+            ..EnergyRates::default()
         }
     })
 }

@@ -3,20 +3,21 @@
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use super::along::LinesAlong;
+use super::along::counted_along;
+pub use super::channel_result::{ChannelResult, ChannelSummary};
 use super::channels::Channels;
 use super::differences::differences;
 use super::march::{Stored, compute};
-use super::recorder::{ChannelSummary, EnergyBalance};
 use super::settings::MotionSettings;
 use super::start::{Start, start};
-use crate::case::ChannelId;
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::limits::STEPS;
 use crate::numerics::richardson::Refinement;
 use crate::run::along::FatigueSpot;
+use crate::run::energy_balance::EnergyBalance;
 use crate::run::event::JobEvent;
-use crate::run::{Cost, History, RunState};
+use crate::run::lines_along::LinesAlong;
+use crate::run::{Cost, History, LineShape, Profile, Quantity, RunState};
 use crate::system::SolvedSystem;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::MotionInputs;
@@ -37,10 +38,16 @@ pub struct MotionRun {
     pub work: MotionWork,
     /// The time that it took.
     pub cost: Cost,
+    /// Shapes of the lines at chosen instants.
+    pub shapes: Vec<LineShape>,
+    /// The lines node by node, at the end and with their envelopes.
+    pub profiles: Vec<Profile>,
     /// The damage along the lines, where checks count it.
     pub fatigue: Vec<FatigueSpot>,
-    /// The energy balance.
+    /// The energy balance, and its single numbers.
     pub balance: EnergyBalance,
+    /// See [`MotionRun::balance`].
+    pub energy: Vec<Quantity>,
     /// What happened to the lines, in words.
     pub happened: Vec<String>,
     /// How it ended.
@@ -68,29 +75,6 @@ pub struct MotionWork {
     pub evaluations: u64,
     /// Time at its end \[s\].
     pub reached: f64,
-}
-
-/// A channel of a run.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ChannelResult {
-    /// Its name.
-    pub id: ChannelId,
-    /// Over the whole run.
-    pub summary: ChannelSummary,
-    /// Least and greatest value at the steps after the start that checks leave out; nothing where none is.
-    pub settled: Option<[f64; 2]>,
-    /// Errors of the least, greatest, mean and last value by the time steps; nothing where they are not estimated.
-    pub time_error: Option<[f64; 4]>,
-    /// The same by the mesh.
-    pub mesh_error: Option<[f64; 4]>,
-}
-
-impl ChannelSummary {
-    /// Least, greatest, mean and last value.
-    #[must_use]
-    pub fn numbers(&self) -> [f64; 4] {
-        [self.least.0, self.greatest.0, self.mean, self.last]
-    }
 }
 
 /// By how much more error the companion allows in a step that varies: steps are about twice as long.
@@ -154,16 +138,23 @@ pub(super) fn run_stored(
         along: LinesAlong::default(),
         ..begun.clone()
     });
-    let (along, missing) = LinesAlong::of(solved, &begun.system);
+    let (along, missing) = counted_along(solved, &begun.system);
     let begun = Start { along, ..begun };
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,
+        lines: begun
+            .system
+            .network
+            .lines
+            .iter()
+            .map(|line| line.name.clone())
+            .collect(),
     });
     let mut notes = coarse_memory(&begun);
     notes.extend(turned_from_loads(&begun));
     notes.extend(loads_without_effect(solved));
     notes.extend(missing);
-    let mut run = compute(begun, &settings, stored, cancel, events);
+    let mut run = compute(begun, &settings, stored, cancel, Some(events));
     run.warnings.extend(notes);
     if let Some(again) = again.filter(|_| run.state == RunState::Done) {
         events(JobEvent::Estimating);
@@ -255,7 +246,7 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
             .map_err(|why| why.problem)
             .and_then(|begun| match settings.instability(&begun.system) {
                 Some(why) => Err(why),
-                None => Ok(compute(begun, &settings, None, cancel, &mut |_| {})),
+                None => Ok(compute(begun, &settings, None, cancel, None)),
             })
             .and_then(|other| match (other.state, &other.failure) {
                 (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {

@@ -1,6 +1,5 @@
 //! The start of a run in time: the divided lines at rest between points and bodies at rest.
 
-use super::along::LinesAlong;
 use super::border::Border;
 use super::breaks;
 use super::let_go::{held, let_go, measure};
@@ -9,6 +8,7 @@ use super::payout_border::holding;
 use super::system_state::SystemState;
 
 use super::rest_state::{at_rest, carried, lines_at_rest, longest, still};
+use crate::run::lines_along::LinesAlong;
 use crate::solve::{Factors, NewtonError, StaticSearch};
 use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, build, divide};

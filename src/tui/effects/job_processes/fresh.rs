@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use crate::case::ChannelId;
 use crate::jobs::protocol::Rows;
 use crate::msg::Msg;
-use crate::run::{OutputFrame, Progress};
+use crate::run::{LineShape, OutputFrame, Progress};
 use crate::state::{JobNumber, RunCurves};
 
 /// What is recorded by the jobs that are followed.
@@ -50,15 +50,16 @@ impl Fresh {
         let fresh = jobs.entry(ticket).or_default();
         for (row, time) in rows.time.iter().enumerate() {
             let values = rows.values.iter().filter_map(|v| v.0.get(row));
-            fresh.curves.push(OutputFrame {
+            fresh.curves.push(&OutputFrame {
                 time: *time,
                 values: values.copied().collect(),
-                shape: None,
+                shapes: Vec::new(),
                 progress: fresh.progress,
             });
         }
-        for shape in rows.shapes {
-            fresh.curves.push_shape(shape.into());
+        let shapes: Vec<LineShape> = rows.shapes.into_iter().map(LineShape::from).collect();
+        for at_once in shapes.chunk_by(|one, other| one.time == other.time) {
+            fresh.curves.push_shapes(at_once);
         }
         fresh.is_changed = true;
     }

@@ -56,7 +56,10 @@ impl Reader {
                         break;
                     };
                     self.fresh.begin(self.ticket, channels.clone());
-                    self.event(JobEvent::Started { channels });
+                    self.event(JobEvent::Started {
+                        channels,
+                        lines: Vec::new(),
+                    });
                 }
                 FromJob::Rows(rows) => {
                     self.fresh.rows(self.ticket, rows);

@@ -123,13 +123,14 @@ impl<'a> ChannelReader<'a> {
         bodies: Vec<MovingBody>,
         mean: &'a SystemState,
     ) -> Self {
+        let values = vec![0.0; channels.ids.len()];
         Self {
+            values: [values.clone(), values],
             channels,
             system,
             bodies,
             state: mean.clone(),
             mean,
-            values: [Vec::new(), Vec::new()],
         }
     }
 
@@ -139,9 +140,9 @@ impl<'a> ChannelReader<'a> {
 
     /// Their values in a state without waves.
     pub(super) fn values_in(&self, state: &SystemState) -> Vec<f64> {
-        let mut values = Vec::new();
+        let mut values = vec![0.0; self.channels.ids.len()];
         let system = (self.system, self.bodies.as_slice());
-        self.channels.read(system, 0.0, state, &mut values);
+        self.channels.read(system, (0.0, state), None, &mut values);
         for (value, id) in values.iter_mut().zip(&self.channels.ids) {
             if id.quantity == ChannelQuantity::WaveElevation {
                 *value = 0.0;
@@ -193,7 +194,7 @@ impl<'a> ChannelReader<'a> {
         excitation.read_into(factor, self.system, &mut self.state);
         let system = (self.system, self.bodies.as_slice());
         self.channels
-            .read(system, 0.0, &self.state, &mut self.values[out]);
+            .read(system, (0.0, &self.state), None, &mut self.values[out]);
     }
 }
 
