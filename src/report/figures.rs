@@ -38,10 +38,10 @@ use seacable_runs::run::{History, LineShape, Profile, Run};
 pub struct PlottedRun<'a> {
     /// Channels against time.
     pub history: &'a History,
-    /// Shapes of the line, oldest first.
+    /// Shapes of the lines, oldest first.
     pub shapes: &'a [LineShape],
-    /// The line at the end; absent while the run is incomplete.
-    pub profile: Option<&'a Profile>,
+    /// The lines at the end; none while the run is incomplete.
+    pub profiles: &'a [Profile],
     /// Name, where several runs are drawn together.
     pub label: &'a str,
     /// An older result: drawn broken, below the others.
@@ -57,7 +57,10 @@ impl<'a> PlottedRun<'a> {
     pub fn whole(run: &'a Run, label: &'a str) -> Self {
         let duration = run.info.settings.duration_s;
         Self {
-            profile: (!run.profile().nodes.is_empty()).then_some(run.profile()),
+            profiles: match run.profile().nodes.is_empty() {
+                true => &[],
+                false => &run.profiles,
+            },
             duration: (duration > 0.0 && run.history.time.len() > 1).then_some(duration),
             ..Self::streamed(&run.history, &run.shapes, label)
         }
@@ -69,7 +72,7 @@ impl<'a> PlottedRun<'a> {
         Self {
             history,
             shapes,
-            profile: None,
+            profiles: &[],
             label,
             dimmed: false,
             duration: None,
@@ -85,10 +88,19 @@ impl<'a> PlottedRun<'a> {
         }
     }
 
-    /// True for a line at rest: there is a profile, and nothing changed with time.
+    /// True for lines at rest: there are profiles, and nothing changed with time.
     #[must_use]
     pub fn at_rest(&self) -> bool {
-        self.profile.is_some() && self.history.time.len() <= 1
+        !self.profiles.is_empty() && self.history.time.len() <= 1
+    }
+
+    /// The line at the end, of a run of one.
+    #[must_use]
+    pub fn profile(&self) -> Option<&'a Profile> {
+        match self.profiles {
+            [only] => Some(only),
+            _ => None,
+        }
     }
 
     /// The same, with the time axis up to this time \[s\].

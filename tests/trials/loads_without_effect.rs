@@ -151,11 +151,20 @@ fn checks_have_their_verdict_at_rest() {
     );
 }
 
+/// A cable of 10 kN m2 that bends to 26 m where it lies down.
 #[test]
-fn a_bend_radius_of_a_system_is_not_compared_and_says_why() {
-    let (_, text) = run(&file("cs_bend.toml"), &["--set", "solver.duration_s=5"]);
-    let why = "curvature along the lines of a system is not computed";
-    assert!(text.contains(why) && text.contains("not settled"), "{text}");
+fn a_bend_radius_of_a_system_is_compared_line_by_line() {
+    for (limit, verdict, status) in [("2.0", "passes", 0), ("200.0", "fails", 1)] {
+        let changes = [("limit_m = 2.0", format!("limit_m = {limit}"))];
+        let changes = changes.each_ref().map(|(from, to)| (*from, to.as_str()));
+        let (_dir, path) = edited("cs_bend.toml", &changes);
+        let (found, text) = run(&path, &["--set", "solver.duration_s=5"]);
+        assert_eq!(found, Some(status), "{text}");
+        assert!(
+            text.contains(&format!("bend-radius [1] {verdict}")),
+            "{text}"
+        );
+    }
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub enum Subject {
     Channel(ChannelId),
     /// A quantity of the whole line, over arc length.
     Line(LineQuantity),
+    /// The same of a line of a system, by the name of the line: `tension_n[along north]`.
+    Along(LineQuantity, String),
     /// Frequency of a natural mode by its number from 1: `in_plane_hz[2]`.
     ModeFrequency(ModePlane, usize),
     /// Number of the natural mode nearest to a given frequency: `out_of_plane_mode_near`.
@@ -52,6 +54,9 @@ impl ModePlane {
 const FREQUENCY: &str = "_hz[";
 const NEAREST: &str = "_mode_near";
 
+/// What is between a quantity along a line and the name of the line.
+const ALONG: &str = "[along ";
+
 impl Subject {
     /// The numbers that a run has of natural modes: the lowest frequencies in and out of the plane of the line, and
     /// where a frequency is given the numbers of the modes nearest to it.
@@ -64,12 +69,31 @@ impl Subject {
         ModePlane::ALL.into_iter().flat_map(of_plane).collect()
     }
 
+    /// A quantity along a line: of a line by itself where it has no name.
+    #[must_use]
+    pub fn along(quantity: LineQuantity, line: &str) -> Self {
+        match line {
+            "" => Self::Line(quantity),
+            name => Self::Along(quantity, name.to_owned()),
+        }
+    }
+
+    /// The quantity along a line that it is, and the name of the line, which is empty of a line by itself.
+    #[must_use]
+    pub fn line_quantity(&self) -> Option<(LineQuantity, &str)> {
+        match self {
+            Self::Line(quantity) => Some((*quantity, "")),
+            Self::Along(quantity, line) => Some((*quantity, line)),
+            _ => None,
+        }
+    }
+
     /// Its unit as shown.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
         match self {
             Self::Channel(channel) => channel.quantity.unit(),
-            Self::Line(quantity) => quantity.unit(),
+            Self::Line(quantity) | Self::Along(quantity, _) => quantity.unit(),
             Self::ModeFrequency(..) => "Hz",
             Self::NearestMode(_) => "-",
             Self::SteadyTime => "s",
@@ -83,6 +107,7 @@ impl fmt::Display for Subject {
         match self {
             Self::Channel(channel) => channel.fmt(f),
             Self::Line(quantity) => f.write_str(quantity.name()),
+            Self::Along(quantity, line) => write!(f, "{}{ALONG}{line}]", quantity.name()),
             Self::ModeFrequency(plane, number) => {
                 write!(f, "{}{FREQUENCY}{number}]", plane.name())
             }
@@ -102,6 +127,12 @@ impl FromStr for Subject {
         }
         if let Some(quantity) = LineQuantity::named(text) {
             return Ok(Self::Line(quantity));
+        }
+        if let Some((name, line)) = text.split_once(ALONG)
+            && let (Some(quantity), Some(line)) =
+                (LineQuantity::named(name), line.strip_suffix(']'))
+        {
+            return Ok(Self::Along(quantity, line.to_owned()));
         }
         if let Some(quantity) = EnergyQuantity::named(text) {
             return Ok(Self::Energy(quantity));

@@ -74,8 +74,18 @@ fn envelope<'p>(
     names: &[&'static str],
     curves: impl Fn(&'p Profile) -> (&'p Vec<f64>, Vec<&'p Vec<f64>>),
 ) -> Chart {
-    over_arc(sources, title, y, 3, |source, profile| {
+    let has_several = sources.iter().any(|source| source.profiles.len() > 1);
+    let most = if has_several { 1 } else { 3 };
+    over_arc(sources, title, y, most, |source, profile| {
         let (arc, curves) = curves(profile);
+        if has_several && !source.at_rest() {
+            // Of several lines the greatest values are compared.
+            let greatest = curves.last().map(|values| points(arc, values));
+            return greatest
+                .map(|points| ("greatest", points))
+                .into_iter()
+                .collect();
+        }
         let shown = if source.at_rest() { 1 } else { names.len() };
         let named = names.iter().zip(curves).take(shown);
         let name = |name: &'static str| match (source.at_rest(), sources.len()) {
@@ -103,16 +113,23 @@ pub(super) fn over_arc<'p>(
     curves: impl Fn(&PlottedRun, &'p Profile) -> Vec<(&'static str, Vec<(f64, f64)>)>,
 ) -> Chart {
     let mut all = Vec::new();
-    for (source, slot) in sources.iter().zip(slots(sources, most)) {
-        let curves = source.profile.map_or_else(Vec::new, |p| curves(source, p));
-        let numbered = (slot..).zip(curves);
-        for (slot, (name, points)) in numbered.filter(|(_, (_, points))| !points.is_empty()) {
-            all.push(series(source, slot, &named(sources, source, name), points));
+    let lines = sources.iter().map(|source| source.profiles.len());
+    let lines = lines.max().unwrap_or_default().max(1);
+    for (source, slot) in sources.iter().zip(slots(sources, most * lines)) {
+        for (line, profile) in source.profiles.iter().enumerate() {
+            let numbered = (slot + most * line..).zip(curves(source, profile));
+            for (slot, (name, points)) in numbered.filter(|(_, (_, points))| !points.is_empty()) {
+                let name = match profile.line.as_str() {
+                    "" => name.to_owned(),
+                    line if name.is_empty() => line.to_owned(),
+                    line => format!("{line}, {name}"),
+                };
+                all.push(series(source, slot, &named(sources, source, &name), points));
+            }
         }
     }
-    let length = sources
-        .iter()
-        .filter_map(|s| s.profile?.arc.last().copied());
+    let profiles = sources.iter().flat_map(|source| source.profiles);
+    let length = profiles.filter_map(|profile| profile.arc.last().copied());
     let range = extent(length.chain([0.0])).filter(|range| range.1 > range.0);
     let arc = Axis::new("arc length from end A", "m").over(range);
     Chart::new(title, arc, y, all)

@@ -145,6 +145,19 @@ impl<'a> FigureData<'a> {
     }
 }
 
+/// When a run of a system has a figure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum InSystems {
+    /// Only line cases have it.
+    Never,
+    /// Where it records a quantity.
+    Recording(ChannelQuantity),
+    /// Where it has lines.
+    WithLines,
+    /// Where lines bend.
+    WithBending,
+}
+
 /// A figure.
 #[derive(Debug, Clone, Copy)]
 pub struct Figure {
@@ -157,8 +170,8 @@ pub struct Figure {
     curves: CurveNames,
     /// Whether a run of a case has data for it.
     available: fn(&CaseContents) -> bool,
-    /// The quantity for which a run of a system has it; absent: only line cases have it.
-    in_systems: Option<ChannelQuantity>,
+    /// When a run of a system has it.
+    in_systems: InSystems,
     draw: fn(&FigureData) -> Chart,
     /// Position in the text report; absent: not in it.
     report: Option<u8>,
@@ -180,7 +193,7 @@ const fn figure(
         axis,
         curves: CurveNames::None,
         available: |_| true,
-        in_systems: None,
+        in_systems: InSystems::Never,
         draw,
         report: None,
     }
@@ -205,7 +218,15 @@ impl Figure {
     /// The same, also of systems of lines that record a quantity.
     const fn also_in_systems(self, quantity: ChannelQuantity) -> Self {
         Self {
-            in_systems: Some(quantity),
+            in_systems: InSystems::Recording(quantity),
+            ..self
+        }
+    }
+
+    /// The same, also along the lines of systems.
+    const fn also_along_lines(self, of: InSystems) -> Self {
+        Self {
+            in_systems: of,
             ..self
         }
     }
@@ -248,17 +269,18 @@ pub const FIGURES: [Figure; 30] = [
         .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
         .when(irregular_sea).also_in_systems(Quantity::WaveElevation).in_report(7),
-    figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant())).in_report(12),
+    figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant()))
+        .also_along_lines(InSystems::WithLines).in_report(12),
     figure(Id::Plan, "Plan", Space, |d| line_from_above(d.runs, d.instant()))
-        .when(spatial).in_report(13),
+        .when(spatial).also_along_lines(InSystems::WithLines).in_report(13),
     figure(Id::Front, "Front", Space, |d| line_from_ahead(d.runs, d.instant()))
-        .when(spatial).in_report(14),
+        .when(spatial).also_along_lines(InSystems::WithLines).in_report(14),
     figure(Id::Profile, "Profile", Other, |d| tension_profile(d.runs))
-        .curves(ENVELOPE).in_report(15),
+        .curves(ENVELOPE).also_along_lines(InSystems::WithLines).in_report(15),
     figure(Id::Curvature, "Curvature", Other, |d| curvature_profile(d.runs))
-        .when(bends).curves(END_AND_GREATEST).in_report(16),
+        .when(bends).curves(END_AND_GREATEST).also_along_lines(InSystems::WithBending).in_report(16),
     figure(Id::Moment, "Moment", Other, |d| moment_profile(d.runs))
-        .when(bends).curves(END_AND_GREATEST).in_report(17),
+        .when(bends).curves(END_AND_GREATEST).also_along_lines(InSystems::WithBending).in_report(17),
     figure(Id::Map, "Map", Time, map)
         .when(response).curves(CurveNames::Variants(map_names)).in_report(22),
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
@@ -309,10 +331,16 @@ impl FigureId {
         available.map(|figure| figure.id).collect()
     }
 
-    /// The figures of runs of a system that record these quantities.
+    /// The figures of runs of a system that record these quantities, and whether its lines bend.
     #[must_use]
-    pub fn of_system(recorded: &[ChannelQuantity]) -> Vec<Self> {
-        let records = |figure: &&Figure| figure.in_systems.is_some_and(|q| recorded.contains(&q));
+    pub fn of_system(recorded: &[ChannelQuantity], bends: bool) -> Vec<Self> {
+        let has_lines = recorded.contains(&ChannelQuantity::Tension);
+        let records = |figure: &&Figure| match figure.in_systems {
+            InSystems::Never => false,
+            InSystems::Recording(quantity) => recorded.contains(&quantity),
+            InSystems::WithLines => has_lines,
+            InSystems::WithBending => bends,
+        };
         let available = FIGURES.iter().filter(records);
         available.map(|figure| figure.id).collect()
     }

@@ -55,7 +55,10 @@ pub fn response_map(sources: &[PlottedRun], from: Option<f64>, of: ResponseMapKi
         y: Axis::new("arc length from end A", "m"),
         ..Chart::default()
     };
-    let able = |s: &&PlottedRun| !s.dimmed && s.shapes.len() > 2;
+    // Of one line: displacements of several have no common place.
+    let able = |s: &&PlottedRun| {
+        !s.dimmed && s.shapes.len() > 2 && s.shapes.iter().all(|shape| shape.line == 0)
+    };
     let Some(source) = sources.iter().rfind(able) else {
         return chart;
     };
@@ -88,7 +91,7 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<GridMap>
         ResponseMapKind::OutOfPlane => vec![plane.normal; arc.len()],
         _ => plane.across(&mean),
     };
-    let diameters = source.profile.and_then(Profile::diameters);
+    let diameters = source.profile().and_then(Profile::diameters);
     let shown: &[&LineShape] = if of == ResponseMapKind::Start {
         &all
     } else {
@@ -118,7 +121,7 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<GridMap>
 
 /// Arc lengths of the nodes; of an incomplete run those of its first shape, which differ by the stretch of the line alone.
 fn arc(source: &PlottedRun) -> Option<Vec<f64>> {
-    if let Some(profile) = source.profile {
+    if let Some(profile) = source.profile() {
         return (profile.arc.len() > 1).then(|| profile.arc.clone());
     }
     let nodes = &source.shapes.first()?.nodes;

@@ -61,6 +61,18 @@ impl ViewDirection {
         }
     }
 
+    /// The paths of several lines, with a gap between two of them.
+    fn project_all<'n>(self, lines: impl Iterator<Item = &'n [[f64; 3]]>) -> Vec<(f64, f64)> {
+        let mut points = Vec::new();
+        for nodes in lines {
+            if !points.is_empty() {
+                points.push((f64::NAN, f64::NAN));
+            }
+            points.extend(self.project(nodes));
+        }
+        points
+    }
+
     fn project(self, nodes: &[[f64; 3]]) -> impl Iterator<Item = (f64, f64)> {
         let (right, up) = self.axes();
         nodes.iter().map(move |p| (p[right], p[up]))
@@ -89,21 +101,27 @@ pub fn line_from_ahead(sources: &[PlottedRun], time: f64) -> Chart {
 fn view(sources: &[PlottedRun], time: f64, view: ViewDirection) -> Chart {
     let mut all = Vec::new();
     for (source, slot) in sources.iter().zip(slots(sources, 1)) {
-        let (label, nodes) = match (shape_at(source.shapes, time), source.profile) {
-            (_, Some(profile)) if source.at_rest() => {
+        let shapes = shapes_at(source.shapes, time);
+        let at_end = || source.profiles.iter().map(|line| line.nodes.as_slice());
+        let (label, points) = match (shapes.first(), source.profiles.is_empty()) {
+            (_, false) if source.at_rest() => {
                 let alone = sources.len() == 1;
                 let label = if alone { "line at rest" } else { "" };
-                (label.to_owned(), &profile.nodes)
+                (label.to_owned(), view.project_all(at_end()))
             }
-            (Some(shape), _) => (
-                format!("line at {}", number::si(shape.time, "s")),
-                &shape.nodes,
+            (Some(first), _) => (
+                format!(
+                    "{} at {}",
+                    line_or_lines(shapes.len()),
+                    number::si(first.time, "s")
+                ),
+                view.project_all(shapes.iter().map(|shape| shape.nodes.as_slice())),
             ),
-            (None, Some(profile)) => ("line at the end".to_owned(), &profile.nodes),
-            (None, None) => continue,
+            (None, false) => ("line at the end".to_owned(), view.project_all(at_end())),
+            (None, true) => continue,
         };
         let label = named(sources, source, &label);
-        all.push(series(source, slot, &label, view.project(nodes).collect()));
+        all.push(series(source, slot, &label, points));
     }
     let mut chart = in_space(view.title(), all);
     if view == ViewDirection::Plan {
@@ -133,10 +151,7 @@ fn in_space(title: &str, series: Vec<Series>) -> Chart {
 fn reach(sources: &[PlottedRun], view: ViewDirection) -> (Option<AxisRange>, Option<AxisRange>) {
     let all = || {
         sources.iter().flat_map(|source| {
-            let end = source
-                .profile
-                .into_iter()
-                .flat_map(|p| view.project(&p.nodes));
+            let end = source.profiles.iter().flat_map(|p| view.project(&p.nodes));
             source
                 .shapes
                 .iter()
@@ -147,9 +162,24 @@ fn reach(sources: &[PlottedRun], view: ViewDirection) -> (Option<AxisRange>, Opt
     (extent(all().map(|p| p.0)), extent(all().map(|p| p.1)))
 }
 
-fn shape_at(shapes: &[LineShape], time: f64) -> Option<&LineShape> {
+/// The shapes of all lines at the stored time nearest to another.
+fn shapes_at(shapes: &[LineShape], time: f64) -> &[LineShape] {
     let far = |shape: &LineShape| (shape.time - time).abs();
-    shapes.iter().min_by(|a, b| far(a).total_cmp(&far(b)))
+    let mut at_once = shapes.chunk_by(|one, other| one.time == other.time);
+    let Some(first) = at_once.next() else {
+        return &[];
+    };
+    at_once.fold(first, |best, next| match far(&next[0]) < far(&best[0]) {
+        true => next,
+        false => best,
+    })
+}
+
+fn line_or_lines(count: usize) -> &'static str {
+    match count {
+        1 => "line",
+        _ => "lines",
+    }
 }
 
 /// Number of the time nearest to another.

@@ -119,7 +119,7 @@ fn a_line_at_rest_is_seen_from_three_sides_and_has_no_envelope() {
         ..Profile::default()
     };
     let named = |label| PlottedRun {
-        profile: Some(&profile),
+        profiles: std::slice::from_ref(&profile),
         ..PlottedRun::streamed(&history, &[], label)
     };
     let alone = [named("a")];

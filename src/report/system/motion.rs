@@ -13,9 +13,10 @@ use seacable_base::number::{si, with_error};
 use seacable_display::chart::{Chart, Glyphs};
 use seacable_display::table::{Align, Cell, NumberFormat, Table};
 use seacable_model::case::{
-    ChannelQuantity, EnergyQuantity, FieldRow, QuantityId, Subject, edited, kind,
+    ChannelQuantity, EnergyQuantity, FieldRow, LineQuantity, QuantityId, Statistic, Subject,
+    edited, kind,
 };
-use seacable_runs::run::{Channel, Quantity, Run, edited_inputs};
+use seacable_runs::run::{Channel, Profile, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
 use seacable_systems::system::{SolvedSystem, SystemFile, validation};
 
@@ -62,10 +63,6 @@ impl<'a> ChannelRow<'a> {
 
     /// A number with its error.
     fn written(&self, number: usize) -> Cell {
-        let written = |q: &Quantity| match q.error_estimate().filter(|error| *error > 0.0) {
-            Some(error) => with_error(q.value, Some(error), &q.unit()),
-            None => si(q.value, &q.unit()),
-        };
         self.numbers[number].map_or_else(Cell::none, |q| Cell::plain(written(q)))
     }
 
@@ -76,6 +73,14 @@ impl<'a> ChannelRow<'a> {
     /// The errors of all four numbers by the time steps, or by the mesh.
     fn errors(&self, of: fn(&Quantity) -> Option<f64>) -> Option<Vec<f64>> {
         self.numbers.iter().map(|number| of((*number)?)).collect()
+    }
+}
+
+/// A number with its error.
+fn written(q: &Quantity) -> String {
+    match q.error_estimate().filter(|error| *error > 0.0) {
+        Some(error) => with_error(q.value, Some(error), &q.unit()),
+        None => si(q.value, &q.unit()),
     }
 }
 
@@ -98,6 +103,48 @@ pub fn channels(run: &Run) -> Table {
         table.notes.push(format!("Errors: {method}, added up."));
     }
     table
+}
+
+/// The extremes along every line with their errors, and where they are.
+#[must_use]
+pub fn along_lines(run: &Run) -> Table {
+    const METRES: NumberFormat = NumberFormat::Digits(6, "m");
+    let by_name: HashMap<String, &Quantity> = run.summary.iter().map(|q| (q.name(), q)).collect();
+    let find = |line: &Profile, quantity, statistic| {
+        let id = QuantityId::new(Subject::along(quantity, &line.line), statistic, None);
+        by_name.get(&id.to_string()).copied()
+    };
+    let cell = |line: &Profile, quantity, statistic| {
+        find(line, quantity, statistic).map_or_else(Cell::none, |q| Cell::plain(written(q)))
+    };
+    let at = |line: &Profile, quantity, statistic| {
+        find(line, quantity, statistic).map_or(f64::NAN, |q| q.value)
+    };
+    let lines: Vec<&Profile> = run.profiles.iter().collect();
+    let mut table = Table::of("Along the lines", &lines)
+        .text("line", |line| line.line.clone())
+        .cell("least tension", Align::Left, |line| {
+            cell(line, LineQuantity::Tension, Statistic::Min)
+        })
+        .number("at", METRES, |line| {
+            at(line, LineQuantity::Tension, Statistic::ArcOfMin)
+        })
+        .cell("greatest tension", Align::Left, |line| {
+            cell(line, LineQuantity::Tension, Statistic::Max)
+        })
+        .number("at", METRES, |line| {
+            at(line, LineQuantity::Tension, Statistic::ArcOfMax)
+        });
+    if lines.iter().any(|line| line.bends()) {
+        table = table
+            .cell("least bend radius", Align::Left, |line| {
+                cell(line, LineQuantity::BendRadius, Statistic::Min)
+            })
+            .number("at", METRES, |line| {
+                at(line, LineQuantity::BendRadius, Statistic::ArcOfMin)
+            });
+    }
+    table.build()
 }
 
 /// The energy balance in words; nothing of a run that has none.
@@ -126,6 +173,10 @@ fn results(page: &mut Report, run: &Run) {
         return page.paragraph("The run holds no results.");
     }
     page.table(channels(run));
+    if !run.profiles.is_empty() {
+        page.table(along_lines(run));
+        page.gap();
+    }
     if let Some(energy) = energy(run) {
         page.paragraph(&energy);
     }
@@ -152,7 +203,8 @@ fn charts(run: &Run) -> Vec<Chart> {
         }
     });
     let recorded = run.history.channels.iter().map(|c| c.id.quantity);
-    let others = FigureId::of_system(&recorded.collect::<Vec<_>>()).into_iter();
+    let bends = run.profiles.iter().any(Profile::bends);
+    let others = FigureId::of_system(&recorded.collect::<Vec<_>>(), bends).into_iter();
     let others = others.filter(|id| *id != FigureId::Tensions);
     let others = others.map(|id| id.figure().draw(&FigureData::of_system(&runs)));
     let all = tension.into_iter().chain(others);
@@ -230,6 +282,21 @@ pub fn object(run: &Run, directory: &Path) -> Value {
         let id = QuantityId::single(Subject::Energy(of));
         run.summary.iter().find(|q| q.id == id).map(|q| q.value)
     };
+    // An extreme along a line, or its place.
+    let along = |q: &Quantity| {
+        let QuantityId::Statistic { of, statistic, .. } = &q.id else {
+            return None;
+        };
+        let (quantity, line) = of.line_quantity()?;
+        Some(json!({
+            "line": line,
+            "quantity": quantity.name(),
+            "statistic": statistic.name(),
+            "value": q.value,
+            "time_error": q.time_error,
+            "mesh_error": q.mesh_error,
+        }))
+    };
     let info = &run.info;
     json!({
         "state": info.state,
@@ -246,5 +313,6 @@ pub fn object(run: &Run, directory: &Path) -> Value {
         "energy_drift_j": energy(EnergyQuantity::Drift),
         "directory": visible::path(directory),
         "channels": ChannelRow::all(run).iter().map(channel).collect::<Vec<_>>(),
+        "along_lines": run.summary.iter().filter_map(along).collect::<Vec<_>>(),
     })
 }

@@ -3,7 +3,7 @@
 use crate::published::{CalibrationBasis, RowKind, ValidationRow, compare, tolerance};
 use crate::{
     case::{ChannelId, Evidence, LineQuantity, Provenance, Published, Statistic, StudyPoint},
-    run::{Channel, Quantity, QuantityId, Run, RunState, Subject, along_line},
+    run::{Channel, Profile, Quantity, QuantityId, Run, RunState, Subject, along_line},
 };
 
 pub(super) fn row<'r>(
@@ -166,10 +166,9 @@ fn unfinished(run: &Run) -> Option<String> {
 
 fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
     match subject {
-        Subject::Line(quantity) if quantity.of_bending() && !run.profile().bends() => {
-            format!("Nothing bends in this run, so it has no `{id}`.")
+        _ if let Some((quantity, line)) = subject.line_quantity() => {
+            along(run, (quantity, line), id)
         }
-        Subject::Line(quantity) if let Some(reason) = too_few(run, *quantity, id) => reason,
         Subject::Channel(channel) if run.history.channels.iter().all(|c| c.id != *channel) => {
             no_channel(run, channel)
         }
@@ -177,8 +176,23 @@ fn missing(run: &Run, subject: &Subject, id: &QuantityId) -> String {
     }
 }
 
+/// Why a number along a line is missing.
+fn along(run: &Run, (quantity, line): (LineQuantity, &str), id: &QuantityId) -> String {
+    let none = Profile::default();
+    let known = run.profiles.iter().find(|profile| profile.line == line);
+    let profile = match known {
+        None if !run.profiles.is_empty() => return format!("The run has no line `{line}`."),
+        known => known.unwrap_or(&none),
+    };
+    if quantity.of_bending() && !profile.bends() {
+        return format!("Nothing bends in this run, so it has no `{id}`.");
+    }
+    too_few(profile, quantity, id)
+        .unwrap_or_else(|| format!("The summary of the run does not hold `{id}`."))
+}
+
 /// Why there is no n-th peak or valley, where there are fewer.
-fn too_few(run: &Run, quantity: LineQuantity, id: &QuantityId) -> Option<String> {
+fn too_few(profile: &Profile, quantity: LineQuantity, id: &QuantityId) -> Option<String> {
     let QuantityId::Statistic {
         statistic,
         within,
@@ -189,7 +203,7 @@ fn too_few(run: &Run, quantity: LineQuantity, id: &QuantityId) -> Option<String>
         return None;
     };
     let name = quantity.name();
-    let count = |statistic| along_line(run.profile(), quantity, statistic, *within, None);
+    let count = |statistic| along_line(profile, quantity, statistic, *within, None);
     let (count, what) = match statistic {
         Statistic::Peak => (count(Statistic::Peaks)?, "peaks"),
         Statistic::Valley => (

@@ -110,7 +110,10 @@ fn statistics(run: &Computed) -> Vec<Quantity> {
     let quantity = |(wanted, number): &(RequestedStatistic, Option<f64>)| {
         let of = match wanted.of {
             StatisticSource::Channel(index) => Subject::Channel(channels.get(index)?.id.clone()),
-            StatisticSource::Line(_, quantity) => Subject::Line(quantity),
+            StatisticSource::Line(number, quantity) => {
+                let line = run.record.profiles.get(number)?;
+                Subject::along(quantity, &line.line)
+            }
         };
         let id = QuantityId::new(of, wanted.statistic, wanted.window).numbered(wanted.nth);
         Some(Quantity::new(id, (*number)?))
@@ -338,7 +341,9 @@ fn rests_at_zero(q: &Quantity) -> bool {
                 let last = *statistic == Statistic::Final;
                 channel.quantity.rests_at_zero(last)
             }
-            Subject::Line(quantity) => *quantity == LineQuantity::Tension,
+            Subject::Line(quantity) | Subject::Along(quantity, _) => {
+                *quantity == LineQuantity::Tension
+            }
             _ => false,
         }
 }
@@ -360,7 +365,7 @@ fn is_least_tension(id: &QuantityId) -> bool {
     };
     let is_tension = match of {
         Subject::Channel(channel) => channel.quantity == ChannelQuantity::Tension,
-        Subject::Line(quantity) => *quantity == LineQuantity::Tension,
+        Subject::Line(quantity) | Subject::Along(quantity, _) => *quantity == LineQuantity::Tension,
         _ => false,
     };
     is_tension && *statistic == Statistic::Min

@@ -90,7 +90,8 @@ pub fn evaluate(
 }
 
 /// The resolution of a statistic on the nodes: for a place along the line the longest segment \[m\].
-pub(super) fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
+#[must_use]
+pub fn resolution(profile: &Profile, statistic: Statistic) -> f64 {
     match statistic {
         Statistic::ArcOfMax | Statistic::ArcOfMin => {
             let lengths = profile.arc.windows(2).map(|pair| pair[1] - pair[0]);

@@ -23,7 +23,7 @@ pub mod job;
 mod late_samples;
 pub mod limits;
 mod line_recorder;
-mod line_statistics;
+pub mod line_statistics;
 pub mod lines_along;
 pub mod model;
 mod natural_modes;

@@ -32,10 +32,7 @@ pub struct RequestedStatistic {
 #[must_use]
 pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatistic> {
     let mut list: Vec<RequestedStatistic> = of_channels(channels.len()).collect();
-    list.extend(
-        line_statistics::ALWAYS
-            .map(|(quantity, statistic)| whole(StatisticSource::Line(0, quantity), statistic)),
-    );
+    list.extend(of_lines(1));
     // The start of a record over time is left out where the case says so.
     let moves = case.solver.method != Method::Static;
     let window = case.statistics.settled_window(case.solver.duration_s);
@@ -84,6 +81,14 @@ pub fn of_channels(channels: usize) -> impl Iterator<Item = RequestedStatistic> 
     use Statistic::{Final, Max, Mean, Min};
     (0..channels).flat_map(|channel| {
         [Max, Min, Mean, Final].map(|s| whole(StatisticSource::Channel(channel), s))
+    })
+}
+
+/// The extremes along so many lines.
+pub fn of_lines(lines: usize) -> impl Iterator<Item = RequestedStatistic> {
+    (0..lines).flat_map(|line| {
+        line_statistics::ALWAYS
+            .map(|(quantity, statistic)| whole(StatisticSource::Line(line, quantity), statistic))
     })
 }
 

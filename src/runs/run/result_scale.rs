@@ -48,7 +48,7 @@ impl Scales<'_> {
         let largest = same_unit.map(|other| other.value.abs()).fold(0.0, f64::max);
         let scale = match of {
             Subject::Channel(id) => self.of_channel(id),
-            Subject::Line(_) => self.magnitude(of),
+            Subject::Line(_) | Subject::Along(..) => self.magnitude(of),
             _ => return None,
         };
         (scale > ZERO * largest).then_some(scale)

@@ -62,7 +62,7 @@ fn bounds(id: &QuantityId, run: &Computed) -> [f64; 2] {
 fn is_of_either_sign(of: &Subject) -> bool {
     match of {
         Subject::Channel(channel) => channel.quantity != ChannelQuantity::Tension,
-        Subject::Line(quantity) => {
+        Subject::Line(quantity) | Subject::Along(quantity, _) => {
             matches!(quantity, LineQuantity::Height | LineQuantity::Travelling)
         }
         _ => true,

@@ -197,6 +197,15 @@ impl DiscretisedLine {
         self.shares.len() - 1
     }
 
+    /// Whether it has bending stiffness.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        let case = &self.case;
+        let of = |name: &str| case.materials.get(name).map(|material| material.ei_n_m2);
+        let mut sections = case.line.iter().filter_map(|section| of(&section.material));
+        sections.any(|stiffness| stiffness > 0.0)
+    }
+
     /// The case that states it.
     #[must_use]
     pub fn case(&self) -> &Case {

@@ -395,6 +395,16 @@ impl Network {
             || self.free_points().any(|point| point.initial.is_off_rest())
     }
 
+    /// Whether any line bends.
+    #[must_use]
+    pub fn bends(&self) -> bool {
+        let mut divided = self
+            .lines
+            .iter()
+            .filter_map(|line| line.discretised.as_ref());
+        divided.any(|line| line.bends())
+    }
+
     /// The same system with so many times the segments in every divided line.
     ///
     /// # Errors

@@ -105,7 +105,7 @@ fn a_run_is_watched_and_shown_on_the_charts() {
     assert_eq!(curves(&desk), 61);
     desk.keys("5");
     snapshot("tui_system_charts_80x24", &desk);
-    desk.keys("] ] ]");
+    desk.keys("] ] ] ] ] ] ]");
     assert!(desk.screen().contains("clump"));
     desk.keys("6");
     snapshot("tui_system_runs_80x24", &desk);

@@ -9,7 +9,7 @@ use crate::case::{LineQuantity, Subject};
 /// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
 pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) -> Option<Finding> {
     let (taken, channel) = (statistic.value()?, channel.get()?);
-    let along = matches!(channel, Subject::Line(_));
+    let along = channel.line_quantity().is_some();
     let fits = if along {
         Statistic::along_line
     } else {
@@ -42,7 +42,7 @@ pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) 
 /// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
 /// first look may do so, and the row is then not computed.
 pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> Option<Finding> {
-    if let Some(Subject::Line(quantity)) = channel {
+    if let Some((quantity, _)) = channel.and_then(Subject::line_quantity) {
         let name = quantity.name();
         let problem = format!("`{name}` of the whole line is taken over the whole run");
         return window.if_given(problem, "leave the window out");
@@ -60,7 +60,7 @@ pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> O
 
 /// A stretch runs from A towards B, and is one of a quantity of the whole line.
 pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -> Option<Finding> {
-    let over_time = |subject: &&Subject| !matches!(subject, Subject::Line(_));
+    let over_time = |subject: &&Subject| subject.line_quantity().is_none();
     if let Some(channel) = channel.get().filter(over_time) {
         let problem = format!("`{channel}` is recorded against time, not along the line");
         let remedy = "leave the stretch out, or name a quantity of the whole line";

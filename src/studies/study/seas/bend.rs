@@ -12,28 +12,39 @@ use crate::extremes::interval::IntervalMethod;
 use crate::extremes::target::{Statistic, Target};
 use crate::study::record_statistics::FEWEST_RUNS;
 
-/// Why a check of a system has no bend radius.
-pub(super) const NOT_OF_SYSTEMS: &str = "curvature along the lines of a system is not computed: check the line by itself, as a file with `[case]` between two ends";
-
-/// The least bend radius of a sea against its limit: in a random sea by Gumbel's law of the greatest curvatures of the runs.
-///
-/// # Errors
-/// Runs without bend radii.
-pub(super) fn row(
+/// The least bend radii of a sea against their limit, line by line.
+pub(super) fn rows(
     check: &Check,
     sea: usize,
     runs: &[RunRecord],
     question: &SeaQuestion,
-) -> Result<CheckRow, String> {
+) -> Vec<Result<CheckRow, String>> {
+    let first = runs.first();
+    let lines = first.into_iter().flat_map(RunRecord::bent_lines);
+    let rows = lines
+        .filter(|line| line.is_empty() || check.holds_for(line))
+        .filter_map(|line| row(check, (sea, line), runs, question));
+    let rows: Vec<_> = rows.map(Ok).collect();
+    match rows.is_empty() {
+        true => vec![Err("no bend radius is recorded: none of its lines bends, which takes `ei_n_m2` of their material".to_owned())],
+        false => rows,
+    }
+}
+
+/// The least bend radius of a line, by its name: in a random sea by Gumbel's law of the greatest curvatures of the runs; nothing of runs
+/// without one.
+fn row(
+    check: &Check,
+    (sea, line): (usize, &str),
+    runs: &[RunRecord],
+    question: &SeaQuestion,
+) -> Option<CheckRow> {
     let found = runs
         .iter()
-        .filter_map(|run| Some((run, run.least_bend_radius()?)));
+        .filter_map(|run| Some((run, run.least_bend_radius(line)?)));
     let found: Vec<_> = found.collect();
     let least = found.iter().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
-    let (run, (radius, _)) = least.ok_or(match question.scene.is_system() {
-        true => NOT_OF_SYSTEMS,
-        false => "no bend radius is recorded: the line does not bend",
-    })?;
+    let (run, (radius, _)) = least?;
     let errors = found.iter().filter_map(|(_, (_, error))| *error);
     let (value, sample, method) = match question.scene.is_random {
         true => most_probable(&found, *radius, question),
@@ -45,9 +56,12 @@ pub(super) fn row(
         numerical: errors.reduce(f64::max),
         sample,
     };
-    Ok(CheckRow {
+    Some(CheckRow {
         sea: Some(sea),
-        place: "the line".to_owned(),
+        place: match line {
+            "" => "the line".to_owned(),
+            name => name.to_owned(),
+        },
         load,
         limit,
         unit: "m",

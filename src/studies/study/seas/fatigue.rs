@@ -156,7 +156,9 @@ impl LineErrors {
                 .reduce(f64::max)
         });
         let curvature = greatest(&|run| {
-            let (radius, error) = run.least_bend_radius()?;
+            // A line by itself has the radius of all its sections.
+            let of_line = run.least_bend_radius(line);
+            let (radius, error) = of_line.or_else(|| run.least_bend_radius(""))?;
             Some(error? / (radius * radius))
         });
         Self { range, curvature }

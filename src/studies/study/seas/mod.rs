@@ -286,7 +286,7 @@ impl SeaQuestion {
             return Vec::new();
         }
         if check.kind == CheckKind::BendRadius {
-            return vec![bend::row(check, number, runs, self)];
+            return bend::rows(check, number, runs, self);
         }
         let Some(series) = checked::series(check.kind) else {
             return Vec::new();

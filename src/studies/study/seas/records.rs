@@ -248,10 +248,23 @@ impl RunRecord {
         found.error_estimate()
     }
 
-    /// The least bend radius along the whole line with its numerical error \[m\].
+    /// The lines that bend, by name; empty of a line by itself.
+    pub fn bent_lines(&self) -> impl Iterator<Item = &str> {
+        self.summary
+            .iter()
+            .filter_map(|quantity| match &quantity.id {
+                QuantityId::Statistic { of, statistic, .. } if *statistic == Statistic::Min => {
+                    let (quantity, line) = of.line_quantity()?;
+                    (quantity == LineQuantity::BendRadius).then_some(line)
+                }
+                _ => None,
+            })
+    }
+
+    /// The least bend radius along a line, by its name, with its numerical error \[m\].
     #[must_use]
-    pub fn least_bend_radius(&self) -> Option<(f64, Option<f64>)> {
-        let of = Subject::Line(LineQuantity::BendRadius);
+    pub fn least_bend_radius(&self, line: &str) -> Option<(f64, Option<f64>)> {
+        let of = Subject::along(LineQuantity::BendRadius, line);
         let id = QuantityId::new(of, Statistic::Min, None);
         let found = self.summary.iter().find(|quantity| quantity.id == id)?;
         Some((found.value, found.error_estimate()))

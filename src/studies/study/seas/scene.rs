@@ -38,12 +38,6 @@ pub struct CheckedScene {
 }
 
 impl CheckedScene {
-    /// Whether it is a system of lines.
-    #[must_use]
-    pub fn is_system(&self) -> bool {
-        !self.tensions.is_empty() || !self.bodies.is_empty()
-    }
-
     /// A name that a check holds and the scene has not, with the nearest that it has.
     #[must_use]
     pub fn unknown(&self, check: &Check) -> Option<(String, Option<String>)> {

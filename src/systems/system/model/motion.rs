@@ -70,6 +70,8 @@ table! {
     pub struct MotionOutput => MotionOutputKeys {
         /// Interval of the time history.
         interval_s: f64 = 0.5, "history interval", range positive(1e5);
+        /// Interval of the stored line shapes.
+        shape_interval_s: f64 = 5.0, "shape interval", range positive(1e6);
         /// Whether the upward pull of the lines on fixed points is recorded, as uplift_n.
         uplift: bool = false, "uplift of anchors";
     }

@@ -1,8 +1,9 @@
-//! The channels of a run over all of it.
+//! The channels and the lines of a run over all of it.
 
-use crate::case::{ChannelId, Statistic};
+use crate::case::{ChannelId, QuantityId, Statistic, Subject};
+use crate::run::Quantity;
 use crate::run::observer::RunRecord;
-use crate::run::requested_statistics::StatisticSource;
+use crate::run::requested_statistics::{RequestedStatistic, StatisticSource};
 
 /// A channel of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,4 +75,18 @@ impl ChannelResult {
             })
             .collect()
     }
+}
+
+/// The extremes along the lines of a record, without errors.
+pub(super) fn along_lines(record: &RunRecord) -> Vec<Quantity> {
+    let quantity = |(wanted, value): &(RequestedStatistic, Option<f64>)| {
+        let StatisticSource::Line(number, quantity) = wanted.of else {
+            return None;
+        };
+        let line = record.profiles.get(number)?;
+        let of = Subject::along(quantity, &line.line);
+        let id = QuantityId::new(of, wanted.statistic, wanted.window);
+        Some(Quantity::new(id, (*value)?))
+    };
+    record.statistics.iter().filter_map(quantity).collect()
 }

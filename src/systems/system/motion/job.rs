@@ -119,6 +119,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
     let window = used.settled_from_s.map(|from| [from, used.duration_s]);
     let settled = |channel| settled(channel, window);
     summary.extend(computed.channels.iter().flat_map(settled));
+    summary.extend(computed.along.iter().cloned());
     summary.extend(computed.energy.iter().cloned());
     Run {
         info: RunInfo {
@@ -138,8 +139,8 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
         },
         case_text,
         history: computed.history,
-        shapes: Vec::new(),
-        profiles: Vec::new(),
+        shapes: computed.shapes,
+        profiles: computed.profiles,
         summary,
         fatigue: computed.fatigue,
     }

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
 use super::broken_names;
-use super::channel_result::ChannelResult;
+use super::channel_result::{ChannelResult, along_lines};
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::mesh_of_ends::{EndMesh, Remesh};
@@ -25,7 +25,7 @@ use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
 use crate::run::observers::{ObservedRun, of_lines};
 use crate::run::output_times::OutputTimes;
 use crate::run::recorder::{Recorder, RecorderPlan};
-use crate::run::requested_statistics::{of_channels, settled};
+use crate::run::requested_statistics::{self, of_channels, settled};
 use crate::run::{Cost, Profile, RunState, step_envelope};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing, Sink};
@@ -115,9 +115,11 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
     let output_times = OutputTimes::new(duration, settings.interval_s);
     let window = settings.settled_from_s.map(|from| [from, duration]);
     let quantities = channels.ids.iter().map(|id| id.quantity);
-    let statistics = of_channels(channels.ids.len()).chain(settled(quantities, window));
     let lines = begun.system.lines(&begun.state).map(|(scene, _)| scene);
     let scenes: Vec<&Scene> = lines.collect();
+    let statistics = of_channels(channels.ids.len())
+        .chain(requested_statistics::of_lines(scenes.len()))
+        .chain(settled(quantities, window));
     let observers = of_lines(ObservedRun {
         channels: channels.ids.clone(),
         scenes: &scenes,
@@ -133,7 +135,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         observers,
         balances: true,
         output_times,
-        shape_interval: None,
+        shape_interval: settings.shape_interval_s,
         duration,
     }
 }
@@ -408,6 +410,7 @@ impl<'a> Marching<'a> {
         MotionRun {
             settings: settings.clone(),
             channels: ChannelResult::of(&record),
+            along: along_lines(&record),
             companions: Vec::new(),
             balance: record.balance.unwrap_or_default(),
             energy: record.energy,

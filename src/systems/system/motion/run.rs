@@ -17,7 +17,9 @@ use crate::run::along::FatigueSpot;
 use crate::run::energy_balance::EnergyBalance;
 use crate::run::event::JobEvent;
 use crate::run::lines_along::LinesAlong;
-use crate::run::{Cost, History, LineShape, Profile, Quantity, RunState};
+use crate::run::{
+    Cost, History, LineShape, Profile, Quantity, QuantityId, RunState, line_statistics,
+};
 use crate::system::SolvedSystem;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::MotionInputs;
@@ -30,6 +32,8 @@ pub struct MotionRun {
     pub settings: MotionSettings,
     /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
+    /// The extremes along the lines, with errors.
+    pub along: Vec<Quantity>,
     /// The channels at the output times; of a long run some of them.
     pub history: History,
     /// The same of the companion runs that estimate the errors: on longer steps, and on half the segments.
@@ -109,6 +113,7 @@ pub(super) fn run_stored(
     let window = solved.file.statistics.settled_window(given.duration_s);
     let settings = MotionSettings {
         settled_from_s: window.map(|[from, _]| from),
+        shape_interval_s: Some(solved.file.output.shape_interval_s),
         ..MotionSettings::new(given, interval, &begun.system)
     };
     let steps = settings.duration_s / settings.time_step_s;
@@ -228,6 +233,29 @@ fn turned_from_loads(begun: &Start) -> Vec<String> {
     off.collect()
 }
 
+/// The difference of an extreme along a line from that of a companion.
+fn along_error(of: &Quantity, companion: &MotionRun) -> Option<f64> {
+    let same = companion.along.iter().find(|other| other.id == of.id)?;
+    Some((of.value - same.value).abs())
+}
+
+/// The least error of an extreme along a line by the mesh: a place along it is known to a segment.
+fn resolution(of: &Quantity, profiles: &[Profile]) -> f64 {
+    let QuantityId::Statistic {
+        of: subject,
+        statistic,
+        ..
+    } = &of.id
+    else {
+        return 0.0;
+    };
+    let line = subject.line_quantity().map_or("", |(_, line)| line);
+    let profile = profiles.iter().find(|profile| profile.line == line);
+    profile.map_or(0.0, |profile| {
+        line_statistics::resolution(profile, *statistic)
+    })
+}
+
 /// The errors of all results from companions: from the same start with longer steps, and on half the segments.
 fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &AtomicBool) {
     let second = Refinement {
@@ -235,12 +263,14 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
         order: 2.0,
     };
     let mut longer = run.settings.clone();
+    longer.shape_interval_s = None;
     longer.time_step_s *= 2.0;
     longer.step_tolerance = longer.step_tolerance.map(|t| COARSER_STEPS * t);
-    let companions = [
-        ("time", Ok(same), longer),
-        ("mesh", start(solved, 2), run.settings.clone()),
-    ];
+    let mesh = MotionSettings {
+        shape_interval_s: None,
+        ..run.settings.clone()
+    };
+    let companions = [("time", Ok(same), longer), ("mesh", start(solved, 2), mesh)];
     for (what, begun, settings) in companions {
         let other = begun
             .map_err(|why| why.problem)
@@ -269,6 +299,15 @@ fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &At
                     match what {
                         "time" => channel.time_error = Some(errors),
                         _ => channel.mesh_error = Some(errors),
+                    }
+                }
+                for line in &mut run.along {
+                    let error = along_error(line, &other).map(|d| second.presumed(d, 0.0));
+                    match what {
+                        "time" => line.time_error = error,
+                        _ => {
+                            line.mesh_error = error.map(|e| e.max(resolution(line, &run.profiles)))
+                        }
                     }
                 }
                 run.companions.push(other.history);

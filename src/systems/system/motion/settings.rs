@@ -43,6 +43,8 @@ pub struct MotionSettings {
     pub max_iterations: usize,
     /// Interval of the history \[s\].
     pub interval_s: f64,
+    /// Least time between the shapes that are kept \[s\]; none where none are.
+    pub shape_interval_s: Option<f64>,
     /// From when on extremes are kept apart from those of the start \[s\]; nothing where they are not.
     pub settled_from_s: Option<f64>,
 }
@@ -68,6 +70,7 @@ impl MotionSettings {
             position_tolerance_m: given.position_tolerance_m.min(finest),
             max_iterations: given.max_iterations,
             interval_s,
+            shape_interval_s: None,
             settled_from_s: None,
         }
     }
