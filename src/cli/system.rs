@@ -24,8 +24,9 @@ use seacable_studies::study::seas::SeaQuestion;
 use seacable_systems::system::{
     SystemFile,
     analysis::analyses::Analyses,
-    motion::checkpoint::{ResumedSystem, resume_request},
+    motion::checkpoint::ResumedSystem,
     motion::job::{self, SystemRequest},
+    motion::resume::resume_request,
     validation,
 };
 

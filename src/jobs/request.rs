@@ -10,8 +10,9 @@ use crate::run::event::JobEvent;
 use crate::run::job::{self, Request};
 use crate::run::store;
 use crate::run::{ResumedRun, Run, RunInfo, resume_request};
-use crate::system::motion::checkpoint::{self, ResumedSystem};
+use crate::system::motion::checkpoint::ResumedSystem;
 use crate::system::motion::job::{self as system_job, SystemRequest};
+use crate::system::motion::resume;
 
 /// What a job computes.
 #[derive(Debug, Clone)]
@@ -37,7 +38,7 @@ impl JobRequest {
     /// As [`JobRequest::resumed`].
     pub fn resumed_until(dir: &Path, until: Option<f64>) -> Result<Self, String> {
         if FileType::of(&dir.join(store::CASE)) == FileType::System {
-            let (mut request, from) = checkpoint::resume_request(dir, until)?;
+            let (mut request, from) = resume::resume_request(dir, until)?;
             request.id = stem(&request.file);
             return Ok(Self::System(Box::new(request), from.map(Box::new)));
         }

@@ -22,8 +22,8 @@ use seacable::run::job::{self, JobEvent};
 use seacable::run::store::{self, RunLocation, RunWriter};
 use seacable::run::{Run, RunInfo, RunState};
 use seacable::system::SystemFile;
-use seacable::system::motion::checkpoint as systems;
 use seacable::system::motion::job::{self as system_job, SystemRequest};
+use seacable::system::motion::resume as systems;
 
 use crate::chance::{Chance, asked, seed};
 use crate::reseal::{reseal, unsealed};

@@ -13,8 +13,8 @@ use seacable::run::job::JobEvent;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState, store};
 use seacable::system::SystemFile;
-use seacable::system::motion::checkpoint::{ResumedSystem, resume_request};
 use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::quantities::value;
 
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");

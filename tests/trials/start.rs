@@ -8,9 +8,9 @@ use seacable::import::{self, ImportOptions};
 use seacable::run::job::JobEvent;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState};
-use seacable::system::motion::checkpoint::{ResumedSystem, resume_request};
 use seacable::system::motion::job::{SystemRequest, execute};
 use seacable::system::motion::run::{MotionRun, run};
+use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::{SolvedSystem, SystemFile};
 
 const G: f64 = 9.80665;

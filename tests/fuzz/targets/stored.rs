@@ -11,7 +11,7 @@ use seacable::report::text;
 use seacable::run::index::RunIndex;
 use seacable::run::store::{self, RunNotes};
 use seacable::run::{RunState, job, resume_request};
-use seacable::system::motion::{checkpoint, job as system_job};
+use seacable::system::motion::{job as system_job, resume};
 use seacable::tui::recovery::RecoveredEdits;
 
 use super::Target;
@@ -142,7 +142,7 @@ fn resumed(dir: &Path) -> bool {
 }
 
 fn resumed_system(dir: &Path) -> bool {
-    let Ok((request, from)) = checkpoint::resume_request(dir, Some(2.1)) else {
+    let Ok((request, from)) = resume::resume_request(dir, Some(2.1)) else {
         return false;
     };
     let stop = AtomicBool::new(true);

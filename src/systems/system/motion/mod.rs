@@ -49,6 +49,7 @@ pub mod pose_motion;
 mod recorded_system;
 pub mod release;
 pub mod responses;
+pub mod resume;
 mod rest_state;
 pub mod rk4;
 pub mod run;
