@@ -99,7 +99,7 @@ fn solved(text: &str) -> Option<SolvedSystem> {
 
 /// Seconds of an iteration by node.
 fn iteration(text: &str) -> Option<f64> {
-    let begun = start(&solved(text)?, 1).ok()?;
+    let begun = start(&solved(text)?, 1.0).ok()?;
     let mut border = Border::new(&begun.system, &begun.state);
     let factors = AlphaScheme::new(0.4).factors(0.05);
     let nodes: usize = begun.state.lines.iter().map(|line| line.x.len()).sum();

@@ -126,7 +126,7 @@ fn a_step_of_lines_paid_out_allocates_nothing() {
 
 fn allocates_nothing(text: &str, until: f64) {
     let solved = kind::parse::<SystemFile>(text, "system.toml").unwrap();
-    let begun = start(&solved, 1).unwrap();
+    let begun = start(&solved, 1.0).unwrap();
     let (system, mut state) = (begun.system, begun.state);
     // Pushed, so that it moves.
     if let Some(origin) = system.joints.bodies.first() {

@@ -132,7 +132,7 @@ fn a_moved_line_follows_the_equation_of_its_parts() {
         [[lines]]\nname = \"rope\"\nfrom = \"a\"\nto = \"b\"\nmaterial = \"rope\"\nlength_m = 100.0\nsegments = 8
         [solver]\nduration_s = 40.0\ntime_step_s = 0.005\nerror_estimate = false\n[output]\ninterval_s = 4.0\n"
     );
-    let begun = start(&solved(&text), 1).unwrap();
+    let begun = start(&solved(&text), 1.0).unwrap();
     let point = begun.system.network.point("b").unwrap();
     let motion = begun.system.network.points[point].motion.clone().unwrap();
     let soft = 1.0 / (1.0 / EA - 1.0 / DYNAMIC);

@@ -1,6 +1,6 @@
 //! A sample of random systems, at rest and in motion; `seacable study systems` and its `--in-motion` solve more.
 
-use seacable::study::invariants::{self, Invariant, Outcome};
+use seacable::study::invariants::{self, Held, Invariant, Outcome};
 use seacable::study::random_motion::{self, MotionEnd};
 use seacable::study::random_systems::{KINDS, run};
 
@@ -62,13 +62,31 @@ fn random_systems_answer_alike_however_they_are_asked_for() {
     hold(&outcomes, |_| false);
 }
 
-/// The same in motion, but for lines divided by a point: that reaches its mesh error where it lands and snaps, and more in a few.
+/// The same in motion, but for lines divided by a point: that reaches its mesh error where it lands and snaps, and more in a few. Bars hold 95
+/// of 100 results: of the hundreds of a finer mesh the worst of one system may be beyond its bar, not by its half.
 #[test]
 fn random_systems_move_alike_however_they_are_asked_for() {
     let outcomes = invariants::run(20, 20_261_127, true);
     let answered = outcomes.iter().filter(|outcome| outcome.refused.is_none());
     assert!(answered.count() >= 17);
-    hold(&outcomes, |invariant| invariant == Invariant::Divided);
+    let beyond = outcomes.iter().flat_map(Outcome::violations);
+    let beyond = beyond.filter(|(invariant, ..)| *invariant == Invariant::Refined);
+    let beyond: Vec<f64> = beyond.map(|(_, held, _)| excess(held)).collect();
+    assert!(
+        beyond.len() <= 1 && beyond.iter().all(|excess| *excess < 1.5),
+        "{beyond:?}"
+    );
+    hold(&outcomes, |invariant| {
+        matches!(invariant, Invariant::Divided | Invariant::Refined)
+    });
+}
+
+/// By how many times what is allowed the worst result of a system is apart.
+fn excess(held: &Held) -> f64 {
+    match held {
+        Held::Differs(violation) => violation.excess(),
+        _ => 0.0,
+    }
 }
 
 /// None answers otherwise but in known ways.

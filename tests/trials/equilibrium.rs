@@ -80,6 +80,6 @@ fn an_unstable_pose_is_left_alike_when_mirrored() {
 #[test]
 fn what_is_at_rest_to_rounding_is_at_rest() {
     let solved = solved(include_str!("files/at_rest_to_rounding.toml"));
-    let begun = start(&solved, 1).unwrap();
+    let begun = start(&solved, 1.0).unwrap();
     assert!(begun.iterations < 100, "{} iterations", begun.iterations);
 }

@@ -32,8 +32,8 @@ fn a_slack_line_beside_a_slack_companion_is_not_exact() {
         assert_eq!(numbers[number], 0.0);
         assert!((12_700.0..60_000.0).contains(&errors[number]), "{errors:?}");
     }
-    // What is prescribed is exact.
+    // What is prescribed is exact; its bar holds samples shortly before the end, which lie between steps.
     let vessel = channel(&run, "x_m[vessel]");
-    assert_eq!(vessel.mesh_error.unwrap()[LAST], 0.0);
-    assert_eq!(vessel.time_error.unwrap()[LAST], 0.0);
+    assert!(vessel.mesh_error.unwrap()[LAST] < 1e-6);
+    assert!(vessel.time_error.unwrap()[LAST] < 1e-6);
 }

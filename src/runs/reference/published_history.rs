@@ -4,8 +4,8 @@ use crate::case::fields::{of, positive};
 use crate::case::schema::table;
 use crate::case::{ChannelId, Evidence, Finding, Provenance};
 use crate::numerics::interpolation::interval;
-use crate::numerics::richardson::Refinement;
 use crate::published::{CurveOverlay, ValidationRow, compare};
+use crate::run::error_estimate::HistoryPair;
 use crate::run::{Channel, History};
 
 table! {
@@ -51,12 +51,12 @@ struct Distance {
 
 impl PublishedHistory {
     /// The rows of the validation table for a run: of the root mean square and, where the file asks for it, of the greatest
-    /// difference. Their errors come from companions of the run, on steps twice as long and on half the segments.
+    /// difference. Their errors come from pairs of its companions.
     #[must_use]
     pub fn rows(
         &self,
         run: Result<&History, String>,
-        companions: &[History],
+        companions: &[HistoryPair],
     ) -> Vec<ValidationRow> {
         let channel = run.and_then(|history| Ok((history, self.channel_of(history)?)));
         let distance = channel.as_ref().map_err(String::clone);
@@ -74,7 +74,7 @@ impl PublishedHistory {
             let found = distance.as_ref().map_err(String::clone);
             let found = found.map(|distance| {
                 let percent = of(distance);
-                (percent, self.error(percent, of, companions))
+                (percent, self.error(of, companions))
             });
             compare(row, self.out_of_reach.as_deref(), found)
         };
@@ -131,16 +131,12 @@ impl PublishedHistory {
         })
     }
 
-    fn error(&self, percent: f64, of: fn(&Distance) -> f64, companions: &[History]) -> Option<f64> {
-        let second = Refinement {
-            ratio: 2.0,
-            order: 2.0,
-        };
-        let errors = companions.iter().map(|history| {
+    fn error(&self, of: fn(&Distance) -> f64, companions: &[HistoryPair]) -> Option<f64> {
+        let taken = |history: &History| {
             let channel = self.channel_of(history).ok()?;
-            let coarse = self.distance(history, channel).ok()?;
-            Some(second.presumed(percent, of(&coarse)))
-        });
+            Some(of(&self.distance(history, channel).ok()?))
+        };
+        let errors = companions.iter().map(|pair| pair.error(taken));
         (!companions.is_empty()).then(|| errors.sum())?
     }
 
@@ -227,7 +223,8 @@ mod tests {
     #[test]
     fn a_channel_is_held_against_the_points_that_the_run_reaches() {
         let held = |off: f64, place: &str| {
-            curve(place).rows(Ok(&history(0.1, off)), &[history(0.1, off + 0.3)])
+            let pair = HistoryPair::new([history(0.1, off), history(0.1, off + 0.3)], 1.0);
+            curve(place).rows(Ok(&history(0.1, off)), &[pair])
         };
         let [rms, greatest] = &held(1.0, "line|b")[..] else {
             panic!("two rows");

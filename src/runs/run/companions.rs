@@ -12,16 +12,14 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 
 use super::RunState;
-use super::channel_statistics::reads_twice;
-use super::compute::{Computed, Resolution, compute};
-use super::requested_statistics::requested;
-use crate::case::{self, Case, Method};
+use super::compute::Computed;
+use super::refinable::Refinable;
 use crate::numerics::richardson::Refinement;
-pub(super) use pairs::{CRISIS, Coarsening, has_crisis};
+pub use pairs::Place;
+pub(super) use pairs::{CRISIS, Coarsening, named};
 use pairs::{
-    Pairs, Place, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_third, is_single_step,
-    mesh_ratio, meshes_in_steps, named, on_the_own_mesh, order, pairs_in_time, pairs_of,
-    pairs_of_meshes, place_of,
+    Pairs, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_third, is_single_step, mesh_ratio,
+    meshes_in_steps, on_the_own_mesh, order, pairs_in_time, pairs_of, pairs_of_meshes, place_of,
 };
 
 /// What shows one error of a run: the nearest pair of runs that differ in one thing only, and the next.
@@ -59,7 +57,7 @@ impl Evidence<'_> {
 
 /// The companions of a run, computed.
 pub(super) struct Companions<'a> {
-    case: &'a Case,
+    case: &'a dyn Refinable,
     run: &'a Computed,
     cancel: &'a AtomicBool,
     computed: Vec<(Place, Cow<'a, Computed>)>,
@@ -69,7 +67,7 @@ pub(super) struct Companions<'a> {
 
 impl<'a> Companions<'a> {
     /// Computes those that the case names, or those that tell the errors at the least cost, side by side where there are cores.
-    pub(super) fn of(case: &'a Case, run: &'a Computed, cancel: &'a AtomicBool) -> Self {
+    pub(super) fn of(case: &'a dyn Refinable, run: &'a Computed, cancel: &'a AtomicBool) -> Self {
         if let Some(coarsenings) = named(case) {
             return Self::coarsened_by(case, run, &coarsenings, &[], cancel);
         }
@@ -93,7 +91,7 @@ impl<'a> Companions<'a> {
 
     /// Those of a sequence, the first of which are known; as where a case names none for an error that it does not show.
     pub(super) fn coarsened_by(
-        case: &'a Case,
+        case: &'a dyn Refinable,
         run: &'a Computed,
         coarsenings: &[Coarsening],
         known: &[&'a Computed],
@@ -135,9 +133,8 @@ impl<'a> Companions<'a> {
 
     /// Whether [`Companions::beside_the_run`] has companions that these do not have.
     pub(super) fn can_be_nearer(&self) -> bool {
-        let solver = &self.case.solver;
-        solver.companions.is_none()
-            && solver.method != Method::Static
+        self.case.named().is_none()
+            && self.case.method_order().is_some()
             && coarsens(self.case)
             && has_third(self.case)
     }
@@ -175,7 +172,7 @@ impl<'a> Companions<'a> {
         let (case, cancel) = (self.case, self.cancel);
         let computed = missing
             .into_par_iter()
-            .map(|place| (place, Cow::Owned(companion(case, place, cancel))));
+            .map(|place| (place, Cow::Owned(case.companion(place, cancel))));
         self.computed.extend(computed.collect::<Vec<_>>());
     }
 
@@ -235,7 +232,7 @@ impl<'a> Companions<'a> {
                     } else {
                         mesh_ratio(self.case, 2)
                     },
-                    order: if has_crisis(self.case) { CRISIS } else { 2.0 },
+                    order: if self.case.has_crisis() { CRISIS } else { 2.0 },
                 },
                 ratios: [pairs.near[1].step, pairs.far.map_or(1.0, |far| far[1].step)],
                 is_finer,
@@ -255,52 +252,6 @@ impl<'a> Companions<'a> {
         failed
             .and_then(|run| run.outcome.failure.clone())
             .unwrap_or_else(|| "it was stopped".to_owned())
-    }
-}
-
-fn companion(case: &Case, place: Place, cancel: &AtomicBool) -> Computed {
-    let mut case = case.clone();
-    // Cycles along the line are counted by the run itself.
-    case.checks.clear();
-    if !reads_output_times(&case) {
-        case.output.interval_s = case.solver.duration_s;
-    }
-    let mut coarsening = place.segment.max(1.0) as usize;
-    if named(&case).is_some() {
-        divide(&mut case, coarsening);
-        coarsening = 1;
-    }
-    if place.segment < 1.0 {
-        for section in &mut case.line {
-            section.segments *= 2;
-        }
-    }
-    let resolution = Resolution {
-        coarsening,
-        step_ratio: place.step,
-    };
-    compute(&case, resolution, None, cancel, None)
-}
-
-/// Whether any result is read at output times, not from what lies between steps.
-fn reads_output_times(case: &Case) -> bool {
-    let statistics = requested(case, &case::channels(case));
-    !case.published_curve.is_empty()
-        || case.output.response_from_s.is_some()
-        || statistics
-            .iter()
-            .any(|wanted| reads_twice(wanted.statistic))
-}
-
-/// Gives every section so many times fewer segments, and explicit steps so many times their length, in the case itself: as a search
-/// had them before it made them finer.
-fn divide(case: &mut Case, by: usize) {
-    for section in &mut case.line {
-        section.segments = (section.segments / by).max(1);
-    }
-    if case.solver.method == Method::Rk4 {
-        let step = &mut case.solver.time_step_s;
-        *step = step.map(|step| step * by as f64);
     }
 }
 

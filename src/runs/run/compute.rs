@@ -17,22 +17,27 @@ use crate::scene::{self, Scene};
 
 /// The result of one computation.
 #[derive(Debug, Clone)]
-pub(super) struct Computed {
+pub struct Computed {
     /// How it ended.
-    pub(super) outcome: MarchResult,
-    pub(super) warnings: Vec<String>,
-    pub(super) settings: Settings,
-    pub(super) cost: Cost,
-    pub(super) record: RunRecord,
+    pub outcome: MarchResult,
+    /// What the user should know.
+    pub warnings: Vec<String>,
+    /// Settings that it used.
+    pub settings: Settings,
+    /// What it took.
+    pub cost: Cost,
+    /// What it recorded.
+    pub record: RunRecord,
     /// Natural modes, and the time from which on the response is steady; without errors.
-    pub(super) modes: Vec<Quantity>,
+    pub modes: Vec<Quantity>,
     /// Differences from the published curves of the case, without errors.
-    pub(super) curves: Vec<Quantity>,
+    pub curves: Vec<Quantity>,
 }
 
 impl Computed {
     /// A computation that failed before it began.
-    fn failed(failure: String) -> Self {
+    #[must_use]
+    pub fn failed(failure: String) -> Self {
         Self::without_record(MarchResult::failed(failure, Work::default()))
     }
 

@@ -167,7 +167,8 @@ pub(super) fn growth_warning(growth: f64) -> Option<String> {
 
 /// The warning where the drift exceeds what is stated of it: a share of all that passed through, and its error from the time
 /// step. Of that a part counts only: at second order it is as large as any drift.
-pub(super) fn warning(summary: &[Quantity]) -> Option<String> {
+#[must_use]
+pub fn warning(summary: &[Quantity], balance: Option<&EnergyBalance>) -> Option<String> {
     let [drift, share] = drift_and_share(summary)?;
     let (percent, allowed) = (share.value.abs(), 100.0 * ALLOWED);
     let by_time = share.time_error.unwrap_or(0.0);
@@ -175,10 +176,14 @@ pub(super) fn warning(summary: &[Quantity]) -> Option<String> {
     if percent <= stated {
         return None;
     }
+    let remedy = match balance.is_some_and(EnergyBalance::is_of_mesh) {
+        true => "segments at ends that are paid out are too long: give these lines more `segments`",
+        false => "try a smaller time_step_s or step_tolerance",
+    };
     let way = if drift.value > 0.0 { "gains" } else { "loses" };
     Some(format!(
         "the energy balance does not close: the run {way} {:.3e} J that no force accounts for, {percent:.2} % of all that passed \
-         through it; try a smaller time_step_s or step_tolerance",
+         through it; {remedy}",
         drift.value.abs()
     ))
 }

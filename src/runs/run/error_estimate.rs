@@ -3,31 +3,60 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::companions::{self, Companions, Evidence};
+use super::companions::{Companions, Evidence};
 use super::compute::Computed;
+use super::refinable::Refinable;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::unsettled_range::unsettled_range;
-use super::{Quantity, QuantityId, Subject};
-use super::{energy_balance, line_statistics};
-use crate::case::{Case, ChannelId, ChannelQuantity, LineQuantity, Method, Section, Statistic};
+use super::{History, Quantity, QuantityId, Subject, energy_balance, line_statistics};
+use crate::case::{ChannelId, ChannelQuantity, LineQuantity, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 use crate::numerics::richardson::{self, OBSERVED, PRESUMED, UNLIKE};
 
 /// The single numbers of a run with their estimated errors.
 #[derive(Debug, Clone, Default)]
-pub(super) struct ErrorEstimates {
+pub struct ErrorEstimates {
     /// The single numbers; errors are absent where they are not estimated.
-    pub(super) summary: Vec<Quantity>,
+    pub summary: Vec<Quantity>,
     /// Error of the root mean square displacements, node by node \[m\], time and mesh together.
-    pub(super) rms: Vec<f64>,
+    pub rms: Vec<f64>,
     /// How the errors are estimated, in words.
-    pub(super) method: String,
+    pub method: String,
+    /// The pairs of runs by which errors of curves are told.
+    pub curves: Vec<HistoryPair>,
     /// What the user should know.
-    pub(super) warnings: Vec<String>,
+    pub warnings: Vec<String>,
+}
+
+/// The histories of the nearest pair of runs that shows an error.
+#[derive(Debug, Clone)]
+pub struct HistoryPair {
+    histories: [History; 2],
+    /// The error by the difference.
+    factor: f64,
+}
+
+impl HistoryPair {
+    /// Of a finer and a coarser run, whose difference times a factor is the error.
+    #[must_use]
+    pub const fn new(histories: [History; 2], factor: f64) -> Self {
+        Self { histories, factor }
+    }
+
+    fn of(evidence: &Evidence<'_>) -> Self {
+        let histories = evidence.near.map(|run| run.record.history.clone());
+        Self::new(histories, evidence.presumed(1.0))
+    }
+
+    /// The error of what is taken of a history, by its difference in the pair.
+    pub fn error(&self, taken: impl Fn(&History) -> Option<f64>) -> Option<f64> {
+        let [fine, coarse] = &self.histories;
+        Some(self.factor * (taken(fine)? - taken(coarse)?).abs())
+    }
 }
 
 /// The single numbers without errors.
-pub(super) fn without_errors(run: &Computed) -> ErrorEstimates {
+pub fn without_errors(run: &Computed) -> ErrorEstimates {
     let lists = [
         statistics(run),
         run.curves.clone(),
@@ -42,7 +71,7 @@ pub(super) fn without_errors(run: &Computed) -> ErrorEstimates {
 
 /// Runs the companions and estimates the errors of all single numbers. Where too many results do not approach each other from
 /// companion to companion, dearer ones nearer to the run are computed in their place.
-pub(super) fn estimate(case: &Case, run: &Computed, cancel: &AtomicBool) -> ErrorEstimates {
+pub fn estimate(case: &dyn Refinable, run: &Computed, cancel: &AtomicBool) -> ErrorEstimates {
     let companions = Companions::of(case, run, cancel);
     let estimates = by_companions(case, run, &companions);
     if companions.can_be_nearer() && !cancel.load(Ordering::Relaxed) && is_in_doubt(&estimates) {
@@ -61,7 +90,7 @@ fn is_in_doubt(estimates: &ErrorEstimates) -> bool {
 }
 
 pub(super) fn by_companions(
-    case: &Case,
+    case: &dyn Refinable,
     run: &Computed,
     companions: &Companions<'_>,
 ) -> ErrorEstimates {
@@ -79,7 +108,7 @@ pub(super) fn by_companions(
 
 /// The errors of all single numbers by what shows the error in time and that of the mesh.
 fn estimates_by(
-    case: &Case,
+    case: &dyn Refinable,
     run: &Computed,
     evidence: [Option<&Evidence<'_>>; 2],
     mut warnings: Vec<String>,
@@ -100,6 +129,11 @@ fn estimates_by(
         summary: lists.concat(),
         rms: rms_error(run, evidence, growth),
         method: describe(case, time, mesh),
+        curves: evidence
+            .into_iter()
+            .flatten()
+            .map(HistoryPair::of)
+            .collect(),
         warnings,
     }
 }
@@ -287,13 +321,15 @@ fn with_errors(
 
 /// A place along the line has at least the mesh error of a segment, and the tension of a line that goes slack between nodes that of
 /// its weight.
-fn limit_resolution(list: &mut [Quantity], case: &Case, run: &Computed) {
+fn limit_resolution(list: &mut [Quantity], case: &dyn Refinable, run: &Computed) {
     for quantity in list {
         let mut least = 0.0;
-        if let QuantityId::Statistic { statistic, .. } = &quantity.id {
-            least = line_statistics::resolution(run.record.profile(), *statistic);
+        if let QuantityId::Statistic { of, statistic, .. } = &quantity.id {
+            let line = of.line_quantity().map_or("", |(_, line)| line);
+            let profile = run.record.profiles.iter().find(|p| p.line == line);
+            least = profile.map_or(0.0, |p| line_statistics::resolution(p, *statistic));
             if quantity.value == 0.0 && is_least_tension(&quantity.id) {
-                least = segment_weight(case);
+                least = case.segment_weight(line_of(of));
             }
         }
         quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
@@ -358,6 +394,14 @@ fn is_of_same_channel(one: &Quantity, other: &Quantity) -> bool {
     }
 }
 
+/// The line that a number is of, by its name: of a channel of a system by that of its place, `north|a`; empty of a line by itself.
+fn line_of(of: &Subject) -> &str {
+    match of {
+        Subject::Channel(channel) => channel.place.split('|').next().unwrap_or_default(),
+        _ => of.line_quantity().map_or("", |(_, line)| line),
+    }
+}
+
 /// Whether it is the least tension somewhere or on the whole line.
 fn is_least_tension(id: &QuantityId) -> bool {
     let QuantityId::Statistic { of, statistic, .. } = id else {
@@ -371,22 +415,12 @@ fn is_least_tension(id: &QuantityId) -> bool {
     is_tension && *statistic == Statistic::Min
 }
 
-/// The least submerged weight of a segment on the line \[N\].
-fn segment_weight(case: &Case) -> f64 {
-    let water = &case.environment;
-    let weight = |section: &Section| {
-        let material = case.materials.get(&section.material)?;
-        let area = 0.25 * std::f64::consts::PI * material.diameter_m.powi(2);
-        let mass = material.mass_kg_per_m - water.water_density_kg_per_m3 * area;
-        let length = section.length_m / section.segments as f64;
-        Some(length * water.gravity_m_per_s2 * mass.abs())
-    };
-    let weights = case.line.iter().filter_map(weight);
-    weights.reduce(f64::min).unwrap_or(0.0)
-}
-
 /// How the errors are estimated, in words.
-fn describe(case: &Case, time: Option<&Evidence<'_>>, mesh: Option<&Evidence<'_>>) -> String {
+fn describe(
+    case: &dyn Refinable,
+    time: Option<&Evidence<'_>>,
+    mesh: Option<&Evidence<'_>>,
+) -> String {
     let order = |evidence: &Evidence<'_>| {
         if evidence.far.is_some() {
             return format!("{OBSERVED} to {UNLIKE} times Richardson by the order observed");
@@ -412,7 +446,7 @@ fn describe(case: &Case, time: Option<&Evidence<'_>>, mesh: Option<&Evidence<'_>
             order(mesh)
         )
     });
-    let crisis = if companions::has_crisis(case) {
+    let crisis = if case.has_crisis() {
         "; no order above 1.5, since a drag coefficient jumps"
     } else {
         ""
@@ -425,8 +459,8 @@ fn describe(case: &Case, time: Option<&Evidence<'_>>, mesh: Option<&Evidence<'_>
 }
 
 /// By which steps the error in time is told, in words.
-fn steps(case: &Case, time: &Evidence<'_>) -> String {
-    let varies = case.solver.time_step_s.is_none() && case.solver.method == Method::Alpha;
+fn steps(case: &dyn Refinable, time: &Evidence<'_>) -> String {
+    let varies = case.varies_steps();
     let [near, far] = time.ratios;
     let of = |ratio: f64| match varies {
         true => format!("{} times the error allowed in a step", ratio.powi(3)),

@@ -141,9 +141,10 @@ pub fn execute_from(
     let exceeded = checks.iter().flat_map(limits::LimitCheck::warnings);
     computed.warnings.extend(exceeded);
     computed.warnings.extend(estimates.warnings);
-    computed
-        .warnings
-        .extend(energy_balance::warning(&estimates.summary));
+    computed.warnings.extend(energy_balance::warning(
+        &estimates.summary,
+        computed.record.balance.as_ref(),
+    ));
     if let Some(profile) = computed.record.profiles.first_mut() {
         profile.rms_error = estimates.rms;
     }

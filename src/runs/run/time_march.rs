@@ -14,12 +14,15 @@ use crate::solve::{AcceptedStep, Hysteresis, Kinematics, Progressing, Sink, Stat
 
 /// How a computation ended.
 #[derive(Debug, Clone)]
-pub(super) struct MarchResult {
-    pub(super) state: RunState,
-    pub(super) failure: Option<String>,
-    pub(super) work: Work,
+pub struct MarchResult {
+    /// Its state.
+    pub state: RunState,
+    /// Why it failed, if it did.
+    pub failure: Option<String>,
+    /// What it took.
+    pub work: Work,
     /// Lengths of the steps \[s\], and how many of each.
-    pub(super) lengths: Vec<(f64, u64)>,
+    pub lengths: Vec<(f64, u64)>,
 }
 
 impl MarchResult {
@@ -69,7 +72,7 @@ pub(super) struct MarchStart<'a> {
     /// Warnings of the start, which a resumed run repeats.
     pub(super) warnings: &'a [String],
     /// Work of the search for the start.
-    pub(super) work: Work,
+    pub work: Work,
 }
 
 /// Marches a line through all its phases.

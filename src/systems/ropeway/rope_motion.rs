@@ -8,10 +8,10 @@ use super::rope_system::{self, LINES, SHIP, SHIP_TENSION};
 use super::ship_motion;
 use super::solve::SolvedRopeway;
 use super::winch::{ShipOffset, WinchControl, WinchSample, WinchState, simulate};
-use crate::numerics::richardson::Refinement;
 use crate::numerics::statistics::Statistics;
 use crate::physics::ramp::smooth_ramp;
 use crate::run::History;
+use crate::run::error_estimate::HistoryPair;
 use crate::system::SystemFile;
 use crate::system::model::{MotionInputs, PayoutInputs, PointInputs, WhichEnd};
 use crate::system::motion::run::MotionRun;
@@ -242,17 +242,15 @@ fn results_of(history: &History, window: Window) -> Result<[f64; 5], RopewayErro
 
 /// Numerical errors of the results, by companions with longer steps and with longer segments.
 fn errors(run: &MotionRun, window: Window) -> Option<[[f64; 5]; 2]> {
-    let second = Refinement {
-        ratio: 2.0,
-        order: 2.0,
-    };
     let [time, mesh] = run.companions.as_slice() else {
         return None;
     };
-    let fine = results_of(&run.history, window).ok()?;
-    let from = |coarse: &History| {
-        let coarse = results_of(coarse, window).ok()?;
-        Some(std::array::from_fn(|k| second.presumed(fine[k], coarse[k])))
+    let from = |pair: &HistoryPair| {
+        let mut errors = [0.0; 5];
+        for (k, error) in errors.iter_mut().enumerate() {
+            *error = pair.error(|history| Some(results_of(history, window).ok()?[k]))?;
+        }
+        Some(errors)
     };
     Some([from(time)?, from(mesh)?])
 }

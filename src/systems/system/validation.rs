@@ -5,6 +5,7 @@ use super::quantities::{error, unit, value};
 use super::solved::SolvedSystem;
 use crate::published::ValidationRow;
 use crate::run::History;
+use crate::run::error_estimate::HistoryPair;
 
 /// Rows for every published value of a system at rest, then for every published curve of its run in time, in the order of its file.
 /// Without a run the curves read NOT RUN.
@@ -28,7 +29,7 @@ pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow
 pub fn rows_of(
     solved: &SolvedSystem,
     history: &Result<&History, String>,
-    companions: &[History],
+    companions: &[HistoryPair],
 ) -> Vec<ValidationRow> {
     let file = &solved.file;
     let numbers = file.published.iter().map(|printed| {

@@ -1,8 +1,8 @@
 //! Where companions stand by the run, and which pairs of them show an error.
 
 use super::super::compute::Computed;
-use crate::case::{Case, DragCoefficient, DragLawName, Method};
 use crate::dynamics::march::March;
+use crate::run::refinable::Refinable;
 
 /// The order where a force jumps.
 pub(in crate::run) const CRISIS: f64 = 1.5;
@@ -12,11 +12,11 @@ pub(super) const LONGER: f64 = 3.0;
 
 /// Mesh and steps of a companion, by those of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub struct Place {
     /// Length of the segments: a power of two times the run's.
-    pub(super) segment: f64,
+    pub segment: f64,
     /// Length of the steps; the error in time grows by this to the power of the method's order.
-    pub(super) step: f64,
+    pub step: f64,
 }
 
 /// The run itself.
@@ -70,15 +70,15 @@ impl Coarsening {
 pub(super) const NEAREST: &str = "nearest";
 
 /// The companions that a case names, from the finest; none where it leaves them open.
-pub(super) fn named(case: &Case) -> Option<Vec<Coarsening>> {
-    let words = case.solver.companions.as_ref()?;
+pub(in crate::run) fn named(case: &dyn Refinable) -> Option<Vec<Coarsening>> {
+    let words = case.named()?;
     let coarser = words.iter().map(|word| Coarsening::of_word(word));
     coarser.collect()
 }
 
 /// Whether a case asks for companions on its own mesh and in its own steps.
-pub(super) fn asks_for_nearest(case: &Case) -> bool {
-    let words = case.solver.companions.as_deref();
+pub(super) fn asks_for_nearest(case: &dyn Refinable) -> bool {
+    let words = case.named();
     words.is_some_and(|words| words.iter().any(|word| word == NEAREST))
 }
 
@@ -104,7 +104,7 @@ pub(super) fn pairs_of(coarsenings: &[Coarsening], what: Coarsening) -> Option<P
 
 /// Longer steps, and on the coarsest mesh longer ones still. Explicit methods have twice the steps on half the segments. Half the
 /// step where the run is a single step. None for statics.
-pub(super) fn pairs_in_time(case: &Case, run: &Computed, coarsens: bool) -> Option<Pairs> {
+pub(super) fn pairs_in_time(case: &dyn Refinable, run: &Computed, coarsens: bool) -> Option<Pairs> {
     order(case)?;
     if !coarsens || is_single_step(run) {
         return on_the_own_mesh(case, run).or(Some(Pairs {
@@ -128,7 +128,7 @@ pub(super) fn pairs_in_time(case: &Case, run: &Computed, coarsens: bool) -> Opti
 }
 
 /// Longer steps on the mesh of the run; none where it is a single step.
-pub(super) fn on_the_own_mesh(case: &Case, run: &Computed) -> Option<Pairs> {
+pub(super) fn on_the_own_mesh(case: &dyn Refinable, run: &Computed) -> Option<Pairs> {
     if is_single_step(run) {
         return None;
     }
@@ -141,7 +141,7 @@ pub(super) fn on_the_own_mesh(case: &Case, run: &Computed) -> Option<Pairs> {
 }
 
 /// Meshes in the longer steps of the first pair in time, where they go on from there.
-pub(super) fn pairs_of_meshes(case: &Case, time: Option<&Pairs>, coarsens: bool) -> Pairs {
+pub(super) fn pairs_of_meshes(case: &dyn Refinable, time: Option<&Pairs>, coarsens: bool) -> Pairs {
     let longer = time.filter(|time| time.far.is_some());
     let step = longer.map_or(1.0, |time| time.near[1].step);
     if coarsens {
@@ -152,7 +152,7 @@ pub(super) fn pairs_of_meshes(case: &Case, time: Option<&Pairs>, coarsens: bool)
 }
 
 /// Segments twice as long and four times.
-pub(super) fn meshes_in_steps(case: &Case, step: f64) -> Pairs {
+pub(super) fn meshes_in_steps(case: &dyn Refinable, step: f64) -> Pairs {
     let far = [at(2.0, step), at(4.0, step)];
     Pairs {
         near: [at(1.0, step), at(2.0, step)],
@@ -161,7 +161,7 @@ pub(super) fn meshes_in_steps(case: &Case, step: f64) -> Pairs {
 }
 
 /// Whether the mesh can be made coarser a second time.
-pub(super) fn has_third_mesh(case: &Case) -> bool {
+pub(super) fn has_third_mesh(case: &dyn Refinable) -> bool {
     mesh_ratio(case, 4) > 1.5 * mesh_ratio(case, 2)
 }
 
@@ -188,38 +188,26 @@ pub(super) fn place_of(coarsenings: &[Coarsening]) -> Place {
 }
 
 /// Explicit steps four times as long are not stable.
-pub(super) fn has_third(case: &Case) -> bool {
-    case.solver.method != Method::Rk4
+pub(super) fn has_third(case: &dyn Refinable) -> bool {
+    !case.is_explicit()
 }
 
 /// Whether there is a coarser mesh, and no section is a single segment, which has none.
-pub(super) fn coarsens(case: &Case) -> bool {
-    mesh_ratio(case, 2) > 1.0 && case.line.iter().all(|section| section.segments > 1)
+pub(super) fn coarsens(case: &dyn Refinable) -> bool {
+    mesh_ratio(case, 2) > 1.0 && !case.has_single_segment()
 }
 
 /// Segment length of the coarse mesh by that of the fine one, over the whole line.
-pub(super) fn mesh_ratio(case: &Case, coarsening: usize) -> f64 {
-    let segments = |coarsening| crate::scene::mesh::segments(case, coarsening) as f64;
+pub(super) fn mesh_ratio(case: &dyn Refinable, coarsening: usize) -> f64 {
+    let segments = |coarsening| case.segments(coarsening) as f64;
     segments(1) / segments(coarsening)
 }
 
 /// The order in time of the case's method; none for statics. A force that jumps leaves none its order: that of
 /// all results together on cases with a drag crisis is about 3/2.
-pub(super) fn order(case: &Case) -> Option<f64> {
-    match case.solver.method {
-        Method::Static => None,
-        _ if has_crisis(case) => Some(CRISIS),
-        Method::Quasi | Method::Alpha | Method::Auto => Some(2.0),
-        Method::Rk4 => Some(4.0),
-    }
-}
-
-/// Whether any drag coefficient of the line jumps with the speed.
-pub(in crate::run) fn has_crisis(case: &Case) -> bool {
-    case.line
-        .iter()
-        .filter_map(|section| case.materials.get(&section.material))
-        .any(|material| material.drag_normal == DragCoefficient::Named(DragLawName::Jia2019Normal))
+pub(super) fn order(case: &dyn Refinable) -> Option<f64> {
+    let order = case.method_order()?;
+    Some(if case.has_crisis() { CRISIS } else { order })
 }
 
 /// Whether the run is a single step.

@@ -1,9 +1,7 @@
-//! The channels and the lines of a run over all of it.
+//! The channels of a run over all of it.
 
 use crate::case::{ChannelId, QuantityId, Statistic, Subject};
-use crate::run::Quantity;
-use crate::run::observer::RunRecord;
-use crate::run::requested_statistics::{RequestedStatistic, StatisticSource};
+use crate::run::{Channel, Quantity};
 
 /// A channel of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,52 +39,66 @@ impl ChannelSummary {
     }
 }
 
-impl ChannelResult {
-    /// All channels of a record.
-    pub(super) fn of(record: &RunRecord) -> Vec<Self> {
-        let channels = record.history.channels.iter().enumerate();
-        channels
-            .map(|(number, channel)| {
-                let taken = |statistic, in_window: bool| {
-                    let mut all = record.statistics.iter();
-                    let found = all.find(|(wanted, _)| {
-                        wanted.of == StatisticSource::Channel(number)
-                            && wanted.statistic == statistic
-                            && wanted.window.is_some() == in_window
-                    });
-                    found.and_then(|(_, value)| *value)
-                };
-                let whole = |statistic| taken(statistic, false).unwrap_or(f64::NAN);
-                let least = taken(Statistic::Min, true);
-                Self {
-                    id: channel.id.clone(),
-                    summary: ChannelSummary {
-                        least: channel.trough,
-                        greatest: channel.peak,
-                        mean: whole(Statistic::Mean),
-                        last: whole(Statistic::Final),
-                    },
-                    settled: least
-                        .zip(taken(Statistic::Max, true))
-                        .map(|(least, greatest)| [least, greatest]),
-                    time_error: None,
-                    mesh_error: None,
-                }
-            })
-            .collect()
-    }
-}
+/// The statistics of every channel: least, greatest, mean and last value.
+pub const STATISTICS: [Statistic; 4] = [
+    Statistic::Min,
+    Statistic::Max,
+    Statistic::Mean,
+    Statistic::Final,
+];
 
-/// The extremes along the lines of a record, without errors.
-pub(super) fn along_lines(record: &RunRecord) -> Vec<Quantity> {
-    let quantity = |(wanted, value): &(RequestedStatistic, Option<f64>)| {
-        let StatisticSource::Line(number, quantity) = wanted.of else {
-            return None;
+impl ChannelResult {
+    /// Of a channel, by the single numbers of its run that are of it.
+    pub(super) fn of(channel: &Channel, own: &[&Quantity]) -> Self {
+        let of_statistic = |wanted: Statistic, in_window: bool| {
+            let is = |q: &&&Quantity| {
+                matches!(&q.id, QuantityId::Statistic { statistic, within, .. }
+                    if *statistic == wanted && within.is_some() == in_window)
+            };
+            own.iter().find(is).copied()
         };
-        let line = record.profiles.get(number)?;
-        let of = Subject::along(quantity, &line.line);
-        let id = QuantityId::new(of, wanted.statistic, wanted.window);
-        Some(Quantity::new(id, (*value)?))
-    };
-    record.statistics.iter().filter_map(quantity).collect()
+        let whole = STATISTICS.map(|statistic| of_statistic(statistic, false));
+        let value = |found: Option<&Quantity>| found.map_or(f64::NAN, |q| q.value);
+        let errors = |of: fn(&Quantity) -> Option<f64>| {
+            let mut errors = [0.0; STATISTICS.len()];
+            for (error, found) in errors.iter_mut().zip(whole) {
+                *error = of(found?)?;
+            }
+            Some(errors)
+        };
+        let settled = [Statistic::Min, Statistic::Max].map(|of| of_statistic(of, true));
+        let [least, greatest] = settled.map(|found| found.map(|q| q.value));
+        Self {
+            id: channel.id.clone(),
+            summary: ChannelSummary {
+                least: channel.trough,
+                greatest: channel.peak,
+                mean: value(whole[2]),
+                last: value(whole[3]),
+            },
+            settled: least
+                .zip(greatest)
+                .map(|(least, greatest)| [least, greatest]),
+            time_error: errors(|q| q.time_error),
+            mesh_error: errors(|q| q.mesh_error),
+        }
+    }
+
+    /// All channels of a run, by its single numbers.
+    pub(super) fn all(channels: &[Channel], summary: &[Quantity]) -> Vec<Self> {
+        let mut by_name: std::collections::HashMap<String, Vec<&Quantity>> =
+            std::collections::HashMap::new();
+        for quantity in summary {
+            if let QuantityId::Statistic {
+                of: Subject::Channel(id),
+                ..
+            } = &quantity.id
+            {
+                by_name.entry(id.to_string()).or_default().push(quantity);
+            }
+        }
+        let own = |channel: &Channel| by_name.get(&channel.id.to_string());
+        let result = |channel| Self::of(channel, own(channel).map_or(&[], Vec::as_slice));
+        channels.iter().map(result).collect()
+    }
 }

@@ -3,18 +3,18 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+pub use super::channel_result::STATISTICS;
 use super::checkpoint::ResumedSystem;
 use super::march::Stored;
-use super::run::{ChannelResult, MotionRun, run_stored};
+use super::run::{MotionRun, run_stored};
 use crate::case::attachments::with_files;
-use crate::case::{ChannelQuantity, QuantityId, Statistic, Subject};
 use crate::run::event::JobEvent;
 use crate::run::store::{now, rfc3339};
 use crate::run::{
-    Cost, History, Quantity, Run, RunInfo, RunState, Settings, VERSION, Work, refuse_not_finite,
+    Cost, History, Run, RunInfo, RunState, Settings, VERSION, Work, refuse_not_finite,
 };
 use crate::system::SolvedSystem;
-use crate::system::model::{MotionInputs, MotionMethod};
+use crate::system::model::MotionInputs;
 
 /// A run of a system in time that is asked for.
 #[derive(Debug, Clone)]
@@ -92,7 +92,7 @@ pub fn execute(
     let stored = Some(Stored { from });
     match run_stored(&request.solved, &request.motion, stored, cancel, events) {
         Ok(computed) => {
-            let mut run = of_result(info, case_text, &request.motion, computed);
+            let mut run = of_result(info, case_text, computed);
             refuse_not_finite(&mut run);
             run
         }
@@ -113,18 +113,11 @@ pub fn execute(
 }
 
 /// The result of a computation as a run.
-fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: MotionRun) -> Run {
-    let mut summary: Vec<Quantity> = computed.channels.iter().flat_map(statistics).collect();
-    let used = &computed.settings;
-    let window = used.settled_from_s.map(|from| [from, used.duration_s]);
-    let settled = |channel| settled(channel, window);
-    summary.extend(computed.channels.iter().flat_map(settled));
-    summary.extend(computed.along.iter().cloned());
-    summary.extend(computed.energy.iter().cloned());
+fn of_result(info: RunInfo, case_text: String, computed: MotionRun) -> Run {
     Run {
         info: RunInfo {
             state: computed.state,
-            settings: settings(given, &computed),
+            settings: computed.stored_settings,
             failure: computed.failure,
             warnings: computed.warnings,
             happened: computed.happened,
@@ -141,71 +134,7 @@ fn of_result(info: RunInfo, case_text: String, given: &MotionInputs, computed: M
         history: computed.history,
         shapes: computed.shapes,
         profiles: computed.profiles,
-        summary,
+        summary: computed.summary,
         fatigue: computed.fatigue,
     }
-}
-
-/// The settings, as those of a run of a line.
-fn settings(given: &MotionInputs, computed: &MotionRun) -> Settings {
-    let used = &computed.settings;
-    let implicit = used.method == MotionMethod::Alpha;
-    let estimated = computed.channels.iter().any(|c| c.time_error.is_some());
-    let error_method = match estimated {
-        true => {
-            "companion runs with steps about twice as long and with half the segments, each by 3 times Richardson, order 2"
-        }
-        false => "not estimated",
-    };
-    Settings {
-        method: used.method.name().to_owned(),
-        duration_s: used.duration_s,
-        time_step_s: used.time_step_s,
-        step_tolerance: used.step_tolerance,
-        time_step_automatic: given.time_step_s.is_none(),
-        rho_inf: implicit.then_some(used.rho_inf),
-        position_tolerance_m: implicit.then_some(used.position_tolerance_m),
-        nodes: computed.work.nodes,
-        output_interval_s: used.interval_s,
-        error_method: error_method.to_owned(),
-        ..Settings::default()
-    }
-}
-
-/// Statistics of a channel: least, greatest, mean and last value.
-pub const STATISTICS: [Statistic; 4] = [
-    Statistic::Min,
-    Statistic::Max,
-    Statistic::Mean,
-    Statistic::Final,
-];
-
-fn statistics(channel: &ChannelResult) -> impl Iterator<Item = Quantity> {
-    let numbers = channel.summary.numbers();
-    STATISTICS
-        .into_iter()
-        .enumerate()
-        .map(move |(k, statistic)| {
-            let of = Subject::Channel(channel.id.clone());
-            Quantity {
-                time_error: channel.time_error.map(|errors| errors[k]),
-                mesh_error: channel.mesh_error.map(|errors| errors[k]),
-                ..Quantity::new(QuantityId::new(of, statistic, None), numbers[k])
-            }
-        })
-}
-
-/// The extremes of what checks compare after the start that they leave out. Their errors are those of the whole run.
-fn settled(
-    channel: &ChannelResult,
-    window: Option<[f64; 2]>,
-) -> impl Iterator<Item = Quantity> + use<> {
-    let checked = ChannelQuantity::CHECKED.contains(&channel.id.quantity);
-    let found = channel.settled.filter(|_| checked && window.is_some());
-    let id = channel.id.clone();
-    let statistics = found.map(|ends| [Statistic::Min, Statistic::Max].into_iter().zip(ends));
-    statistics.into_iter().flatten().map(move |(of, value)| {
-        let subject = Subject::Channel(id.clone());
-        Quantity::new(QuantityId::new(subject, of, window), value)
-    })
 }

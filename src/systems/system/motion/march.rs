@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use super::body_equation::MovingBody;
 use super::broken_names;
-use super::channel_result::{ChannelResult, along_lines};
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::mesh_of_ends::{EndMesh, Remesh};
@@ -14,19 +13,21 @@ use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
-use super::run::{MotionRun, MotionWork};
+use super::run::{ComputedSystem, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
+use crate::run::compute::Computed;
 use crate::run::event::JobEvent;
 use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
 use crate::run::observers::{ObservedRun, of_lines};
 use crate::run::output_times::OutputTimes;
 use crate::run::recorder::{Recorder, RecorderPlan};
 use crate::run::requested_statistics::{self, of_channels, settled};
-use crate::run::{Cost, Profile, RunState, step_envelope};
+use crate::run::time_march::MarchResult;
+use crate::run::{Cost, Profile, RunState, Work, step_envelope};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing, Sink};
 
@@ -80,7 +81,7 @@ pub(super) fn compute<'a>(
     stored: Option<Stored<'_>>,
     cancel: &'a AtomicBool,
     events: Option<&'a mut dyn FnMut(JobEvent)>,
-) -> MotionRun {
+) -> ComputedSystem {
     let (cpu, clock) = (cpu_time(), Instant::now());
     let at_start = begun.iterations;
     let channels = Channels::of(&begun.system);
@@ -389,7 +390,7 @@ impl<'a> Marching<'a> {
         settings: &MotionSettings,
         (work, cost): (MotionWork, Cost),
         ended: Option<EarlyEnd>,
-    ) -> MotionRun {
+    ) -> ComputedSystem {
         let ends = self.recorder.fault().is_none();
         let lines = self.system.lines(&self.state);
         let lines: Vec<LineAtEnd<'_>> = lines
@@ -407,23 +408,29 @@ impl<'a> Marching<'a> {
             Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
             Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
         };
-        MotionRun {
-            settings: settings.clone(),
-            channels: ChannelResult::of(&record),
-            along: along_lines(&record),
-            companions: Vec::new(),
-            balance: record.balance.unwrap_or_default(),
-            energy: record.energy,
-            fatigue: record.fatigue,
-            history: record.history,
-            shapes: record.shapes,
-            profiles: record.profiles,
+        let settings = settings.of_run(work.nodes);
+        ComputedSystem {
+            computed: Computed {
+                outcome: MarchResult {
+                    state,
+                    failure,
+                    work: Work {
+                        steps: work.steps,
+                        rejections: work.rejections,
+                        iterations: work.iterations,
+                        evaluations: work.evaluations,
+                    },
+                    lengths: self.march.lengths(&self.place).collect(),
+                },
+                warnings: Vec::new(),
+                settings,
+                cost,
+                record,
+                modes: Vec::new(),
+                curves: Vec::new(),
+            },
             work,
-            cost,
             happened: self.happened,
-            state,
-            failure,
-            warnings: record.warnings,
         }
     }
 }

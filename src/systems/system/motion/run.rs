@@ -6,20 +6,18 @@ use std::time::Instant;
 use super::along::counted_along;
 pub use super::channel_result::{ChannelResult, ChannelSummary};
 use super::channels::Channels;
-use super::differences::differences;
 use super::march::{Stored, compute};
+use super::refinable_system::RefinableSystem;
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::limits::STEPS;
-use crate::numerics::richardson::Refinement;
 use crate::run::along::FatigueSpot;
-use crate::run::energy_balance::EnergyBalance;
+use crate::run::compute::Computed;
+use crate::run::energy_balance::{self, EnergyBalance};
+use crate::run::error_estimate::{ErrorEstimates, HistoryPair, estimate, without_errors};
 use crate::run::event::JobEvent;
-use crate::run::lines_along::LinesAlong;
-use crate::run::{
-    Cost, History, LineShape, Profile, Quantity, QuantityId, RunState, line_statistics,
-};
+use crate::run::{Cost, History, LineShape, Profile, Quantity, RunState, Settings};
 use crate::system::SolvedSystem;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::MotionInputs;
@@ -30,14 +28,16 @@ use crate::system::rest::UnsolvedSystem;
 pub struct MotionRun {
     /// Settings that it used.
     pub settings: MotionSettings,
+    /// The same in the words of a stored run, with how its errors were estimated.
+    pub stored_settings: Settings,
     /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
-    /// The extremes along the lines, with errors.
-    pub along: Vec<Quantity>,
+    /// All single numbers with their errors: of channels, along the lines, of the energy.
+    pub summary: Vec<Quantity>,
     /// The channels at the output times; of a long run some of them.
     pub history: History,
-    /// The same of the companion runs that estimate the errors: on longer steps, and on half the segments.
-    pub companions: Vec<History>,
+    /// The pairs of companions by which errors of curves are told: in time, and of the mesh.
+    pub companions: Vec<HistoryPair>,
     /// Work done.
     pub work: MotionWork,
     /// The time that it took.
@@ -48,10 +48,8 @@ pub struct MotionRun {
     pub profiles: Vec<Profile>,
     /// The damage along the lines, where checks count it.
     pub fatigue: Vec<FatigueSpot>,
-    /// The energy balance, and its single numbers.
+    /// The energy balance.
     pub balance: EnergyBalance,
-    /// See [`MotionRun::balance`].
-    pub energy: Vec<Quantity>,
     /// What happened to the lines, in words.
     pub happened: Vec<String>,
     /// How it ended.
@@ -60,6 +58,59 @@ pub struct MotionRun {
     pub failure: Option<String>,
     /// What a reader should know.
     pub warnings: Vec<String>,
+}
+
+/// A computation of a system, without companions.
+pub(super) struct ComputedSystem {
+    pub(super) computed: Computed,
+    pub(super) work: MotionWork,
+    /// What happened to the lines, in words.
+    pub(super) happened: Vec<String>,
+}
+
+impl ComputedSystem {
+    /// The run, with the errors of its results.
+    fn into_run(self, settings: MotionSettings, errors: ErrorEstimates) -> MotionRun {
+        let Self {
+            computed,
+            work,
+            happened,
+        } = self;
+        let Computed {
+            outcome,
+            mut warnings,
+            settings: stored_settings,
+            cost,
+            record,
+            ..
+        } = computed;
+        warnings.extend(errors.warnings);
+        warnings.extend(energy_balance::warning(
+            &errors.summary,
+            record.balance.as_ref(),
+        ));
+        MotionRun {
+            settings,
+            stored_settings: Settings {
+                error_method: errors.method,
+                ..stored_settings
+            },
+            channels: ChannelResult::all(&record.history.channels, &errors.summary),
+            summary: errors.summary,
+            companions: errors.curves,
+            balance: record.balance.unwrap_or_default(),
+            fatigue: record.fatigue,
+            history: record.history,
+            shapes: record.shapes,
+            profiles: record.profiles,
+            work,
+            cost,
+            happened,
+            state: outcome.state,
+            failure: outcome.failure,
+            warnings,
+        }
+    }
 }
 
 /// Work of a run.
@@ -81,10 +132,7 @@ pub struct MotionWork {
     pub reached: f64,
 }
 
-/// By how much more error the companion allows in a step that varies: steps are about twice as long.
-const COARSER_STEPS: f64 = 8.0;
-
-/// Computes a system in time, with companions of longer steps and of half the segments, and sends the rows of its history.
+/// Computes a system in time, with companions that tell its errors, and sends the rows of its history.
 ///
 /// # Errors
 /// Where the divided lines do not come to rest. A run that fails later says so in [`MotionRun::failure`].
@@ -108,7 +156,7 @@ pub(super) fn run_stored(
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {
-    let begun = start(solved, 1)?;
+    let begun = start(solved, 1.0)?;
     let interval = solved.file.output.interval_s;
     let window = solved.file.statistics.settled_window(given.duration_s);
     let settings = MotionSettings {
@@ -139,55 +187,41 @@ pub(super) fn run_stored(
             part: None,
         });
     }
-    let again = given.error_estimate.then(|| Start {
-        along: LinesAlong::default(),
-        ..begun.clone()
-    });
+    let refinable = given
+        .error_estimate
+        .then(|| RefinableSystem::new(solved, given, &begun, &settings));
     let (along, missing) = counted_along(solved, &begun.system);
     let begun = Start { along, ..begun };
+    let lines = begun.system.network.lines.iter();
     events(JobEvent::Started {
         channels: Channels::of(&begun.system).ids,
-        lines: begun
-            .system
-            .network
-            .lines
-            .iter()
-            .map(|line| line.name.clone())
-            .collect(),
+        lines: lines.map(|line| line.name.clone()).collect(),
     });
     let mut notes = coarse_memory(&begun);
     notes.extend(turned_from_loads(&begun));
     notes.extend(loads_without_effect(solved));
     notes.extend(missing);
-    let mut run = compute(begun, &settings, stored, cancel, Some(events));
-    run.warnings.extend(notes);
-    if let Some(again) = again.filter(|_| run.state == RunState::Done) {
-        events(JobEvent::Estimating);
-        let clock = Instant::now();
-        estimate(solved, again, &mut run, cancel);
-        run.cost.companions_wall_s = clock.elapsed().as_secs_f64();
-        // Its errors are left to estimate.
-        if cancel.load(Ordering::Relaxed) {
-            run.state = RunState::Cancelled;
-        }
-    }
-    if run.balance.relative_drift() > NOTABLE_DRIFT {
-        let remedy = match run.balance.is_of_mesh() {
-            true => {
-                "segments at ends that are paid out are too long: give these lines more `segments`"
+    let mut run = compute(begun, &settings, stored, cancel, Some(&mut *events));
+    let computed = &mut run.computed;
+    computed.warnings.append(&mut computed.record.warnings);
+    computed.warnings.extend(notes);
+    let done = computed.outcome.state == RunState::Done;
+    let errors = match refinable.filter(|_| done) {
+        Some(refinable) => {
+            events(JobEvent::Estimating);
+            let clock = Instant::now();
+            let errors = estimate(&refinable, computed, cancel);
+            computed.cost.companions_wall_s = clock.elapsed().as_secs_f64();
+            // Its errors are left to estimate.
+            if cancel.load(Ordering::Relaxed) {
+                computed.outcome.state = RunState::Cancelled;
             }
-            false => "try a smaller step_tolerance",
-        };
-        run.warnings.push(format!(
-            "the energy does not balance: {:.3} % of it is not accounted for; {remedy}",
-            100.0 * run.balance.relative_drift()
-        ));
-    }
-    Ok(run)
+            errors
+        }
+        None => without_errors(computed),
+    };
+    Ok(run.into_run(settings, errors))
 }
-
-/// Share of the energy that may be missing without a warning.
-const NOTABLE_DRIFT: f64 = 0.02;
 
 /// Difference of the damping transformed back, by its greatest value, above which a warning says so.
 const COARSE_MEMORY: f64 = 0.01;
@@ -231,90 +265,4 @@ fn turned_from_loads(begun: &Start) -> Vec<String> {
         })
     });
     off.collect()
-}
-
-/// The difference of an extreme along a line from that of a companion.
-fn along_error(of: &Quantity, companion: &MotionRun) -> Option<f64> {
-    let same = companion.along.iter().find(|other| other.id == of.id)?;
-    Some((of.value - same.value).abs())
-}
-
-/// The least error of an extreme along a line by the mesh: a place along it is known to a segment.
-fn resolution(of: &Quantity, profiles: &[Profile]) -> f64 {
-    let QuantityId::Statistic {
-        of: subject,
-        statistic,
-        ..
-    } = &of.id
-    else {
-        return 0.0;
-    };
-    let line = subject.line_quantity().map_or("", |(_, line)| line);
-    let profile = profiles.iter().find(|profile| profile.line == line);
-    profile.map_or(0.0, |profile| {
-        line_statistics::resolution(profile, *statistic)
-    })
-}
-
-/// The errors of all results from companions: from the same start with longer steps, and on half the segments.
-fn estimate(solved: &SolvedSystem, same: Start, run: &mut MotionRun, cancel: &AtomicBool) {
-    let second = Refinement {
-        ratio: 2.0,
-        order: 2.0,
-    };
-    let mut longer = run.settings.clone();
-    longer.shape_interval_s = None;
-    longer.time_step_s *= 2.0;
-    longer.step_tolerance = longer.step_tolerance.map(|t| COARSER_STEPS * t);
-    let mesh = MotionSettings {
-        shape_interval_s: None,
-        ..run.settings.clone()
-    };
-    let companions = [("time", Ok(same), longer), ("mesh", start(solved, 2), mesh)];
-    for (what, begun, settings) in companions {
-        let other = begun
-            .map_err(|why| why.problem)
-            .and_then(|begun| match settings.instability(&begun.system) {
-                Some(why) => Err(why),
-                None => Ok(compute(begun, &settings, None, cancel, None)),
-            })
-            .and_then(|other| match (other.state, &other.failure) {
-                (RunState::Done, _) if what == "mesh" && other.work.nodes == run.work.nodes => {
-                    Err("its lines have the least segments already".to_owned())
-                }
-                (RunState::Done, _) => Ok(other),
-                (_, Some(why)) => Err(why.clone()),
-                (_, None) => Err("it was stopped".to_owned()),
-            });
-        match other {
-            Ok(other) => {
-                for (number, coarse) in other.channels.iter().enumerate() {
-                    let Some(channel) = run.channels.get_mut(number) else {
-                        continue;
-                    };
-                    let summaries = [&channel.summary, &coarse.summary];
-                    let histories = [&run.history, &other.history];
-                    let differences = differences(&channel.id, summaries, histories, number);
-                    let errors = differences.map(|difference| second.presumed(difference, 0.0));
-                    match what {
-                        "time" => channel.time_error = Some(errors),
-                        _ => channel.mesh_error = Some(errors),
-                    }
-                }
-                for line in &mut run.along {
-                    let error = along_error(line, &other).map(|d| second.presumed(d, 0.0));
-                    match what {
-                        "time" => line.time_error = error,
-                        _ => {
-                            line.mesh_error = error.map(|e| e.max(resolution(line, &run.profiles)))
-                        }
-                    }
-                }
-                run.companions.push(other.history);
-            }
-            Err(why) => run
-                .warnings
-                .push(format!("the {what} error is not estimated: {why}")),
-        }
-    }
 }

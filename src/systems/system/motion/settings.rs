@@ -13,6 +13,7 @@ use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
+use crate::run::Settings;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -33,6 +34,8 @@ pub struct MotionSettings {
     pub duration_s: f64,
     /// Length of a whole step, the greatest there is \[s\].
     pub time_step_s: f64,
+    /// Whether that was left to the program.
+    pub is_automatic: bool,
     /// Error allowed in a step, where steps vary.
     pub step_tolerance: Option<f64>,
     /// Spectral radius of generalized-alpha.
@@ -65,6 +68,7 @@ impl MotionSettings {
             method: given.method,
             duration_s: given.duration_s,
             time_step_s: given.time_step_s.unwrap_or_else(chosen),
+            is_automatic: given.time_step_s.is_none(),
             step_tolerance: varies.then_some(given.step_tolerance),
             rho_inf: given.rho_inf,
             position_tolerance_m: given.position_tolerance_m.min(finest),
@@ -72,6 +76,24 @@ impl MotionSettings {
             interval_s,
             shape_interval_s: None,
             settled_from_s: None,
+        }
+    }
+
+    /// The same in the words of a stored run of so many nodes.
+    #[must_use]
+    pub fn of_run(&self, nodes: usize) -> Settings {
+        let implicit = self.method == MotionMethod::Alpha;
+        Settings {
+            method: self.method.name().to_owned(),
+            duration_s: self.duration_s,
+            time_step_s: self.time_step_s,
+            step_tolerance: self.step_tolerance,
+            time_step_automatic: self.is_automatic,
+            rho_inf: implicit.then_some(self.rho_inf),
+            position_tolerance_m: implicit.then_some(self.position_tolerance_m),
+            nodes,
+            output_interval_s: self.interval_s,
+            ..Settings::default()
         }
     }
 

@@ -51,17 +51,17 @@ pub struct Start {
     pub along: LinesAlong,
 }
 
-/// The equilibrium of a system whose lines have `1 / coarsening` of their segments: 1 for the run itself.
+/// The equilibrium of a system whose segments are so many times as long: 1 for the run itself.
 ///
 /// # Errors
 /// [`UnsolvedSystem`], as for a system at rest; divided lines on their bed that do not come to rest.
-pub fn start(solved: &SolvedSystem, coarsening: usize) -> Result<Start, UnsolvedSystem> {
+pub fn start(solved: &SolvedSystem, segment: f64) -> Result<Start, UnsolvedSystem> {
     let DividedAtRest {
         network,
         held,
         placement,
         lines,
-    } = divided_at_rest(solved, coarsening)?;
+    } = divided_at_rest(solved, segment)?;
     let (mut system, mut state) = at_rest(held, &placement, &lines);
     drop(lines);
     system.prescribe(0.0, &mut state);
@@ -104,13 +104,10 @@ struct DividedAtRest {
 
 /// The divided lines, each at rest between its ends where the system rests, with what is moved, or placed by the file, where it is at time
 /// zero. Friction of the bed acts by springs from where a line was laid: for these ends.
-fn divided_at_rest(
-    solved: &SolvedSystem,
-    coarsening: usize,
-) -> Result<DividedAtRest, UnsolvedSystem> {
+fn divided_at_rest(solved: &SolvedSystem, segment: f64) -> Result<DividedAtRest, UnsolvedSystem> {
     let none = AgedParts::new();
     let parts = solved.age.as_ref().map_or(&none, |age| &age.parts);
-    let (file, mut network) = of_mesh(solved, parts, coarsening)?;
+    let (file, mut network) = of_mesh(solved, parts, segment)?;
     move_to_start(&mut network);
     let closed = held(&network);
     let mut placement = breaks::placed(solved, &closed);
@@ -132,20 +129,20 @@ fn divided_at_rest(
     })
 }
 
-/// The file and the system of a mesh: the system at rest itself, unless lines have fewer segments or may break, or parts of it were held to
+/// The file and the system of a mesh: the system at rest itself, unless lines have other segments or may break, or parts of it were held to
 /// come to rest.
 fn of_mesh(
     solved: &SolvedSystem,
     parts: &AgedParts,
-    coarsening: usize,
+    segment: f64,
 ) -> Result<(SystemFile, Network), UnsolvedSystem> {
     let mut file = solved.file.clone();
     for line in &mut file.lines {
         let segments = line.segments.unwrap_or(SEGMENTS);
-        line.segments = Some(segments.div_ceil(coarsening));
+        line.segments = Some((segments as f64 / segment).ceil() as usize);
     }
     let whole = breaks::written_out(&file);
-    let is_own = coarsening == 1 && whole.lines.len() == file.lines.len();
+    let is_own = segment == 1.0 && whole.lines.len() == file.lines.len();
     let network = match is_own && solved.dropped.is_empty() {
         true => solved.network.clone(),
         false => build(&whole, parts).map_err(not_divided)?,

@@ -55,7 +55,7 @@ pub struct QuickLook {
 /// # Errors
 /// What has no quick look, or does not come to rest.
 pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
-    let begun = start(solved, coarsening)?;
+    let begun = start(solved, coarsening as f64)?;
     let mut found = look(&begun, Channels::of(&begun.system))?;
     found.warnings.extend(loads_without_effect(solved));
     Ok(found)

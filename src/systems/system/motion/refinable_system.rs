@@ -1,0 +1,125 @@
+//! A system that is computed again with other steps and on other meshes, to tell its errors by.
+
+use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
+
+use super::march::compute;
+use super::settings::MotionSettings;
+use super::start::{Start, start};
+use crate::run::companions::Place;
+use crate::run::compute::Computed;
+use crate::run::lines_along::LinesAlong;
+use crate::run::refinable::Refinable;
+use crate::system::SolvedSystem;
+use crate::system::model::{MotionInputs, MotionMethod};
+
+/// Lengths of the segments of other meshes, by those of the run.
+const MESHES: [f64; 3] = [0.5, 2.0, 4.0];
+
+/// A system with what a run of it began with.
+pub(super) struct RefinableSystem<'a> {
+    solved: &'a SolvedSystem,
+    given: &'a MotionInputs,
+    settings: &'a MotionSettings,
+    start: Start,
+    /// The same on each of the other meshes, or why it does not come to rest; once it is needed.
+    others: [OnceLock<Result<Start, String>>; MESHES.len()],
+}
+
+impl<'a> RefinableSystem<'a> {
+    pub(super) fn new(
+        solved: &'a SolvedSystem,
+        given: &'a MotionInputs,
+        begun: &Start,
+        settings: &'a MotionSettings,
+    ) -> Self {
+        Self {
+            solved,
+            given,
+            settings,
+            // Cycles along the lines are counted by the run itself.
+            start: Start {
+                along: LinesAlong::default(),
+                ..begun.clone()
+            },
+            others: Default::default(),
+        }
+    }
+
+    /// What a companion begins with whose segments are so many times as long.
+    fn start(&self, segment: f64) -> Result<&Start, String> {
+        let other = MESHES.iter().position(|length| *length == segment);
+        let Some(other) = other else {
+            return Ok(&self.start);
+        };
+        let begun = self.others[other]
+            .get_or_init(|| start(self.solved, segment).map_err(|why| why.problem));
+        begun.as_ref().map_err(Clone::clone)
+    }
+}
+
+impl Refinable for RefinableSystem<'_> {
+    fn companion(&self, place: Place, cancel: &AtomicBool) -> Computed {
+        let begun = match self.start(place.segment) {
+            Ok(begun) => begun.clone(),
+            Err(why) => return Computed::failed(why),
+        };
+        let own = MotionSettings::new(self.given, self.settings.interval_s, &begun.system);
+        let settings = MotionSettings {
+            time_step_s: place.step * own.time_step_s,
+            step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
+            settled_from_s: self.settings.settled_from_s,
+            ..own
+        };
+        match settings.instability(&begun.system) {
+            Some(why) => Computed::failed(why),
+            None => compute(begun, &settings, None, cancel, None).computed,
+        }
+    }
+
+    fn method_order(&self) -> Option<f64> {
+        Some(match self.settings.method {
+            MotionMethod::Alpha => 2.0,
+            MotionMethod::Rk4 => 4.0,
+        })
+    }
+
+    fn has_crisis(&self) -> bool {
+        let lines = self.start.system.network.lines.iter();
+        let mut divided = lines.filter_map(|line| line.discretised.as_ref());
+        divided.any(|line| line.case().has_crisis())
+    }
+
+    fn is_explicit(&self) -> bool {
+        self.settings.method == MotionMethod::Rk4
+    }
+
+    fn varies_steps(&self) -> bool {
+        self.settings.step_tolerance.is_some()
+    }
+
+    fn segments(&self, coarsening: usize) -> usize {
+        // A mesh on which nothing comes to rest is none.
+        let begun = self.start(coarsening as f64).unwrap_or(&self.start);
+        let scenes = begun.system.scenes.iter();
+        scenes.map(|scene| scene.line.segments.len()).sum()
+    }
+
+    fn has_single_segment(&self) -> bool {
+        let mut scenes = self.start.system.scenes.iter();
+        scenes.any(|scene| scene.line.segments.len() <= 1)
+    }
+
+    fn named(&self) -> Option<&[String]> {
+        None
+    }
+
+    fn segment_weight(&self, name: &str) -> f64 {
+        let system = &self.start.system;
+        let lines = system.network.lines.iter().zip(&system.scenes);
+        let own = lines.filter(|(line, _)| line.name == name);
+        let segments = own.flat_map(|(_, scene)| &scene.line.segments);
+        let weights = segments.map(|segment| 2.0 * segment.half_weight.abs());
+        weights.reduce(f64::min).unwrap_or(0.0)
+    }
+}
