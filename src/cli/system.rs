@@ -37,10 +37,6 @@ pub(super) fn system(
 ) -> Result<ExitCode, CommandError> {
     let given = [
         (
-            args.solver.is_some(),
-            "--solver: it is computed at rest, or in time by the key solver.method, `alpha` or `rk4` (--set solver.method=rk4); the other methods are of a line between two ends",
-        ),
-        (
             args.accuracy.is_some(),
             "--accuracy, which searches mesh and steps of a line between two ends: every result states its error; more `segments` of the lines, and in time a smaller solver.step_tolerance, make it smaller",
         ),
@@ -54,7 +50,8 @@ pub(super) fn system(
             "Systems of lines do not take {why}."
         )));
     }
-    let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
+    let set = overrides(args);
+    let file = EditedFile::<SystemFile>::read(file, &set, &args.import.options())?;
     if file.content().solver.is_some() {
         return in_motion(args, file, stop);
     }
@@ -155,6 +152,12 @@ fn stored_run(
     Ok(verdict::status(found, status(run, stop)))
 }
 
+/// All `--set`, then `--solver`.
+fn overrides(args: &RunArgs) -> Vec<String> {
+    let solver = args.solver.map(|s| format!("solver.method={}", s.name()));
+    args.set.iter().cloned().chain(solver).collect()
+}
+
 /// The run that the file with all `--set` asks for.
 fn request(
     args: &RunArgs,
@@ -167,7 +170,7 @@ fn request(
         Arc::new(file.compute()?.computed),
         &text,
         name.into_owned(),
-        args.set.clone(),
+        overrides(args),
     );
     request.ok_or_else(|| CommandError::Usage("A run in time needs a table `[solver]`.".to_owned()))
 }

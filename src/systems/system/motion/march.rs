@@ -408,7 +408,8 @@ impl<'a> Marching<'a> {
             Some(EarlyEnd::Cancelled) => (RunState::Cancelled, None),
             Some(EarlyEnd::Failed(why)) => (RunState::Failed, Some(why)),
         };
-        let settings = settings.of_run(work.nodes);
+        let lengths: Vec<(f64, u64)> = self.march.lengths(&self.place).collect();
+        let settings = settings.of_run(&self.system, &lengths);
         ComputedSystem {
             computed: Computed {
                 outcome: MarchResult {
@@ -420,7 +421,7 @@ impl<'a> Marching<'a> {
                         iterations: work.iterations,
                         evaluations: work.evaluations,
                     },
-                    lengths: self.march.lengths(&self.place).collect(),
+                    lengths,
                 },
                 warnings: Vec::new(),
                 settings,

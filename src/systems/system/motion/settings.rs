@@ -8,6 +8,7 @@ use super::body_equation::MovingBody;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
 use crate::dynamics::ErrorLimits;
+use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::dynamics::rk4::above_limit;
 use crate::numerics::V3;
 use crate::physics::EndMotion;
@@ -79,10 +80,13 @@ impl MotionSettings {
         }
     }
 
-    /// The same in the words of a stored run of so many nodes.
+    /// The same in the words of a stored run, whose steps were of these lengths \[s\] and numbers.
     #[must_use]
-    pub fn of_run(&self, nodes: usize) -> Settings {
+    pub fn of_run(&self, system: &MovingSystem, steps: &[(f64, u64)]) -> Settings {
         let implicit = self.method == MotionMethod::Alpha;
+        let limit = (!implicit).then(|| stability_limit(system)).flatten();
+        let period = (implicit && !steps.is_empty()).then(|| forced_period(system));
+        let damping = |period: f64| NumericalDamping::over(self.rho_inf, TAU / period, steps);
         Settings {
             method: self.method.name().to_owned(),
             duration_s: self.duration_s,
@@ -90,8 +94,12 @@ impl MotionSettings {
             step_tolerance: self.step_tolerance,
             time_step_automatic: self.is_automatic,
             rho_inf: implicit.then_some(self.rho_inf),
+            numerical_damping: period.map(|period| damping(period).damping),
+            numerical_damping_period_s: period,
+            stability_limit_s: limit.as_ref().map(|limit| limit.0),
+            stability_limit_at: limit.map(|limit| limit.1),
             position_tolerance_m: implicit.then_some(self.position_tolerance_m),
-            nodes,
+            nodes: system.scenes.iter().map(Scene::line_nodes).sum(),
             output_interval_s: self.interval_s,
             ..Settings::default()
         }
@@ -244,14 +252,24 @@ fn explicit_limit_of_drives(system: &MovingSystem) -> f64 {
     limit
 }
 
+/// The shortest period that the system forces \[s\]: of prescribed motion, or of its longest line bouncing along itself.
+fn forced_period(system: &MovingSystem) -> f64 {
+    let prescribed = motions(system).filter_map(EndMotion::period);
+    prescribed.fold(own_period(system), f64::min)
+}
+
+/// Period of the longest line bouncing along itself \[s\]; where there are none, that of the smallest body as a pendulum.
+fn own_period(system: &MovingSystem) -> f64 {
+    let bounce = system.scenes.iter().map(bounce_period);
+    match system.scenes.is_empty() {
+        true => swing_period(&system.network),
+        false => bounce.fold(0.0, f64::max).max(f64::MIN_POSITIVE),
+    }
+}
+
 /// The longest step that sees what is prescribed; error control shortens it where it must.
 fn longest_step(system: &MovingSystem) -> f64 {
-    let bounce = system.scenes.iter().map(bounce_period);
-    let own = bounce.fold(0.0, f64::max).max(f64::MIN_POSITIVE);
-    let own = match system.scenes.is_empty() {
-        true => swing_period(&system.network),
-        false => own,
-    };
+    let own = own_period(system);
     let surface = surface(system);
     let prescribed = motions(system).chain(&surface);
     let prescribed = prescribed.filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
