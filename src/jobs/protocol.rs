@@ -117,6 +117,7 @@ impl From<Shape> for LineShape {
                 .map(|node| [node[0], node[1], node[2]])
                 .collect(),
             tension: shape.tension.0,
+            ..LineShape::default()
         }
     }
 }
@@ -161,6 +162,7 @@ mod tests {
             line: 0,
             nodes: vec![[0.0, -1e-300, 2.0], [0.1, 0.2, 0.3]],
             tension: vec![1e5, 2e5],
+            ..LineShape::default()
         }]);
         let text = line(&FromJob::Rows(Rows::of(&record))).unwrap();
         assert!(text.ends_with('\n') && text.lines().count() == 1);

@@ -68,6 +68,7 @@ pub(crate) fn run() -> Run {
         line: 0,
         nodes: nodes.clone(),
         tension: vec![2.02e6, 0.1, 0.2, 5e-324],
+        ..LineShape::default()
     });
     Run {
         info: info(),

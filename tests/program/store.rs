@@ -104,7 +104,10 @@ fn files_begin_with_the_promised_columns() {
         head("profile.csv"),
         "node,arc_m,x_m,y_m,z_m,tension_n,tension_min_n,tension_max_n,z_min_m,z_max_m"
     );
-    assert_eq!(head("shapes.csv"), "time_s,node,x_m,y_m,z_m,tension_n");
+    assert_eq!(
+        head("shapes.csv"),
+        "time_s,node,x_m,y_m,z_m,tension_n,curvature_per_m,height_m"
+    );
     assert_eq!(
         fs::read_to_string(dir.join("case.toml")).unwrap(),
         sample::run().case_text

@@ -76,6 +76,7 @@ fn swinging(by: f64, nodes: u32) -> Run {
         line: 0,
         nodes: arc().map(|s| [by * time * s / 100.0, 0.0, -s]).collect(),
         tension: arc().map(|_| 0.0).collect(),
+        ..LineShape::default()
     };
     run.shapes = (0..=4).map(|i| shape(f64::from(i))).collect();
     run.profiles[0].arc = arc().collect();

@@ -141,6 +141,7 @@ fn shapes_of(run: &Run) -> Vec<LineShape> {
         line: 0,
         nodes: run.profile().nodes.clone(),
         tension: run.profile().tension.clone(),
+        ..LineShape::default()
     };
     vec![rest]
 }

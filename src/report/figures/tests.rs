@@ -29,6 +29,7 @@ fn shapes() -> Vec<LineShape> {
         line: 0,
         nodes: vec![[0.0, 0.0, 0.0], [x, 0.0, z]],
         tension: vec![0.0, 0.0],
+        ..LineShape::default()
     };
     vec![at(0.0, 1400.0, 0.0), at(5.0, 0.0, -1390.0)]
 }

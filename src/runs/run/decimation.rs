@@ -366,6 +366,7 @@ mod tests {
                 line: 0,
                 nodes: vec![[0.0; 3]; 1000],
                 tension: vec![0.0; 1000],
+                ..LineShape::default()
             }]);
             assert_eq!(record.shapes.last().map(|s| s.time), Some(f64::from(i)));
             assert!(record.shapes.len() <= 131);

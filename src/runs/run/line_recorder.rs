@@ -97,8 +97,12 @@ impl<'a> LineRecorder<'a> {
     }
 
     /// Takes in what is left before the line changes by an event.
-    pub(super) fn leave(&mut self) {
-        self.recorder.leave();
+    pub(super) fn leave(&mut self, state: &State) {
+        let line = RecordedLine {
+            scene: self.scene,
+            channels: &self.channels,
+        };
+        self.recorder.leave(&line, state);
     }
 
     /// Continues with the line as it is after an event, from this state on.
@@ -128,7 +132,11 @@ impl<'a> LineRecorder<'a> {
 
     /// Takes in what is left at the end.
     pub(super) fn end(&mut self, state: &State) {
-        self.recorder.end();
+        let line = RecordedLine {
+            scene: self.scene,
+            channels: &self.channels,
+        };
+        self.recorder.end(&line, state);
         self.end = self.fault().is_none().then(|| state.clone());
     }
 

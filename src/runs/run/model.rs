@@ -254,6 +254,10 @@ pub struct LineShape {
     pub nodes: Vec<[f64; 3]>,
     /// Tensions at the nodes \[N\]: the mean of the segments that meet there; at an end, its segment's.
     pub tension: Vec<f64>,
+    /// Curvatures \[1/m\]; empty where nothing bends, or they are not known.
+    pub curvature: Vec<f64>,
+    /// Heights above the bed, normal to it \[m\]; empty without a bed, or where they are not known.
+    pub height: Vec<f64>,
 }
 
 /// The line node by node: its state at the end of the run, and envelopes over every step.

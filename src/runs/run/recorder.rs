@@ -17,8 +17,8 @@ use super::store::StoreError;
 use super::{LineShape, OutputFrame, Profile, Progress, step_envelope};
 use crate::case::{ChannelId, ChannelQuantity};
 use crate::numerics::V3;
-use crate::scene::EnergyRates;
-use crate::solve::Progressing;
+use crate::scene::{EnergyRates, Scene};
+use crate::solve::{Progressing, State};
 
 /// Records a run. Between output times a step costs the tensions of the lines and no allocation.
 pub struct Recorder<'a> {
@@ -40,6 +40,8 @@ pub struct Recorder<'a> {
     fault: Option<String>,
     observers: Vec<Box<dyn Observer>>,
     record: RunRecord,
+    /// Energy before the latest change.
+    left: Option<EnergyRates>,
     /// Time of the latest shape \[s\].
     latest_shape: Option<f64>,
     duration: f64,
@@ -101,6 +103,7 @@ impl<'a> Recorder<'a> {
             shape_interval,
             fault: None,
             channels,
+            left: None,
             latest_shape: None,
             duration,
             clock: std::time::Instant::now(),
@@ -232,9 +235,9 @@ impl<'a> Recorder<'a> {
             if let Some(first) = self.latest.latest() {
                 self.row.clone_from(first);
             }
-            self.output(time);
+            self.output(recorded, state, time);
         }
-        self.take_in_interval(false);
+        self.take_in_interval(recorded, state, false);
         if self.cancel.load(Ordering::Relaxed) {
             Progressing::Stop
         } else {
@@ -244,11 +247,11 @@ impl<'a> Recorder<'a> {
 
     /// Ends a stretch of smooth motion: what follows begins anew, from the state after a jump.
     pub fn jump<R: Recorded>(&mut self, recorded: &R, time: f64, state: &R::State) {
-        self.leave();
+        self.leave(recorded, state);
         self.read(recorded, time, state);
     }
 
-    /// The same after a node has come or gone, which changes the energy of a line.
+    /// Begins anew after a [`leave`](Self::leave) with the mesh before a node has come or gone, which changes the energy of a line.
     pub fn remesh<R: Recorded>(
         &mut self,
         recorded: &R,
@@ -256,8 +259,6 @@ impl<'a> Recorder<'a> {
         state: &R::State,
         change: NodeChange,
     ) {
-        let before = self.latest.latest().map(|step| step.energy);
-        self.leave();
         if let Some(profile) = self.record.profiles.get_mut(change.line) {
             step_envelope::change_node(profile, change);
         }
@@ -268,7 +269,7 @@ impl<'a> Recorder<'a> {
         self.size_row();
         self.read(recorded, time, state);
         let after = self.latest.latest().map(|step| step.energy);
-        if let (Some(before), Some(after)) = (before, after) {
+        if let (Some(before), Some(after)) = (self.left, after) {
             for observer in &mut self.observers {
                 observer.energy_jump(&before, &after);
             }
@@ -276,14 +277,15 @@ impl<'a> Recorder<'a> {
     }
 
     /// Takes in what is left before a change.
-    pub fn leave(&mut self) {
-        self.take_in_interval(true);
+    pub fn leave<R: Recorded>(&mut self, recorded: &R, state: &R::State) {
+        self.take_in_interval(recorded, state, true);
+        self.left = self.latest.latest().map(|step| step.energy);
         self.latest.clear();
     }
 
     /// Takes in what is left at the end.
-    pub fn end(&mut self) {
-        self.take_in_interval(true);
+    pub fn end<R: Recorded>(&mut self, recorded: &R, state: &R::State) {
+        self.take_in_interval(recorded, state, true);
     }
 
     /// Sets the energy of the latest step.
@@ -346,7 +348,7 @@ impl<'a> Recorder<'a> {
 
     /// Passes on what lies between the latest two steps that have a step after them, or between the `last` two; then the rows
     /// in it.
-    fn take_in_interval(&mut self, last: bool) {
+    fn take_in_interval<R: Recorded>(&mut self, recorded: &R, state: &R::State, last: bool) {
         let Self {
             latest,
             positive,
@@ -369,12 +371,12 @@ impl<'a> Recorder<'a> {
                     between.sample_line(time, &mut row.tension, &mut row.nodes);
                 }
             }
-            self.output(time);
+            self.output(recorded, state, time);
         }
     }
 
-    /// Records an output time, read into the row.
-    fn output(&mut self, time: f64) {
+    /// Records an output time, read into the row, of lines as they are in a state around it.
+    fn output<R: Recorded>(&mut self, recorded: &R, state: &R::State, time: f64) {
         if self.reads_lines {
             let nodes = &self.row.nodes;
             for observer in &mut self.observers {
@@ -388,14 +390,14 @@ impl<'a> Recorder<'a> {
             ..self.progress
         };
         let shapes = match self.shape_is_due(time) {
-            true => self.shapes(time),
+            true => self.shapes(recorded, state, time),
             false => Vec::new(),
         };
         self.record_row(time, shapes);
     }
 
     /// The lines at an output time, as they are in the row.
-    fn shapes(&self, time: f64) -> Vec<LineShape> {
+    fn shapes<R: Recorded>(&self, recorded: &R, state: &R::State, time: f64) -> Vec<LineShape> {
         let (mut nodes, mut tension) = (&self.row.nodes[..], &self.row.tension[..]);
         let profiles = self.record.profiles.iter().enumerate();
         let shape = |(line, profile): (usize, &Profile)| {
@@ -403,9 +405,13 @@ impl<'a> Recorder<'a> {
             let (own, rest) = nodes.split_at(count);
             let (own_tension, rest_tension) = tension.split_at(count);
             (nodes, tension) = (rest, rest_tension);
+            let (scene, _) = recorded.line(line, state);
+            let (curvature, height) = shape_reading(scene, own);
             LineShape {
                 time,
                 line,
+                curvature,
+                height,
                 nodes: own.iter().map(|p| [p.x, p.y, p.z]).collect(),
                 tension: own_tension.to_vec(),
             }
@@ -444,6 +450,25 @@ impl<'a> Recorder<'a> {
             })));
         }
     }
+}
+
+/// Curvatures \[1/m\] and heights above the bed \[m\] of a line whose nodes are at these places; none of a line that does not bend, or has no
+/// bed.
+fn shape_reading(scene: &Scene, nodes: &[V3]) -> (Vec<f64>, Vec<f64>) {
+    let bed = scene.elements.bed.as_ref();
+    let height = bed.map_or_else(Vec::new, |bed| {
+        nodes.iter().map(|x| bed.height(x)).collect()
+    });
+    let curvature = scene
+        .elements
+        .flexure
+        .as_ref()
+        .map_or_else(Vec::new, |flexure| {
+            let state = State::at_rest(nodes.to_vec());
+            let at = |i| flexure.bent_at(i, &scene.line, &state).0;
+            (0..nodes.len()).map(at).collect()
+        });
+    (curvature, height)
 }
 
 /// The tension at a node of all, in words.

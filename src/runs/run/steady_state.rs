@@ -78,6 +78,7 @@ mod tests {
                 line: 0,
                 nodes: vec![[0.0; 3], [1.0, 0.0, z]],
                 tension: vec![0.0; 2],
+                ..LineShape::default()
             }
         };
         let shapes: Vec<LineShape> = (0..=400).map(shape).collect();

@@ -209,7 +209,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
             }
             if phase > first {
                 let time = self.position.time;
-                self.recorder.leave();
+                self.recorder.leave(state);
                 self.method.restart(scene, time, state);
                 self.recorder.enter(scene, time, state);
             }

@@ -44,6 +44,7 @@ pub fn shape_at(shapes: &[LineShape], time: f64) -> Option<LineShape> {
         line: from.line,
         nodes: from.nodes.iter().zip(&to.nodes).map(node).collect(),
         tension: tensions.map(|(a, b)| mix(*a, *b, part)).collect(),
+        ..LineShape::default()
     })
 }
 
@@ -84,6 +85,7 @@ mod tests {
             line: 0,
             nodes: vec![[0.0, 0.0, z]; nodes],
             tension: vec![10.0 * z; nodes],
+            ..LineShape::default()
         }
     }
 

@@ -349,6 +349,7 @@ pub(crate) fn run(request: &Request, state: RunState) -> Run {
         tension: (0..=22)
             .map(|i| tension(t) + 5e3 * f64::from(22 - i))
             .collect(),
+        ..LineShape::default()
     };
     let last = shape(600.0);
     let profile = Profile {

@@ -13,10 +13,13 @@ use crate::run::LineShape;
 /// Columns of `shapes.csv`; that of the lines' names comes first where there are any.
 pub(super) const SHAPE_COLUMNS: [&str; 6] = ["time_s", "node", "x_m", "y_m", "z_m", "tension_n"];
 
+/// Those that a line has which bends, and one over a bed: empty of others.
+const MORE: [&str; 2] = ["curvature_per_m", "height_m"];
+
 /// The names of the columns for lines of these names.
 pub(super) fn columns(lines: &[String]) -> impl Iterator<Item = &'static str> {
     let name = (!lines.is_empty()).then_some(LINE);
-    name.into_iter().chain(SHAPE_COLUMNS)
+    name.into_iter().chain(SHAPE_COLUMNS).chain(MORE)
 }
 
 /// The whole file of shapes that are held in memory, of lines of these names.
@@ -33,7 +36,7 @@ pub(super) fn write_shapes(shapes: &[LineShape], lines: &[String]) -> String {
 pub(super) fn shape_rows(shape: &LineShape, lines: &[String]) -> String {
     let name = lines.get(shape.line).map(|name| quoted(name) + ",");
     let time = name.unwrap_or_default() + &text(shape.time);
-    let mut rows = String::with_capacity(5 * ROOM * shape.nodes.len());
+    let mut rows = String::with_capacity(7 * ROOM * shape.nodes.len());
     for (node, (place, tension)) in shape.nodes.iter().zip(&shape.tension).enumerate() {
         rows += &time;
         rows.push(',');
@@ -41,6 +44,12 @@ pub(super) fn shape_rows(shape: &LineShape, lines: &[String]) -> String {
         for value in place.iter().chain([tension]) {
             rows.push(',');
             append(&mut rows, *value);
+        }
+        for list in [&shape.curvature, &shape.height] {
+            rows.push(',');
+            if let Some(value) = list.get(node) {
+                append(&mut rows, *value);
+            }
         }
         rows.push('\n');
     }
@@ -53,6 +62,8 @@ pub(in crate::run) struct ShapeReader {
     csv: CsvReader,
     /// Where the columns are, in the order of [`SHAPE_COLUMNS`].
     columns: Vec<usize>,
+    /// Where those of [`MORE`] are.
+    more: [Option<usize>; MORE.len()],
     /// Where the names of lines are, and those read so far.
     line: Option<usize>,
     names: Vec<String>,
@@ -66,9 +77,12 @@ impl ShapeReader {
     /// Of the run in this directory. What is wrong with the file ends it early, see [`ShapeReader::problem`].
     pub(crate) fn open(dir: &Path) -> Self {
         let mut csv = CsvReader::open(dir, SHAPES);
-        csv.note_unknown(|name| name == LINE || SHAPE_COLUMNS.contains(&name));
+        csv.note_unknown(|name| {
+            name == LINE || SHAPE_COLUMNS.contains(&name) || MORE.contains(&name)
+        });
         Self {
             columns: csv.require(&SHAPE_COLUMNS),
+            more: MORE.map(|name| csv.position(name)),
             line: csv.position(LINE),
             names: Vec::new(),
             csv,
@@ -98,6 +112,10 @@ impl ShapeReader {
             if let Some(shape) = &mut self.current {
                 shape.nodes.push([x, y, z]);
                 shape.tension.push(tension);
+                let lists = [&mut shape.curvature, &mut shape.height];
+                for (list, at) in lists.into_iter().zip(self.more) {
+                    list.extend(at.and_then(|at| parse(fields.get(at)?)));
+                }
             }
             if let Some(whole) = whole {
                 if whole.line == self.nodes.len() {

@@ -96,7 +96,8 @@ pub(super) fn compute<'a>(
     };
     let ended = begun.map_err(EarlyEnd::Failed);
     let ended = ended.and_then(|()| marching.march()).err();
-    marching.recorder.end();
+    let ((recorded, state), recorder) = marching.recorded();
+    recorder.end(&recorded, state);
     let work = MotionWork {
         iterations: at_start + marching.method.work_counts().iterations,
         evaluations: marching.method.work_counts().evaluations,
@@ -356,6 +357,8 @@ impl<'a> Marching<'a> {
                 ["A", "B"][at]
             )));
         }
+        let ((recorded, state), recorder) = self.recorded();
+        recorder.leave(&recorded, state);
         let mut kept = self.method.method_state();
         let (node, comes) = self
             .system
