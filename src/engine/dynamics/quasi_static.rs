@@ -23,8 +23,22 @@ pub struct QuasiStatic {
     drag_is_frozen: bool,
 }
 
+/// Coefficients (c, d) of the backward difference `v = c (x - x0) + d (x0 - x_before)` in a step of h \[s\] after one of another length; the first
+/// step by backward Euler.
+#[must_use]
+pub fn backward_differences(last_step: Option<f64>, h: f64) -> (f64, f64) {
+    match last_step {
+        None => (1.0 / h, 0.0),
+        Some(last) => {
+            let ratio = h / last;
+            let c = (1.0 + 2.0 * ratio) / (h * (1.0 + ratio));
+            (c, -ratio / (last * (1.0 + ratio)))
+        }
+    }
+}
+
 /// Fractions of inertia for a step that does not converge without; the last is none.
-const INERTIA: [f64; 6] = [1.0, 0.3, 0.1, 0.03, 0.01, 0.0];
+pub const INERTIA: [f64; 6] = [1.0, 0.3, 0.1, 0.03, 0.01, 0.0];
 
 impl QuasiStatic {
     /// For a system of `nodes` nodes; tolerance \[m\] and iterations as in [`Newton`].
@@ -39,16 +53,8 @@ impl QuasiStatic {
         }
     }
 
-    /// Coefficients (c, d) of the backward difference `v = c (x - x0) + d (x0 - x_before)`.
     fn differences(&self, h: f64) -> (f64, f64) {
-        match self.last_step {
-            None => (1.0 / h, 0.0),
-            Some(last) => {
-                let ratio = h / last;
-                let c = (1.0 + 2.0 * ratio) / (h * (1.0 + ratio));
-                (c, -ratio / (last * (1.0 + ratio)))
-            }
-        }
+        backward_differences(self.last_step, h)
     }
 
     /// Predicts the trial state at the velocities of the state before, without inertia.

@@ -175,14 +175,15 @@ fn out_of_water(case: &Case, profile: &Profile) -> Option<String> {
     })
 }
 
+/// The warning of a quasi-static run.
+pub const INERTIA_LEFT_OUT: &str =
+    "quasi-static: inertia is left out; compare with `alpha` to see whether it matters";
+
 /// Warnings of the scene and the method.
 fn warnings(scene: &Scene, settings: &Settings) -> Vec<String> {
     let mut list = scene.labels.remarks.clone();
     if settings.method == "quasi" && scene.line.weight.iter().sum::<f64>() > 0.0 {
-        list.push(
-            "quasi-static: inertia is left out; compare with `alpha` to see whether it matters"
-                .to_owned(),
-        );
+        list.push(INERTIA_LEFT_OUT.to_owned());
     }
     list
 }

@@ -1,29 +1,23 @@
 //! Generalized-alpha for systems of lines: the scheme of [`AlphaScheme`] on all nodes, with the bordered iteration.
 
 use super::body_equation::MovingBody;
-use super::border::{Border, accelerate};
+use super::border::accelerate;
 use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::payout_border::correct_drives;
 use super::point_loads::landing_acceleration;
+use super::system_newton::SystemNewton;
 use super::system_state::SystemState;
 use crate::dynamics::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{Convergence, ConvergenceRate, Factors, Marched, NewtonError, Residual};
-
-/// Iterations without progress after which a step is halved.
-const STAGNATION_LIMIT: usize = 6;
+use crate::solve::{Factors, Marched, NewtonError};
 
 /// The method and its work arrays; allocates in [`SystemAlpha::new`] only.
 #[derive(Debug, Clone)]
 pub struct SystemAlpha {
     scheme: AlphaScheme,
-    border: Border,
-    tolerance: f64,
-    max_iterations: usize,
-    rate: Option<ConvergenceRate>,
-    iterations: u64,
+    newton: SystemNewton,
     end: SystemState,
     between: SystemState,
     /// Rates of the accelerations over the step before, part by part \[m/s³\].
@@ -39,18 +33,18 @@ impl SystemAlpha {
     #[must_use]
     pub fn method_state(&self) -> MethodState {
         MethodState {
-            iterations: self.iterations,
-            rate: self.rate,
+            iterations: self.newton.iterations,
+            rate: self.newton.rate,
             jerk_weight: self.jerk_weight,
             jerk: self.jerk.clone(),
-            evaluations: 0,
+            ..MethodState::default()
         }
     }
 
     /// Continues from a state after an accepted step.
     pub fn restore(&mut self, stored: &MethodState, state: &SystemState) {
-        self.iterations = stored.iterations;
-        self.rate = stored.rate;
+        self.newton.iterations = stored.iterations;
+        self.newton.rate = stored.rate;
         self.jerk_weight = stored.jerk_weight;
         self.jerk.clone_from(&stored.jerk);
         self.end.clone_from(state);
@@ -72,11 +66,7 @@ impl SystemAlpha {
             .collect();
         Self {
             scheme: AlphaScheme::new(rho),
-            border: Border::new(system, state),
-            tolerance,
-            max_iterations,
-            rate: None,
-            iterations: 0,
+            newton: SystemNewton::new(system, state, tolerance, max_iterations),
             end: state.clone(),
             between: state.clone(),
             jerk: zeros.clone(),
@@ -105,13 +95,13 @@ impl SystemAlpha {
         t: f64,
         state: &mut SystemState,
     ) -> Result<(), NewtonError> {
-        accelerate(&mut self.border, system, t, state)
+        accelerate(&mut self.newton.border, system, t, state)
     }
 
     /// The free bodies with their mass.
     #[must_use]
     pub fn bodies(&self) -> &[MovingBody] {
-        self.border.bodies()
+        self.newton.border.bodies()
     }
 
     fn shift_acceleration(&mut self, h: f64, state: &SystemState) {
@@ -166,67 +156,8 @@ impl SystemAlpha {
         let transverse = self
             .limits
             .map_or(0.0, |limits| limits.transverse_tolerance(&self.scheme, &c));
-        let mut convergence = Convergence::new(self.tolerance, self.rate);
-        let (mut worst, mut made) = ((0, f64::INFINITY), 0);
-        while made < self.max_iterations && convergence.idle() < STAGNATION_LIMIT {
-            made += 1;
-            self.iterations += 1;
-            self.border.solve(system, t, &self.between, c)?;
-            worst = self.border.greatest(system)?;
-            let moved = self.norm(system, worst.1, transverse);
-            self.apply(system, c);
-            let reached = convergence.is_reached(moved);
-            self.rate = convergence.rate();
-            let smooth = reached && (moved <= self.tolerance || !self.passes_kink(system));
-            if smooth && self.border.missed_by_drives(system, c) <= self.tolerance {
-                return Ok(());
-            }
-        }
-        self.rate = None;
-        Err(NewtonError::NotConverged {
-            iterations: made,
-            node: worst.0,
-            moved: worst.1,
-        })
-    }
-
-    /// Whether the displacement just made turns a segment taut or slack. The rate of convergence, measured where no tension has a
-    /// kink, predicts nothing there: with it an iteration stopped with the whole tension of the segment out of balance.
-    fn passes_kink(&self, system: &MovingSystem) -> bool {
-        let lines = system.lines(&self.between).enumerate();
-        let joints = self.border.displacements(system.scenes.len());
-        let mut passes = lines.map(|(number, (scene, line))| {
-            let d = self.border.displacements(number);
-            let out = system.paid_out_by(number, joints);
-            scene.line.turns_taut_or_slack(d, out, line)
-        });
-        passes.any(|passes| passes)
-    }
-
-    /// The displacement in the norm of convergence \[m\]: along the lines in full, transverse to them by the ratio of the tolerances.
-    fn norm(&self, system: &MovingSystem, moved: f64, transverse: f64) -> f64 {
-        if transverse <= self.tolerance {
-            return moved;
-        }
-        let lines = system.lines(&self.between).enumerate();
-        let along = lines
-            .map(|(number, (scene, line))| {
-                scene.force_norm_displacement(self.border.displacements(number), line)
-            })
-            .fold(0.0, f64::max);
-        along.max(moved * self.tolerance / transverse)
-    }
-
-    fn apply(&mut self, system: &MovingSystem, c: Factors) {
-        for (number, part) in self.between.parts_mut().enumerate() {
-            let d = self.border.displacements(number);
-            for i in system.free(number) {
-                part.x[i] -= d[i];
-                part.v[i] -= d[i] * c.damping;
-                part.a[i] -= d[i] * c.mass;
-            }
-        }
-        system.follow(&mut self.between);
+        self.newton
+            .solve(system, t, &mut self.between, c, transverse)
     }
 
     fn extrapolate_to_end(&mut self, system: &MovingSystem, h: f64, state: &SystemState) {
@@ -338,7 +269,7 @@ impl Stepper<MovingSystem, SystemState> for SystemAlpha {
             part.fill(V3::zeros());
         }
         self.jerk_weight = 1.0;
-        self.rate = None;
+        self.newton.rate = None;
     }
 
     fn pass_kink(&mut self, _: &MovingSystem, _: f64, _: &mut SystemState) -> bool {
@@ -349,7 +280,7 @@ impl Stepper<MovingSystem, SystemState> for SystemAlpha {
 impl Integrator for SystemAlpha {
     fn work_counts(&self) -> WorkCounts {
         WorkCounts {
-            iterations: self.iterations,
+            iterations: self.newton.iterations,
             evaluations: 0,
         }
     }

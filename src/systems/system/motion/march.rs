@@ -7,13 +7,13 @@ use super::body_equation::MovingBody;
 use super::broken_names;
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
+use super::computed_system::{ComputedSystem, MotionWork};
 use super::mesh_of_ends::{EndMesh, Remesh};
 use super::method::Method;
 use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
 use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
-use super::run::{ComputedSystem, MotionWork};
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
@@ -30,6 +30,7 @@ use crate::run::time_march::MarchResult;
 use crate::run::{Cost, Profile, RunState, Work, step_envelope};
 use crate::scene::Scene;
 use crate::solve::{AcceptedStep, Marched, NewtonError, Progressing, Sink};
+use crate::system::model::MotionMethod;
 
 /// Least wall time between two checkpoints.
 const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
@@ -113,6 +114,8 @@ pub(super) fn compute<'a>(
 
 /// What is recorded of a run.
 fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> RecorderPlan {
+    // Without inertia no energy balances.
+    let balances = settings.method != MotionMethod::Quasi;
     let duration = settings.duration_s;
     let output_times = OutputTimes::new(duration, settings.interval_s);
     let window = settings.settled_from_s.map(|from| [from, duration]);
@@ -126,7 +129,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         channels: channels.ids.clone(),
         scenes: &scenes,
         along: begun.along.clone(),
-        balances: true,
+        balances,
         duration,
         rows: output_times.rows(),
         statistics: statistics.collect(),
@@ -135,7 +138,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         channels: channels.ids.clone(),
         profiles: profiles(&begun.system, &begun.state),
         observers,
-        balances: true,
+        balances,
         output_times,
         shape_interval: settings.shape_interval_s,
         duration,

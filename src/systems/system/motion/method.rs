@@ -4,6 +4,7 @@ use super::alpha::SystemAlpha;
 use super::body_equation::MovingBody;
 use super::method_state::MethodState;
 use super::moving_system::MovingSystem;
+use super::quasi_static::SystemQuasiStatic;
 use super::rk4::SystemRk4;
 use super::settings::MotionSettings;
 use super::system_state::SystemState;
@@ -18,6 +19,8 @@ pub enum Method {
     Alpha(SystemAlpha),
     /// Runge-Kutta of order 4.
     Rk4(SystemRk4),
+    /// Without inertia.
+    QuasiStatic(SystemQuasiStatic),
 }
 
 impl Method {
@@ -26,6 +29,14 @@ impl Method {
     pub fn new(settings: &MotionSettings, system: &MovingSystem, state: &SystemState) -> Self {
         if settings.method == MotionMethod::Rk4 {
             return Self::Rk4(SystemRk4::new(system, state));
+        }
+        if settings.method == MotionMethod::Quasi {
+            return Self::QuasiStatic(SystemQuasiStatic::new(
+                system,
+                state,
+                settings.position_tolerance_m,
+                settings.max_iterations,
+            ));
         }
         let alpha = SystemAlpha::new(
             system,
@@ -53,6 +64,8 @@ impl Method {
         match self {
             Self::Alpha(method) => method.accelerate(system, t, state),
             Self::Rk4(method) => method.accelerate(system, t, state),
+            // There are none.
+            Self::QuasiStatic(_) => Ok(()),
         }
     }
 
@@ -65,6 +78,7 @@ impl Method {
                 evaluations: method.work_counts().evaluations,
                 ..MethodState::default()
             },
+            Self::QuasiStatic(method) => method.method_state(),
         }
     }
 
@@ -73,6 +87,7 @@ impl Method {
         match self {
             Self::Alpha(method) => method.restore(stored, state),
             Self::Rk4(method) => method.restore(stored.evaluations),
+            Self::QuasiStatic(method) => method.restore(stored, state),
         }
     }
 
@@ -82,6 +97,7 @@ impl Method {
         match self {
             Self::Alpha(method) => method.bodies(),
             Self::Rk4(method) => method.bodies(),
+            Self::QuasiStatic(method) => method.bodies(),
         }
     }
 }
@@ -91,6 +107,7 @@ impl Integrator for Method {
         match self {
             Self::Alpha(method) => method.work_counts(),
             Self::Rk4(method) => method.work_counts(),
+            Self::QuasiStatic(method) => method.work_counts(),
         }
     }
 }
@@ -105,6 +122,7 @@ impl Stepper<MovingSystem, SystemState> for Method {
         match self {
             Self::Alpha(method) => method.step(system, at, state),
             Self::Rk4(method) => method.step(system, at, state),
+            Self::QuasiStatic(method) => method.step(system, at, state),
         }
     }
 
@@ -112,6 +130,7 @@ impl Stepper<MovingSystem, SystemState> for Method {
         match self {
             Self::Alpha(method) => method.restart(system, t, state),
             Self::Rk4(method) => method.restart(system, t, state),
+            Self::QuasiStatic(method) => method.restart(system, t, state),
         }
     }
 
@@ -119,6 +138,7 @@ impl Stepper<MovingSystem, SystemState> for Method {
         match self {
             Self::Alpha(method) => method.pass_kink(system, t, state),
             Self::Rk4(method) => method.pass_kink(system, t, state),
+            Self::QuasiStatic(method) => method.pass_kink(system, t, state),
         }
     }
 }

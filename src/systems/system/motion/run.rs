@@ -6,6 +6,8 @@ use std::time::Instant;
 use super::along::counted_along;
 pub use super::channel_result::{ChannelResult, ChannelSummary};
 use super::channels::Channels;
+use super::computed_system::ComputedSystem;
+pub use super::computed_system::MotionWork;
 use super::march::{Stored, compute};
 use super::refinable_system::RefinableSystem;
 use super::settings::MotionSettings;
@@ -13,14 +15,14 @@ use super::start::{Start, start};
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::limits::STEPS;
 use crate::run::along::FatigueSpot;
-use crate::run::compute::Computed;
+use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::energy_balance::{self, EnergyBalance};
 use crate::run::error_estimate::{ErrorEstimates, HistoryPair, estimate, without_errors};
 use crate::run::event::JobEvent;
 use crate::run::{Cost, History, LineShape, Profile, Quantity, RunState, Settings};
 use crate::system::SolvedSystem;
 use crate::system::loads_without_effect::loads_without_effect;
-use crate::system::model::MotionInputs;
+use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::rest::UnsolvedSystem;
 
 /// A computed run.
@@ -60,76 +62,51 @@ pub struct MotionRun {
     pub warnings: Vec<String>,
 }
 
-/// A computation of a system, without companions.
-pub(super) struct ComputedSystem {
-    pub(super) computed: Computed,
-    pub(super) work: MotionWork,
-    /// What happened to the lines, in words.
-    pub(super) happened: Vec<String>,
-}
-
-impl ComputedSystem {
-    /// The run, with the errors of its results.
-    fn into_run(self, settings: MotionSettings, errors: ErrorEstimates) -> MotionRun {
-        let Self {
-            computed,
-            work,
-            happened,
-        } = self;
-        let Computed {
-            outcome,
-            mut warnings,
-            settings: stored_settings,
-            cost,
-            record,
-            ..
-        } = computed;
-        warnings.extend(errors.warnings);
-        warnings.extend(energy_balance::warning(
-            &errors.summary,
-            record.balance.as_ref(),
-        ));
-        MotionRun {
-            settings,
-            stored_settings: Settings {
-                error_method: errors.method,
-                ..stored_settings
-            },
-            channels: ChannelResult::all(&record.history.channels, &errors.summary),
-            summary: errors.summary,
-            companions: errors.curves,
-            balance: record.balance.unwrap_or_default(),
-            fatigue: record.fatigue,
-            history: record.history,
-            shapes: record.shapes,
-            profiles: record.profiles,
-            work,
-            cost,
-            happened,
-            state: outcome.state,
-            failure: outcome.failure,
-            warnings,
-        }
+/// The run of a computation, with the errors of its results.
+fn with_errors(
+    found: ComputedSystem,
+    settings: MotionSettings,
+    errors: ErrorEstimates,
+) -> MotionRun {
+    let ComputedSystem {
+        computed,
+        work,
+        happened,
+    } = found;
+    let Computed {
+        outcome,
+        mut warnings,
+        settings: stored_settings,
+        cost,
+        record,
+        ..
+    } = computed;
+    warnings.extend(errors.warnings);
+    warnings.extend(energy_balance::warning(
+        &errors.summary,
+        record.balance.as_ref(),
+    ));
+    MotionRun {
+        settings,
+        stored_settings: Settings {
+            error_method: errors.method,
+            ..stored_settings
+        },
+        channels: ChannelResult::all(&record.history.channels, &errors.summary),
+        summary: errors.summary,
+        companions: errors.curves,
+        balance: record.balance.unwrap_or_default(),
+        fatigue: record.fatigue,
+        history: record.history,
+        shapes: record.shapes,
+        profiles: record.profiles,
+        work,
+        cost,
+        happened,
+        state: outcome.state,
+        failure: outcome.failure,
+        warnings,
     }
-}
-
-/// Work of a run.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct MotionWork {
-    /// Nodes of all lines.
-    pub nodes: usize,
-    /// Unknown points, twice the free bodies included.
-    pub joints: usize,
-    /// Accepted steps.
-    pub steps: u64,
-    /// Rejected steps.
-    pub rejections: u64,
-    /// Newton iterations.
-    pub iterations: u64,
-    /// Evaluations of an explicit method.
-    pub evaluations: u64,
-    /// Time at its end \[s\].
-    pub reached: f64,
 }
 
 /// Computes a system in time, with companions that tell its errors, and sends the rows of its history.
@@ -198,6 +175,9 @@ pub(super) fn run_stored(
         lines: lines.map(|line| line.name.clone()).collect(),
     });
     let mut notes = coarse_memory(&begun);
+    if settings.method == MotionMethod::Quasi {
+        notes.push(INERTIA_LEFT_OUT.to_owned());
+    }
     notes.extend(turned_from_loads(&begun));
     notes.extend(loads_without_effect(solved));
     notes.extend(missing);
@@ -220,7 +200,7 @@ pub(super) fn run_stored(
         }
         None => without_errors(computed),
     };
-    Ok(run.into_run(settings, errors))
+    Ok(with_errors(run, settings, errors))
 }
 
 /// Difference of the damping transformed back, by its greatest value, above which a warning says so.

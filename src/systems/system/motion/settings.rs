@@ -60,11 +60,12 @@ impl MotionSettings {
         let own = |scene: &Scene| scene.position_tolerance(1e-4);
         let finest = system.scenes.iter().map(own).fold(f64::INFINITY, f64::min);
         let explicit = given.method == MotionMethod::Rk4;
+        let controlled = given.method == MotionMethod::Alpha;
         let chosen = || match explicit {
             true => longest_step(system).min(EXPLICIT_SHARE * explicit_limit(system)),
             false => longest_step(system),
         };
-        let varies = given.time_step_s.is_none() && !explicit;
+        let varies = given.time_step_s.is_none() && controlled;
         Self {
             method: given.method,
             duration_s: given.duration_s,
@@ -83,9 +84,10 @@ impl MotionSettings {
     /// The same in the words of a stored run, whose steps were of these lengths \[s\] and numbers.
     #[must_use]
     pub fn of_run(&self, system: &MovingSystem, steps: &[(f64, u64)]) -> Settings {
-        let implicit = self.method == MotionMethod::Alpha;
+        let implicit = self.method != MotionMethod::Rk4;
+        let alpha = self.method == MotionMethod::Alpha;
         let limit = (!implicit).then(|| stability_limit(system)).flatten();
-        let period = (implicit && !steps.is_empty()).then(|| forced_period(system));
+        let period = (alpha && !steps.is_empty()).then(|| forced_period(system));
         let damping = |period: f64| NumericalDamping::over(self.rho_inf, TAU / period, steps);
         Settings {
             method: self.method.name().to_owned(),
@@ -93,7 +95,7 @@ impl MotionSettings {
             time_step_s: self.time_step_s,
             step_tolerance: self.step_tolerance,
             time_step_automatic: self.is_automatic,
-            rho_inf: implicit.then_some(self.rho_inf),
+            rho_inf: alpha.then_some(self.rho_inf),
             numerical_damping: period.map(|period| damping(period).damping),
             numerical_damping_period_s: period,
             stability_limit_s: limit.as_ref().map(|limit| limit.0),
