@@ -1,8 +1,10 @@
-//! What every kind of scene has, tried by the program.
+//! What every kind of scene has, tried by the program: a feature holds for all of them, or it is written here where it does not yet.
 //!
 //! The fixtures in `tests/data/before_one_march` are what the program offered before lines and systems had one march: nothing of it is
 //! lost.
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+mod features;
 mod nothing_lost;
+mod one_line;

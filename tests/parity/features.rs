@@ -1,0 +1,219 @@
+//! Features by scene. A cell says whether the program has the feature for the scene; where it does not, why not.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// The scenes: a line, lines that meet at a point, a body on lines, a file of MoorDyn.
+const SCENES: [&str; 4] = ["line.toml", "points.toml", "body.toml", "moordyn.txt"];
+
+/// Whether a scene has a feature.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Has {
+    Yes,
+    /// Not yet.
+    No,
+    /// For a reason of physics.
+    Never(&'static str),
+}
+
+use Has::{Never, No, Yes};
+
+/// A feature: what is tried, and which scenes have it.
+struct Feature {
+    name: &'static str,
+    tried: fn(&Trial) -> bool,
+    has: [Has; SCENES.len()],
+}
+
+/// A scene being tried.
+struct Trial {
+    scene: PathBuf,
+    dir: tempfile::TempDir,
+}
+
+impl Trial {
+    fn of(scene: &str) -> Self {
+        let dir = tempfile::tempdir().unwrap();
+        let from = Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("tests/parity/scenes")
+            .join(scene);
+        let to = dir.path().join(scene);
+        fs::copy(from, &to).unwrap();
+        Self { scene: to, dir }
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.dir.path().join(name).display().to_string()
+    }
+
+    fn command(&self, words: &[&str]) -> Output {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_seacable"));
+        command.args(words).current_dir(self.dir.path());
+        command.output().unwrap()
+    }
+
+    /// A run in time into `run`; what it prints.
+    fn run(&self, more: &[&str]) -> Option<String> {
+        let (scene, out) = (self.scene.display().to_string(), self.path("run"));
+        let words = ["run", &scene, "--out", &out, "--set", "solver.duration_s=4"];
+        let output = self.command(&[&words[..], more].concat());
+        let text = String::from_utf8(output.stdout).unwrap();
+        output.status.success().then_some(text)
+    }
+
+    /// A study of the scene, as quick as it can be.
+    fn studies(&self, words: &[&str]) -> bool {
+        let scene = self.scene.display().to_string();
+        let words = [&["study", words[0], &scene], &words[1..]].concat();
+        self.command(&words).status.success()
+    }
+
+    /// A file of the run, by its lines without the head.
+    fn rows(&self, file: &str) -> usize {
+        let text = fs::read_to_string(Path::new(&self.path("run")).join(file)).unwrap();
+        text.lines().count() - 1
+    }
+
+    fn head(&self, file: &str) -> String {
+        let text = fs::read_to_string(Path::new(&self.path("run")).join(file)).unwrap();
+        text.lines().next().unwrap_or_default().to_owned()
+    }
+
+    fn summary(&self) -> String {
+        fs::read_to_string(Path::new(&self.path("run")).join("summary.csv")).unwrap()
+    }
+}
+
+const FAST: &[&str] = &["--set", "solver.error_estimate=false"];
+
+/// A line has no bending stiffness in files of this scene.
+const NO_STIFFNESS: Has = Never("its file has no bending stiffness");
+
+const FEATURES: &[Feature] = &[
+    Feature {
+        name: "a profile of every line, with envelopes",
+        tried: |trial| {
+            trial.run(FAST).is_some()
+                && trial.rows("profile.csv") >= 40
+                && trial.head("profile.csv").contains("tension_max_n")
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "shapes of every line over time",
+        tried: |trial| trial.run(FAST).is_some() && trial.rows("shapes.csv") >= 2 * 40,
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "extremes along every line, with their places",
+        tried: |trial| {
+            trial.run(FAST).is_some()
+                && trial.summary().contains(".arc_of_max,")
+                && trial.summary().matches(".arc_of_min,").count() >= 1
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "bend radius along every line",
+        tried: |trial| trial.run(FAST).is_some() && trial.summary().contains("bend_radius_m"),
+        has: [Yes, Yes, Yes, NO_STIFFNESS],
+    },
+    Feature {
+        name: "numerical damping said",
+        tried: |trial| {
+            trial.run(FAST).is_some() && {
+                let place = Path::new(&trial.path("run")).join("run.toml");
+                fs::read_to_string(place)
+                    .unwrap()
+                    .contains("numerical_damping_period_s")
+            }
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "errors by observed orders",
+        tried: |trial| {
+            trial.run(&[]).is_some() && {
+                let dir = trial.path("run");
+                let text = fs::read_to_string(Path::new(&dir).join("run.toml")).unwrap();
+                text.contains("by the order observed")
+            }
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "resumed to a later end",
+        tried: |trial| {
+            let to = trial.path("later");
+            trial.run(FAST).is_some()
+                && trial
+                    .command(&["run", "--resume", "run", "--until", "8", "--out", &to])
+                    .status
+                    .success()
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "a report and a comparison of stored runs",
+        tried: |trial| {
+            trial.run(FAST).is_some()
+                && trial.command(&["report", "run"]).status.success()
+                && trial.command(&["compare", "run", "run"]).status.success()
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "by Runge-Kutta of order 4",
+        tried: |trial| trial.run(&[FAST, &["--solver", "rk4"]].concat()).is_some(),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "quasi-static in time",
+        tried: |trial| {
+            trial
+                .run(&[FAST, &["--solver", "quasi"]].concat())
+                .is_some()
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "the method chosen by the program",
+        tried: |trial| trial.run(&[FAST, &["--solver", "auto"]].concat()).is_some(),
+        has: [Yes, No, No, No],
+    },
+    Feature {
+        name: "mesh and steps for an accuracy asked",
+        tried: |trial| trial.run(&["--accuracy", "0.05"]).is_some(),
+        has: [Yes, No, No, No],
+    },
+    Feature {
+        name: "study of steps",
+        tried: |trial| trial.studies(&["steps"]),
+        has: [Yes, No, No, No],
+    },
+    Feature {
+        name: "study of effects left out",
+        tried: |trial| trial.studies(&["physics", "--set", "solver.duration_s=4"]),
+        has: [Yes, No, No, No],
+    },
+];
+
+/// Every cell is as the table says: what has come to work is said, and what works stays.
+#[test]
+fn every_scene_has_what_the_table_says() {
+    let mut wrong = Vec::new();
+    for feature in FEATURES {
+        for (scene, has) in SCENES.iter().zip(feature.has) {
+            let found = (feature.tried)(&Trial::of(scene));
+            if found != (has == Yes) {
+                let why = match has {
+                    Never(why) => why,
+                    _ => "",
+                };
+                wrong.push(format!("{scene}: {}: {found} {why}", feature.name));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}

@@ -1,0 +1,130 @@
+//! A line, and the system of it alone: one result.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use seacable::case::{self, kind};
+use seacable::run::{History, job};
+use seacable::system::SystemFile;
+use seacable::system::motion::job::{SystemRequest, execute};
+
+/// A chain on a bed, its upper end heaved.
+const COMMON: &str = r"
+[seabed]
+depth_m = 50.0
+stiffness_n_per_m3 = 1e5
+damping_n_s_per_m3 = 1e4
+
+[materials.chain]
+diameter_m = 0.1
+mass_kg_per_m = 180.0
+ea_n = 8e8
+drag_normal = 1.2
+drag_tangential = 0.1
+added_mass_normal = 1.0
+";
+
+const LINE: &str = r#"
+[case]
+title = "One chain, as a line case"
+[[line]]
+name = "chain"
+material = "chain"
+length_m = 200.0
+segments = 50
+[ends.a]
+name = "anchor"
+kind = "anchor"
+position_m = [180.0, 0.0, -50.0]
+[ends.b]
+name = "fairlead"
+kind = "moving"
+position_m = [0.0, 0.0, 0.0]
+amplitude_m = [0.0, 0.0, 0.5]
+period_s = 8.0
+ramp_s = 4.0
+"#;
+
+const SYSTEM: &str = r#"
+[system]
+title = "One chain, as a system"
+[points.anchor]
+kind = "fixed"
+position_m = [180.0, 0.0, -50.0]
+[points.fairlead]
+kind = "moved"
+position_m = [0.0, 0.0, 0.0]
+amplitude_m = [0.0, 0.0, 0.5]
+period_s = 8.0
+ramp_s = 4.0
+[[lines]]
+name = "chain"
+from = "anchor"
+to = "fairlead"
+material = "chain"
+length_m = 200.0
+segments = 50
+"#;
+
+fn solver(method: &str, step: &str) -> String {
+    format!(
+        "[solver]\nduration_s = 8.0\nmethod = \"{method}\"\n{step}\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+    )
+}
+
+fn as_line(solver: &str) -> History {
+    let text = format!("{LINE}{COMMON}[start]\nshape = \"equilibrium\"\n{solver}");
+    let request = job::Request {
+        case: case::parse(&text, "line.toml").unwrap(),
+        text,
+        file: "line.toml".to_owned(),
+        overrides: Vec::new(),
+        id: String::new(),
+    };
+    job::execute(&request, &AtomicBool::new(false), &mut |_| {}).history
+}
+
+fn as_system(solver: &str) -> History {
+    let text = format!("{SYSTEM}{COMMON}{solver}");
+    let solved = kind::parse::<SystemFile>(&text, "system.toml").unwrap();
+    let name = "system.toml".to_owned();
+    let request = SystemRequest::new(Arc::new(solved), &text, name, Vec::new()).unwrap();
+    execute(&request, None, &AtomicBool::new(false), &mut |_| {}).history
+}
+
+/// Differences of a tension of 183 kN that count as none \[N\].
+const NONE: f64 = 2e-3;
+
+fn assert_agree(solver: &str) {
+    let (line, system) = (as_line(solver), as_system(solver));
+    let of = |history: &History, name: &str| history.channel(name).unwrap().values.clone();
+    let pairs = [
+        ("tension_n[anchor|chain]", "tension_n[chain|a]"),
+        ("tension_n[chain|fairlead]", "tension_n[chain|b]"),
+    ];
+    for (own, other) in pairs {
+        let (own, other) = (of(&line, own), of(&system, other));
+        assert_eq!(own.len(), 81, "{solver}");
+        let apart = own.iter().zip(&other).map(|(a, b)| (a - b).abs());
+        let apart = apart.fold(0.0, f64::max);
+        assert!(
+            own.len() == other.len() && apart < NONE,
+            "{solver}: {apart} N"
+        );
+    }
+}
+
+#[test]
+fn by_generalized_alpha_at_a_constant_step() {
+    assert_agree(&solver("alpha", "time_step_s = 0.02"));
+}
+
+#[test]
+fn by_runge_kutta() {
+    assert_agree(&solver("rk4", "time_step_s = 5e-4"));
+}
+
+#[test]
+fn quasi_statically() {
+    assert_agree(&solver("quasi", "time_step_s = 0.05"));
+}
