@@ -143,7 +143,7 @@ impl EndMotion {
     }
 
     /// The same whatever part of it a run sees: of harmonics of one period by their amplitude, of a table over all of it, of a sum
-    /// of harmonics `sqrt(8 m0)` and `sqrt(8 m2)` by its spectral moments.
+    /// of harmonics of several periods `sqrt(8 m0)` and `sqrt(8 m2)` by its spectral moments.
     #[must_use]
     pub fn scale(&self) -> (f64, f64) {
         match &self.course {
@@ -156,7 +156,8 @@ impl EndMotion {
             MotionPath::Piecewise(path) => self.extent(path.span().1),
             MotionPath::Sum(harmonics) => {
                 let moments = harmonics.moments();
-                ((8.0 * moments.m0).sqrt(), (8.0 * moments.m2).sqrt())
+                let by = if harmonics.has_one_period() { 2.0 } else { 8.0 };
+                ((by * moments.m0).sqrt(), (by * moments.m2).sqrt())
             }
         }
     }

@@ -95,6 +95,13 @@ impl Harmonics {
         shares.iter().find(reaches).map(|s| s.0)
     }
 
+    /// Whether all terms have the same period.
+    #[must_use]
+    pub fn has_one_period(&self) -> bool {
+        let same = |pair: &[Harmonic]| pair[0].omega.to_bits() == pair[1].omega.to_bits();
+        self.terms.windows(2).all(same)
+    }
+
     /// Spectral moments of the displacement along all axes together, of an endless record.
     #[must_use]
     pub fn moments(&self) -> Moments {

@@ -299,6 +299,16 @@ fn bounce_period(scene: &Scene) -> f64 {
     TAU * (line.mass.iter().sum::<f64>() * compliance).sqrt()
 }
 
+/// Distance and speed of the waves by the spectral moments of their surface: of a regular wave its height, twice the amplitude.
+fn wave_scale(system: &MovingSystem) -> Option<(f64, f64)> {
+    let height = surface(system)?;
+    let MotionPath::Sum(harmonics) = &height.course else {
+        return None;
+    };
+    let moments = harmonics.moments();
+    Some(((8.0 * moments.m0).sqrt(), (8.0 * moments.m2).sqrt()))
+}
+
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
 /// nothing but prescribed motion, waves and a start off the equilibrium disturb a system at rest, of [`RESPONSE`] times these. It is the
 /// same for every duration, so that a run resumed up to a later end takes the steps of one that is as long.
@@ -321,8 +331,9 @@ fn motion_scale(system: &MovingSystem) -> (f64, f64) {
         .filter_map(|point| point.motion.as_ref());
     let turns = network.bodies.iter().zip(&system.arms);
     let turns = turns.filter_map(|(body, arm)| Some((body.motion.as_ref()?, *arm)));
-    let surface = surface(system);
-    let moved = points.chain(&surface).map(|motion| scale(motion, 1.0));
+    let moved = points
+        .map(|motion| scale(motion, 1.0))
+        .chain(wave_scale(system));
     let turned =
         turns.flat_map(|(motion, arm)| [scale(&motion.place, 1.0), scale(&motion.angles, arm)]);
     let bodies = network.initial_of_bodies();
