@@ -10,6 +10,7 @@ use super::compute::{Computed, Resolution, compute};
 use super::error_estimate::ErrorEstimates;
 pub use super::event::JobEvent;
 use super::observer::RunRecord;
+use super::outlook::{Cheaper, TRIAL};
 use super::store::{now, rfc3339};
 use super::{
     Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
@@ -189,7 +190,14 @@ fn chosen(request: &Request, cancel: &AtomicBool) -> (Option<Request>, Option<St
     let outlook = settings::outlook(&request.case, &scene);
     let (method, why) = match outlook.clear {
         Some(why) => (Method::Alpha, why),
-        None => settings::choose(&outlook, &tried(&request.case, cancel)),
+        None => {
+            let (cheaper, why) = outlook.choose(&tried(&request.case, cancel));
+            let method = match cheaper {
+                Cheaper::Rk4 => Method::Rk4,
+                Cheaper::Alpha => Method::Alpha,
+            };
+            (method, why)
+        }
     };
     request.case.solver.method = method;
     (Some(request), Some(why))
@@ -198,7 +206,7 @@ fn chosen(request: &Request, cancel: &AtomicBool) -> (Option<Request>, Option<St
 /// Work of generalized-alpha in a trial of the case.
 fn tried(case: &Case, cancel: &AtomicBool) -> Work {
     let mut case = case.clone();
-    case.solver.duration_s *= settings::TRIAL;
+    case.solver.duration_s *= TRIAL;
     case.output.interval_s = case.solver.duration_s;
     let trial = compute(&case, Resolution::AS_SET, None, cancel, None);
     trial.outcome.work

@@ -29,6 +29,7 @@ pub mod model;
 mod natural_modes;
 pub mod observer;
 pub mod observers;
+pub mod outlook;
 pub mod output_times;
 pub mod published_curve;
 pub mod recorded;

@@ -1,6 +1,7 @@
 //! The settings that the solver uses, those included that the case leaves open.
 
-use super::{Settings, Work};
+use super::outlook::{Outlook, StepLengths};
+use super::Settings;
 use crate::case::{Case, Method, Solver};
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::numerics::V3;
@@ -195,72 +196,23 @@ fn words_for(steps: &[(f64, u64)]) -> String {
     }
 }
 
-/// Cost of a Newton iteration, and of reading an accepted step, in evaluations of the force alone, measured on lines without
-/// bending.
-const ITERATION: f64 = 2.7;
-const READING: f64 = 1.5;
-
-/// Part of the duration that generalized-alpha is tried for.
-pub(super) const TRIAL: f64 = 0.2;
-
-/// Beyond this ratio of the least costs no trial is needed.
-const CLEAR: f64 = 200.0;
-
-/// What is known of the cost of both methods before a trial, in evaluations of the force.
-pub(super) struct Outlook {
-    explicit: f64,
-    /// The explicit step and what binds it, in words.
-    bound: String,
-    /// Why it is generalized-alpha, where that is clear without a trial.
-    pub(super) clear: Option<String>,
-}
-
-/// The outlook for a case that leaves the choice of the method open. An explicit step is bound by the stiffest, lightest
-/// segment; an implicit one by what moves the line.
+/// The outlook for a case that leaves the choice of the method open.
 pub(super) fn outlook(case: &Case, scene: &Scene) -> Outlook {
     let (limit, segment) = scene.explicit_limit();
-    let given = case.solver.time_step_s;
     let of = section_of(case, scene, segment);
-    let bound = format!("its step is bound to {limit:.2e} s by segment {segment}, {of}");
-    let steps =
-        |limit| case.solver.duration_s / given.unwrap_or_else(|| automatic_step(scene, limit));
-    let explicit = steps(Some(limit)) * (4.0 + READING);
-    let least = steps(None) * (ITERATION + READING);
-    let clear = if given.is_some_and(|step| step > limit) {
-        Some(format!(
-            "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by segment {segment} ({of})"
-        ))
-    } else {
-        (explicit > CLEAR * least).then(|| format!(
-            "alpha: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha the worth of {least:.1e} \
-             where no error shortens its steps"
-        ))
-    };
-    Outlook {
-        explicit,
-        bound,
-        clear,
-    }
-}
-
-/// The method with the smaller cost, and why, after a trial of generalized-alpha over [`TRIAL`] of the duration. At its stable
-/// steps RK4 is the more accurate of the two.
-pub(super) fn choose(outlook: &Outlook, trial: &Work) -> (Method, String) {
-    let Outlook {
-        explicit, bound, ..
-    } = outlook;
-    let work = trial.iterations as f64 * ITERATION + trial.steps as f64 * READING;
-    let implicit = work / TRIAL;
-    let (method, word) = if *explicit < implicit {
-        (Method::Rk4, "rk4")
-    } else {
-        (Method::Alpha, "alpha")
-    };
-    let why = format!(
-        "{word}: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha by a trial over a fifth of \
-         the duration the worth of {implicit:.1e}"
-    );
-    (method, why)
+    let given = case.solver.time_step_s;
+    let step = |limit| given.unwrap_or_else(|| automatic_step(scene, limit));
+    Outlook::of(&StepLengths {
+        duration: case.solver.duration_s,
+        limit,
+        limited_by: [
+            format!("segment {segment}, {of}"),
+            format!("segment {segment} ({of})"),
+        ],
+        given,
+        explicit: step(Some(limit)),
+        implicit: step(None),
+    })
 }
 
 /// Name of the section that a segment belongs to.

@@ -1,0 +1,99 @@
+//! Which of both methods is the cheaper, where a file leaves the choice to the program. An explicit step is bound by the stiffest, lightest segment; an
+//! implicit one by what moves the scene, which a trial shows.
+
+use super::Work;
+
+/// Cost of a Newton iteration, and of reading an accepted step, in evaluations of the force alone, measured on lines without
+/// bending.
+const ITERATION: f64 = 2.7;
+const READING: f64 = 1.5;
+
+/// Part of the duration that generalized-alpha is tried for.
+pub const TRIAL: f64 = 0.2;
+
+/// Beyond this ratio of the least costs no trial is needed.
+const CLEAR: f64 = 200.0;
+
+/// What is known of the cost of both methods before a trial, in evaluations of the force.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outlook {
+    explicit: f64,
+    /// The explicit step and what binds it, in words.
+    bound: String,
+    /// Why it is generalized-alpha, where that is clear without a trial.
+    pub clear: Option<String>,
+}
+
+/// The steps of both methods.
+#[derive(Debug, Clone, PartialEq)]
+pub struct StepLengths {
+    /// Simulated time \[s\].
+    pub duration: f64,
+    /// The stability limit of explicit steps \[s\].
+    pub limit: f64,
+    /// What sets it, in words: in a sentence, and behind it.
+    pub limited_by: [String; 2],
+    /// The step that the file gives \[s\].
+    pub given: Option<f64>,
+    /// The explicit step \[s\].
+    pub explicit: f64,
+    /// The longest implicit step \[s\].
+    pub implicit: f64,
+}
+
+/// The cheaper method.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cheaper {
+    /// Runge-Kutta of order 4.
+    Rk4,
+    /// Generalized-alpha.
+    Alpha,
+}
+
+impl Outlook {
+    /// By the steps that both methods take where no error shortens them.
+    #[must_use]
+    pub fn of(steps: &StepLengths) -> Self {
+        let StepLengths { limit, given, .. } = steps;
+        let [within, behind] = &steps.limited_by;
+        let bound = format!("its step is bound to {limit:.2e} s by {within}");
+        let explicit = steps.duration / steps.explicit * (4.0 + READING);
+        let least = steps.duration / steps.implicit * (ITERATION + READING);
+        let clear = if given.is_some_and(|step| step > *limit) {
+            Some(format!(
+                "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by {behind}"
+            ))
+        } else {
+            (explicit > CLEAR * least).then(|| format!(
+                "alpha: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha the worth of {least:.1e} \
+                 where no error shortens its steps"
+            ))
+        };
+        Self {
+            explicit,
+            bound,
+            clear,
+        }
+    }
+
+    /// The method with the smaller cost, and why, after a trial of generalized-alpha over [`TRIAL`] of the duration. At its stable
+    /// steps RK4 is the more accurate of the two.
+    #[must_use]
+    pub fn choose(&self, trial: &Work) -> (Cheaper, String) {
+        let Self {
+            explicit, bound, ..
+        } = self;
+        let work = trial.iterations as f64 * ITERATION + trial.steps as f64 * READING;
+        let implicit = work / TRIAL;
+        let (method, word) = if *explicit < implicit {
+            (Cheaper::Rk4, "rk4")
+        } else {
+            (Cheaper::Alpha, "alpha")
+        };
+        let why = format!(
+            "{word}: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha by a trial over a fifth of \
+             the duration the worth of {implicit:.1e}"
+        );
+        (method, why)
+    }
+}
