@@ -180,7 +180,7 @@ const FEATURES: &[Feature] = &[
     Feature {
         name: "the method chosen by the program",
         tried: |trial| trial.run(&[FAST, &["--solver", "auto"]].concat()).is_some(),
-        has: [Yes, No, No, No],
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "mesh and steps for an accuracy asked",

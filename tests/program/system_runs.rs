@@ -265,6 +265,12 @@ fn a_stopped_run_resumes_to_the_same_bits() {
         (PLATFORM, "duration_s = 8.0\ntime_step_s = 0.1", 4.0),
         (BRIDLE, "duration_s = 2.0\nmethod = \"rk4\"", 1.0),
         (CARGO, "duration_s = 12.0", 9.0),
+        (BRIDLE, "duration_s = 2.0\nmethod = \"auto\"", 1.0),
+        (
+            BRIDLE,
+            "duration_s = 2.0\nmethod = \"auto\"\nstep_tolerance = 1e-12",
+            1.0,
+        ),
         (&creeping, "duration_s = 60.0", 30.0),
         (&creeping, "duration_s = 2.0\nmethod = \"rk4\"", 1.0),
     ] {

@@ -1,7 +1,7 @@
 //! The settings that the solver uses, those included that the case leaves open.
 
-use super::outlook::{Outlook, StepLengths};
 use super::Settings;
+use super::outlook::{Outlook, StepLengths};
 use crate::case::{Case, Method, Solver};
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::numerics::V3;

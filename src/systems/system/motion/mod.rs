@@ -23,6 +23,7 @@ pub mod channels;
 pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;
 pub mod checkpoint;
+mod chosen_method;
 mod computed_system;
 pub mod energy;
 mod flow_load;

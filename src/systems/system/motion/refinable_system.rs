@@ -79,7 +79,7 @@ impl Refinable for RefinableSystem<'_> {
 
     fn method_order(&self) -> Option<f64> {
         Some(match self.settings.method {
-            MotionMethod::Alpha | MotionMethod::Quasi => 2.0,
+            MotionMethod::Alpha | MotionMethod::Auto | MotionMethod::Quasi => 2.0,
             MotionMethod::Rk4 => 4.0,
         })
     }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use super::along::counted_along;
 pub use super::channel_result::{ChannelResult, ChannelSummary};
 use super::channels::Channels;
+use super::chosen_method::chosen;
 use super::computed_system::ComputedSystem;
 pub use super::computed_system::MotionWork;
 use super::march::{Stored, compute};
@@ -134,6 +135,12 @@ pub(super) fn run_stored(
     events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {
     let begun = start(solved, 1.0)?;
+    let from = stored.and_then(|stored| stored.from);
+    let chosen = chosen(given, &begun, from, cancel);
+    let given = chosen.as_ref().map_or(given, |(chosen, _)| chosen);
+    // A trial that was stopped may choose another method than the whole one: without a checkpoint the run is begun anew.
+    let is_begun_anew = chosen.is_some() && from.is_none() && cancel.load(Ordering::Relaxed);
+    let stored = stored.filter(|_| !is_begun_anew);
     let interval = solved.file.output.interval_s;
     let window = solved.file.statistics.settled_window(given.duration_s);
     let settings = MotionSettings {
@@ -183,6 +190,7 @@ pub(super) fn run_stored(
     notes.extend(missing);
     let mut run = compute(begun, &settings, stored, cancel, Some(&mut *events));
     let computed = &mut run.computed;
+    computed.settings.method_reason = chosen.as_ref().map(|(_, why)| why.clone());
     computed.warnings.append(&mut computed.record.warnings);
     computed.warnings.extend(notes);
     let done = computed.outcome.state == RunState::Done;

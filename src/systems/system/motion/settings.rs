@@ -15,6 +15,7 @@ use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
 use crate::run::Settings;
+use crate::run::outlook::StepLengths;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -79,6 +80,22 @@ impl MotionSettings {
             shape_interval_s: None,
             settled_from_s: None,
         }
+    }
+
+    /// The steps that both methods would take, where lines limit the explicit ones.
+    #[must_use]
+    pub fn step_lengths(given: &MotionInputs, system: &MovingSystem) -> Option<StepLengths> {
+        let (limit, at) = stability_limit(system)?;
+        let implicit = given.time_step_s.unwrap_or_else(|| longest_step(system));
+        let chosen = || implicit.min(EXPLICIT_SHARE * explicit_limit(system));
+        Some(StepLengths {
+            duration: given.duration_s,
+            limit,
+            limited_by: [at.clone(), at],
+            given: given.time_step_s,
+            explicit: given.time_step_s.unwrap_or_else(chosen),
+            implicit,
+        })
     }
 
     /// The same in the words of a stored run, whose steps were of these lengths \[s\] and numbers.

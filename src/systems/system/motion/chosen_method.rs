@@ -1,0 +1,68 @@
+//! The method of a run in time whose file leaves the choice to the program, as for a line: see [`outlook`](crate::run::outlook).
+
+use std::sync::atomic::AtomicBool;
+
+use super::checkpoint::ResumedSystem;
+use super::march::compute;
+use super::settings::MotionSettings;
+use super::start::Start;
+use crate::run::Work;
+use crate::run::lines_along::LinesAlong;
+use crate::run::outlook::{Cheaper, Outlook, TRIAL};
+use crate::system::model::{MotionInputs, MotionMethod};
+
+/// The inputs with the method that the program chooses, and why; nothing where the file names one. A run that is resumed keeps its
+/// method, up to a later end too, for which a trial might choose another.
+pub(super) fn chosen(
+    given: &MotionInputs,
+    begun: &Start,
+    from: Option<&ResumedSystem>,
+    cancel: &AtomicBool,
+) -> Option<(MotionInputs, String)> {
+    if given.method != MotionMethod::Auto {
+        return None;
+    }
+    let by = |method| MotionInputs {
+        method,
+        ..given.clone()
+    };
+    if let Some(from) = from.filter(|from| from.checkpoint.place.steps > 0) {
+        let (method, word) = match from.checkpoint.method.evaluations {
+            0 => (MotionMethod::Alpha, "alpha"),
+            _ => (MotionMethod::Rk4, "rk4"),
+        };
+        let why = format!("{word}: chosen when the run was begun that this one resumes");
+        return Some((by(method), why));
+    }
+    // Nothing but bodies: no segment limits a step.
+    let Some(steps) = MotionSettings::step_lengths(given, &begun.system) else {
+        let why = "alpha: there is no line whose segments bind the steps of RK4";
+        return Some((by(MotionMethod::Alpha), why.to_owned()));
+    };
+    let outlook = Outlook::of(&steps);
+    if let Some(why) = outlook.clear {
+        return Some((by(MotionMethod::Alpha), why));
+    }
+    let (cheaper, why) = outlook.choose(&trial(&by(MotionMethod::Alpha), begun, cancel));
+    let method = match cheaper {
+        Cheaper::Rk4 => MotionMethod::Rk4,
+        Cheaper::Alpha => MotionMethod::Alpha,
+    };
+    Some((by(method), why))
+}
+
+/// Work of generalized-alpha over a part of the duration.
+fn trial(given: &MotionInputs, begun: &Start, cancel: &AtomicBool) -> Work {
+    let duration_s = TRIAL * given.duration_s;
+    let given = MotionInputs {
+        duration_s,
+        ..given.clone()
+    };
+    let begun = Start {
+        along: LinesAlong::default(),
+        ..begun.clone()
+    };
+    let settings = MotionSettings::new(&given, duration_s, &begun.system);
+    let tried = compute(begun, &settings, None, cancel, None);
+    tried.computed.outcome.work
+}
