@@ -115,6 +115,22 @@ fn resumes_to_the_same_bits_between_and_at_kinks_of_a_table() {
     }
 }
 
+/// Whichever of both a trial up to the later end would choose.
+#[test]
+fn a_resumed_run_of_auto_keeps_its_method() {
+    for method in ["alpha", "rk4"] {
+        let (whole, _) = run(&request(method, 8.0), None);
+        let place = tempfile::tempdir().unwrap();
+        let dir = place.path().join("first");
+        stored(&request(method, 3.0), None, &dir);
+        let (_, checkpoint) = run(&request(method, 3.0), None);
+        let from = ResumedRun { checkpoint, dir };
+        let (resumed, _) = run(&request("auto", 8.0), Some(&from));
+        assert_eq!(resumed.info.settings.method, whole.info.settings.method);
+        assert_same(&whole, &resumed);
+    }
+}
+
 /// A run of 8 s, and the same stopped at 3 s and at 6 s and resumed.
 fn resumes_to_the_same_bits(method: &str, request: impl Fn(f64) -> Request) {
     let (whole, _) = run(&request(8.0), None);

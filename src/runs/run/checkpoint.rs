@@ -5,9 +5,10 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
+use super::outlook::Cheaper;
 use super::recorder_state::RecorderState;
 use super::step_envelope;
-use crate::case::{self, Case};
+use crate::case::{self, Case, Method};
 use crate::dynamics::{MarchProgress, MethodState};
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
@@ -63,6 +64,16 @@ impl Checkpoint {
         Err(format!(
             "the case was changed in {changed} since it was written; undo the change, or compute the case anew"
         ))
+    }
+
+    /// The method by which it was written, of a case that leaves the choice to the program.
+    pub(super) fn chosen_method(&self, case: &Case) -> Cheaper {
+        let mut by_rk4 = case.clone();
+        by_rk4.solver.method = Method::Rk4;
+        match self.check_case(&by_rk4) {
+            Ok(()) => Cheaper::Rk4,
+            Err(_) => Cheaper::Alpha,
+        }
     }
 
     /// Checks that it belongs to this line and these channels: sizes agree, and all numbers are finite.

@@ -10,7 +10,7 @@ use super::compute::{Computed, Resolution, compute};
 use super::error_estimate::ErrorEstimates;
 pub use super::event::JobEvent;
 use super::observer::RunRecord;
-use super::outlook::{Cheaper, TRIAL};
+use super::outlook::TRIAL;
 use super::store::{now, rfc3339};
 use super::{
     Cost, Quantity, ResumedRun, Run, RunInfo, RunState, Settings, VERSION, Work, accuracy,
@@ -97,7 +97,7 @@ pub fn execute_from(
     events: &mut dyn FnMut(JobEvent),
 ) -> Run {
     let started = rfc3339(now());
-    let (chosen, reason) = chosen(request, cancel);
+    let (chosen, reason) = chosen(request, from, cancel);
     // The method of a trial that was stopped may be another one than that of the whole trial.
     let stopped = chosen.is_some() && cancel.load(Ordering::Relaxed);
     let request = chosen.as_ref().unwrap_or(request);
@@ -176,12 +176,22 @@ fn computed_of(
     (computed, Some(found.estimates))
 }
 
-/// The request with the method that the program chooses where its case leaves the choice open, and the reason.
-fn chosen(request: &Request, cancel: &AtomicBool) -> (Option<Request>, Option<String>) {
+/// The request with the method that the program chooses where its case leaves the choice open, and the reason. A run that is resumed
+/// keeps its method.
+fn chosen(
+    request: &Request,
+    from: Option<&ResumedRun>,
+    cancel: &AtomicBool,
+) -> (Option<Request>, Option<String>) {
     if request.case.solver.method != Method::Auto {
         return (None, None);
     }
     let mut request = request.clone();
+    if let Some(from) = from {
+        let begun_with = from.checkpoint.chosen_method(&request.case);
+        request.case.solver.method = begun_with.into();
+        return (Some(request), Some(begun_with.as_begun()));
+    }
     request.case.solver.method = Method::Alpha;
     // A case of which no scene can be built fails with its reason later.
     let Ok(scene) = scene::build(&request.case, 1) else {
@@ -192,11 +202,7 @@ fn chosen(request: &Request, cancel: &AtomicBool) -> (Option<Request>, Option<St
         Some(why) => (Method::Alpha, why),
         None => {
             let (cheaper, why) = outlook.choose(&tried(&request.case, cancel));
-            let method = match cheaper {
-                Cheaper::Rk4 => Method::Rk4,
-                Cheaper::Alpha => Method::Alpha,
-            };
-            (method, why)
+            (cheaper.into(), why)
         }
     };
     request.case.solver.method = method;

@@ -2,6 +2,7 @@
 //! implicit one by what moves the scene, which a trial shows.
 
 use super::Work;
+use crate::case::Method;
 
 /// Cost of a Newton iteration, and of reading an accepted step, in evaluations of the force alone, measured on lines without
 /// bending.
@@ -50,6 +51,31 @@ pub enum Cheaper {
     Alpha,
 }
 
+impl From<Cheaper> for Method {
+    fn from(cheaper: Cheaper) -> Self {
+        match cheaper {
+            Cheaper::Rk4 => Self::Rk4,
+            Cheaper::Alpha => Self::Alpha,
+        }
+    }
+}
+
+impl Cheaper {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::Rk4 => "rk4",
+            Self::Alpha => "alpha",
+        }
+    }
+
+    /// Why a run that is resumed has this method: up to a later end a trial might choose the other.
+    #[must_use]
+    pub fn as_begun(self) -> String {
+        let word = self.word();
+        format!("{word}: chosen when the run was begun that this one resumes")
+    }
+}
+
 impl Outlook {
     /// By the steps that both methods take where no error shortens them.
     #[must_use]
@@ -85,11 +111,12 @@ impl Outlook {
         } = self;
         let work = trial.iterations as f64 * ITERATION + trial.steps as f64 * READING;
         let implicit = work / TRIAL;
-        let (method, word) = if *explicit < implicit {
-            (Cheaper::Rk4, "rk4")
+        let method = if *explicit < implicit {
+            Cheaper::Rk4
         } else {
-            (Cheaper::Alpha, "alpha")
+            Cheaper::Alpha
         };
+        let word = method.word();
         let why = format!(
             "{word}: RK4 needs some {explicit:.1e} evaluations of the force ({bound}), generalized-alpha by a trial over a fifth of \
              the duration the worth of {implicit:.1e}"

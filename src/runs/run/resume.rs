@@ -122,14 +122,10 @@ fn check(case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
 
 /// Checks that the tables of the case are those that the checkpoint was written with, by the method that `auto` chose.
 fn check_tables(dir: &Path, case: &Case, checkpoint: &Checkpoint) -> Result<(), String> {
-    let by = |method: Method| {
-        let mut chosen = case.clone();
-        chosen.solver.method = method;
-        checkpoint.check_case(&chosen)
-    };
-    let checked = match case.solver.method {
-        Method::Auto => by(Method::Rk4).or_else(|_| by(Method::Alpha)),
-        method => by(method),
-    };
+    let mut chosen = case.clone();
+    if case.solver.method == Method::Auto {
+        chosen.solver.method = checkpoint.chosen_method(case).into();
+    }
+    let checked = checkpoint.check_case(&chosen);
     checked.map_err(|reason| format!("{} cannot be resumed: {reason}.", visible::path(dir)))
 }

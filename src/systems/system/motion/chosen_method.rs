@@ -12,7 +12,7 @@ use crate::run::outlook::{Cheaper, Outlook, TRIAL};
 use crate::system::model::{MotionInputs, MotionMethod};
 
 /// The inputs with the method that the program chooses, and why; nothing where the file names one. A run that is resumed keeps its
-/// method, up to a later end too, for which a trial might choose another.
+/// method.
 pub(super) fn chosen(
     given: &MotionInputs,
     begun: &Start,
@@ -27,12 +27,11 @@ pub(super) fn chosen(
         ..given.clone()
     };
     if let Some(from) = from.filter(|from| from.checkpoint.place.steps > 0) {
-        let (method, word) = match from.checkpoint.method.evaluations {
-            0 => (MotionMethod::Alpha, "alpha"),
-            _ => (MotionMethod::Rk4, "rk4"),
+        let begun_with = match from.checkpoint.method.evaluations {
+            0 => Cheaper::Alpha,
+            _ => Cheaper::Rk4,
         };
-        let why = format!("{word}: chosen when the run was begun that this one resumes");
-        return Some((by(method), why));
+        return Some((by(method(begun_with)), begun_with.as_begun()));
     }
     // Nothing but bodies: no segment limits a step.
     let Some(steps) = MotionSettings::step_lengths(given, &begun.system) else {
@@ -44,11 +43,14 @@ pub(super) fn chosen(
         return Some((by(MotionMethod::Alpha), why));
     }
     let (cheaper, why) = outlook.choose(&trial(&by(MotionMethod::Alpha), begun, cancel));
-    let method = match cheaper {
+    Some((by(method(cheaper)), why))
+}
+
+const fn method(cheaper: Cheaper) -> MotionMethod {
+    match cheaper {
         Cheaper::Rk4 => MotionMethod::Rk4,
         Cheaper::Alpha => MotionMethod::Alpha,
-    };
-    Some((by(method), why))
+    }
 }
 
 /// Work of generalized-alpha over a part of the duration.
