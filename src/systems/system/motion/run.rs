@@ -148,29 +148,7 @@ pub(super) fn run_stored(
         shape_interval_s: Some(solved.file.output.shape_interval_s),
         ..MotionSettings::new(given, interval, &begun.system)
     };
-    let steps = settings.duration_s / settings.time_step_s;
-    if STEPS.is_exceeded_by(steps) {
-        return Err(UnsolvedSystem {
-            problem: format!(
-                "it would take {steps:.1e} steps of {:.1e} s",
-                settings.time_step_s
-            ),
-            remedy: STEPS.remedy(
-                "make the lines less stiff, or choose the method `alpha`",
-                steps,
-            ),
-            line: None,
-            part: None,
-        });
-    }
-    if let Some(problem) = settings.instability(&begun.system) {
-        return Err(UnsolvedSystem {
-            problem,
-            remedy: BELOW_LIMIT.to_owned(),
-            line: None,
-            part: None,
-        });
-    }
+    check_steps(&settings, &begun)?;
     let refinable = given
         .error_estimate
         .then(|| RefinableSystem::new(solved, given, &begun, &settings));
@@ -181,12 +159,7 @@ pub(super) fn run_stored(
         channels: Channels::of(&begun.system).ids,
         lines: lines.map(|line| line.name.clone()).collect(),
     });
-    let mut notes = coarse_memory(&begun);
-    if settings.method == MotionMethod::Quasi {
-        notes.push(INERTIA_LEFT_OUT.to_owned());
-    }
-    notes.extend(turned_from_loads(&begun));
-    notes.extend(loads_without_effect(solved));
+    let mut notes = notes(solved, &begun, &settings);
     notes.extend(missing);
     let mut run = compute(begun, &settings, stored, cancel, Some(&mut *events));
     let computed = &mut run.computed;
@@ -209,6 +182,40 @@ pub(super) fn run_stored(
         None => without_errors(computed),
     };
     Ok(with_errors(run, settings, errors))
+}
+
+/// Checks that the steps are not too many, and stable.
+fn check_steps(settings: &MotionSettings, begun: &Start) -> Result<(), UnsolvedSystem> {
+    let refusal = |problem: String, remedy: String| UnsolvedSystem {
+        problem,
+        remedy,
+        line: None,
+        part: None,
+    };
+    let steps = settings.duration_s / settings.time_step_s;
+    if STEPS.is_exceeded_by(steps) {
+        let problem = format!(
+            "it would take {steps:.1e} steps of {:.1e} s",
+            settings.time_step_s
+        );
+        let fewer = "make the lines less stiff, or choose the method `alpha`";
+        return Err(refusal(problem, STEPS.remedy(fewer, steps)));
+    }
+    match settings.instability(&begun.system) {
+        Some(problem) => Err(refusal(problem, BELOW_LIMIT.to_owned())),
+        None => Ok(()),
+    }
+}
+
+/// What a reader should know of a run before it is computed.
+fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec<String> {
+    let mut notes = coarse_memory(begun);
+    if settings.method == MotionMethod::Quasi {
+        notes.push(INERTIA_LEFT_OUT.to_owned());
+    }
+    notes.extend(turned_from_loads(begun));
+    notes.extend(loads_without_effect(solved));
+    notes
 }
 
 /// Difference of the damping transformed back, by its greatest value, above which a warning says so.
