@@ -134,6 +134,14 @@ fn named(sources: &[PlottedRun], source: &PlottedRun, thing: &str) -> String {
     }
 }
 
+/// A title that speaks of the line, of as many as there are.
+fn of_lines(title: &str, sources: &[PlottedRun]) -> String {
+    match sources.iter().any(|source| source.profiles.len() > 1) {
+        true => title.replace(" line", " lines"),
+        false => title.to_owned(),
+    }
+}
+
 /// A curve of a run.
 fn series(source: &PlottedRun, slot: usize, label: &str, points: Vec<(f64, f64)>) -> Series {
     Series {

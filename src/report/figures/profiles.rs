@@ -1,6 +1,6 @@
 //! What changes along the line: tension, curvature, bending moment, stiffness, over unstretched arc length.
 
-use super::{PlottedRun, named, series, slots};
+use super::{PlottedRun, named, of_lines, series, slots};
 use seacable_display::chart::{Axis, Chart, extent};
 use seacable_runs::run::Profile;
 
@@ -132,5 +132,5 @@ pub(super) fn over_arc<'p>(
     let length = profiles.filter_map(|profile| profile.arc.last().copied());
     let range = extent(length.chain([0.0])).filter(|range| range.1 > range.0);
     let arc = Axis::new("arc length from end A", "m").over(range);
-    Chart::new(title, arc, y, all)
+    Chart::new(of_lines(title, sources), arc, y, all)
 }

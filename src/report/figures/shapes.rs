@@ -1,6 +1,6 @@
 //! The scene in space: the path of the payload, the line at an instant from the side, above and ahead.
 
-use super::{PlottedRun, body, named, series, slots, values};
+use super::{PlottedRun, body, named, of_lines, series, slots, values};
 use seacable_base::number;
 use seacable_display::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
 use seacable_model::case::ChannelQuantity;
@@ -106,8 +106,9 @@ fn view(sources: &[PlottedRun], time: f64, view: ViewDirection) -> Chart {
         let (label, points) = match (shapes.first(), source.profiles.is_empty()) {
             (_, false) if source.at_rest() => {
                 let alone = sources.len() == 1;
-                let label = if alone { "line at rest" } else { "" };
-                (label.to_owned(), view.project_all(at_end()))
+                let label = format!("{} at rest", line_or_lines(source.profiles.len()));
+                let label = if alone { label } else { String::new() };
+                (label, view.project_all(at_end()))
             }
             (Some(first), _) => (
                 format!(
@@ -117,13 +118,16 @@ fn view(sources: &[PlottedRun], time: f64, view: ViewDirection) -> Chart {
                 ),
                 view.project_all(shapes.iter().map(|shape| shape.nodes.as_slice())),
             ),
-            (None, false) => ("line at the end".to_owned(), view.project_all(at_end())),
+            (None, false) => (
+                format!("{} at the end", line_or_lines(source.profiles.len())),
+                view.project_all(at_end()),
+            ),
             (None, true) => continue,
         };
         let label = named(sources, source, &label);
         all.push(series(source, slot, &label, points));
     }
-    let mut chart = in_space(view.title(), all);
+    let mut chart = in_space(&of_lines(view.title(), sources), all);
     if view == ViewDirection::Plan {
         chart.limits.clear();
     }
