@@ -20,6 +20,7 @@ use seacable_report::{
     text::WIDTH,
     verdict::RunVerdict,
 };
+use seacable_runs::run::job::execute_from;
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_systems::system::{
     SystemFile,
@@ -130,16 +131,16 @@ fn stored_run(
     from: Option<&ResumedSystem>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let question = verdict::checks(SeaQuestion::of_system(&request.solved))?;
+    let question = verdict::checks(SeaQuestion::of_system(&request.case.solved))?;
     let info = request.initial_info();
     let stored = stored(args, &info, &request.text, stop, &mut |cancel, events| {
-        job::execute(request, from, cancel, events)
+        execute_from(request, from, cancel, events)
     })?;
     let StoredRun { run, dir } = &stored;
     let found = verdict::of_run(&question, run, dir);
     let found = found.as_ref();
     if args.json {
-        let solved = &request.solved;
+        let solved = &request.case.solved;
         let mut object = json::object(solved, &Analyses::of_object(solved));
         object["motion"] = motion::object(run, dir);
         object["checks"] = json!(found.map(RunVerdict::to_json));
@@ -166,7 +167,7 @@ fn request(
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let text = file.whole_text();
-    let request = SystemRequest::new(
+    let request = job::request(
         Arc::new(file.compute()?.computed),
         &text,
         name.into_owned(),

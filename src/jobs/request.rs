@@ -4,14 +4,13 @@ use std::borrow::Cow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use crate::case::stand_alone;
 use crate::kinds::FileType;
 use crate::run::event::JobEvent;
 use crate::run::job::{self, Request};
 use crate::run::store;
 use crate::run::{ResumedRun, Run, RunInfo, resume_request};
 use crate::system::motion::checkpoint::ResumedSystem;
-use crate::system::motion::job::{self as system_job, SystemRequest};
+use crate::system::motion::job::SystemRequest;
 use crate::system::motion::resume;
 
 /// What a job computes.
@@ -87,8 +86,8 @@ impl JobRequest {
     #[must_use]
     pub fn stored_text(&self) -> Cow<'_, str> {
         match self {
-            Self::Line(request, _) => stand_alone(&request.text, &request.case),
-            Self::System(request, _) => Cow::Borrowed(&request.text),
+            Self::Line(request, _) => request.stored_text(),
+            Self::System(request, _) => request.stored_text(),
         }
     }
 
@@ -99,7 +98,7 @@ impl JobRequest {
                 job::execute_from(request, from.as_deref(), cancel, events)
             }
             Self::System(request, from) => {
-                system_job::execute(request, from.as_deref(), cancel, events)
+                job::execute_from(request, from.as_deref(), cancel, events)
             }
         }
     }

@@ -15,10 +15,11 @@ use crate::files::root::GivenRoots;
 use crate::kinds::FileType;
 use crate::limits;
 use crate::run::VERSION as PROGRAM;
+use crate::run::computation::Computation;
 use crate::run::job::Request;
 use crate::run::store::{RunLocation, now, rfc3339};
 use crate::system::SystemFile;
-use crate::system::motion::job::SystemRequest;
+use crate::system::motion;
 
 /// What is to be computed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -105,11 +106,11 @@ impl Submission {
         let work = match request {
             JobRequest::Line(line, Some(from)) => JobWork::Resume {
                 run: from.dir.clone(),
-                until: Some(line.case.solver.duration_s),
+                until: Some(line.case.duration_s()),
             },
             JobRequest::System(system, Some(from)) => JobWork::Resume {
                 run: from.dir.clone(),
-                until: Some(system.motion.duration_s),
+                until: Some(system.case.duration_s()),
             },
             JobRequest::Line(line, None) => JobWork::Run {
                 system: false,
@@ -241,7 +242,7 @@ fn run_request(
     if is_system {
         let solved = kind::parse_stored::<SystemFile>(&text, file).map_err(first)?;
         let (file, overrides) = (file.to_owned(), overrides.to_vec());
-        let request = SystemRequest::new(Arc::new(solved), &text, file, overrides);
+        let request = motion::job::request(Arc::new(solved), &text, file, overrides);
         let request = request.ok_or("its text has no table `[solver]`")?;
         return Ok(JobRequest::System(Box::new(request), None));
     }

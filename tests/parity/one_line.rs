@@ -4,9 +4,10 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, kind};
+use seacable::run::job::execute_from;
 use seacable::run::{History, job};
 use seacable::system::SystemFile;
-use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::motion::job as system_job;
 
 /// A chain on a bed, its upper end heaved.
 const COMMON: &str = r"
@@ -88,8 +89,8 @@ fn as_system(solver: &str) -> History {
     let text = format!("{SYSTEM}{COMMON}{solver}");
     let solved = kind::parse::<SystemFile>(&text, "system.toml").unwrap();
     let name = "system.toml".to_owned();
-    let request = SystemRequest::new(Arc::new(solved), &text, name, Vec::new()).unwrap();
-    execute(&request, None, &AtomicBool::new(false), &mut |_| {}).history
+    let request = system_job::request(Arc::new(solved), &text, name, Vec::new()).unwrap();
+    execute_from(&request, None, &AtomicBool::new(false), &mut |_| {}).history
 }
 
 /// Differences of a tension of 183 kN that count as none \[N\].

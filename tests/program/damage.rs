@@ -22,7 +22,7 @@ use seacable::run::job::{self, JobEvent};
 use seacable::run::store::{self, RunLocation, RunWriter};
 use seacable::run::{Run, RunInfo, RunState};
 use seacable::system::SystemFile;
-use seacable::system::motion::job::{self as system_job, SystemRequest};
+use seacable::system::motion::job as system_job;
 use seacable::system::motion::resume as systems;
 
 use crate::chance::{Chance, asked, seed};
@@ -93,10 +93,10 @@ fn base(dir: &Path, text: &str, keys: &[(&str, &str)], stop: f64) -> Base {
         let text = keys.iter().fold(text.to_owned(), set);
         let solved = kind::parse::<SystemFile>(&text, "x.toml").unwrap();
         let file = "x.toml".to_owned();
-        let request = SystemRequest::new(Arc::new(solved), &text, file, Vec::new()).unwrap();
+        let request = system_job::request(Arc::new(solved), &text, file, Vec::new()).unwrap();
         let (info, text) = (request.initial_info(), request.text.clone());
         stored(dir, info, &text, stop, &mut |cancel, events| {
-            system_job::execute(&request, None, cancel, events)
+            job::execute_from(&request, None, cancel, events)
         });
     } else {
         let text = edit::set_all(text, keys).unwrap();
@@ -157,12 +157,7 @@ fn resumed(dir: &Path) -> Result<(Run, bool), String> {
     let run = catch_unwind(AssertUnwindSafe(|| {
         if FileType::of_text(&text) == FileType::System {
             let (request, from) = systems::resume_request(dir, None)?;
-            Ok(system_job::execute(
-                &request,
-                from.as_ref(),
-                &cancel,
-                ignore,
-            ))
+            Ok(job::execute_from(&request, from.as_ref(), &cancel, ignore))
         } else {
             let (request, from) = seacable::run::resume_request(dir, None)?;
             Ok(job::execute_from(&request, from.as_ref(), &cancel, ignore))

@@ -10,10 +10,11 @@ use predicates::str::contains;
 use seacable::case::kind;
 use seacable::run::index::RunIndex;
 use seacable::run::job::JobEvent;
+use seacable::run::job::execute_from;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState, store};
 use seacable::system::SystemFile;
-use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::motion::job::{self as system_job, SystemRequest};
 use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::quantities::value;
 
@@ -204,7 +205,7 @@ fn request(text: &str, solver: &str) -> SystemRequest {
         .replace("segments = 50", "segments = 10");
     let at = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/systems/short.toml");
     let solved = kind::parse::<SystemFile>(&text, at).unwrap();
-    SystemRequest::new(solved.into(), &text, "short.toml".to_owned(), Vec::new()).unwrap()
+    system_job::request(solved.into(), &text, "short.toml".to_owned(), Vec::new()).unwrap()
 }
 
 /// Computes a request into a directory, and stops it at a time.
@@ -212,7 +213,7 @@ fn computed(request: &SystemRequest, from: Option<&ResumedSystem>, dir: &Path, s
     let place = RunLocation::Exactly(dir.to_owned());
     let mut writer = RunWriter::begin(&place, request.initial_info(), &request.text).unwrap();
     let cancel = AtomicBool::new(false);
-    let run = execute(request, from, &cancel, &mut |event| {
+    let run = execute_from(request, from, &cancel, &mut |event| {
         if matches!(&event, JobEvent::Frame(frame) if frame.time >= stop) {
             cancel.store(true, Ordering::Relaxed);
         }

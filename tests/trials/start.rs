@@ -6,9 +6,10 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use seacable::case::kind;
 use seacable::import::{self, ImportOptions};
 use seacable::run::job::JobEvent;
+use seacable::run::job::execute_from;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState};
-use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::motion::job::{self as system_job, SystemRequest};
 use seacable::system::motion::run::{MotionRun, run};
 use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::{SolvedSystem, SystemFile};
@@ -376,7 +377,7 @@ fn stored(request: &SystemRequest, from: Option<&ResumedSystem>, dir: &Path, sto
     let place = RunLocation::Exactly(dir.to_owned());
     let mut writer = RunWriter::begin(&place, request.initial_info(), &request.text).unwrap();
     let cancel = AtomicBool::new(false);
-    let run = execute(request, from, &cancel, &mut |event| {
+    let run = execute_from(request, from, &cancel, &mut |event| {
         if matches!(&event, JobEvent::Frame(frame) if frame.time >= stop) {
             cancel.store(true, Ordering::Relaxed);
         }
@@ -390,7 +391,7 @@ fn stored(request: &SystemRequest, from: Option<&ResumedSystem>, dir: &Path, sto
 fn resumes_to_the_same_bits(text: &str, stop: f64) {
     let place = tempfile::tempdir().unwrap();
     let at = |name: &str| place.path().join(name);
-    let request = SystemRequest::new(solved(text).into(), text, "t.toml".to_owned(), Vec::new());
+    let request = system_job::request(solved(text).into(), text, "t.toml".to_owned(), Vec::new());
     let request = request.unwrap();
     let whole = stored(&request, None, &at("whole"), f64::INFINITY);
     let stopped = stored(&request, None, &at("first"), stop);

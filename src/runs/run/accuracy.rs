@@ -7,26 +7,26 @@
 
 mod deadline;
 mod event_record;
-mod fineness;
+pub mod fineness;
 mod reached;
+pub mod searchable;
 mod shares;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use super::companions::{Coarsening, Companions};
-use super::compute::{Computed, Resolution, compute};
+use super::compute::Computed;
 use super::error_estimate::{self, ErrorEstimates};
 use super::event::JobEvent;
-use super::job::Request;
 use super::{RunState, SearchProgress};
-use crate::case::{Case, Method};
 use crate::number::si;
 use deadline::Deadline;
 use event_record::EventRecord;
 use fineness::Fineness;
-pub(super) use reached::Reached;
 use reached::reached;
+pub(super) use reached::{Reached, as_override};
+use searchable::{Asked, Searchable, Stepping};
 use shares::{AllowedErrors, Shares};
 
 /// A run of the search.
@@ -38,15 +38,15 @@ pub(super) struct EstimatedRun {
 }
 
 /// A run of the search, as fine as the one before it or twice as fine in one thing.
-struct Level {
-    case: Case,
+struct Level<C> {
+    found: C,
     computed: Computed,
     wall_s: f64,
 }
 
 /// The most accurate level so far.
-struct Best {
-    case: Case,
+struct Best<C> {
+    found: C,
     run: EstimatedRun,
     shares: Shares,
 }
@@ -64,25 +64,26 @@ const SEEN: usize = 2;
 /// Time of a run with error bars by that without.
 const WITH_BARS: f64 = 1.5;
 
-/// Searches mesh and steps for a request that asks for an accuracy.
-pub(super) fn search(
-    request: &Request,
-    accuracy: f64,
+/// Searches mesh and steps of what asks for an accuracy.
+pub(super) fn search<C: Searchable>(
+    own: &C,
+    asked: Asked,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
-) -> Reached {
+) -> Reached<C> {
+    let accuracy = asked.accuracy;
     let mut search = Search {
-        own: &request.case,
+        own,
         accuracy,
         cancel,
-        deadline: Deadline::after(request.case.solver.budget_s.unwrap_or(BUDGET_S)),
+        deadline: Deadline::after(asked.budget_s.unwrap_or(BUDGET_S)),
         levels: Vec::new(),
         coarsenings: Vec::new(),
         best: None,
         computed: 0,
         idle: 0,
     };
-    let mut fineness = Fineness::first(&request.case, 1);
+    let mut fineness = Fineness::first(own, 1);
     let limit = loop {
         events(JobEvent::Searching(SearchProgress {
             round: search.computed + 1,
@@ -100,27 +101,27 @@ pub(super) fn search(
     let spent = search.deadline.begun.elapsed().as_secs_f64();
     let plural = if search.computed == 1 { "" } else { "s" };
     let cost = format!("{} round{plural}, {}", search.computed, si(spent, "s"));
-    reached(request, accuracy, search.best, &cost, &limit)
+    reached(own, accuracy, search.best, &cost, &limit)
 }
 
 /// A search while it lasts.
-struct Search<'a> {
-    own: &'a Case,
+struct Search<'a, C> {
+    own: &'a C,
     accuracy: f64,
     cancel: &'a AtomicBool,
     deadline: Deadline,
     /// Those computed, from the coarsest.
-    levels: Vec<Level>,
+    levels: Vec<Level<C>>,
     /// What each is coarser in than the next finer one, from the finest.
     coarsenings: Vec<Coarsening>,
-    best: Option<Best>,
+    best: Option<Best<C>>,
     /// Runs computed, those that failed included.
     computed: usize,
     /// Those of the levels, at the end, that were hardly more accurate than the best before.
     idle: usize,
 }
 
-impl Search<'_> {
+impl<C: Searchable> Search<'_, C> {
     /// Computes a level. Returns how fine the next one is, or why there is none.
     fn advance(&mut self, fineness: &Fineness) -> Result<Fineness, String> {
         self.computed += 1;
@@ -146,18 +147,15 @@ impl Search<'_> {
         self.cancel.load(Ordering::Relaxed) || self.deadline.left() <= 0.0
     }
 
-    /// Computes the case as fine as this, with what the run reports.
-    fn level(&self, fineness: &Fineness) -> Result<(Level, Option<Vec<JobEvent>>), String> {
+    /// Computes one as fine as this, with what the run reports.
+    fn level(&self, fineness: &Fineness) -> Result<(Level<C>, Option<Vec<JobEvent>>), String> {
         let begun = Instant::now();
         // As it is kept where it is the one looked for: its checkpoints belong to it.
-        let mut case = fineness.applied_to(self.own)?;
-        let solver = &mut case.solver;
-        solver.companions = Some(words(&self.coarsenings));
-        (solver.accuracy, solver.budget_s) = (None, None);
+        let found = self.own.refined(fineness, &words(&self.coarsenings))?;
         let mut record = EventRecord::new();
         let mut run = |cancel: &AtomicBool| {
             let mut keep = |event| record.push(event);
-            compute(&case, Resolution::AS_SET, None, cancel, Some(&mut keep))
+            found.compute(None, cancel, Some(&mut keep))
         };
         // The first ones have all the time that they take: without them nothing is known.
         let computed = if self.levels.len() <= self.unknown_levels() {
@@ -168,7 +166,7 @@ impl Search<'_> {
         match computed.outcome.state {
             RunState::Done => Ok((
                 Level {
-                    case,
+                    found,
                     computed,
                     wall_s: begun.elapsed().as_secs_f64(),
                 },
@@ -203,10 +201,7 @@ impl Search<'_> {
 
     /// Whether steps are refined beside the mesh: at rest there are none, and explicit ones go with the segments.
     fn has_steps(&self) -> bool {
-        match self.own.solver.method {
-            Method::Quasi | Method::Alpha | Method::Auto => true,
-            Method::Static | Method::Rk4 => false,
-        }
+        self.own.stepping() == Stepping::OfTheirOwn
     }
 
     /// Levels before the first whose errors are known.
@@ -221,7 +216,7 @@ impl Search<'_> {
             return None;
         }
         let level = self.levels.last()?;
-        let case = level.case.clone();
+        let found = level.found.clone();
         let below: Vec<&Computed> = self
             .levels
             .iter()
@@ -229,16 +224,14 @@ impl Search<'_> {
             .skip(1)
             .map(|r| &r.computed)
             .collect();
-        let companions = Companions::coarsened_by(
-            &case,
-            &level.computed,
-            &self.coarsenings,
-            &below,
-            self.cancel,
-        );
-        let estimates = error_estimate::by_companions(&case, &level.computed, &companions);
-        let allowed = AllowedErrors::of(&case, &level.computed, &estimates.summary, self.accuracy);
-        let shares = Shares::of(&case, &allowed, &estimates.summary);
+        let (run, coarsenings) = (&level.computed, &self.coarsenings);
+        let estimates = found.ask_refinable(|refinable| {
+            let known = Companions::coarsened_by(refinable, run, coarsenings, &below, self.cancel);
+            error_estimate::by_companions(refinable, run, &known)
+        })?;
+        let duration = self.own.duration_s();
+        let allowed = AllowedErrors::of(duration, run, &estimates.summary, self.accuracy);
+        let shares = Shares::of(self.own.stepping(), &allowed, &estimates.summary);
         let (best, share) = (self.reached(), shares.reached());
         self.idle = if share < GAIN * best {
             0
@@ -252,7 +245,7 @@ impl Search<'_> {
                 events,
             };
             self.best = Some(Best {
-                case,
+                found,
                 run,
                 shares: shares.clone(),
             });
@@ -268,8 +261,8 @@ impl Search<'_> {
 
     /// What the next level is finer in: by turns until both errors are seen, and then in what makes the greater one.
     fn next(&self, shares: Option<&Shares>) -> Coarsening {
-        match (self.own.solver.method, shares) {
-            (Method::Static | Method::Rk4, _) => Coarsening::Mesh,
+        match (self.has_steps(), shares) {
+            (false, _) => Coarsening::Mesh,
             (_, Some(shares)) if shares.time > shares.mesh => Coarsening::Steps,
             (_, Some(_)) => Coarsening::Mesh,
             (_, None) if self.coarsenings.first() == Some(&Coarsening::Steps) => Coarsening::Mesh,
@@ -317,7 +310,7 @@ impl Search<'_> {
     /// more than its size lets expect, as of statics that Newton alone does not find.
     fn cost_of(&self, next: Coarsening) -> f64 {
         // Explicit steps are as short as the segments.
-        let by_both = self.own.solver.method == Method::Rk4 && next == Coarsening::Mesh;
+        let by_both = self.own.stepping() == Stepping::BySegments && next == Coarsening::Mesh;
         let by_size: f64 = if by_both { 4.0 } else { 2.0 };
         match self.levels.as_slice() {
             [] => 0.0,

@@ -150,11 +150,14 @@ impl Checkpoint {
     }
 }
 
+/// A stored run of a line to be resumed.
+pub type ResumedRun = Resumed<Checkpoint>;
+
 /// A stored run to be resumed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ResumedRun {
+pub struct Resumed<C> {
     /// Its state.
-    pub checkpoint: Checkpoint,
+    pub checkpoint: C,
     /// The run directory, with the record up to there and perhaps beyond.
     pub dir: PathBuf,
 }

@@ -32,6 +32,8 @@ pub struct Computed {
     pub modes: Vec<Quantity>,
     /// Differences from the published curves of the case, without errors.
     pub curves: Vec<Quantity>,
+    /// What happened to the lines, in words.
+    pub happened: Vec<String>,
 }
 
 impl Computed {
@@ -55,6 +57,7 @@ impl Computed {
             record: RunRecord::default(),
             modes: Vec::new(),
             curves: Vec::new(),
+            happened: Vec::new(),
         }
     }
 }
@@ -123,6 +126,7 @@ pub(super) fn compute(
         record,
         modes: Vec::new(),
         curves: Vec::new(),
+        happened: Vec::new(),
     };
     evaluate(case, &phases[0], computed)
 }

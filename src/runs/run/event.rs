@@ -4,7 +4,7 @@ use super::{Checkpoint, OutputFrame, Run, SearchProgress};
 use crate::case::ChannelId;
 
 /// Where the events of a computation go; none where nobody waits for them.
-pub(super) type Listener<'a> = Option<&'a mut dyn FnMut(JobEvent)>;
+pub type Listener<'a> = Option<&'a mut dyn FnMut(JobEvent)>;
 
 /// What a job reports while it computes.
 #[derive(Debug, Clone, PartialEq)]

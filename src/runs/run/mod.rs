@@ -2,13 +2,14 @@
 //!
 //! [`model`] holds a [`Run`] as plain data; [`store`] keeps it on disk.
 
-mod accuracy;
+pub mod accuracy;
 pub mod along;
 mod channel_reading;
 mod channel_statistics;
 mod checkpoint;
 mod coarse;
 pub mod companions;
+pub mod computation;
 pub mod compute;
 mod cycles;
 mod decimation;
@@ -56,7 +57,7 @@ mod warm_start;
 mod wave_decomposition;
 
 pub use crate::case::{ModePlane, QuantityId, Subject};
-pub use checkpoint::{Checkpoint, ResumedRun};
+pub use checkpoint::{Checkpoint, Resumed, ResumedRun};
 pub use coarse::coarse;
 pub use decimation::DecimatedRecord;
 pub use edited_inputs::edited_inputs;

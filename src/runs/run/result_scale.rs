@@ -1,13 +1,13 @@
 //! What a result is a part of: the range of its channel, by which its accuracy is measured.
 
 use super::{History, Quantity, QuantityId, Run, Subject};
-use crate::case::{Case, ChannelId, Statistic};
+use crate::case::{ChannelId, Statistic};
 
-/// The results of a run that have an accuracy, each with what that is a share of, in its unit.
+/// The results of a run over this time \[s\] that have an accuracy, each with what that is a share of, in its unit.
 #[must_use]
-pub fn result_scales(case: &Case, run: &Run) -> Vec<(QuantityId, f64)> {
+pub fn result_scales(duration_s: f64, run: &Run) -> Vec<(QuantityId, f64)> {
     let scales = Scales {
-        case,
+        duration_s,
         summary: &run.summary,
         history: &run.history,
     };
@@ -19,7 +19,8 @@ pub fn result_scales(case: &Case, run: &Run) -> Vec<(QuantityId, f64)> {
 
 /// What results are a part of.
 pub(super) struct Scales<'a> {
-    pub(super) case: &'a Case,
+    /// Simulated time \[s\].
+    pub(super) duration_s: f64,
     pub(super) summary: &'a [Quantity],
     pub(super) history: &'a History,
 }
@@ -37,7 +38,7 @@ impl Scales<'_> {
             | Statistic::TimeOfMin
             | Statistic::SettlingTime
             | Statistic::RiseTime => {
-                return Some(self.case.solver.duration_s);
+                return Some(self.duration_s);
             }
             // A place is known to a segment, whatever the forces are.
             Statistic::ArcOfMax | Statistic::ArcOfMin => return None,

@@ -114,6 +114,7 @@ fn run_method<'a>(
                 state: RunState::Done,
                 failure: None,
                 work: start.work,
+                reached: 0.0,
                 lengths: Vec::new(),
             }
         }

@@ -21,6 +21,8 @@ pub struct MarchResult {
     pub failure: Option<String>,
     /// What it took.
     pub work: Work,
+    /// Time that it came to \[s\].
+    pub reached: f64,
     /// Lengths of the steps \[s\], and how many of each.
     pub lengths: Vec<(f64, u64)>,
 }
@@ -32,6 +34,7 @@ impl MarchResult {
             state: RunState::Cancelled,
             failure: None,
             work,
+            reached: 0.0,
             lengths: Vec::new(),
         }
     }
@@ -42,6 +45,7 @@ impl MarchResult {
             state: RunState::Failed,
             failure: Some(failure),
             work,
+            reached: 0.0,
             lengths: Vec::new(),
         }
     }
@@ -294,6 +298,7 @@ impl<'a, M: Stepper<Scene>> TimeMarch<'a, '_, M> {
                 iterations: self.start.work.iterations + counts.iterations,
                 evaluations: self.start.work.evaluations + counts.evaluations,
             },
+            reached: self.position.time,
             lengths: self.march.lengths(&self.position).collect(),
         }
     }

@@ -109,7 +109,7 @@ pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFindi
     let exact = self::run(finer(&trial.case, &found), "", cancel)
         .map_err(|why| format!("true run: {why}"))?;
     let judge = Judge {
-        scales: result_scales(&found, &run),
+        scales: result_scales(found.solver.duration_s, &run),
         exact: &exact,
         asked: trial.asked,
     };

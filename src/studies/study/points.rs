@@ -8,11 +8,11 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::case::fields::number;
-use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit, stand_alone};
+use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit};
 use crate::run::job::{self, JobEvent, Request};
 use crate::run::store::{Recorder, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
-use crate::system::motion::job::{self as motion_job, SystemRequest};
+use crate::system::motion::job::SystemRequest;
 
 /// The case that points are set on top of.
 #[derive(Debug, Clone, PartialEq)]
@@ -93,8 +93,8 @@ impl PointJob {
     /// Its text with all files that it names.
     pub fn text(&self) -> Cow<'_, str> {
         match self {
-            Self::Line(request) => stand_alone(&request.text, &request.case),
-            Self::System(request) => Cow::Borrowed(&request.text),
+            Self::Line(request) => request.stored_text(),
+            Self::System(request) => request.stored_text(),
         }
     }
 
@@ -110,7 +110,7 @@ impl PointJob {
     fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
         match self {
             Self::Line(request) => job::execute(request, cancel, events),
-            Self::System(request) => motion_job::execute(request, None, cancel, events),
+            Self::System(request) => job::execute(request, cancel, events),
         }
     }
 }

@@ -185,7 +185,7 @@ fn wrong_length(solved: &SolvedSystem, run: &MotionRun) -> f64 {
         // What one line loses the other gains.
         _ if payout.ends.len() > 1 => Some(0.0),
         _ if payout.heave != 0.0 => None,
-        _ => payout.drive.prescribed(run.work.reached).map(|out| out[0]),
+        _ => payout.drive.prescribed(run.reached).map(|out| out[0]),
     };
     let payouts = payout_inputs::payouts(&solved.file, &solved.network);
     let out: Option<f64> = payouts.iter().map(prescribed).sum();

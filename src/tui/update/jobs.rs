@@ -15,7 +15,7 @@ use crate::state::{
     AppState, Document, DocumentContent, JobLine, JobNumber, JobPurpose, JobRequest, JobState,
     ParameterEditor, QueuedRequest, RunCurves, RunEntry, SystemView,
 };
-use crate::system::motion::job::SystemRequest;
+use crate::system::motion::{self, job::SystemRequest};
 
 /// Solves the edited case in the background; the newest wins.
 pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
@@ -132,7 +132,8 @@ fn enqueue_edited(state: &mut AppState) -> bool {
 /// The run in time of the edited system.
 fn system_request(editor: &ParameterEditor, system: &SystemView) -> Option<SystemRequest> {
     let solved = Arc::clone(&system.solved);
-    let request = SystemRequest::new(solved, &editor.text, editor.file.clone(), overrides(editor));
+    let request =
+        motion::job::request(solved, &editor.text, editor.file.clone(), overrides(editor));
     request.map(|request| SystemRequest {
         id: editor.stem().to_owned(),
         ..request

@@ -15,7 +15,7 @@ use crate::state::{
     AppState, DocumentContent, JobRequest, Overlay, ParameterEditor, PromptPurpose, Question,
     RunEntry, RunStatus,
 };
-use crate::system::motion::job::SystemRequest;
+use crate::system::motion::{self, job::SystemRequest};
 
 /// Marks the run under the cursor for what is done to several, or takes the mark off.
 pub fn mark(state: &mut AppState) {
@@ -225,7 +225,7 @@ fn request_again(
             Some(JobRequest::Line(Box::new(request), None))
         }
         DocumentContent::System(system) => {
-            let request = SystemRequest::new(system.solved, &text, file, Vec::new())?;
+            let request = motion::job::request(system.solved, &text, file, Vec::new())?;
             let request = SystemRequest { id, ..request };
             Some(JobRequest::System(Box::new(request), None))
         }

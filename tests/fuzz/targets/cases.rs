@@ -11,7 +11,7 @@ use seacable::section::CrossSection;
 use seacable::ship::Ship;
 use seacable::study::vary::VariedKey;
 use seacable::system::SystemFile;
-use seacable::system::motion::job::SystemRequest;
+use seacable::system::motion::job as system_job;
 use seacable::tui::run_filter::RunFilter;
 
 use super::Target;
@@ -141,7 +141,7 @@ fn system(data: &[u8]) -> bool {
     for target in [export::Target::MoorDyn, export::Target::MapPlusPlus] {
         drop(export::export(&solved, target, ExportOptions::default()));
     }
-    drop(SystemRequest::new(solved.into(), &text, name, Vec::new()));
+    drop(system_job::request(solved.into(), &text, name, Vec::new()));
     true
 }
 

@@ -8,11 +8,12 @@ use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, kind};
+use seacable::run::job::execute_from;
 use seacable::run::job::{self, JobEvent};
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunInfo};
 use seacable::system::SystemFile;
-use seacable::system::motion::job::{SystemRequest, execute};
+use seacable::system::motion::job as system_job;
 use tempfile::TempDir;
 
 /// A line with every kind of table.
@@ -97,9 +98,9 @@ fn system_run() -> Files {
         .replace("duration_s = 60.0", "duration_s = 2.0");
     let solved = kind::parse::<SystemFile>(&text, "system.toml").unwrap();
     let name = "system.toml".to_owned();
-    let request = SystemRequest::new(solved.into(), &text, name, Vec::new()).unwrap();
+    let request = system_job::request(solved.into(), &text, name, Vec::new()).unwrap();
     stored(request.initial_info(), &text, |events| {
-        execute(&request, None, &AtomicBool::new(false), events)
+        execute_from(&request, None, &AtomicBool::new(false), events)
     })
 }
 

@@ -11,7 +11,7 @@ use seacable::report::text;
 use seacable::run::index::RunIndex;
 use seacable::run::store::{self, RunNotes};
 use seacable::run::{RunState, job, resume_request};
-use seacable::system::motion::{job as system_job, resume};
+use seacable::system::motion::resume;
 use seacable::tui::recovery::RecoveredEdits;
 
 use super::Target;
@@ -146,7 +146,7 @@ fn resumed_system(dir: &Path) -> bool {
         return false;
     };
     let stop = AtomicBool::new(true);
-    let run = system_job::execute(&request, from.as_ref(), &stop, &mut |_| ());
+    let run = job::execute_from(&request, from.as_ref(), &stop, &mut |_| ());
     run.info.state != RunState::Failed
 }
 

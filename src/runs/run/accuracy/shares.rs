@@ -1,6 +1,6 @@
 //! Estimated errors of results as shares of what is asked of them.
 
-use crate::case::{Case, Method};
+use super::searchable::Stepping;
 use crate::numerics::richardson::OBSERVED;
 use crate::run::compute::Computed;
 use crate::run::result_scale::Scales;
@@ -13,9 +13,10 @@ const WITHIN: f64 = 0.95;
 pub(super) struct AllowedErrors(Vec<(QuantityId, f64)>);
 
 impl AllowedErrors {
-    pub(super) fn of(case: &Case, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
+    /// Of a run over this time \[s\].
+    pub(super) fn of(duration_s: f64, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
         let scales = Scales {
-            case,
+            duration_s,
             summary,
             history: &run.record.history,
         };
@@ -36,7 +37,7 @@ pub(super) struct Shares {
 }
 
 impl Shares {
-    pub(super) fn of(case: &Case, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
+    pub(super) fn of(stepping: Stepping, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
         let counted = allowed.0.iter().filter_map(|(id, allowed)| {
             let q = summary.iter().find(|q| q.id == *id)?;
             Some((q, *allowed, q.expected_error()? / allowed))
@@ -48,11 +49,7 @@ impl Shares {
             .collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         // Either error may be half of what is asked; at rest there is one.
-        let parts = if case.solver.method == Method::Static {
-            1.0
-        } else {
-            2.0
-        };
+        let parts = if stepping == Stepping::None { 1.0 } else { 2.0 };
         let part = |error: fn(&Quantity) -> Option<f64>| {
             let shares = counted
                 .iter()

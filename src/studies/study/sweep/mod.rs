@@ -35,7 +35,7 @@ use super::vary::system::{self, SystemOutcome};
 use crate::case::{QuantityId, kind};
 use crate::run::store;
 use crate::system::SystemFile;
-use crate::system::motion::job::SystemRequest;
+use crate::system::motion::{self, job::SystemRequest};
 
 /// What is computed: the load cases, and which results are shown.
 #[derive(Debug, Clone)]
@@ -168,7 +168,7 @@ impl Sweep {
         let text = read.text.clone();
         let solved = read.compute().map_err(|faults| reasons(&faults))?;
         let overrides = self.overrides(settings);
-        let request = SystemRequest::new(Arc::new(solved), &text, base.file(), overrides);
+        let request = motion::job::request(Arc::new(solved), &text, base.file(), overrides);
         request.ok_or_else(|| "it has no table [solver]".to_owned())
     }
 

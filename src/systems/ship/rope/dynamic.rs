@@ -5,7 +5,7 @@ use crate::numerics::statistics::{Statistics, rms_difference};
 use crate::ropeway::rope_system::{self, SHIP_TENSION};
 use crate::ropeway::winch::WinchSample;
 use crate::ropeway::{RopewayError, SolvedRopeway};
-use crate::system::motion::run::MotionWork;
+use crate::run::Work;
 
 /// Simulated time \[s\], the time over which the motion grows, and that from which statistics count.
 const DURATION: f64 = 120.0;
@@ -26,7 +26,7 @@ pub struct DynamicRope {
     /// Estimated mesh error of the maximum tension \[N\].
     pub mesh_error: Option<f64>,
     /// Work of the dynamic solver.
-    pub work: MotionWork,
+    pub work: Work,
     /// First value of the statistics, after the motion has grown.
     pub first: usize,
 }

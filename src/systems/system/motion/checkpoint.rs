@@ -1,15 +1,13 @@
 //! The state of a run in time after an accepted step, complete enough to be resumed to the same bits.
 
-use std::path::PathBuf;
-
 use serde::{Deserialize, Serialize};
 
 use super::march::Marching;
 use super::method_state::MethodState;
 use super::system_state::SystemState;
 use crate::dynamics::MarchProgress;
-use crate::run::Profile;
 use crate::run::recorder_state::RecorderState;
+use crate::run::{Profile, Resumed};
 
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -27,13 +25,7 @@ pub struct SystemCheckpoint {
 }
 
 /// A stored run of a system to be resumed.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ResumedSystem {
-    /// Its state.
-    pub checkpoint: SystemCheckpoint,
-    /// The run directory, with the history up to there and perhaps beyond.
-    pub dir: PathBuf,
-}
+pub type ResumedSystem = Resumed<SystemCheckpoint>;
 
 /// Segments that a line is paid out by at most.
 const MOST_ADDED: i64 = 1_000_000;

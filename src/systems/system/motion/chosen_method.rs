@@ -66,5 +66,5 @@ fn trial(given: &MotionInputs, begun: &Start, cancel: &AtomicBool) -> Work {
     };
     let settings = MotionSettings::new(&given, duration_s, &begun.system);
     let tried = compute(begun, &settings, None, cancel, None);
-    tried.computed.outcome.work
+    tried.outcome.work
 }

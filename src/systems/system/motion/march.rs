@@ -7,7 +7,6 @@ use super::body_equation::MovingBody;
 use super::broken_names;
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
-use super::computed_system::{ComputedSystem, MotionWork};
 use super::mesh_of_ends::{EndMesh, Remesh};
 use super::method::Method;
 use super::method_state::MethodState;
@@ -48,8 +47,7 @@ pub(super) struct Marching<'a> {
     /// What happened to the lines, in words.
     pub(super) happened: Vec<String>,
     settings: MotionSettings,
-    /// Whether the run is stored, and when the latest checkpoint was sent.
-    sends_checkpoints: bool,
+    /// When the latest checkpoint was sent.
     saved: Instant,
 }
 
@@ -59,12 +57,6 @@ enum Pause {
     Release(Release),
     /// The mesh at an end that is paid out is no longer good.
     Mesh(EndMesh),
-}
-
-/// What a march that is stored needs: the checkpoint from where it is resumed, if it is.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Stored<'a> {
-    pub(super) from: Option<&'a ResumedSystem>,
 }
 
 /// Why a march ended before its end.
@@ -79,18 +71,16 @@ enum EarlyEnd {
 pub(super) fn compute<'a>(
     begun: Start,
     settings: &MotionSettings,
-    stored: Option<Stored<'_>>,
+    from: Option<&ResumedSystem>,
     cancel: &'a AtomicBool,
     events: Option<&'a mut dyn FnMut(JobEvent)>,
-) -> ComputedSystem {
+) -> Computed {
     let (cpu, clock) = (cpu_time(), Instant::now());
     let at_start = begun.iterations;
     let channels = Channels::of(&begun.system);
     let plan = plan(&begun, &channels, settings);
     let recorder = Recorder::new(plan, events, cancel);
     let mut marching = Marching::new(begun, settings, channels, recorder);
-    marching.sends_checkpoints = stored.is_some();
-    let from = stored.and_then(|stored| stored.from);
     let begun = match from {
         Some(from) => marching.resume(from),
         None => marching.begin(),
@@ -99,10 +89,12 @@ pub(super) fn compute<'a>(
     let ended = ended.and_then(|()| marching.march()).err();
     let ((recorded, state), recorder) = marching.recorded();
     recorder.end(&recorded, state);
-    let work = MotionWork {
-        iterations: at_start + marching.method.work_counts().iterations,
-        evaluations: marching.method.work_counts().evaluations,
-        ..marching.work()
+    let counts = marching.method.work_counts();
+    let work = Work {
+        steps: marching.place.steps,
+        rejections: marching.place.rejections,
+        iterations: at_start + counts.iterations,
+        evaluations: counts.evaluations,
     };
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
@@ -177,7 +169,6 @@ impl<'a> Marching<'a> {
             place: MarchProgress::default(),
             happened: Vec::new(),
             settings: settings.clone(),
-            sends_checkpoints: false,
             saved: Instant::now(),
             system,
             state,
@@ -187,7 +178,7 @@ impl<'a> Marching<'a> {
 
     /// Sends the state of the march.
     fn checkpoint(&mut self) {
-        if self.sends_checkpoints && self.recorder.takes_checkpoints() {
+        if self.recorder.takes_checkpoints() {
             self.send_checkpoint(&SystemCheckpoint::of(self));
         }
     }
@@ -380,23 +371,13 @@ impl<'a> Marching<'a> {
         self.method.restore(kept, &self.state);
     }
 
-    fn work(&self) -> MotionWork {
-        MotionWork {
-            nodes: self.system.scenes.iter().map(Scene::line_nodes).sum(),
-            joints: self.system.joints.envelope.len(),
-            steps: self.place.steps,
-            rejections: self.place.rejections,
-            reached: self.recorder.reached(),
-            ..MotionWork::default()
-        }
-    }
-
     fn result(
         self,
         settings: &MotionSettings,
-        (work, cost): (MotionWork, Cost),
+        (work, cost): (Work, Cost),
         ended: Option<EarlyEnd>,
-    ) -> ComputedSystem {
+    ) -> Computed {
+        let reached = self.recorder.reached();
         let ends = self.recorder.fault().is_none();
         let lines = self.system.lines(&self.state);
         let lines: Vec<LineAtEnd<'_>> = lines
@@ -416,27 +397,20 @@ impl<'a> Marching<'a> {
         };
         let lengths: Vec<(f64, u64)> = self.march.lengths(&self.place).collect();
         let settings = settings.of_run(&self.system, &lengths);
-        ComputedSystem {
-            computed: Computed {
-                outcome: MarchResult {
-                    state,
-                    failure,
-                    work: Work {
-                        steps: work.steps,
-                        rejections: work.rejections,
-                        iterations: work.iterations,
-                        evaluations: work.evaluations,
-                    },
-                    lengths,
-                },
-                warnings: Vec::new(),
-                settings,
-                cost,
-                record,
-                modes: Vec::new(),
-                curves: Vec::new(),
+        Computed {
+            outcome: MarchResult {
+                state,
+                failure,
+                work,
+                reached,
+                lengths,
             },
-            work,
+            warnings: Vec::new(),
+            settings,
+            cost,
+            record,
+            modes: Vec::new(),
+            curves: Vec::new(),
             happened: self.happened,
         }
     }

@@ -6,37 +6,30 @@ use std::sync::atomic::AtomicBool;
 use super::march::compute;
 use super::settings::MotionSettings;
 use super::start::{Start, start};
+use super::system_in_time::SystemInTime;
 use crate::run::companions::Place;
 use crate::run::compute::Computed;
 use crate::run::lines_along::LinesAlong;
 use crate::run::refinable::Refinable;
-use crate::system::SolvedSystem;
-use crate::system::model::{MotionInputs, MotionMethod};
+use crate::system::model::MotionMethod;
 
 /// Lengths of the segments of other meshes, by those of the run.
 const MESHES: [f64; 3] = [0.5, 2.0, 4.0];
 
 /// A system with what a run of it began with.
 pub(super) struct RefinableSystem<'a> {
-    solved: &'a SolvedSystem,
-    given: &'a MotionInputs,
-    settings: &'a MotionSettings,
+    of: &'a SystemInTime,
+    settings: MotionSettings,
     start: Start,
     /// The same on each of the other meshes, or why it does not come to rest; once it is needed.
     others: [OnceLock<Result<Start, String>>; MESHES.len()],
 }
 
 impl<'a> RefinableSystem<'a> {
-    pub(super) fn new(
-        solved: &'a SolvedSystem,
-        given: &'a MotionInputs,
-        begun: &Start,
-        settings: &'a MotionSettings,
-    ) -> Self {
+    pub(super) fn new(of: &'a SystemInTime, begun: &Start) -> Self {
         Self {
-            solved,
-            given,
-            settings,
+            of,
+            settings: of.settings(begun),
             // Cycles along the lines are counted by the run itself.
             start: Start {
                 along: LinesAlong::default(),
@@ -53,7 +46,7 @@ impl<'a> RefinableSystem<'a> {
             return Ok(&self.start);
         };
         let begun = self.others[other]
-            .get_or_init(|| start(self.solved, segment).map_err(|why| why.problem));
+            .get_or_init(|| start(&self.of.solved, segment).map_err(|why| why.problem));
         begun.as_ref().map_err(Clone::clone)
     }
 }
@@ -64,7 +57,7 @@ impl Refinable for RefinableSystem<'_> {
             Ok(begun) => begun.clone(),
             Err(why) => return Computed::failed(why),
         };
-        let own = MotionSettings::new(self.given, self.settings.interval_s, &begun.system);
+        let own = MotionSettings::new(&self.of.motion, self.settings.interval_s, &begun.system);
         let settings = MotionSettings {
             time_step_s: place.step * own.time_step_s,
             step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
@@ -73,7 +66,7 @@ impl Refinable for RefinableSystem<'_> {
         };
         match settings.instability(&begun.system) {
             Some(why) => Computed::failed(why),
-            None => compute(begun, &settings, None, cancel, None).computed,
+            None => compute(begun, &settings, None, cancel, None),
         }
     }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::checkpoint::ResumedSystem;
-use super::job::SystemRequest;
+use super::job::{SystemRequest, request};
 use crate::case::kind;
 use crate::run::store::{self, StoreError};
 use crate::run::{check_later, info_of_ended};
@@ -38,7 +38,7 @@ pub fn resume_request(
     }
     let solved =
         kind::parse_stored::<SystemFile>(&text, &info.case_file).map_err(|all| first(&all))?;
-    let request = SystemRequest::new(solved.into(), &text, info.case_file.clone(), overrides);
+    let request = request(solved.into(), &text, info.case_file.clone(), overrides);
     let request = request.ok_or("its case.toml has no table `[solver]`")?;
     Ok((request, from))
 }

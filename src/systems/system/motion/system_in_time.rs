@@ -1,0 +1,243 @@
+//! A system of lines in time, as a run computes it.
+
+use std::collections::BTreeMap;
+use std::sync::atomic::AtomicBool;
+use std::sync::{Arc, OnceLock};
+
+use super::along::counted_along;
+use super::channels::Channels;
+use super::checkpoint::{ResumedSystem, SystemCheckpoint};
+use super::chosen_method::chosen;
+use super::march::compute;
+use super::refinable_system::RefinableSystem;
+use super::settings::MotionSettings;
+use super::start::{Start, start};
+use crate::case::Attachment;
+use crate::case::fields::Schema;
+use crate::dynamics::rk4::BELOW_LIMIT;
+use crate::limits::STEPS;
+use crate::run::computation::Computation;
+use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
+use crate::run::event::{JobEvent, Listener};
+use crate::run::refinable::Refinable;
+use crate::system::loads_without_effect::loads_without_effect;
+use crate::system::model::{MotionInputs, MotionMethod};
+use crate::system::rest::UnsolvedSystem;
+use crate::system::{SYSTEM, SolvedSystem};
+
+/// A system in time.
+#[derive(Debug, Clone)]
+pub struct SystemInTime {
+    /// The system at rest.
+    pub solved: Arc<SolvedSystem>,
+    /// How it is computed.
+    pub motion: MotionInputs,
+    /// What it begins with, once it is asked for.
+    begun: Arc<OnceLock<Result<Start, UnsolvedSystem>>>,
+}
+
+impl SystemInTime {
+    /// A system at rest, to be computed in time.
+    #[must_use]
+    pub fn new(solved: Arc<SolvedSystem>, motion: MotionInputs) -> Self {
+        Self {
+            solved,
+            motion,
+            begun: Arc::default(),
+        }
+    }
+
+    /// What it begins with.
+    ///
+    /// # Errors
+    /// Where the divided lines do not come to rest.
+    pub(super) fn begun(&self) -> Result<&Start, UnsolvedSystem> {
+        let begun = self.begun.get_or_init(|| start(&self.solved, 1.0));
+        begun.as_ref().map_err(Clone::clone)
+    }
+
+    /// The settings that its run uses.
+    pub(super) fn settings(&self, begun: &Start) -> MotionSettings {
+        let (file, given) = (&self.solved.file, &self.motion);
+        let window = file.statistics.settled_window(given.duration_s);
+        MotionSettings {
+            settled_from_s: window.map(|[from, _]| from),
+            shape_interval_s: Some(file.output.shape_interval_s),
+            ..MotionSettings::new(given, file.output.interval_s, &begun.system)
+        }
+    }
+}
+
+impl Computation for SystemInTime {
+    type Checkpoint = SystemCheckpoint;
+
+    fn schema() -> &'static Schema {
+        &SYSTEM
+    }
+
+    fn title(&self) -> &str {
+        &self.solved.file.about.title
+    }
+
+    fn method(&self) -> &'static str {
+        self.motion.method.name()
+    }
+
+    fn duration_s(&self) -> f64 {
+        self.motion.duration_s
+    }
+
+    fn files(&self) -> &BTreeMap<String, Attachment> {
+        &self.solved.file.files
+    }
+
+    fn has_companions(&self) -> bool {
+        self.motion.error_estimate
+    }
+
+    fn with_chosen_method(
+        &self,
+        from: Option<&ResumedSystem>,
+        cancel: &AtomicBool,
+    ) -> Option<(Self, Option<String>)> {
+        // What does not begin fails with its reason later.
+        let begun = self.begun().ok()?;
+        let (motion, why) = chosen(&self.motion, begun, from, cancel)?;
+        Some((
+            Self {
+                motion,
+                ..self.clone()
+            },
+            Some(why),
+        ))
+    }
+
+    fn compute(
+        &self,
+        from: Option<&ResumedSystem>,
+        cancel: &AtomicBool,
+        events: Listener<'_>,
+    ) -> Computed {
+        let begun = match self.begun() {
+            Ok(begun) => begun,
+            Err(why) => return Computed::failed(in_words(&why)),
+        };
+        let settings = self.settings(begun);
+        if let Err(why) = check_steps(&settings, begun) {
+            return Computed::failed(in_words(&why));
+        }
+        let events: Listener<'_> = match events {
+            Some(events) => {
+                let lines = begun.system.network.lines.iter();
+                events(JobEvent::Started {
+                    channels: Channels::of(&begun.system).ids,
+                    lines: lines.map(|line| line.name.clone()).collect(),
+                });
+                Some(events)
+            }
+            None => None,
+        };
+        let (along, missing) = counted_along(&self.solved, &begun.system);
+        let counting = Start {
+            along,
+            ..begun.clone()
+        };
+        let mut run = compute(counting, &settings, from, cancel, events);
+        run.warnings.append(&mut run.record.warnings);
+        run.warnings.extend(notes(&self.solved, begun, &settings));
+        run.warnings.extend(missing);
+        run
+    }
+
+    fn remarks(&self, _: &Computed) -> Vec<String> {
+        Vec::new()
+    }
+
+    fn ask_refinable<T>(&self, ask: impl FnOnce(&dyn Refinable) -> T) -> Option<T> {
+        let begun = self.begun().ok()?;
+        Some(ask(&RefinableSystem::new(self, begun)))
+    }
+}
+
+/// Why there is no run, in words.
+fn in_words(why: &UnsolvedSystem) -> String {
+    format!("{}; {}", why.problem, why.remedy)
+}
+
+/// Checks that the steps are not too many, and stable.
+pub(super) fn check_steps(settings: &MotionSettings, begun: &Start) -> Result<(), UnsolvedSystem> {
+    let refusal = |problem: String, remedy: String| UnsolvedSystem {
+        problem,
+        remedy,
+        line: None,
+        part: None,
+    };
+    let steps = settings.duration_s / settings.time_step_s;
+    if STEPS.is_exceeded_by(steps) {
+        let problem = format!(
+            "it would take {steps:.1e} steps of {:.1e} s",
+            settings.time_step_s
+        );
+        let fewer = "make the lines less stiff, or choose the method `alpha`";
+        return Err(refusal(problem, STEPS.remedy(fewer, steps)));
+    }
+    match settings.instability(&begun.system) {
+        Some(problem) => Err(refusal(problem, BELOW_LIMIT.to_owned())),
+        None => Ok(()),
+    }
+}
+
+/// What a reader should know of a run before it is computed.
+fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec<String> {
+    let mut notes = coarse_memory(begun);
+    if settings.method == MotionMethod::Quasi {
+        notes.push(INERTIA_LEFT_OUT.to_owned());
+    }
+    notes.extend(turned_from_loads(begun));
+    notes.extend(loads_without_effect(solved));
+    notes
+}
+
+/// Difference of the damping transformed back, by its greatest value, above which a warning says so.
+const COARSE_MEMORY: f64 = 0.01;
+
+/// Warnings of retardation functions that are not those of their damping.
+fn coarse_memory(begun: &Start) -> Vec<String> {
+    let system = &begun.system;
+    let flows = system.flows.iter();
+    let off = flows.filter_map(|flow| {
+        let error = flow.retardation.as_ref()?.error;
+        let name = &system.network.bodies[flow.body].name;
+        (error > COARSE_MEMORY).then(|| {
+            format!(
+                "body {name}: the retardation functions give the damping back within {:.1} % of its greatest value only; give radiation_file at more frequencies",
+                100.0 * error
+            )
+        })
+    });
+    off.collect()
+}
+
+/// Turn of a body at rest from the heading that its wave loads are for above which a warning says so \[rad\].
+const TURNED: f64 = 0.05;
+
+/// Warnings of bodies that rest at another heading than the one that their wave loads are for.
+fn turned_from_loads(begun: &Start) -> Vec<String> {
+    let system = &begun.system;
+    let flows = system.flows.iter().filter(|flow| flow.has_waves());
+    let off = flows.filter_map(|flow| {
+        let body = &system.network.bodies[flow.body];
+        let rests = begun.state.body(&system.joints, flow.body).pose.angles()[2];
+        let turn = rests - body.pose.angles()[2];
+        let turn = turn.sin().atan2(turn.cos());
+        (turn.abs() > TURNED).then(|| {
+            format!(
+                "body {}: it begins at a heading of {:.1} deg, its wave loads are for {:.1}; give that as its yaw_deg",
+                body.name,
+                rests.to_degrees(),
+                body.pose.angles()[2].to_degrees()
+            )
+        })
+    });
+    off.collect()
+}
