@@ -156,7 +156,16 @@ impl<'w, K: FileKind> EditedFile<'w, K> {
         options: &ImportOptions,
     ) -> Result<Self, CommandError> {
         let opened = OpenedFile::of::<K>(file, options).map_err(CommandError::Invalid)?;
-        let edits = edits(words)?;
+        Self::of_opened(opened, edits(words)?)
+    }
+
+    /// With more keys set after those.
+    pub(super) fn with(self, words: &'w [String]) -> Result<Self, CommandError> {
+        let more = edits(words)?;
+        Self::of_opened(self.opened, [self.edits, more].concat())
+    }
+
+    fn of_opened(opened: OpenedFile, edits: Vec<(&'w str, &'w str)>) -> Result<Self, CommandError> {
         let read = match edits.as_slice() {
             [] => opened.read().map_err(CommandError::Invalid)?,
             edits => kind::read_with(&opened.text, edits, &opened.path).map_err(|found| {

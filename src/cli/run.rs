@@ -67,15 +67,26 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     if let Some(limits) = limits::of_run(&request.case, run.profile()) {
         text.push_str(&format!("\n{}", limits.to_text(text::WIDTH)));
     }
-    if let Some(accuracy) = &run.info.settings.accuracy {
-        text.push_str(&format!("\nAccuracy: {accuracy}\n"));
-    }
+    text.push_str(&accuracy(&run));
     if let Some(damping) = text::numerical_damping(&run.info.settings) {
         text.push_str(&format!("\nNumerical damping: {damping}\n"));
     }
     text.push_str(&verdict::text(found));
     output::results(&text, args.ascii)?;
     Ok(verdict::status(found, status(&run, &stop)))
+}
+
+/// What a search for an accuracy came to, if there was one.
+pub(super) fn accuracy(run: &Run) -> String {
+    let accuracy = run.info.settings.accuracy.as_ref();
+    accuracy.map_or_else(String::new, |words| format!("\nAccuracy: {words}\n"))
+}
+
+/// What --accuracy and --budget set.
+pub(super) fn search(args: &RunArgs) -> Vec<String> {
+    let accuracy = args.accuracy.map(|a| format!("solver.accuracy={a:?}"));
+    let budget = args.budget.map(|b| format!("solver.budget_s={b:?}"));
+    accuracy.into_iter().chain(budget).collect()
 }
 
 /// The file that a run is of: the case, or that of the run resumed.
@@ -88,8 +99,7 @@ pub(super) fn case_of(args: &RunArgs) -> &Path {
 fn request(args: &RunArgs, file: FileBytes) -> Result<Request, CommandError> {
     let mut overrides = args.set.clone();
     overrides.extend(args.solver.map(|s| format!("solver.method={}", s.name())));
-    overrides.extend(args.accuracy.map(|a| format!("solver.accuracy={a:?}")));
-    overrides.extend(args.budget.map(|b| format!("solver.budget_s={b:?}")));
+    overrides.extend(search(args));
     let loaded = cases::load_set(file, &overrides)?;
     Ok(Request {
         case: loaded.case,

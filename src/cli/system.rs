@@ -9,7 +9,7 @@ use super::{
     args::RunArgs,
     cases::EditedFile,
     jobs, output,
-    run::{StoredRun, case_of, status, stored},
+    run::{StoredRun, accuracy, case_of, search, status, stored},
     signals::StopFlag,
     verdict,
 };
@@ -36,25 +36,16 @@ pub(super) fn system(
     file: FileBytes,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let given = [
-        (
-            args.accuracy.is_some(),
-            "--accuracy, which searches mesh and steps of a line between two ends: every result states its error; more `segments` of the lines, and in time a smaller solver.step_tolerance, make it smaller",
-        ),
-        (
-            args.budget.is_some(),
-            "--budget: it bounds the search for an accuracy, which is of a line between two ends",
-        ),
-    ];
-    if let Some((_, why)) = given.iter().find(|(given, _)| *given) {
-        return Err(CommandError::Usage(format!(
-            "Systems of lines do not take {why}."
-        )));
-    }
-    let set = overrides(args);
+    let (set, search) = (overrides(args), search(args));
     let file = EditedFile::<SystemFile>::read(file, &set, &args.import.options())?;
     if file.content().solver.is_some() {
-        return in_motion(args, file, stop);
+        let file = file.with(&search)?;
+        return in_motion(args, file, [&set[..], &search].concat(), stop);
+    }
+    if !search.is_empty() {
+        return Err(CommandError::Usage(
+            "Systems of lines at rest do not take --accuracy and --budget: a line has its closed form there, or states the error of its mesh, which more `segments` make smaller; a table `[solver]` makes a run in time.".to_owned(),
+        ));
     }
     if args.detach {
         return Err(CommandError::Usage(
@@ -92,9 +83,10 @@ pub(super) fn system(
 fn in_motion(
     args: &RunArgs,
     file: EditedFile<'_, SystemFile>,
+    overrides: Vec<String>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let request = request(args, file)?;
+    let request = request(args, file, overrides)?;
     if args.detach {
         return detach(args, request, None);
     }
@@ -147,7 +139,12 @@ fn stored_run(
         output::object(&object)?;
     } else {
         let checks = verdict::text(found);
-        let text = format!("{}\n\n{}{checks}", visible::path(dir), motion::summary(run));
+        let path = visible::path(dir);
+        let text = format!(
+            "{path}\n\n{}{}{checks}",
+            motion::summary(run),
+            accuracy(run)
+        );
         output::results(&text, args.ascii)?;
     }
     Ok(verdict::status(found, status(run, stop)))
@@ -163,6 +160,7 @@ fn overrides(args: &RunArgs) -> Vec<String> {
 fn request(
     args: &RunArgs,
     file: EditedFile<'_, SystemFile>,
+    overrides: Vec<String>,
 ) -> Result<SystemRequest, CommandError> {
     let path = args.case.as_deref().unwrap_or(Path::new(""));
     let name = path.file_name().unwrap_or_default().to_string_lossy();
@@ -171,7 +169,7 @@ fn request(
         Arc::new(file.compute()?.computed),
         &text,
         name.into_owned(),
-        overrides(args),
+        overrides,
     );
     request.ok_or_else(|| CommandError::Usage("A run in time needs a table `[solver]`.".to_owned()))
 }

@@ -184,8 +184,12 @@ const FEATURES: &[Feature] = &[
     },
     Feature {
         name: "mesh and steps for an accuracy asked",
-        tried: |trial| trial.run(&["--accuracy", "0.05"]).is_some(),
-        has: [Yes, No, No, No],
+        tried: |trial| {
+            trial.run(&["--accuracy", "0.05"]).is_some_and(|text| {
+                text.contains("Accuracy: 0.05 asked; ") && text.contains(" reached by 95 % of ")
+            })
+        },
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "study of steps",

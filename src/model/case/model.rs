@@ -47,7 +47,7 @@ pub use sea::{
 pub use settings::{
     BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
 };
-pub(crate) use settings::{SeabedKeys, SolverKeys, StartKeys};
+pub(crate) use settings::{SeabedKeys, StartKeys};
 pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
 };

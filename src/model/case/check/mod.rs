@@ -32,6 +32,7 @@ pub(crate) use seacable_keys::check::{
     check_keys, existing, fields_here, marks, names, unknown, unknown_name, unknown_path,
     used_twice,
 };
+pub use solver::{of_companions, of_longest_step};
 
 /// Errors of the keys of a case against each other.
 pub(super) fn check(keys: &CaseKeys<'_>) -> Vec<Finding> {

@@ -16,6 +16,8 @@ table! {
         time_step_s: Option<f64>, "time step", range positive(1e3), absent "chosen by the solver";
         /// Error allowed in a step of varying length: in positions by the length L of the longest line, in velocities by 2 sqrt(g L).
         step_tolerance: f64 = 2e-5, "step tolerance", range positive(1.0);
+        /// Longest step that alpha takes where its steps vary.
+        longest_step_s: Option<f64>, "longest step", range positive(1e3), absent "a twentieth of the shortest forced period";
         /// Spectral radius of generalized-alpha at infinite frequency: 0 damps most, 1 not at all.
         rho_inf: f64 = 0.4, "rho infinity", range of(0.0, 1.0);
         /// Newton iterations a step may take before it is halved.
@@ -24,6 +26,12 @@ table! {
         position_tolerance_m: f64 = 1e-5, "position tolerance", range positive(1.0);
         /// Whether companion runs estimate the time and mesh error of every result.
         error_estimate: bool = true, "error estimate";
+        /// `nearest` for dearer companion runs and tighter error bars; or each, from the finest, by what is coarser: `steps` or `mesh`.
+        companions: Option<Vec<String>>, "companions", absent "chosen by the solver";
+        /// Choose mesh and steps such that 95 % of the results err by less than this share of their channel's range.
+        accuracy: Option<f64>, "accuracy", range of(1e-7, 0.5), absent "mesh and steps as set";
+        /// Wall time after which the search for an accuracy takes no dearer round.
+        budget_s: Option<f64>, "budget", range positive(1e6), absent "60 s";
     }
 }
 

@@ -2,7 +2,9 @@
 
 use super::super::check_matrix::matrix;
 use crate::case::schema::Key;
-use crate::case::{Finding, WaveKind, of_waves, too_many_rows, too_many_steps};
+use crate::case::{
+    Finding, WaveKind, of_companions, of_longest_step, of_waves, too_many_rows, too_many_steps,
+};
 use crate::limits::SEGMENTS;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
 
@@ -120,6 +122,10 @@ pub(in crate::system) fn potential_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
 pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found: Vec<Finding> = moved_rods(keys).collect();
     found.extend(work(keys));
+    if let Some(solver) = &keys.solver {
+        found.extend(of_companions(&solver.companions));
+        found.extend(of_longest_step(&solver.time_step_s, &solver.longest_step_s));
+    }
     for (_, point) in &keys.points {
         if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
             let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";

@@ -58,8 +58,13 @@ impl Refinable for RefinableSystem<'_> {
             Err(why) => return Computed::failed(why),
         };
         let own = MotionSettings::new(&self.of.motion, self.settings.interval_s, &begun.system);
+        // As a search had explicit steps before it made them finer: with the segments.
+        let longer = match self.named() {
+            Some(_) if self.is_explicit() && !own.is_automatic => place.segment.max(1.0),
+            _ => 1.0,
+        };
         let settings = MotionSettings {
-            time_step_s: place.step * own.time_step_s,
+            time_step_s: longer * place.step * own.time_step_s,
             step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
             settled_from_s: self.settings.settled_from_s,
             ..own
@@ -104,7 +109,7 @@ impl Refinable for RefinableSystem<'_> {
     }
 
     fn named(&self) -> Option<&[String]> {
-        None
+        self.of.motion.companions.as_deref()
     }
 
     fn segment_weight(&self, name: &str) -> f64 {

@@ -14,7 +14,9 @@ impl Searchable for SystemInTime {
     const FEWEST: usize = 2;
 
     fn asked(&self) -> Option<Asked> {
-        None
+        let budget_s = self.motion.budget_s;
+        let asked = |accuracy| Asked { accuracy, budget_s };
+        self.motion.accuracy.map(asked)
     }
 
     fn stepping(&self) -> Stepping {
@@ -40,7 +42,7 @@ impl Searchable for SystemInTime {
         true
     }
 
-    fn refined(&self, fineness: &Fineness, _: &[String]) -> Result<Self, String> {
+    fn refined(&self, fineness: &Fineness, companions: &[String]) -> Result<Self, String> {
         let begun = self.begun().map_err(|why| why.problem)?;
         let own = MotionSettings::new(&self.motion, 1.0, &begun.system).time_step_s;
         let mut file = self.solved.file.clone();
@@ -53,8 +55,14 @@ impl Searchable for SystemInTime {
                 let finer = fineness.finest_by(&self.segments());
                 motion.time_step_s = motion.time_step_s.map(|step| step / finer);
             }
+            MotionMethod::Alpha if motion.time_step_s.is_none() => {
+                motion.longest_step_s = Some(own * fineness.steps);
+                motion.step_tolerance *= fineness.steps.powi(3);
+            }
             _ => motion.time_step_s = Some(own * fineness.steps),
         }
+        motion.companions = Some(companions.to_vec());
+        (motion.accuracy, motion.budget_s) = (None, None);
         file.solver = Some(motion.clone());
         let solved = solve(file).map_err(|why| why.problem)?;
         Ok(Self::new(Arc::new(solved), motion))
@@ -66,9 +74,14 @@ impl Searchable for SystemInTime {
         let divided = divided
             .map(|(line, found)| (format!("lines.{}.segments", line.name), found.to_string()));
         let motion = &found.motion;
+        let varies = motion.method == MotionMethod::Alpha && motion.time_step_s.is_none();
         let method = ("solver.method".to_owned(), motion.method.name().to_owned());
         divided
-            .chain(step_keys(None, [motion.time_step_s, None], None))
+            .chain(step_keys(
+                varies.then_some(motion.step_tolerance),
+                [motion.time_step_s, motion.longest_step_s],
+                motion.companions.as_deref(),
+            ))
             .chain([method])
             .collect()
     }

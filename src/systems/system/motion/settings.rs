@@ -64,7 +64,7 @@ impl MotionSettings {
         let controlled = given.method == MotionMethod::Alpha;
         let chosen = || match explicit {
             true => longest_step(system).min(EXPLICIT_SHARE * explicit_limit(system)),
-            false => longest_step(system),
+            false => longest_allowed(given, system),
         };
         let varies = given.time_step_s.is_none() && controlled;
         Self {
@@ -284,6 +284,14 @@ fn own_period(system: &MovingSystem) -> f64 {
         true => swing_period(&system.network),
         false => bounce.fold(0.0, f64::max).max(f64::MIN_POSITIVE),
     }
+}
+
+/// The longest step that a file which sets none allows, where that is alpha's to vary \[s\].
+fn longest_allowed(given: &MotionInputs, system: &MovingSystem) -> f64 {
+    let own = given
+        .longest_step_s
+        .filter(|_| given.method == MotionMethod::Alpha);
+    own.unwrap_or_else(|| longest_step(system))
 }
 
 /// The longest step that sees what is prescribed; error control shortens it where it must.
