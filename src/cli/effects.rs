@@ -8,25 +8,32 @@ use super::{
     output::{self, OutputFile},
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{base_case, print, results, variants_told},
+    study_page::{Subject, print, subject, variants_told},
 };
 use seacable_base::number::duration;
 use seacable_display::table::Table;
+use seacable_model::case::Case;
 use seacable_report::effects::TornadoView;
 use seacable_studies::study::effects;
+use seacable_systems::system::SystemFile;
 
 pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let (base, case) = base_case(&args.case.file, &args.case.set)?;
-    let mut ids = results(&case, &args.result)?;
+    let subject = subject(&args.case, &args.result)?;
+    let stop = StopFlag::listen()?;
+    let begun = Instant::now();
+    let (found, mut ids) = variants_told(|told| match subject {
+        Subject::Line(base, ids) => (effects::compute::<Case>(&base, stop.cancel(), told), ids),
+        Subject::System(base, ids) => (
+            effects::compute::<SystemFile>(&base, stop.cancel(), told),
+            ids,
+        ),
+    });
     if args.result.is_empty() {
         ids.truncate(1);
     }
-    let stop = StopFlag::listen()?;
-    let begun = Instant::now();
-    let found = variants_told(|told| effects::compute(&base, stop.cancel(), told));
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed.");
         return Ok(status);

@@ -8,19 +8,26 @@ use super::{
     output::{self, OutputFile},
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{base_case, print, results, variants_told},
+    study_page::{Subject, print, subject, variants_told},
 };
+use seacable_model::case::Case;
 use seacable_report::physics as report;
 use seacable_studies::study::physics;
+use seacable_systems::system::SystemFile;
 
 pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let (base, case) = base_case(&args.case.file, &args.case.set)?;
-    let ids = results(&case, &args.result)?;
+    let subject = subject(&args.case, &args.result)?;
     let stop = StopFlag::listen()?;
-    let study = variants_told(|told| physics::compute(&base, stop.cancel(), told));
+    let (study, ids) = variants_told(|told| match subject {
+        Subject::Line(base, ids) => (physics::compute::<Case>(&base, stop.cancel(), told), ids),
+        Subject::System(base, ids) => (
+            physics::compute::<SystemFile>(&base, stop.cancel(), told),
+            ids,
+        ),
+    });
     if let Some(status) = stop.status() {
         output::message("Stopped before all variants were computed.");
         return Ok(status);

@@ -1,49 +1,80 @@
 //! What studies of one case have in common: their case, the results they show, the page they print.
 
-use std::{io, path::Path, sync::Mutex};
+use std::{io, sync::Mutex};
 
 use super::{
     CommandError,
-    cases::{self, NamedCase},
-    common_args::StudyPageArgs,
+    cases::{self, EditedFile, NamedCase},
+    common_args::{CaseArgs, StudyPageArgs},
     output::{self, FileFormat, OutputFile},
     progress::ProgressLine,
 };
 use seacable_display::chart::{Chart, draw};
 use seacable_display::plain;
 use seacable_display::table::Table;
-use seacable_model::case::{self, Case, QuantityId};
-use seacable_model::kinds::FileBytes;
+use seacable_model::case::{self, QuantityId};
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::run_json;
 use seacable_report::seas::SeasView;
 use seacable_studies::study::points::{BaseCase, PointProgress};
-use seacable_studies::study::results::{main_results, named_result};
+use seacable_studies::study::sweep::SweepResults;
+use seacable_systems::system::SystemFile;
 
 /// Rows of a chart, and its columns at most.
 const CHART: (usize, usize) = (18, 100);
 
-/// A case with keys set on top of its file, and what points are set on.
-pub(super) fn base_case(file: &Path, set: &[String]) -> Result<(BaseCase, Case), CommandError> {
+/// A file that a study varies: what points are set on, and the results that are named, or the main ones.
+pub(super) enum Subject {
+    /// A case of a line.
+    Line(BaseCase, Vec<QuantityId>),
+    /// A system of lines in time.
+    System(BaseCase, Vec<QuantityId>),
+}
+
+/// A case or a system with keys set on top of its file.
+pub(super) fn subject(args: &CaseArgs, names: &[String]) -> Result<Subject, CommandError> {
+    let file = FileBytes::read(&args.file);
+    match file.kind() {
+        FileType::System => of_system(args, file, names),
+        _ => of_line(args, file, names),
+    }
+}
+
+fn of_line(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject, CommandError> {
     let NamedCase {
         name, text, case, ..
-    } = cases::load_set(FileBytes::read(file), set)?;
+    } = cases::load_set(file, &args.set)?;
+    let ids = SweepResults::of_line(&case, names).map_err(no_result)?;
     let base = BaseCase {
         text: case::stand_alone(&text, &case).into_owned(),
         path: name,
-        overrides: set.to_vec(),
-        files: case.files.clone(),
+        overrides: args.set.clone(),
+        files: case.files,
     };
-    Ok((base, case))
+    Ok(Subject::Line(base, ids.ids()))
 }
 
-/// The results that are named, or the main ones.
-pub(super) fn results(case: &Case, names: &[String]) -> Result<Vec<QuantityId>, CommandError> {
-    if names.is_empty() {
-        return Ok(main_results(case));
+fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject, CommandError> {
+    let path = file.path().display().to_string();
+    let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
+    if file.content().solver.is_none() {
+        let what = "This study is of a run in time: add a table `[solver]` with its `duration_s`.";
+        return Err(CommandError::Usage(what.to_owned()));
     }
-    let named = names.iter().map(|name| named_result(case, name));
-    let named: Result<Vec<QuantityId>, _> = named.collect();
-    named.map_err(|error| CommandError::Usage(format!("--result: {error}.")))
+    let text = file.whole_text();
+    let solved = file.compute()?.computed;
+    let ids = SweepResults::of_system(&solved, names).map_err(no_result)?;
+    let base = BaseCase {
+        text,
+        path,
+        overrides: args.set.clone(),
+        files: solved.file.files,
+    };
+    Ok(Subject::System(base, ids.ids()))
+}
+
+fn no_result(why: String) -> CommandError {
+    CommandError::Usage(format!("--result: {why}."))
 }
 
 /// Tells on a line of progress how many variants of a case are computed.

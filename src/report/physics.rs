@@ -5,7 +5,7 @@ use super::number::{duration, percent, rounded, si};
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_model::case::QuantityId;
 use seacable_runs::run::Quantity;
-use seacable_studies::study::physics::{KEPT, Omission, PhysicsStudy, PhysicsVariant};
+use seacable_studies::study::physics::{Omission, PhysicsStudy, PhysicsVariant};
 
 /// Smaller changes are shown as less than this.
 const LEAST: f64 = 1e-4;
@@ -124,7 +124,10 @@ fn notes(study: &PhysicsStudy, results: &[QuantityId]) -> Vec<String> {
     if !study.absent.is_empty() {
         notes.push(format!("Not in this case: {}.", study.absent.join(", ")));
     }
-    let kept = KEPT.iter().map(|(name, why)| format!("{name} ({why})"));
+    let kept = study
+        .kept
+        .iter()
+        .map(|(name, why)| format!("{name} ({why})"));
     notes.push(format!(
         "Cannot be left out: {}.",
         kept.collect::<Vec<_>>().join("; ")

@@ -199,7 +199,12 @@ const FEATURES: &[Feature] = &[
     Feature {
         name: "study of effects left out",
         tried: |trial| trial.studies(&["physics", "--set", "solver.duration_s=4"]),
-        has: [Yes, No, No, No],
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "study of the effects of inputs",
+        tried: |trial| trial.studies(&["effects", "--set", "solver.duration_s=4"]),
+        has: [Yes, Yes, Yes, Yes],
     },
 ];
 

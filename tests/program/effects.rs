@@ -5,10 +5,11 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use assert_cmd::Command;
 use assert_cmd::assert::Assert;
 use predicates::{prelude::*, str::contains};
-use seacable::case::QuantityId;
+use seacable::case::{Case, QuantityId};
 use seacable::study::effects;
 use seacable::study::physics;
 use seacable::study::points::BaseCase;
+use seacable::system::SystemFile;
 
 use crate::small::SMALL;
 
@@ -41,7 +42,7 @@ fn printed(study: Assert) -> String {
 #[test]
 fn effects_at_rest_are_those_of_the_closed_form() {
     let base = BaseCase::new(&hanging(), "small.toml");
-    let found = effects::compute(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let found = effects::compute::<Case>(&base, &AtomicBool::new(false), &|_| {}).unwrap();
     let id: QuantityId = TENSION.parse().unwrap();
     let ranked = found.ranked(&id).unwrap();
     let of = |path: &str| {
@@ -119,7 +120,7 @@ fn the_tornado_is_drawn_ranked_and_exported() {
 #[test]
 fn what_is_not_needed_is_within_the_errors() {
     let base = BaseCase::new(SMALL, "small.toml");
-    let study = physics::compute(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let study = physics::compute::<Case>(&base, &AtomicBool::new(false), &|_| {}).unwrap();
     let id: QuantityId = "tension_n[rope|payload].mean".parse().unwrap();
     let matters = |name: &str| {
         let variant = study
@@ -159,7 +160,7 @@ fn channels_that_go_with_an_effect_take_their_published_values_along() {
         "/cases/mooring/hybrid_fixed.toml"
     );
     let base = BaseCase::new(&std::fs::read_to_string(path).unwrap(), path);
-    let study = physics::compute(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let study = physics::compute::<Case>(&base, &AtomicBool::new(false), &|_| {}).unwrap();
     let variants = || study.variants.iter();
     assert!(variants().all(|variant| variant.run().is_ok()));
     let variant = variants()
@@ -209,13 +210,102 @@ fn a_case_that_fails_gives_its_reason() {
     }
     let base = BaseCase::new(SMALL, "small.toml");
     let cancel = AtomicBool::new(true);
-    assert!(effects::compute(&base, &cancel, &|_| {}).is_err());
+    assert!(effects::compute::<Case>(&base, &cancel, &|_| {}).is_err());
     cancel.store(false, Ordering::Relaxed);
-    let some =
-        physics::compute(&base, &cancel, &|_| cancel.store(true, Ordering::Relaxed)).unwrap();
+    let some = physics::compute::<Case>(&base, &cancel, &|_| cancel.store(true, Ordering::Relaxed))
+        .unwrap();
     assert!(
         some.variants
             .iter()
             .any(|variant| variant.outcome.is_none())
     );
+}
+
+/// A body on a line of two parts, let go beside the place where it hangs at rest; the drag of the line acts on it.
+const SWUNG: &str = r#"
+[system]
+title = "a body on a line"
+[materials.rope]
+mass_kg_per_m = 5.0
+diameter_m = 0.02
+ea_n = 1e7
+drag_normal = 1.2
+[points.top]
+kind = "fixed"
+position_m = [0.0, 0.0, -10.0]
+[points.body]
+kind = "free"
+mass_kg = 500.0
+volume_m3 = 0.1
+start_offset_m = [4.0, 0.0, 0.41]
+[[lines]]
+name = "rope"
+from = "top"
+to = "body"
+material = "rope"
+length_m = 20.0
+segments = 16
+[solver]
+duration_s = 6.0
+"#;
+
+/// At rest the tension at the top is `g (M - rho V + (m - rho A) L)`.
+#[test]
+fn effects_on_a_system_are_those_of_the_closed_form() {
+    let base = BaseCase::new(
+        &SWUNG.replace("[4.0, 0.0, 0.41]", "[0.0, 0.0, 0.0]"),
+        "swung.toml",
+    );
+    let found = effects::compute::<SystemFile>(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let ranked = found
+        .ranked(&"tension_n[rope|a].final".parse().unwrap())
+        .unwrap();
+    let change = |path: &str| {
+        let effect = ranked.iter().find(|effect| effect.input.path == path);
+        effect.unwrap().changes[1].unwrap()
+    };
+    let g = 9.80665;
+    for (path, exact) in [
+        ("points.body.mass_kg", g * 50.0),
+        ("points.body.volume_m3", -g * 1025.0 * 0.01),
+        ("materials.rope.mass_kg_per_m", g * 0.5 * 20.0),
+    ] {
+        let change = change(path);
+        assert!(
+            (change / exact - 1.0).abs() < 1e-3,
+            "{path}: {change} {exact}"
+        );
+    }
+}
+
+#[test]
+fn what_a_system_needs_is_told() {
+    let base = BaseCase::new(SWUNG, "swung.toml");
+    let study = physics::compute::<SystemFile>(&base, &AtomicBool::new(false), &|_| {}).unwrap();
+    let id: QuantityId = "tension_n[rope|b].max".parse().unwrap();
+    let of = |name: &str| {
+        let mut all = study.variants.iter();
+        let variant = all.find(|variant| variant.part.name == name).unwrap();
+        assert!(variant.run().is_ok(), "{name}: {:?}", variant.run());
+        study.omission(variant, &id).unwrap().matters
+    };
+    assert_eq!(of("inertia"), Some(true));
+    assert_eq!(of("mesh doubled"), Some(false));
+    assert!(study.absent.contains(&"waves") && study.absent.contains(&"drag of bodies"));
+
+    let text = printed(self::study(SWUNG, &["physics", "--ascii"]));
+    for word in [
+        "R1 tension_n[rope|a].max",
+        "drag of the line",
+        "Not in this case: ",
+    ] {
+        assert!(text.contains(word), "{word} is missing in\n{text}");
+    }
+    let at_rest = SWUNG.split("[solver]").next().unwrap();
+    self::study(at_rest, &["physics"])
+        .code(2)
+        .stderr(contains("add a table `[solver]`"));
+    self::study(SWUNG, &["effects", "--result", "tension_n[rope|a].mx"])
+        .code(2)
+        .stderr(contains("did you mean `tension_n[rope|a].max`"));
 }

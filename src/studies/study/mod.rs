@@ -17,6 +17,7 @@ pub mod record_statistics;
 pub mod results;
 pub mod seas;
 pub mod speed;
+pub mod studied;
 pub mod sweep;
 pub mod varied;
 pub mod vary;

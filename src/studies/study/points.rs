@@ -107,7 +107,7 @@ impl PointJob {
         id.clone_into(known);
     }
 
-    fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
+    pub(super) fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
         match self {
             Self::Line(request) => job::execute(request, cancel, events),
             Self::System(request) => job::execute(request, cancel, events),

@@ -15,7 +15,7 @@ use crate::solve::State;
 /// Segments of a line that does not say how many.
 pub const SEGMENTS: usize = 100;
 /// The fewest of a section; its pieces share them.
-const FEWEST: usize = 8;
+pub(in crate::system) const FEWEST: usize = 8;
 
 /// How a line takes part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use super::outbox::Outbox;
+use crate::case::Case;
 use crate::chart::Glyphs;
 use crate::comparison::Comparison;
 use crate::msg::{ComparedRun, Msg, StudyRequest};
@@ -43,7 +44,7 @@ pub(super) fn study(
     let page = match request.of {
         StudyOf::Inputs => input_effects(request, cancel, &tell),
         StudyOf::Physics => {
-            let found = scene_physics::compute(&request.base, cancel, &tell);
+            let found = scene_physics::compute::<Case>(&request.base, cancel, &tell);
             found.map(|found| {
                 physics::table(&found, std::slice::from_ref(&request.result)).to_text(request.width)
             })
@@ -57,7 +58,7 @@ fn input_effects(
     cancel: &AtomicBool,
     tell: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Result<String, String> {
-    let found = effects::compute(&request.base, cancel, tell)?;
+    let found = effects::compute::<Case>(&request.base, cancel, tell)?;
     let Some(view) = TornadoView::of(&found, &request.result) else {
         return Err(format!(
             "The run of the case does not have `{}`.",

@@ -18,7 +18,7 @@ pub(super) const COARSEST: usize = 16;
 
 impl Fineness {
     /// That of the first level, or this many times finer where that does not come to its end.
-    pub(super) fn first<C: Searchable>(own: &C, finer: usize) -> Self {
+    pub(super) fn first(own: &impl Searchable, finer: usize) -> Self {
         let coarsest = (COARSEST / finer).max(1);
         let mut mesh = coarsest;
         while mesh > 1 && !own.keeps_its_places(mesh) {
@@ -29,10 +29,10 @@ impl Fineness {
         while steps > 1.0 && own.step_tolerance() * steps.powi(3) > 1.0 {
             steps /= 2.0;
         }
-        let segments = own.segments().into_iter();
+        let segments = own.segments().into_iter().zip(own.fewest());
         Self {
             segments: segments
-                .map(|segments| segments.div_ceil(mesh).max(C::FEWEST))
+                .map(|(segments, fewest)| segments.div_ceil(mesh).max(fewest))
                 .collect(),
             steps,
         }

@@ -40,8 +40,8 @@ pub trait Searchable: Computation {
     /// Segments of every part that is divided by itself.
     fn segments(&self) -> Vec<usize>;
 
-    /// Fewest segments of a part.
-    const FEWEST: usize;
+    /// Fewest segments of each of them.
+    fn fewest(&self) -> Vec<usize>;
 
     /// Whether everything stays where it is on a mesh so many times coarser: what is moved by half a segment is an error of first order.
     fn keeps_its_places(&self, coarser: usize) -> bool;
@@ -57,8 +57,6 @@ pub trait Searchable: Computation {
 }
 
 impl Searchable for Case {
-    const FEWEST: usize = 1;
-
     fn asked(&self) -> Option<Asked> {
         let budget_s = self.solver.budget_s;
         let asked = |accuracy| Asked { accuracy, budget_s };
@@ -79,6 +77,10 @@ impl Searchable for Case {
 
     fn segments(&self) -> Vec<usize> {
         self.line.iter().map(|section| section.segments).collect()
+    }
+
+    fn fewest(&self) -> Vec<usize> {
+        vec![1; self.line.len()]
     }
 
     fn keeps_its_places(&self, coarser: usize) -> bool {

@@ -2,7 +2,8 @@
 
 use super::values::{Part, parts};
 use crate::case::fields::ValueType;
-use crate::case::{Case, FieldRow, Mark, StudyValue, kind};
+use crate::case::file_kind::FileKind;
+use crate::case::{FieldRow, Mark, StudyValue, kind};
 use crate::study::points::Setting;
 
 /// Tolerance of an input that states none, as a share of its value.
@@ -63,9 +64,9 @@ impl VariedInput {
 /// The numeric inputs that a case gives and that apply, and those of them that are not varied: settings, counts and seeds, tables over
 /// arc length, depth or strain, and zeros without a tolerance of their own.
 #[must_use]
-pub fn varied_inputs(case_text: &str) -> (Vec<VariedInput>, Vec<SkippedInput>) {
+pub fn varied_inputs<K: FileKind>(text: &str) -> (Vec<VariedInput>, Vec<SkippedInput>) {
     let (mut varied, mut skipped) = (Vec::new(), Vec::new());
-    for row in kind::rows::<Case>(case_text) {
+    for row in kind::rows::<K>(text) {
         let is_setting = SETTINGS.iter().any(|table| row.path.starts_with(table));
         if !row.given || !row.applies || is_setting {
             continue;
@@ -133,6 +134,7 @@ fn stated(mark: &Mark, value: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::case::Case;
 
     const CASE: &str = r#"
         [case]
@@ -170,7 +172,7 @@ mod tests {
 
     #[test]
     fn inputs_have_their_own_tolerance_or_the_usual_one() {
-        let (varied, skipped) = varied_inputs(CASE);
+        let (varied, skipped) = varied_inputs::<Case>(CASE);
         let of = |path: &str| varied.iter().find(|input| input.path == path).unwrap();
         assert_eq!(of("materials.m.mass_kg_per_m").ends, [9.0, 11.0]);
         let stiffness = of("materials.m.ea_n");

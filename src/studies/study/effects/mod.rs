@@ -9,6 +9,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::base_run::BaseRun;
 use super::points::{self, BaseCase, PointOutcome, PointProgress};
+use super::studied::Studied;
 use crate::case::QuantityId;
 use crate::comparison::is_beyond_error;
 use crate::run::Quantity;
@@ -31,15 +32,15 @@ pub struct InputEffects {
 ///
 /// # Errors
 /// The case itself could not be computed, and why.
-pub fn compute(
+pub fn compute<K: Studied>(
     base: &BaseCase,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Result<InputEffects, String> {
-    let base = BaseRun::compute(base, cancel)?;
-    let (inputs, skipped) = varied_inputs(&base.base.text);
+    let base = BaseRun::compute::<K>(base, cancel)?;
+    let (inputs, skipped) = varied_inputs::<K>(&base.base.text);
     let settings = inputs.iter().flat_map(VariedInput::settings);
-    let requests = settings.map(|setting| base.base.request(&[setting]));
+    let requests = settings.map(|setting| K::variant(&base.base, &[setting]));
     let computed = points::compute(requests.collect(), cancel, progress);
     let mut computed = computed.into_iter();
     let outcomes = inputs

@@ -1,14 +1,17 @@
 //! What is needed: every effect of a scene left out in turn, what that changes in the results, and what it saves.
 
 mod effect;
+mod of_line;
+mod of_material;
+mod of_system;
 
-pub use effect::{KEPT, SCENE_PARTS, ScenePart};
+pub use effect::{EffectName, Scene, ScenePart};
 
 use std::sync::atomic::AtomicBool;
 
 use super::base_run::BaseRun;
-use super::points::{self, BaseCase, PointOutcome, PointProgress, PointRequest, PointRun};
-use crate::case::{Case, QuantityId, StudyPoint, Subject, channels, kind, write};
+use super::points::{self, BaseCase, PointJob, PointOutcome, PointProgress, PointRun};
+use crate::case::QuantityId;
 use crate::comparison::is_beyond_error;
 use crate::run::Quantity;
 
@@ -21,13 +24,15 @@ pub struct PhysicsStudy {
     pub variants: Vec<PhysicsVariant>,
     /// Effects that the case does not have.
     pub absent: Vec<&'static str>,
+    /// Effects that cannot be left out, and why.
+    pub kept: &'static [(&'static str, &'static str)],
 }
 
 /// A case without one of its effects.
 #[derive(Debug, Clone)]
 pub struct PhysicsVariant {
     /// What was left out.
-    pub part: ScenePart,
+    pub part: EffectName,
     /// What became of it; absent where it was stopped before.
     pub outcome: Option<PointOutcome>,
 }
@@ -47,79 +52,38 @@ pub struct Omission {
 ///
 /// # Errors
 /// The case itself could not be computed, and why.
-pub fn compute(
+pub fn compute<K: Scene>(
     base: &BaseCase,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Result<PhysicsStudy, String> {
-    let base = BaseRun::compute(base, cancel)?;
+    let base = BaseRun::compute::<K>(base, cancel)?;
+    let own = base.content::<K>()?;
     let (mut present, mut absent) = (Vec::new(), Vec::new());
-    for part in SCENE_PARTS {
-        let mut case = base.case.clone();
-        (part.leave_out)(&mut case);
-        if case == base.case {
-            absent.push(part.name);
+    for part in K::parts() {
+        let mut scene = own.clone();
+        (part.leave_out)(&mut scene);
+        if scene == own {
+            absent.push(part.effect.name);
         } else {
-            present.push((part, case));
+            present.push((part.effect, scene));
         }
     }
-    let requests = present
-        .iter()
-        .map(|(part, case)| request(&base, part, case));
-    let outcomes = points::compute(requests.collect(), cancel, progress);
-    let variants = present.into_iter().zip(outcomes);
-    let variants = variants.map(|((part, _), outcome)| PhysicsVariant { part, outcome });
+    let (parts, scenes): (Vec<EffectName>, Vec<K>) = present.into_iter().unzip();
+    let jobs = parts.iter().zip(scenes).map(|(part, mut scene)| {
+        scene.forget_what_it_says_of_itself();
+        scene.of_content(&base.base, part.name)
+    });
+    let jobs: Vec<Result<PointJob, String>> = jobs.collect();
+    let outcomes = points::compute(jobs, cancel, progress);
+    let variants = parts.into_iter().zip(outcomes);
+    let variants = variants.map(|(part, outcome)| PhysicsVariant { part, outcome });
     Ok(PhysicsStudy {
         variants: variants.collect(),
         base,
         absent,
+        kept: K::KEPT,
     })
-}
-
-/// The case without an effect, without what it says about itself that may not hold any more.
-fn request(base: &BaseRun, part: &ScenePart, case: &Case) -> PointRequest {
-    let mut case = case.clone();
-    case.marks.clear();
-    case.trial.clear();
-    for curve in &mut case.published_curve {
-        curve.points_file = None;
-    }
-    // Channels that the case does not have any more have no published values.
-    let channels = channels(&case);
-    let is_there = |subject: &Subject| match subject {
-        Subject::Channel(id) => channels.iter().any(|channel| channel.id == *id),
-        _ => true,
-    };
-    case.published.retain(|row| is_there(&row.channel));
-    case.trend.retain(|row| is_there(&row.channel));
-    case.published_curve
-        .retain(|row| channels.iter().any(|channel| channel.id == row.channel));
-    without_idle_studies(&mut case);
-    base.base
-        .request_of(write(&case), vec![part.name.to_owned()])
-}
-
-/// Leaves out the studies of keys that went with the effect, and what is published at their points.
-fn without_idle_studies(case: &mut Case) {
-    if case.study.is_empty() {
-        return;
-    }
-    let rows = kind::rows::<Case>(&write(case));
-    let has = |key: &str| {
-        rows.iter()
-            .any(|row| row.path == key && !row.value.is_empty())
-    };
-    case.study.retain(|study| has(&study.key));
-    let known = |at: &Option<StudyPoint>| {
-        let mut studies = case.study.iter();
-        at.as_ref()
-            .is_none_or(|at| studies.any(|study| study.name == at.study))
-    };
-    case.published
-        .retain(|row| known(&row.at) && known(&row.change_from) && known(&row.ratio_to));
-    case.published_curve.retain(|row| known(&row.at));
-    case.trend
-        .retain(|row| case.study.iter().any(|study| study.name == row.study));
 }
 
 impl PhysicsVariant {

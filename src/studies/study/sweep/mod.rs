@@ -17,7 +17,6 @@ mod snapshot;
 mod tasks;
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
@@ -29,13 +28,13 @@ pub use plan::{PlanChoices, PlanError, SweepPlan};
 pub use results::SweepResults;
 pub use snapshot::{SnapshotOutcomes, SweepEntry, SweepSnapshot, stored_sweeps};
 
-use super::points::{self, PointJob, PointOutcome, Setting, reasons, side_by_side};
+use super::points::{self, PointJob, PointOutcome, Setting, side_by_side};
+use super::studied::Studied;
 use super::vary::Variation;
 use super::vary::system::{self, SystemOutcome};
-use crate::case::{QuantityId, kind};
+use crate::case::{Case, QuantityId};
 use crate::run::store;
 use crate::system::SystemFile;
-use crate::system::motion::{self, job::SystemRequest};
 
 /// What is computed: the load cases, and which results are shown.
 #[derive(Debug, Clone)]
@@ -153,23 +152,9 @@ impl Sweep {
     fn job(&self, index: usize) -> Result<PointJob, String> {
         let settings = &self.variation.points[index].settings;
         match &self.results {
-            SweepResults::InTime(_) => self.system_in_time(settings).map(PointJob::from),
-            _ => self.variation.base.request(settings).map(PointJob::from),
+            SweepResults::InTime(_) => SystemFile::variant(&self.variation.base, settings),
+            _ => Case::variant(&self.variation.base, settings),
         }
-    }
-
-    fn system_in_time(&self, settings: &[Setting]) -> Result<SystemRequest, String> {
-        let base = &self.variation.base;
-        let written: Vec<String> = settings.iter().map(Setting::written).collect();
-        let keys = settings.iter().map(|setting| setting.key.as_str());
-        let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
-        let read = kind::read_variant::<SystemFile>(&base.text, &edits, &base.files);
-        let read = read.map_err(|faults| reasons(&faults))?;
-        let text = read.text.clone();
-        let solved = read.compute().map_err(|faults| reasons(&faults))?;
-        let overrides = self.overrides(settings);
-        let request = motion::job::request(Arc::new(solved), &text, base.file(), overrides);
-        request.ok_or_else(|| "it has no table [solver]".to_owned())
     }
 
     fn overrides(&self, settings: &[Setting]) -> Vec<String> {

@@ -49,6 +49,15 @@ impl SweepResults {
         Ok(Self::AtRest(names.to_vec()))
     }
 
+    /// Those of runs.
+    #[must_use]
+    pub fn ids(self) -> Vec<QuantityId> {
+        match self {
+            Self::Line(ids) | Self::InTime(ids) => ids,
+            Self::AtRest(_) => Vec::new(),
+        }
+    }
+
     /// Their names.
     #[must_use]
     pub fn names(&self) -> Vec<String> {

@@ -4,10 +4,10 @@ use std::sync::atomic::AtomicBool;
 
 use super::super::points::{BaseCase, Point, Setting, reasons, side_by_side};
 use super::Variation;
-use crate::case::{ReadFile, kind};
+use crate::study::studied;
+use crate::system::SolvedSystem;
 use crate::system::quantities::{error, value};
 use crate::system::stability::Stability;
-use crate::system::{SolvedSystem, SystemFile};
 
 /// A system at rest at a point.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,10 +68,6 @@ pub fn compute(
 /// # Errors
 /// What is wrong with it then, or why it does not come to rest, in words.
 pub fn solve(base: &BaseCase, settings: &[Setting]) -> Result<SolvedSystem, String> {
-    let written: Vec<String> = settings.iter().map(Setting::written).collect();
-    let keys = settings.iter().map(|setting| setting.key.as_str());
-    let edits: Vec<(&str, &str)> = keys.zip(written.iter().map(String::as_str)).collect();
-    kind::read_variant::<SystemFile>(&base.text, &edits, &base.files)
-        .and_then(ReadFile::compute)
-        .map_err(|faults| reasons(&faults))
+    let read = studied::read(base, settings)?;
+    read.compute().map_err(|faults| reasons(&faults))
 }

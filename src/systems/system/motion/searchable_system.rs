@@ -6,13 +6,11 @@ use super::settings::MotionSettings;
 use super::system_in_time::SystemInTime;
 use crate::run::accuracy::fineness::Fineness;
 use crate::run::accuracy::searchable::{Asked, Searchable, Stepping, step_keys};
-use crate::system::discretised::SEGMENTS;
+use crate::system::discretised::{FEWEST, SEGMENTS};
 use crate::system::model::MotionMethod;
 use crate::system::solved::solve;
 
 impl Searchable for SystemInTime {
-    const FEWEST: usize = 2;
-
     fn asked(&self) -> Option<Asked> {
         let budget_s = self.motion.budget_s;
         let asked = |accuracy| Asked { accuracy, budget_s };
@@ -31,9 +29,16 @@ impl Searchable for SystemInTime {
     }
 
     fn segments(&self) -> Vec<usize> {
+        let lines = self.solved.file.lines.iter().zip(self.fewest());
+        lines
+            .map(|(line, fewest)| line.segments.unwrap_or(SEGMENTS).max(fewest))
+            .collect()
+    }
+
+    fn fewest(&self) -> Vec<usize> {
         let lines = self.solved.file.lines.iter();
         lines
-            .map(|line| line.segments.unwrap_or(SEGMENTS))
+            .map(|line| FEWEST * line.sections.len().max(1))
             .collect()
     }
 
