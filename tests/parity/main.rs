@@ -6,5 +6,6 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod features;
+mod friction;
 mod nothing_lost;
 mod one_line;

@@ -4,8 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, kind};
-use seacable::run::job::execute_from;
-use seacable::run::{History, job};
+use seacable::run::{History, Run, job};
 use seacable::system::SystemFile;
 use seacable::system::motion::job as system_job;
 
@@ -73,8 +72,8 @@ fn solver(method: &str, step: &str) -> String {
     )
 }
 
-fn as_line(solver: &str) -> History {
-    let text = format!("{LINE}{COMMON}[start]\nshape = \"equilibrium\"\n{solver}");
+/// The run of a line case.
+pub(crate) fn line_run(text: String) -> Run {
     let request = job::Request {
         case: case::parse(&text, "line.toml").unwrap(),
         text,
@@ -82,15 +81,24 @@ fn as_line(solver: &str) -> History {
         overrides: Vec::new(),
         id: String::new(),
     };
-    job::execute(&request, &AtomicBool::new(false), &mut |_| {}).history
+    job::execute(&request, &AtomicBool::new(false), &mut |_| {})
+}
+
+/// The run of a system.
+pub(crate) fn system_run(text: &str) -> Run {
+    let solved = kind::parse::<SystemFile>(text, "system.toml").unwrap();
+    let name = "system.toml".to_owned();
+    let request = system_job::request(Arc::new(solved), text, name, Vec::new()).unwrap();
+    job::execute(&request, &AtomicBool::new(false), &mut |_| {})
+}
+
+fn as_line(solver: &str) -> History {
+    let start = "[start]\nshape = \"equilibrium\"\n";
+    line_run(format!("{LINE}{COMMON}{start}{solver}")).history
 }
 
 fn as_system(solver: &str) -> History {
-    let text = format!("{SYSTEM}{COMMON}{solver}");
-    let solved = kind::parse::<SystemFile>(&text, "system.toml").unwrap();
-    let name = "system.toml".to_owned();
-    let request = system_job::request(Arc::new(solved), &text, name, Vec::new()).unwrap();
-    execute_from(&request, None, &AtomicBool::new(false), &mut |_| {}).history
+    system_run(&format!("{SYSTEM}{COMMON}{solver}")).history
 }
 
 /// Differences of a tension of 183 kN that count as none \[N\].

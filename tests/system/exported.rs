@@ -361,4 +361,10 @@ friction = 0.4
     assert_eq!(read.file.waves.len(), 3);
     assert_eq!(read.file.seabed.as_ref().unwrap().friction, 0.4);
     fs::remove_dir_all(&folder).unwrap();
+    // MoorDyn has one coefficient.
+    let text = format!("{text}friction_lateral = 0.8\n");
+    let solved = kind::parse::<SystemFile>(&text, "waves.toml").unwrap();
+    let refused = export(&solved, Target::MoorDyn, ExportOptions::default()).unwrap_err();
+    let across = |one: &seacable::export::Unsayable| one.key == "lines.line.friction_lateral";
+    assert!(refused.iter().any(across), "{refused:?}");
 }

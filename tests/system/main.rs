@@ -21,6 +21,7 @@ mod foreign_water;
 mod foreign_yaml;
 mod foreign_yaml_faults;
 mod frequency_domain;
+mod friction;
 mod grid_bed;
 mod hauled;
 mod motion;

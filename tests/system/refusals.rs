@@ -267,6 +267,16 @@ fn keys_without_effect_are_named() {
 }
 
 #[test]
+fn friction_across_needs_friction() {
+    let bed = "depth_m = 100.0";
+    let across = format!("{bed}\nfriction_lateral = 0.5");
+    refused(bed, &across, 6, &["neither bed nor lines have friction"]);
+    let line = "length_m = 130.0";
+    let across = format!("{line}\nfriction_lateral = 0.5");
+    refused(line, &across, 40, &["neither the line nor the bed"]);
+}
+
+#[test]
 fn clamps_need_a_line_that_bends_and_a_point_that_does_not_turn() {
     for (key, line, words) in [
         ("clamp_a_elevation_deg = 10.0", 33, "does not bend"),

@@ -453,15 +453,9 @@ impl Writer<'_> {
 
     /// Friction of a line where types have it, 0 elsewhere.
     fn friction(&self, line: &LineInputs) -> f64 {
-        let of_bed = self
-            .solved
-            .file
-            .seabed
-            .as_ref()
-            .map_or(0.0, |bed| bed.friction);
         match self.target {
             Target::MoorDyn => 0.0,
-            Target::MapPlusPlus => line.friction.unwrap_or(of_bed),
+            Target::MapPlusPlus => self.solved.file.friction_under(line)[0],
         }
     }
 

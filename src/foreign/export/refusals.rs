@@ -286,6 +286,16 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         key("friction"),
         "friction of a single line",
     );
+    // MAP++ computes lines at rest, in the vertical planes of their ends.
+    let [along, across] = solved.file.friction_under(line);
+    found.add(
+        target == Target::MoorDyn && along != across,
+        match line.friction_lateral {
+            Some(_) => key("friction_lateral"),
+            None => "seabed.friction_lateral".to_owned(),
+        },
+        "friction across lines that is not that along them",
+    );
     let clamps = [
         (
             line.clamp_a_elevation_deg,

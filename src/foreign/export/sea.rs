@@ -216,10 +216,7 @@ pub fn current_by_file(file: &SystemFile) -> Option<(&'static str, &str, &str)> 
 #[must_use]
 pub fn common_friction(file: &SystemFile) -> f64 {
     let of_bed = file.seabed.as_ref().map_or(0.0, |bed| bed.friction);
-    let mut lines = file
-        .lines
-        .iter()
-        .map(|line| line.friction.unwrap_or(of_bed));
+    let mut lines = file.lines.iter().map(|line| file.friction_under(line)[0]);
     let Some(first) = lines.next() else {
         return of_bed;
     };

@@ -503,8 +503,12 @@ pub struct Sea {
     pub bed_stiffness: Option<Given<f64>>,
     /// Push of the bed by area and speed into it \[Pa s/m\].
     pub bed_damping: Option<Given<f64>>,
-    /// Friction of the bed.
+    /// Friction of the bed, in every direction unless one of the two below is given.
     pub friction: Option<Given<f64>>,
+    /// Friction along lines; that of `friction` is then across them.
+    pub friction_along: Option<Given<f64>>,
+    /// Friction across lines; that of `friction` is then along them.
+    pub friction_across: Option<Given<f64>>,
     /// Current by height.
     pub current: Option<Given<CurrentProfile>>,
     /// First row of that profile in a file that does not list it from below.

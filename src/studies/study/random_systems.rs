@@ -225,6 +225,7 @@ impl Maker<'_> {
             still_water: false,
             bed_contact: true,
             friction,
+            friction_lateral: friction,
             releases: Default::default(),
             discretised: None,
         });

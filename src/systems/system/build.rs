@@ -348,9 +348,7 @@ impl Builder<'_> {
             .collect();
         let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
-        let friction = line
-            .friction
-            .or(self.file.seabed.as_ref().map(|bed| bed.friction));
+        let [friction, friction_lateral] = self.file.friction_under(line);
         Line {
             name,
             from,
@@ -362,7 +360,8 @@ impl Builder<'_> {
                 .iter()
                 .map(|part| part.material.break_load_n)
                 .collect(),
-            friction: friction.unwrap_or(0.0),
+            friction,
+            friction_lateral,
             still_water: line.still_water,
             bed_contact: line.bed_contact,
             releases: [

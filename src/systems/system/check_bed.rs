@@ -1,6 +1,6 @@
 //! Checks of the bed of a system: keys of a grid of depths without one, places below a level bed.
 
-use super::model::SystemKeys;
+use super::model::{LineKeys, SystemBedKeys, SystemKeys};
 use crate::case::schema::Key;
 use crate::case::{BedInterpolation, Finding};
 
@@ -9,14 +9,38 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let Some(bed) = &keys.seabed else {
         return Vec::new();
     };
+    let mut found = friction(keys, bed);
     if !bed.depth_file.is_given() {
         let problem = "has no effect: the bed has no file of depths";
         let remedy = "add `depth_file = ...`, or remove this key";
         let given = bed.interpolation.if_given(problem, remedy);
         let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
-        return given.filter(|_| differs).into_iter().collect();
+        found.extend(given.filter(|_| differs));
     }
-    Vec::new()
+    found
+}
+
+/// Keys of the bed's friction that have no effect where neither it nor a line has any.
+fn friction(keys: &SystemKeys<'_>, bed: &SystemBedKeys<'_>) -> Vec<Finding> {
+    let mut lines = keys.lines.iter();
+    if bed.friction.is_given() || lines.any(|(_, line)| line.friction.is_given()) {
+        return Vec::new();
+    }
+    let problem = "has no effect: neither bed nor lines have friction";
+    let remedy = "add `friction = ...`, the coefficient along lines, or remove this key";
+    let across = bed.friction_lateral.if_given(problem, remedy);
+    across.into_iter().collect()
+}
+
+/// Friction across a line that has none along itself.
+pub(super) fn friction_of_line(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Option<Finding> {
+    let bed = keys.seabed.as_ref();
+    if line.friction.is_given() || bed.is_some_and(|bed| bed.friction.is_given()) {
+        return None;
+    }
+    let problem = "has no effect: neither the line nor the bed has friction";
+    let remedy = "add `friction = ...`, the coefficient along the line, or remove this key";
+    line.friction_lateral.if_given(problem, remedy)
 }
 
 /// A place below a level bed; over a grid that is found with the depths.

@@ -154,7 +154,8 @@ impl DiscretisedLine {
         if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
-            bed.friction = Some(line.friction.unwrap_or(given.friction));
+            let [along, across] = file.friction_under(line);
+            (bed.friction, bed.friction_lateral) = (Some(along), Some(across));
         }
         Self::stated_by(case)
     }

@@ -30,7 +30,7 @@ struct Beyond {
 #[must_use]
 pub(super) fn laid_from(network: &Network, placement: &Placement, line: usize) -> Option<LaidFrom> {
     let own = &network.lines[line];
-    if own.friction <= 0.0 || !lies(network, placement, own) {
+    if !own.is_rough() || !lies(network, placement, own) {
         return None;
     }
     let [a, b] = [own.from, own.to].map(|point| beyond(network, placement, (point, line)));

@@ -27,6 +27,8 @@ pub fn solve(
     (physics, from): (LinePhysics, Option<LaidFrom>),
     before: Option<&LineAtRest>,
 ) -> Result<LineAtRest, CatenaryError> {
+    // In the plane of its ends it rubs along itself alone.
+    let from = from.filter(|_| line.friction > 0.0);
     let from_b = match from {
         Some(LaidFrom::Share(share)) => share >= 1.0,
         _ => b.z < a.z,

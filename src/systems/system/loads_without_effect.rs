@@ -30,11 +30,12 @@ pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
         .file
         .seabed
         .as_ref()
-        .is_some_and(|bed| bed.friction > 0.0)
+        .is_some_and(|bed| bed.friction > 0.0 || bed.friction_lateral > Some(0.0))
     {
         found.extend(friction(solved));
     }
     found.extend(friction_in_motion(solved));
+    found.extend(friction_across(solved));
     found
 }
 
@@ -233,4 +234,23 @@ fn friction_in_motion(solved: &SolvedSystem) -> impl Iterator<Item = String> {
     ]
     .into_iter()
     .flatten()
+}
+
+/// Lines on the bed at rest by their closed form, where friction across them is not that along: they lie in the vertical plane of their ends, and
+/// nothing moves them across it.
+fn friction_across(solved: &SolvedSystem) -> Option<String> {
+    let SolvedSystem { network, rest, .. } = solved;
+    let lines = network.lines.iter().zip(&rest.balance.lines);
+    let lines = lines.filter(|(line, at_rest)| {
+        line.friction_lateral != line.friction
+            && at_rest.discretised.is_none()
+            && !line.is_buoyant()
+            && at_rest.on_bed() > 0.0
+    });
+    remark(
+        "At rest the friction of the bed across it does not act on",
+        "line",
+        lines.map(|(line, _)| line.name.as_str()),
+        "its closed form lies in the vertical plane of its ends; friction_lateral acts in motion",
+    )
 }

@@ -118,10 +118,25 @@ table! {
         interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
         /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
+        /// Friction across lines: on lines divided into segments, in motion all.
+        friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "as along the line";
         /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
         /// Push of the bed per area of line and speed into it, in motion.
         damping_n_s_per_m3: f64 = 0.0, "damping", range of(0.0, 1e12);
+    }
+}
+
+impl SystemFile {
+    /// Coefficients of friction of the bed under a line, along it and across \[-\]: its own, those of the bed, 0 along; across as along.
+    #[must_use]
+    pub fn friction_under(&self, line: &LineInputs) -> [f64; 2] {
+        let bed = self.seabed.as_ref();
+        let along = line.friction.or(bed.map(|bed| bed.friction));
+        let along = along.unwrap_or(0.0);
+        let across = line.friction_lateral;
+        let across = across.or(bed.and_then(|bed| bed.friction_lateral));
+        [along, across.unwrap_or(along)]
     }
 }
 
@@ -496,6 +511,8 @@ table! {
         clamp_b_azimuth_deg: f64 = 0.0, "clamp azimuth of end B", range of(-360.0, 360.0);
         /// Friction under this line in the place of the bed's.
         friction: Option<f64>, "friction", range of(0.0, 10.0), absent "that of the bed";
+        /// Friction across this line in the place of the bed's.
+        friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "that of the bed";
         /// In motion its end A is let go at this time.
         release_a_s: Option<f64>, "release of end A", range of(0.0, 1e6), absent "never";
         /// In motion its end B is let go at this time.

@@ -267,6 +267,8 @@ pub struct Line {
     pub added_weight: f64,
     /// Axial friction under the line \[-\].
     pub friction: f64,
+    /// Friction across it \[-\].
+    pub friction_lateral: f64,
     /// Whether current and waves leave it alone.
     pub still_water: bool,
     /// Whether the bed bears it.
@@ -288,6 +290,12 @@ impl Line {
     #[must_use]
     pub fn length(&self) -> f64 {
         self.sections.iter().map(|section| section.length_m).sum()
+    }
+
+    /// Whether the bed has friction under it, along or across.
+    #[must_use]
+    pub fn is_rough(&self) -> bool {
+        self.friction > 0.0 || self.friction_lateral > 0.0
     }
 
     /// Whether all of it sinks.

@@ -95,19 +95,22 @@ const OF_WAVES: [&str; 11] = [
     "ramp_time",
 ];
 
-/// Options of a prescribed motion, and friction across lines: what is said of each.
-const SAID: [(&str, &str); 8] = [
+/// Friction across lines, in small letters.
+const ACROSS: [&str; 4] = [
+    "frictionmulateral",
+    "frictionmu_lateral",
+    "mu_lateral",
+    "frictionmunormal",
+];
+
+/// Options of a prescribed motion and of its start: what is said of each.
+const SAID: [(&str, &str); 4] = [
     ("motionfile", MOTION),
     ("vesselmotion", MOTION),
     ("vesselrao", MOTION),
-    ("frictionmulateral", ACROSS),
-    ("frictionmu_lateral", ACROSS),
-    ("mu_lateral", ACROSS),
-    ("frictionmunormal", ACROSS),
     ("bodyic", START),
 ];
 const MOTION: &str = "the motion is not read: give it with --motion";
-const ACROSS: &str = "friction across lines is that along them here";
 const START: &str = "bodies begin where they rest here";
 
 /// Values that switch an option off.
@@ -240,6 +243,11 @@ fn option(words: &[Word<'_>], files: &Files<'_>, mooring: &mut Mooring) -> Resul
             mooring
                 .remarks
                 .push(format!("{} {}: {what}.", value.text, name.text));
+        }
+    } else if ACROSS.contains(&lower.as_str()) {
+        if value.number().is_some() || !is_off {
+            let across = value.required(&format!("OPTIONS, {}", name.text))?;
+            mooring.sea.friction_across = Some(Given::new(across, value.span()));
         }
     } else if is_bathymetry(&lower) {
         return moordyn::depths_of_places(*value, name.text, files, &mut mooring.sea);

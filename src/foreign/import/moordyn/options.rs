@@ -215,6 +215,8 @@ pub fn take(
         "kbot" => sea.bed_stiffness = number()?,
         "cbot" => sea.bed_damping = number()?,
         "frictioncoefficient" => sea.friction = number()?,
+        // MoorDyn of OpenFAST: mu_kT is across lines alone, and none unless given.
+        "mu_ka" => sea.friction_along = number()?,
         "currents" => current(value, &key, files, mooring)?,
         "wavekin" => waves(value, &key, files, mooring)?,
         "waterkin" => water_kinematics(value, &key, files, mooring)?,

@@ -7,7 +7,7 @@ use crate::import::listing::listed;
 use crate::import::mooring::{Attachment, Hold, Mooring, Program};
 
 /// Options that are taken, by their names here; all others are passed over.
-const TAKEN: [&str; 10] = [
+const TAKEN: [&str; 11] = [
     "g",
     "wtrdnsty",
     "wtrdpth",
@@ -17,12 +17,12 @@ const TAKEN: [&str; 10] = [
     "currents",
     "waterkin",
     "frictioncoefficient",
+    "mu_ka",
     "seafloorfile",
 ];
 
 /// Options by which `MoorDyn` has other forces.
-const PHYSICS: [&str; 9] = [
-    "mu_ka",
+const PHYSICS: [&str; 8] = [
     "fricdamp",
     "statdynfricscale",
     "unifycurrentgrid",

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use super::super::imported::ImportOptions;
 use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{
-    CurrentFile, CurrentProfile, Elevation, Given, Hold, Mooring, Program, WaveComponent,
+    CurrentFile, CurrentProfile, Elevation, Given, Hold, Mooring, Program, Sea, WaveComponent,
 };
 use crate::import::{fault::Fault, yaml};
 
@@ -222,22 +222,33 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
             }
         }
     }
-    match &sea.friction {
-        Some(given) => {
-            case.given(
-                "friction",
-                &number(given.value),
-                &given.span,
-                "FrictionCoefficient",
-            );
+    friction(case, sea);
+}
+
+/// Friction along lines, and across them where that is another.
+fn friction(case: &mut CaseText<'_>, sea: &Sea) {
+    const SILENT: &str = "assumed: none, as where the file is silent";
+    let (along, across) = match &sea.friction_along {
+        Some(along) => (Some((along, "mu_kA")), sea.friction.as_ref()),
+        None => {
+            let along = sea.friction.as_ref();
+            let along = along.map(|along| (along, "FrictionCoefficient"));
+            (along, sea.friction_across.as_ref())
         }
-        // Beds over a grid have none.
-        None if sea.depth_file.is_some() => {}
-        None => case.assumed(
-            "friction",
-            "0.0",
-            "assumed: none, as where the file is silent",
-        ),
+    };
+    match along {
+        Some((given, name)) => case.given("friction", &number(given.value), &given.span, name),
+        // Nothing is said of friction over a grid.
+        None if sea.depth_file.is_some() && across.is_none() => {}
+        None => case.assumed("friction", "0.0", SILENT),
+    }
+    match (across, &sea.friction_along) {
+        (Some(given), along) => {
+            let name = along.as_ref().map_or("FrictionMuLateral", |_| "mu_kT");
+            case.given("friction_lateral", &number(given.value), &given.span, name);
+        }
+        (None, Some(_)) => case.assumed("friction_lateral", "0.0", SILENT),
+        (None, None) => {}
     }
 }
 

@@ -23,7 +23,7 @@ use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_physics::LinePhysics;
-use super::network::{Body, Held, Network};
+use super::network::{Body, Held, Line, Network};
 
 /// A system at rest.
 #[derive(Debug, Clone)]
@@ -184,7 +184,7 @@ impl<'a> Search<'a> {
         bounds.keep(network, &freedoms, &mut placement);
         let here =
             balance(network, &freedoms, &placement, physics, None).map_err(SystemError::Line)?;
-        let longest = network.lines.iter().map(super::network::Line::length);
+        let longest = network.lines.iter().map(Line::length);
         let longest = longest.chain(network.bodies.iter().filter_map(size_of_pinned));
         let longest = longest.chain(ways_without_lines(network));
         Ok(Self {
@@ -220,7 +220,7 @@ impl<'a> Search<'a> {
     fn run_from_level(&mut self, most_steps: usize, relaxed: bool) -> Result<(), SystemError> {
         let lines = &self.network.lines;
         let bed = self.network.bed.as_ref();
-        let rough = lines.iter().any(|line| line.friction > 0.0) && bed.is_some();
+        let rough = lines.iter().any(Line::is_rough) && bed.is_some();
         let discretised = lines.iter().any(|line| line.discretised.is_some());
         let near = self.run(most_steps);
         // Closed forms over level beds lead near the equilibrium over another one, and need not end anywhere.
@@ -270,7 +270,7 @@ impl<'a> Search<'a> {
             ended => ended?,
         }
         let lines = &self.network.lines;
-        let rough = lines.iter().any(|line| line.friction > 0.0) && self.network.bed.is_some();
+        let rough = lines.iter().any(Line::is_rough) && self.network.bed.is_some();
         if rough && lines.iter().any(|line| line.discretised.is_some()) {
             self.lay_again(most_steps, relaxed)?;
         }

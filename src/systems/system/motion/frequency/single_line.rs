@@ -71,6 +71,7 @@ fn network(scene: &Scene) -> Network {
             break_loads: Vec::new(),
             added_weight: 0.0,
             friction: 0.0,
+            friction_lateral: 0.0,
             still_water: water.is_none(),
             bed_contact: true,
             releases: Default::default(),

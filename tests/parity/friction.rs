@@ -1,0 +1,120 @@
+//! A chain dragged sideways over a rough bed, as a line and as a system of it alone.
+
+use seacable::run::Run;
+
+use crate::one_line::{line_run, system_run};
+
+const CHAIN: &str = r"
+[materials.chain]
+diameter_m = 0.1
+mass_kg_per_m = 180.0
+ea_n = 8e8
+drag_normal = 1.2
+drag_tangential = 0.1
+added_mass_normal = 1.0
+";
+
+const MOTION: &str = "amplitude_m = [0.0, 15.0, 0.0]\nperiod_s = 24.0\nramp_s = 4.0\n";
+
+/// The chain from an anchor at this height, on a bed of these keys, as a line.
+fn as_line(anchor_z: f64, bed: &str, solver: &str) -> Run {
+    line_run(format!(
+        "[case]\ntitle = \"A chain, as a line\"\n\
+         [[line]]\nname = \"chain\"\nmaterial = \"chain\"\nlength_m = 202.0\nsegments = 50\n\
+         [ends.a]\nname = \"anchor\"\nkind = \"anchor\"\nposition_m = [180.0, 0.0, {anchor_z:?}]\n\
+         [ends.b]\nname = \"fairlead\"\nkind = \"moving\"\nposition_m = [0.0, 0.0, 0.0]\n{MOTION}\
+         [seabed]\ndepth_m = 50.0\n{bed}{CHAIN}[start]\nshape = \"equilibrium\"\n{solver}"
+    ))
+}
+
+/// The same as a system.
+fn as_system(anchor_z: f64, bed: &str, solver: &str) -> Run {
+    system_run(&format!(
+        "[system]\ntitle = \"A chain, as a system\"\n\
+         [points.anchor]\nkind = \"fixed\"\nposition_m = [180.0, 0.0, {anchor_z:?}]\n\
+         [points.fairlead]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\n{MOTION}\
+         [[lines]]\nname = \"chain\"\nfrom = \"anchor\"\nto = \"fairlead\"\nmaterial = \"chain\"\nlength_m = 202.0\nsegments = 50\n\
+         [seabed]\ndepth_m = 50.0\n{bed}{CHAIN}{solver}"
+    ))
+}
+
+fn solver(method: &str, step: f64) -> String {
+    format!(
+        "[solver]\nduration_s = 8.0\nmethod = \"{method}\"\ntime_step_s = {step:?}\nerror_estimate = false\n\
+         [output]\ninterval_s = 0.1\nshape_interval_s = 2.0\n"
+    )
+}
+
+/// The greatest difference of the tensions at the ends \[N\], and of places of the line \[m\].
+fn apart(line: &Run, system: &Run) -> (f64, f64) {
+    let of = |run: &Run, name: &str| run.history.channel(name).unwrap().values.clone();
+    let pairs = [
+        ("tension_n[anchor|chain]", "tension_n[chain|a]"),
+        ("tension_n[chain|fairlead]", "tension_n[chain|b]"),
+    ];
+    let mut tension = 0.0_f64;
+    for (own, other) in pairs {
+        let (own, other) = (of(line, own), of(system, other));
+        assert_eq!((own.len(), other.len()), (81, 81));
+        for (own, other) in own.iter().zip(&other) {
+            tension = tension.max((own - other).abs());
+        }
+    }
+    assert_eq!((line.shapes.len(), system.shapes.len()), (5, 5));
+    let shapes = line.shapes.iter().zip(&system.shapes);
+    let nodes = shapes.flat_map(|(own, other)| own.nodes.iter().zip(&other.nodes));
+    let place = nodes.flat_map(|(own, other)| (0..3).map(|k| (own[k] - other[k]).abs()));
+    (tension, place.fold(0.0, f64::max))
+}
+
+/// How far the nodes of the last shape went aside in all \[m\].
+fn dragged(run: &Run) -> f64 {
+    let nodes = &run.shapes.last().unwrap().nodes;
+    nodes.iter().map(|node| node[1]).sum()
+}
+
+const LEVEL: &str = "stiffness_n_per_m3 = 1e5\ndamping_n_s_per_m3 = 1e4\n";
+
+#[test]
+fn a_line_and_its_system_are_dragged_alike() {
+    let rough = format!("{LEVEL}friction = 0.3\nfriction_lateral = 0.8\n");
+    for (method, step) in [("alpha", 0.02), ("rk4", 5e-4), ("quasi", 0.05)] {
+        let solver = solver(method, step);
+        let line = as_line(-50.0, &rough, &solver);
+        let system = as_system(-50.0, &rough, &solver);
+        let (tension, place) = apart(&line, &system);
+        assert!(
+            tension < 2e-3 && place < 1e-8,
+            "{method}: {tension} N, {place} m"
+        );
+    }
+}
+
+#[test]
+fn friction_across_a_line_of_a_system_is_as_along_unless_given() {
+    let solver = solver("alpha", 0.05);
+    let run = |keys: &str| as_system(-50.0, &format!("{LEVEL}friction = 0.3\n{keys}"), &solver);
+    let (silent, same) = (run(""), run("friction_lateral = 0.3\n"));
+    assert_eq!(apart_of_systems(&silent, &same), 0.0);
+    let rougher = run("friction_lateral = 0.8\n");
+    let smooth = run("friction_lateral = 0.0\n");
+    let moved = [&rougher, &silent, &smooth].map(dragged);
+    assert!(
+        moved[0] + 5.0 < moved[1] && moved[1] + 5.0 < moved[2],
+        "{moved:?}"
+    );
+}
+
+/// The greatest difference of the tensions at the fairlead \[N\].
+fn apart_of_systems(one: &Run, other: &Run) -> f64 {
+    let of = |run: &Run| {
+        run.history
+            .channel("tension_n[chain|b]")
+            .unwrap()
+            .values
+            .clone()
+    };
+    let (one, other) = (of(one), of(other));
+    let apart = one.iter().zip(&other).map(|(a, b)| (a - b).abs());
+    apart.fold(0.0, f64::max)
+}
