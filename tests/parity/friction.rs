@@ -1,4 +1,6 @@
-//! A chain dragged sideways over a rough bed, as a line and as a system of it alone.
+//! A chain dragged sideways over a rough bed: as a line and as a system of it alone, on a slope and on the same slope by a grid of depths.
+
+use std::fmt::Write as _;
 
 use seacable::run::Run;
 
@@ -29,13 +31,17 @@ fn as_line(anchor_z: f64, bed: &str, solver: &str) -> Run {
 
 /// The same as a system.
 fn as_system(anchor_z: f64, bed: &str, solver: &str) -> Run {
-    system_run(&format!(
+    system_run(&system_text(anchor_z, bed, solver))
+}
+
+fn system_text(anchor_z: f64, bed: &str, solver: &str) -> String {
+    format!(
         "[system]\ntitle = \"A chain, as a system\"\n\
          [points.anchor]\nkind = \"fixed\"\nposition_m = [180.0, 0.0, {anchor_z:?}]\n\
          [points.fairlead]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\n{MOTION}\
          [[lines]]\nname = \"chain\"\nfrom = \"anchor\"\nto = \"fairlead\"\nmaterial = \"chain\"\nlength_m = 202.0\nsegments = 50\n\
          [seabed]\ndepth_m = 50.0\n{bed}{CHAIN}{solver}"
-    ))
+    )
 }
 
 fn solver(method: &str, step: f64) -> String {
@@ -83,10 +89,57 @@ fn a_line_and_its_system_are_dragged_alike() {
         let line = as_line(-50.0, &rough, &solver);
         let system = as_system(-50.0, &rough, &solver);
         let (tension, place) = apart(&line, &system);
+        println!("{method}: {tension:e} N, {place:e} m");
         assert!(
             tension < 2e-3 && place < 1e-8,
             "{method}: {tension} N, {place} m"
         );
+    }
+}
+
+/// Mirrored, turned by a right angle and written from the other end.
+#[test]
+fn a_system_turned_mirrored_and_reversed_is_dragged_alike() {
+    let rough = format!("{LEVEL}friction = 0.3\nfriction_lateral = 0.8\n");
+    let text = system_text(-50.0, &rough, &solver("alpha", 0.02));
+    let run = |edits: &[(&str, &str)]| {
+        let edited = edits.iter().fold(text.clone(), |text, (from, to)| {
+            assert!(text.contains(from), "{from}");
+            text.replace(from, to)
+        });
+        system_run(&edited)
+    };
+    let tensions = |run: &Run, ends: [&str; 2]| {
+        let of = |end: &str| {
+            run.history
+                .channel(&format!("tension_n[chain|{end}]"))
+                .unwrap()
+                .values
+                .clone()
+        };
+        ends.map(of).concat()
+    };
+    let given = tensions(&run(&[]), ["a", "b"]);
+    let aside = "[0.0, 15.0, 0.0]";
+    let ends = "from = \"anchor\"\nto = \"fairlead\"";
+    let turned = [
+        (aside, "[-15.0, 0.0, 0.0]"),
+        ("[180.0, 0.0, -50.0]", "[0.0, 180.0, -50.0]"),
+    ];
+    let cases: [(&[(&str, &str)], _); 3] = [
+        (&[(aside, "[0.0, -15.0, 0.0]")], ["a", "b"]),
+        (&turned, ["a", "b"]),
+        (
+            &[(ends, "from = \"fairlead\"\nto = \"anchor\"")],
+            ["b", "a"],
+        ),
+    ];
+    for (edits, ends) in cases {
+        let other = tensions(&run(edits), ends);
+        let apart = given.iter().zip(&other).map(|(a, b)| (a - b).abs());
+        let apart = apart.fold(0.0, f64::max);
+        println!("{edits:?}: {apart:e} N");
+        assert!(apart < 2e-3, "{edits:?}: {apart} N");
     }
 }
 
@@ -117,4 +170,50 @@ fn apart_of_systems(one: &Run, other: &Run) -> f64 {
     let (one, other) = (of(one), of(other));
     let apart = one.iter().zip(&other).map(|(a, b)| (a - b).abs());
     apart.fold(0.0, f64::max)
+}
+
+/// Depths of a plane that rises by 0.1 towards an azimuth, every 100 m.
+fn plane(azimuth: f64) -> String {
+    let (sin, cos) = azimuth.sin_cos();
+    let mut table = "x_m,y_m,depth_m\\n".to_owned();
+    for i in -4..=4 {
+        for j in -4..=4 {
+            let (x, y) = (100.0 * f64::from(i), 100.0 * f64::from(j));
+            let depth = 50.0 - 0.1 * (x * cos + y * sin);
+            write!(table, "{x:?},{y:?},{depth:?}\\n").unwrap();
+        }
+    }
+    format!("[files.\"bed.csv\"]\ntext = \"{table}\"\n")
+}
+
+/// Heights over a grid are vertical, those over a slope normal to it: springs under a slope of angle a are those over a grid by cos² a. A line
+/// is laid as deep in the bed as it comes to rest, vertically below a grid and not below a slope: its places differ by that depth times the
+/// slope, and ever less on a stiffer bed.
+#[test]
+fn a_grid_that_is_a_plane_is_the_slope() {
+    let azimuth = 60.0_f64;
+    let anchor_z = -50.0 + 0.1 * 180.0 * azimuth.to_radians().cos();
+    let rough = "friction = 0.3\nfriction_lateral = 0.8\n";
+    for (way, stiffness) in [("smooth", 1e6), ("bilinear", 1e6), ("smooth", 1e7)] {
+        let by_slope = format!(
+            "slope_deg = {:?}\nslope_azimuth_deg = {azimuth:?}\nstiffness_n_per_m3 = {:?}\ngrip_stiffness_n_per_m3 = {stiffness:?}\n{rough}",
+            0.1_f64.atan().to_degrees(),
+            stiffness * 1.01
+        );
+        let by_grid = format!(
+            "depth_file = \"bed.csv\"\ninterpolation = \"{way}\"\nstiffness_n_per_m3 = {stiffness:?}\n{rough}"
+        );
+        let solver = solver("alpha", 0.02);
+        let line = as_line(anchor_z, &by_slope, &solver);
+        let solver = format!("{solver}{}", plane(azimuth.to_radians()));
+        let system = as_system(anchor_z, &by_grid, &solver);
+        let (tension, place) = apart(&line, &system);
+        // The chain weighs 1,687 N/m in water and is 0.1 m wide.
+        let depth = 1687.0 / (0.1 * stiffness);
+        println!("{way} {stiffness}: {tension:e} N, {place:e} m");
+        assert!(
+            place < 0.1 * depth && tension < 1e3 * depth,
+            "{way} {stiffness}: {tension} N, {place} m"
+        );
+    }
 }

@@ -133,11 +133,17 @@ fn a_chain_up_a_slope_meets_the_closed_form() {
     );
 }
 
-/// Part of the line below hills, without friction, held by it and sliding.
+/// Part of the line below hills and below a tilted plane, without friction, held by it and sliding.
 #[test]
 fn tangent_over_hills() {
-    let table = depths(|x, y| 20.0 + 8.0 * (0.02 * x).sin() * (0.015 * y).cos() - 0.1 * x);
-    for way in ["smooth", "bilinear"] {
+    let hills = depths(|x, y| 20.0 + 8.0 * (0.02 * x).sin() * (0.015 * y).cos() - 0.1 * x);
+    let plane = depths(|x, y| 20.0 - 0.1 * x + 0.06 * y);
+    for (table, way) in [
+        (&hills, "smooth"),
+        (&hills, "bilinear"),
+        (&plane, "smooth"),
+        (&plane, "bilinear"),
+    ] {
         for friction in [
             "",
             "friction = 0.5",

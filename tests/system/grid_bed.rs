@@ -93,6 +93,9 @@ fn ends(system: &SolvedSystem) -> Vec<[f64; 2]> {
 
 const LEVEL: f64 = 99.7;
 
+/// Friction along lines and across them.
+const ROUGH: &str = "friction = 0.3\nfriction_lateral = 0.8\n";
+
 #[test]
 fn a_level_grid_is_the_level_bed_to_the_last_bit() {
     let level = solved(&on_bed("", |_, _| LEVEL, ""));
@@ -113,10 +116,16 @@ fn a_level_grid_is_the_level_bed_to_the_last_bit() {
 #[test]
 fn divided_lines_on_a_level_grid_are_those_on_the_level_bed() {
     let current = "[current]\nspeed_m_per_s = 0.6\ndirection_deg = 20.0\n";
-    let level = solved(&on_bed("", |_, _| LEVEL, current));
-    for way in ["smooth", "bilinear"] {
+    for (rough, way) in [
+        ("", "smooth"),
+        ("", "bilinear"),
+        (ROUGH, "smooth"),
+        (ROUGH, "bilinear"),
+    ] {
+        let level = solved(&on_bed(rough, |_, _| LEVEL, current));
         let more = format!("{current}{}", depths(|_, _| LEVEL));
-        let found = solved(&on_bed(&grid(way), |_, _| LEVEL, &more));
+        let bed = format!("{}{rough}", grid(way));
+        let found = solved(&on_bed(&bed, |_, _| LEVEL, &more));
         assert!(found.is_discretised());
         for (one, other) in ends(&found).iter().zip(ends(&level)) {
             for k in 0..2 {
@@ -134,20 +143,22 @@ fn motion_on_a_level_grid_is_that_on_the_level_bed() {
         let text = on_bed(bed, |_, _| LEVEL, more).replace("[points.clump]", aside);
         text.replace(HEAD, "")
     };
-    let level = moved(&text("", solver));
-    let found = moved(&text(
-        &grid("smooth"),
-        &format!("{solver}{}", depths(|_, _| LEVEL)),
-    ));
-    for name in [
-        "x_m[buoy]",
-        "z_m[clump]",
-        "tension_n[low|b]",
-        "tension_n[line1|a]",
-    ] {
-        let (one, other) = (channel(&found, name), channel(&level, name));
-        for (a, b) in one.iter().zip(other) {
-            assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{name}: {a} {b}");
+    for rough in ["", ROUGH] {
+        let level = moved(&text(rough, solver));
+        let found = moved(&text(
+            &format!("{}{rough}", grid("smooth")),
+            &format!("{solver}{}", depths(|_, _| LEVEL)),
+        ));
+        for name in [
+            "x_m[buoy]",
+            "z_m[clump]",
+            "tension_n[low|b]",
+            "tension_n[line1|a]",
+        ] {
+            let (one, other) = (channel(&found, name), channel(&level, name));
+            for (a, b) in one.iter().zip(other) {
+                assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{name}: {a} {b}");
+            }
         }
     }
 }
@@ -156,9 +167,15 @@ fn motion_on_a_level_grid_is_that_on_the_level_bed() {
 fn a_mooring_down_a_slope_meets_the_closed_form() {
     let (length, slope) = (620.0, 0.06_f64);
     let depth = |x: f64, _: f64| 120.0 - slope * x;
-    for (way, x_m) in [("smooth", 585.0), ("bilinear", 585.0), ("smooth", 600.0)] {
+    for (way, x_m, friction) in [
+        ("smooth", 585.0, 0.0),
+        ("bilinear", 585.0, 0.0),
+        ("smooth", 600.0, 0.0),
+        ("smooth", 585.0, 0.4),
+        ("bilinear", 600.0, 0.4),
+    ] {
         let found = solved(&format!(
-            "{HEAD}[seabed]\ndepth_m = 120.0\nstiffness_n_per_m3 = 1e7\n{}\
+            "{HEAD}[seabed]\ndepth_m = 120.0\nstiffness_n_per_m3 = 1e7\nfriction = {friction:?}\n{}\
              [materials.chain]\nmass_kg_per_m = 120.0\ndiameter_m = 0.09\nea_n = 4e8\n\
              [points.anchor]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -120.0]\n\
              [points.top]\nkind = \"fixed\"\nposition_m = [{x_m:?}, 0.0, -5.0]\n\
@@ -179,15 +196,18 @@ fn a_mooring_down_a_slope_meets_the_closed_form() {
             bed: Some(RigidBed {
                 below_a_m: 0.0,
                 slope_rad: slope.atan(),
-                friction: 0.0,
+                friction,
             }),
             surface_above_a_m: None,
         }
         .solve()
         .unwrap();
         let wanted = exact.at(length).tension_n;
-        let top = tensions(&found, "line")[1];
+        let [anchor, top] = tensions(&found, "line");
         assert!((top / wanted - 1.0).abs() < 2e-4, "{way}: {top} {wanted}");
+        let held = exact.at(0.0).tension_n;
+        let off = (anchor - held).abs();
+        assert!(off < 1e-3 * wanted, "{way} {friction}: {anchor} {held}");
         let on_bed = found.rest.balance.lines[0].on_bed();
         assert!(
             (on_bed - exact.on_bed_m).abs() < 5.0,

@@ -434,7 +434,10 @@ impl Scene {
                 height = rest;
                 if nodes.contains(&i) {
                     grips[i].at = at;
-                    grips[i].along = direction;
+                    grips[i].along = match bed.grid {
+                        Some(_) => on_bed_of(&bed.normal(&at), &direction),
+                        None => direction,
+                    };
                 }
             }
         }
@@ -466,4 +469,10 @@ impl Scene {
         }
         true
     }
+}
+
+/// The direction along a bed of this normal in the vertical plane of a level direction.
+fn on_bed_of(normal: &V3, level: &V3) -> V3 {
+    let rise = -normal.xy().dot(&level.xy()) / normal.z;
+    V3::new(level.x, level.y, rise).normalize()
 }
