@@ -49,6 +49,25 @@ fn across_a_closed_form_it_acts_on_nothing_and_says_so() {
 }
 
 #[test]
+fn friction_by_velocity_holds_nothing_at_rest_and_says_so() {
+    let smooth = chain("", "");
+    let zhu = chain("friction = 0.4\nfriction_law = \"zhu-2017\"\n", "");
+    assert_eq!(tensions(&smooth, "line"), tensions(&zhu, "line"));
+    let said = "At rest the friction of the bed does not act on line line: by `zhu-2017`";
+    let remarks = loads_without_effect(&zhu);
+    assert!(
+        remarks.iter().any(|text| text.starts_with(said)),
+        "{remarks:?}"
+    );
+    let current = "[current]\nspeed_m_per_s = 1.5\ndirection_deg = 90.0\n";
+    let [smooth, zhu] = [
+        chain("", current),
+        chain("friction = 0.4\nfriction_law = \"zhu-2017\"\n", current),
+    ];
+    assert_eq!(tensions(&smooth, "line"), tensions(&zhu, "line"));
+}
+
+#[test]
 fn friction_across_alone_is_friction() {
     let current = "[current]\nspeed_m_per_s = 1.5\ndirection_deg = 90.0\n";
     let anchored = |keys: &str| tensions(&chain(keys, current), "line")[0];

@@ -267,10 +267,12 @@ fn keys_without_effect_are_named() {
 }
 
 #[test]
-fn friction_across_needs_friction() {
+fn keys_of_friction_need_friction_and_their_law() {
     let bed = "depth_m = 100.0";
     let across = format!("{bed}\nfriction_lateral = 0.5");
-    refused(bed, &across, 6, &["neither bed nor lines have friction"]);
+    refused(bed, &across, 6, &["the bed has no friction"]);
+    let other = format!("{bed}\nfriction = 0.3\nslip_speed_m_per_s = 0.1");
+    refused(bed, &other, 7, &["no effect with the friction law `grip`"]);
     let line = "length_m = 130.0";
     let across = format!("{line}\nfriction_lateral = 0.5");
     refused(line, &across, 40, &["neither the line nor the bed"]);

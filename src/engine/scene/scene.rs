@@ -41,6 +41,9 @@ pub struct InitialState {
     pub in_equilibrium: bool,
 }
 
+/// Share of the slip speed to which velocities are resolved, and with them friction to the same share of its greatest.
+const SHARE_OF_SLIP: f64 = 1e-3;
+
 impl Scene {
     /// The state at time zero, with prescribed ends at their motion.
     #[must_use]
@@ -122,10 +125,11 @@ impl Scene {
         bed.map_or_else(Vec::new, |bed| bed.grips_at(nodes))
     }
 
-    /// Speed of full slip on the bed \[m/s\], where friction depends on velocity.
+    /// Speed to which velocities are resolved \[m/s\], where friction of the bed depends on them.
     #[must_use]
-    pub fn slip_speed(&self) -> Option<f64> {
-        self.elements.bed.as_ref()?.slip_speed()
+    pub fn velocity_resolution(&self) -> Option<f64> {
+        let slip = self.elements.bed.as_ref()?.slip_speed()?;
+        Some(SHARE_OF_SLIP * slip)
     }
 
     /// Greatest stiffness of a segment along itself, or of a friction spring \[N/m\].

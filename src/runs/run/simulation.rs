@@ -138,17 +138,14 @@ fn run_method<'a>(
                 Some(tolerance) => method.controlled(error_limits(case, scene, tolerance)),
                 None => method,
             };
-            let method = match scene.slip_speed() {
-                Some(slip) => method.resolving(SHARE_OF_SLIP * slip),
+            let method = match scene.velocity_resolution() {
+                Some(speed) => method.resolving(speed),
                 None => method,
             };
             march(method, settings, phases, state, recorder, start)
         }
     }
 }
-
-/// Share of the slip speed to which velocities are resolved, and with them friction to the same share of its greatest.
-const SHARE_OF_SLIP: f64 = 1e-3;
 
 /// Errors allowed in a step, from the dimensionless tolerance of the case.
 fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {

@@ -24,7 +24,7 @@ use super::parts::{Part, is_crossed, parts};
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{Material, current_grid, depth_grid};
+use crate::case::{FrictionLaw, Material, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
@@ -348,7 +348,10 @@ impl Builder<'_> {
             .collect();
         let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
-        let [friction, friction_lateral] = self.file.friction_under(line);
+        let [friction, friction_lateral] = match &self.file.seabed {
+            Some(bed) if bed.friction_law == FrictionLaw::Zhu2017 => [0.0; 2],
+            _ => self.file.friction_under(line),
+        };
         Line {
             name,
             from,

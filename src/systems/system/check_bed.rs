@@ -2,7 +2,7 @@
 
 use super::model::{LineKeys, SystemBedKeys, SystemKeys};
 use crate::case::schema::Key;
-use crate::case::{BedInterpolation, Finding};
+use crate::case::{BedInterpolation, Finding, FrictionKeys};
 
 /// Keys of a bed without a grid of depths that have no effect.
 pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -23,13 +23,18 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
 /// Keys of the bed's friction that have no effect where neither it nor a line has any.
 fn friction(keys: &SystemKeys<'_>, bed: &SystemBedKeys<'_>) -> Vec<Finding> {
     let mut lines = keys.lines.iter();
-    if bed.friction.is_given() || lines.any(|(_, line)| line.friction.is_given()) {
-        return Vec::new();
+    let is_rough = bed.friction.is_given() || lines.any(|(_, line)| line.friction.is_given());
+    let across = keys.lines.iter().map(|(_, line)| &line.friction_lateral);
+    let mut of_grip = vec![&bed.friction_lateral, &bed.grip_stiffness_n_per_m3];
+    if is_rough {
+        of_grip.extend(across);
     }
-    let problem = "has no effect: neither bed nor lines have friction";
-    let remedy = "add `friction = ...`, the coefficient along lines, or remove this key";
-    let across = bed.friction_lateral.if_given(problem, remedy);
-    across.into_iter().collect()
+    let keys = FrictionKeys {
+        law: &bed.friction_law,
+        of_grip,
+        slip_speed: &bed.slip_speed_m_per_s,
+    };
+    keys.without_effect(is_rough)
 }
 
 /// Friction across a line that has none along itself.

@@ -156,6 +156,9 @@ impl DiscretisedLine {
             bed.damping_n_s_per_m3 = given.damping_n_s_per_m3;
             let [along, across] = file.friction_under(line);
             (bed.friction, bed.friction_lateral) = (Some(along), Some(across));
+            bed.friction_law = given.friction_law;
+            bed.grip_stiffness_n_per_m3 = given.grip_stiffness_n_per_m3;
+            bed.slip_speed_m_per_s = given.slip_speed_m_per_s;
         }
         Self::stated_by(case)
     }

@@ -4,8 +4,10 @@
 //! be meant, so that each is a remark, with the names of all parts it is true of, and what would let them feel it.
 
 use super::bounds::Contact;
+use super::model::SystemBed;
 use super::network::{Body, FreePoint, Held, Line, Network};
 use super::solved::SolvedSystem;
+use crate::case::FrictionLaw;
 use crate::numerics::V3;
 
 /// Names that a remark lists.
@@ -36,6 +38,7 @@ pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
     }
     found.extend(friction_in_motion(solved));
     found.extend(friction_across(solved));
+    found.extend(friction_by_velocity(solved));
     found
 }
 
@@ -252,5 +255,25 @@ fn friction_across(solved: &SolvedSystem) -> Option<String> {
         "line",
         lines.map(|(line, _)| line.name.as_str()),
         "its closed form lies in the vertical plane of its ends; friction_lateral acts in motion",
+    )
+}
+
+/// Lines on the bed at rest whose friction goes with the velocity.
+fn friction_by_velocity(solved: &SolvedSystem) -> Option<String> {
+    let SolvedSystem {
+        network,
+        rest,
+        file,
+        ..
+    } = solved;
+    let by_velocity = |bed: &SystemBed| bed.friction_law == FrictionLaw::Zhu2017;
+    file.seabed.as_ref().filter(|bed| by_velocity(bed))?;
+    let lines = network.lines.iter().zip(&rest.balance.lines);
+    let lines = lines.filter(|(line, at_rest)| !line.is_buoyant() && at_rest.on_bed() > 0.0);
+    remark(
+        "At rest the friction of the bed does not act on",
+        "line",
+        lines.map(|(line, _)| line.name.as_str()),
+        "by `zhu-2017` it holds nothing; it acts in motion",
     )
 }

@@ -18,8 +18,8 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, CheckInputs, Current, Environment, LoadCaseInputs, Mark,
-    Material, OneOrMany, StatisticsInputs, Waves,
+    Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
+    Mark, Material, OneOrMany, StatisticsInputs, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -120,6 +120,12 @@ table! {
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
         /// Friction across lines: on lines divided into segments, in motion all.
         friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "as along the line";
+        /// Under lines: grip holds at rest and slides beyond; zhu-2017 goes with the velocity and holds nothing.
+        friction_law: FrictionLaw = FrictionLaw::Grip, "friction law";
+        /// Friction per area of line and distance pulled, before it slides.
+        grip_stiffness_n_per_m3: Option<f64>, "grip stiffness", range positive(1e12), absent "as the stiffness";
+        /// Below it friction by zhu-2017 is in proportion to the speed.
+        slip_speed_m_per_s: f64 = 0.01, "slip speed", range positive(10.0);
         /// Push of the bed per area of line and depth below it; on lines divided into segments, in motion all.
         stiffness_n_per_m3: f64 = 1.0e5, "stiffness", range positive(1e12);
         /// Push of the bed per area of line and speed into it, in motion.

@@ -265,9 +265,9 @@ pub struct Line {
     pub break_loads: Vec<Option<f64>>,
     /// Weight that weightless sections were given \[N\]: see [`weighted`].
     pub added_weight: f64,
-    /// Axial friction under the line \[-\].
+    /// Axial friction under the line at rest \[-\], none by a law that holds nothing.
     pub friction: f64,
-    /// Friction across it \[-\].
+    /// Friction across it at rest \[-\].
     pub friction_lateral: f64,
     /// Whether current and waves leave it alone.
     pub still_water: bool,

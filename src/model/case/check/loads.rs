@@ -22,38 +22,53 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 
 /// Keys of the bed's friction that have no effect.
 fn friction(bed: &SeabedKeys<'_>) -> Vec<Finding> {
-    let lateral = |problem: &str, remedy: &str| {
-        [
-            bed.friction_lateral.if_given(problem, remedy),
-            bed.grip_stiffness_n_per_m3.if_given(problem, remedy),
-        ]
-    };
-    let slip = |problem: &str, remedy: &str| bed.slip_speed_m_per_s.if_given(problem, remedy);
-    if !bed.friction.is_given() {
-        let problem = "has no effect: the bed has no friction";
-        let remedy = "add `friction = ...`, its coefficient along the line, or remove this key";
-        let others = [
-            slip(problem, remedy),
-            bed.friction_law.if_given(problem, remedy),
-        ];
-        return lateral(problem, remedy)
-            .into_iter()
-            .chain(others)
-            .flatten()
-            .collect();
+    FrictionKeys {
+        law: &bed.friction_law,
+        of_grip: vec![&bed.friction_lateral, &bed.grip_stiffness_n_per_m3],
+        slip_speed: &bed.slip_speed_m_per_s,
     }
-    let remedy = "remove it, or choose the other law";
-    let problem =
-        |law: FrictionLaw| format!("has no effect with the friction law `{}`", law.name());
-    match bed.friction_law.get() {
-        Some(FrictionLaw::Zhu2017) => {
-            let idle = lateral(&problem(FrictionLaw::Zhu2017), remedy);
-            idle.into_iter().flatten().collect()
+    .without_effect(bed.friction.is_given())
+}
+
+/// Keys of friction beside its coefficient along lines.
+#[derive(Debug)]
+pub struct FrictionKeys<'k, 'a> {
+    /// The law.
+    pub law: &'k Key<'a, FrictionLaw>,
+    /// Coefficients across lines and the stiffness of the grip, which that law has alone.
+    pub of_grip: Vec<&'k Key<'a, f64>>,
+    /// The slip speed, which the other law has.
+    pub slip_speed: &'k Key<'a, f64>,
+}
+
+impl FrictionKeys<'_, '_> {
+    /// Those that have no effect; `is_rough`: a coefficient along lines is given.
+    #[must_use]
+    pub fn without_effect(&self, is_rough: bool) -> Vec<Finding> {
+        let slip = |problem: &str, remedy: &str| self.slip_speed.if_given(problem, remedy);
+        let grip = |problem: &str, remedy: &str| -> Vec<Finding> {
+            let keys = self.of_grip.iter();
+            keys.filter_map(|key| key.if_given(problem, remedy))
+                .collect()
+        };
+        if !is_rough {
+            let problem = "has no effect: the bed has no friction";
+            let remedy = "add `friction = ...`, its coefficient along the line, or remove this key";
+            let others = [slip(problem, remedy), self.law.if_given(problem, remedy)];
+            let mut found = grip(problem, remedy);
+            found.extend(others.into_iter().flatten());
+            return found;
         }
-        Some(FrictionLaw::Grip) => slip(&problem(FrictionLaw::Grip), remedy)
-            .into_iter()
-            .collect(),
-        None => Vec::new(),
+        let remedy = "remove it, or choose the other law";
+        let problem =
+            |law: FrictionLaw| format!("has no effect with the friction law `{}`", law.name());
+        match self.law.get() {
+            Some(FrictionLaw::Zhu2017) => grip(&problem(FrictionLaw::Zhu2017), remedy),
+            Some(FrictionLaw::Grip) => slip(&problem(FrictionLaw::Grip), remedy)
+                .into_iter()
+                .collect(),
+            None => Vec::new(),
+        }
     }
 }
 

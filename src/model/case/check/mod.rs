@@ -25,7 +25,7 @@ pub(crate) use checks::is_of_check;
 pub use checks::of_checks;
 pub use load_cases::{of_load_cases, takes_values};
 pub(crate) use load_cases::{variable, varied};
-pub use loads::{current as of_current, increasing, too_many_rows, too_many_steps};
+pub use loads::{FrictionKeys, current as of_current, increasing, too_many_rows, too_many_steps};
 pub use rope::of_material;
 pub use sea::of_waves;
 pub(crate) use seacable_keys::check::{

@@ -85,6 +85,15 @@ impl SystemAlpha {
         }
     }
 
+    /// The same with a tolerance on the velocities in Newton's iteration \[m/s\].
+    #[must_use]
+    pub fn resolving(self, speed: f64) -> Self {
+        Self {
+            newton: self.newton.resolving(speed),
+            ..self
+        }
+    }
+
     /// Accelerations from positions and velocities, by the forces.
     ///
     /// # Errors

@@ -9,6 +9,7 @@ use super::rk4::SystemRk4;
 use super::settings::MotionSettings;
 use super::system_state::SystemState;
 use crate::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
+use crate::scene::Scene;
 use crate::solve::NewtonError;
 use crate::system::model::MotionMethod;
 
@@ -45,8 +46,13 @@ impl Method {
             settings.position_tolerance_m,
             settings.max_iterations,
         );
-        Self::Alpha(match settings.limits(system) {
+        let alpha = match settings.limits(system) {
             Some(limits) => alpha.controlled(limits),
+            None => alpha,
+        };
+        let resolutions = system.scenes.iter().filter_map(Scene::velocity_resolution);
+        Self::Alpha(match resolutions.reduce(f64::min) {
+            Some(speed) => alpha.resolving(speed),
             None => alpha,
         })
     }

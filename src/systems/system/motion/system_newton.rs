@@ -13,6 +13,8 @@ const STAGNATION_LIMIT: usize = 6;
 pub(super) struct SystemNewton {
     pub(super) border: Border,
     tolerance: f64,
+    /// Tolerance on the velocities \[m/s\], infinite where no force depends steeply on them.
+    velocity_tolerance: f64,
     max_iterations: usize,
     /// Rate of convergence of the last iterations.
     pub(super) rate: Option<ConvergenceRate>,
@@ -31,9 +33,18 @@ impl SystemNewton {
         Self {
             border: Border::new(system, state),
             tolerance,
+            velocity_tolerance: f64::INFINITY,
             max_iterations,
             rate: None,
             iterations: 0,
+        }
+    }
+
+    /// The same with a tolerance on the velocities \[m/s\].
+    pub(super) fn resolving(self, speed: f64) -> Self {
+        Self {
+            velocity_tolerance: speed,
+            ..self
         }
     }
 
@@ -50,7 +61,11 @@ impl SystemNewton {
         c: Factors,
         transverse: f64,
     ) -> Result<(), NewtonError> {
-        let mut convergence = Convergence::new(self.tolerance, self.rate);
+        let tolerance = match c.damping > 0.0 {
+            true => self.tolerance.min(self.velocity_tolerance / c.damping),
+            false => self.tolerance,
+        };
+        let mut convergence = Convergence::new(tolerance, self.rate);
         let (mut worst, mut made) = ((0, f64::INFINITY), 0);
         while made < self.max_iterations && convergence.idle() < STAGNATION_LIMIT {
             made += 1;
@@ -61,7 +76,7 @@ impl SystemNewton {
             self.apply(system, state, c);
             let reached = convergence.is_reached(moved);
             self.rate = convergence.rate();
-            let smooth = reached && (moved <= self.tolerance || !self.passes_kink(system, state));
+            let smooth = reached && (moved <= tolerance || !self.passes_kink(system, state));
             if smooth && self.border.missed_by_drives(system, c) <= self.tolerance {
                 return Ok(());
             }
@@ -89,7 +104,8 @@ impl SystemNewton {
 
     /// The displacement in the norm of convergence \[m\]: along the lines in full, transverse to them by the ratio of the tolerances.
     fn norm(&self, system: &MovingSystem, state: &SystemState, moved: f64, transverse: f64) -> f64 {
-        if transverse <= self.tolerance {
+        // A force that depends steeply on velocity does so in every direction.
+        if transverse <= self.tolerance || self.velocity_tolerance.is_finite() {
             return moved;
         }
         let lines = system.lines(state).enumerate();
