@@ -18,7 +18,7 @@ fn chain(bed: &str, more: &str) -> SolvedSystem {
     ))
 }
 
-const ACROSS: &str = "At rest the friction of the bed across it does not act on line line";
+const ACROSS: &str = "At rest the friction of the bed across lines does not act on line line";
 
 #[test]
 fn across_a_closed_form_it_acts_on_nothing_and_says_so() {

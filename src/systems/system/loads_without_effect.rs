@@ -251,10 +251,10 @@ fn friction_across(solved: &SolvedSystem) -> Option<String> {
             && at_rest.on_bed() > 0.0
     });
     remark(
-        "At rest the friction of the bed across it does not act on",
+        "At rest the friction of the bed across lines does not act on",
         "line",
         lines.map(|(line, _)| line.name.as_str()),
-        "its closed form lies in the vertical plane of its ends; friction_lateral acts in motion",
+        "a closed form lies in the vertical plane of its ends; friction_lateral acts in motion",
     )
 }
 
