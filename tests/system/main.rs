@@ -7,6 +7,7 @@ mod ageing;
 mod analysis;
 mod audit;
 mod bodies;
+mod channels;
 mod closed_forms;
 mod creep;
 mod current_file;

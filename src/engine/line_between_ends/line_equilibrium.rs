@@ -62,7 +62,7 @@ impl LineEquilibrium {
             stiffness_n_per_m: blocks.map(|row| row.map(|block: M3| -block)),
             position_m: state.x.clone(),
             tension_n: scene.tensions(state),
-            on_bed_m: on_bed(scene, state),
+            on_bed_m: scene.length_touching_bed(state),
             min_bend_radius_m: min_bend_radius(scene, state),
             residual_n: found.residual,
             iterations: found.iterations,
@@ -84,22 +84,6 @@ impl LineEquilibrium {
         let nodes = self.position_m.as_slice();
         [nodes.first(), nodes.last()].map(|end| end.copied().unwrap_or_default())
     }
-}
-
-/// Length of the halves of segments at nodes that bear on the bed, an end held there as its neighbour.
-fn on_bed(scene: &Scene, state: &State) -> f64 {
-    let (Some(bed), arc) = (&scene.elements.bed, &scene.line.arc) else {
-        return 0.0;
-    };
-    let last = arc.len() - 1;
-    let touches = |i: usize| bed.height(&state.x[i]) <= 1e-9 * arc[last];
-    let bears = |i: usize| match i {
-        0 => touches(0) && touches(1),
-        i if i == last => touches(last) && touches(last - 1),
-        i => touches(i),
-    };
-    let half = |i: usize| 0.5 * (arc[(i + 1).min(last)] - arc[i.saturating_sub(1)]);
-    (0..=last).filter(|i| bears(*i)).map(half).sum()
 }
 
 fn min_bend_radius(scene: &Scene, state: &State) -> Option<f64> {

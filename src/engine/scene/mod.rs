@@ -27,6 +27,7 @@ mod initial_guess;
 mod initial_shape;
 mod irregular_record;
 mod labels;
+mod length_on_bed;
 pub mod line;
 pub mod mesh;
 mod mixed_iteration;

@@ -90,6 +90,8 @@ channel_quantities! {
     BedForce: "bed_force_n", "N", "force", "Force of the bed";
     /// Speed normal to the bed at which a body landed, the greatest so far \[m/s\]; 0 before.
     LandingSpeed: "landing_speed_m_per_s", "m/s", "speed", "Landing speed";
+    /// Unstretched length of a line that lies on the bed: whose weight the bed bears \[m\].
+    OnBed: "on_bed_m", "m", "length", "Length on the bed";
     /// Height of the waves above still water over the gauge \[m\].
     WaveElevation: "wave_elevation_m", "m", "elevation", "Height of the waves";
     /// Unstretched length of a line that is paid out, or that a point slides along \[m\].

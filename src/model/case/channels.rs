@@ -123,12 +123,20 @@ impl<'a> RecordedLine<'a> {
     /// The channels in their order: tensions at the joints from A to B, position of every end that moves and speed of
     /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
     /// body, position, arc length and tension of the traveller, force on every held end, force of the bed on loose ends
-    /// and bodies and the speed at which these land, height of the waves, energy, dynamic stiffness at both ends of every
-    /// section that has it, tension of the wall at both ends of every section that is a pipe.
+    /// and bodies and the speed at which these land, length of line on the bed, height of the waves, energy, dynamic stiffness at both ends of every section that has it, tension of the wall at
+    /// both ends of every section that is a pipe.
     pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
         let mut list = self.joint_tensions();
         self.add_motion(&mut list);
         self.add_forces(&mut list);
+        if self.bed {
+            add(
+                &mut list,
+                &[ChannelQuantity::OnBed],
+                "line",
+                ChannelLocation::Line,
+            );
+        }
         if self.waves {
             let elevation = [ChannelQuantity::WaveElevation];
             add(&mut list, &elevation, "gauge", ChannelLocation::Gauge);

@@ -33,6 +33,8 @@ pub enum FigureId {
     Tilt,
     /// Force of the bed on bodies and loose ends against time.
     BedForce,
+    /// Length of lines on the bed against time.
+    OnBed,
     /// Height of the waves against time.
     Elevation,
     /// The line at an instant, z against x, to equal scale.
@@ -252,7 +254,7 @@ use FigureId as Id;
 
 /// The figures, in the order in which the screen shows them.
 #[rustfmt::skip] // a table: one figure an entry
-pub const FIGURES: [Figure; 30] = [
+pub const FIGURES: [Figure; 31] = [
     figure(Id::Tensions, "Tensions", Time, tensions)
         .when(|c| c.dynamic).at_places(Quantity::Tension).also_in_systems(Quantity::Tension).in_report(1),
     figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
@@ -267,6 +269,8 @@ pub const FIGURES: [Figure; 30] = [
         .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(5),
     figure(Id::BedForce, "Bed force", Time, |d| against_time(d.runs, Quantity::BedForce))
         .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
+    figure(Id::OnBed, "On the bed", Time, |d| against_time(d.runs, Quantity::OnBed))
+        .when(|c| c.records(Quantity::OnBed)).at_places(Quantity::OnBed).also_in_systems(Quantity::OnBed),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
         .when(irregular_sea).also_in_systems(Quantity::WaveElevation).in_report(7),
     figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant()))

@@ -54,6 +54,7 @@ impl<'a> ChannelReading<'a> {
             Q::ForceZ => self.end_force(site).map(|f| f[2]),
             Q::BedForce => self.bed_force(site),
             Q::LandingSpeed => self.landing_speed(site),
+            Q::OnBed => scene.length_on_bed(state),
             Q::WaveElevation => Some(scene.line.elevation(self.time)),
             Q::Energy => {
                 let traveller = scene.traveller_energy(self.time, state);

@@ -96,7 +96,7 @@ const SWEPT_AT_REST: [PaneId; 6] = [
 
 /// The charts of the runs of a system.
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
-    FigureId::of_system(&quantities(&solved.network), solved.network.bends())
+    FigureId::of_system(&quantities(solved), solved.network.bends())
 }
 
 impl SystemView {

@@ -80,6 +80,7 @@ fn the_charts_are_those_that_have_something_to_show() {
         FigureId::of(&moving),
         [
             FigureId::Tensions,
+            FigureId::OnBed,
             FigureId::Shape,
             FigureId::Profile,
             FigureId::Curvature,

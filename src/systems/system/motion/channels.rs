@@ -1,18 +1,19 @@
 //! What is recorded of a system in motion.
 
+use super::bed_reach::may_reach;
 use super::body_equation::MovingBody;
 use super::broken_names;
+use super::channel_values::ChannelValues;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::pins::pin_force;
 use super::system_state::SystemState;
 use crate::case::{ChannelId, ChannelQuantity};
-use crate::numerics::V3;
-use crate::system::network::{Body, Held, Network};
+use crate::system::SolvedSystem;
+use crate::system::network::{Body, Held, Line, Network};
 
 /// What a channel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Source {
+pub(super) enum Source {
     /// Tension of a line at its end A or B.
     Tension(usize, usize),
     /// Tension of a line where its sections of these numbers meet.
@@ -27,6 +28,8 @@ enum Source {
     Pin(usize, usize),
     /// Upward pull of the lines on a joint.
     Uplift(usize),
+    /// Length of a line on the bed; of one that may break in both of its parts.
+    OnBed(usize, Option<usize>),
     /// Height of the waves over the gauge.
     Elevation,
     /// Unstretched length of a line that is paid out, by its number among those.
@@ -42,7 +45,9 @@ pub struct Channels {
 }
 
 impl Channels {
-    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move, height of the waves.
+    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move,
+    /// length on the bed of the lines that may reach it, height of the
+    /// waves.
     #[must_use]
     pub fn of(system: &MovingSystem) -> Self {
         let mut channels = Self {
@@ -58,32 +63,12 @@ impl Channels {
             }
             channels.between(system, number);
         }
-        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
-            let moves = match system.joints.roles[joint] {
-                Role::Prescribed(_) => point.motion.is_some(),
-                Role::OnBody(body, _) => moves(system, body),
-                _ => !broken_names::is_between(&point.name),
-            };
-            if moves {
-                channels.place(&point.name, joint);
-            }
-        }
-        for (number, body) in system.network.bodies.iter().enumerate() {
-            if moves(system, number) {
-                channels.place(&body.name, system.joints.bodies[number]);
-                for (axis, quantity) in ChannelQuantity::ANGLES.into_iter().enumerate() {
-                    channels.add(quantity.at(body.name.as_str()), Source::Angle(number, axis));
-                }
-            }
-            if body.pinned {
-                for (axis, quantity) in ChannelQuantity::PIN_FORCE.into_iter().enumerate() {
-                    channels.add(quantity.at(body.name.as_str()), Source::Pin(number, axis));
-                }
-            }
-        }
+        channels.points(system);
+        channels.bodies(system);
         if system.network.records_uplift {
             channels.uplift(system);
         }
+        channels.on_bed(system);
         if system.network.sea.is_some() {
             let id = ChannelQuantity::WaveElevation.at("gauge");
             channels.add(id, Source::Elevation);
@@ -118,6 +103,37 @@ impl Channels {
         channels
     }
 
+    /// Places of the points that move.
+    fn points(&mut self, system: &MovingSystem) {
+        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
+            let moves = match system.joints.roles[joint] {
+                Role::Prescribed(_) => point.motion.is_some(),
+                Role::OnBody(body, _) => moves(system, body),
+                _ => !broken_names::is_between(&point.name),
+            };
+            if moves {
+                self.place(&point.name, joint);
+            }
+        }
+    }
+
+    /// Poses of the bodies that move, and forces of pins.
+    fn bodies(&mut self, system: &MovingSystem) {
+        for (number, body) in system.network.bodies.iter().enumerate() {
+            if moves(system, number) {
+                self.place(&body.name, system.joints.bodies[number]);
+                for (axis, quantity) in ChannelQuantity::ANGLES.into_iter().enumerate() {
+                    self.add(quantity.at(body.name.as_str()), Source::Angle(number, axis));
+                }
+            }
+            if body.pinned {
+                for (axis, quantity) in ChannelQuantity::PIN_FORCE.into_iter().enumerate() {
+                    self.add(quantity.at(body.name.as_str()), Source::Pin(number, axis));
+                }
+            }
+        }
+    }
+
     fn place(&mut self, name: &str, joint: usize) {
         for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
             self.add(quantity.at(name), Source::Place(joint, axis));
@@ -127,11 +143,7 @@ impl Channels {
     /// Tensions where the sections of a line meet, by their number from end A; not of lines that may break, whose parts change.
     fn between(&mut self, system: &MovingSystem, line: usize) {
         let given = &system.network.lines[line];
-        let ends = [given.from, given.to];
-        if ends
-            .iter()
-            .any(|end| broken_names::is_between(&system.network.points[*end].name))
-        {
+        if may_break(&system.network, given) {
             return;
         }
         for meeting in 1..given.sections.len() {
@@ -149,6 +161,26 @@ impl Channels {
         }
     }
 
+    fn on_bed(&mut self, system: &MovingSystem) {
+        let lines = 0..system.network.lines.len();
+        for number in lines.clone() {
+            let Some(name) = broken_names::name_of_end(system, number, 0) else {
+                continue;
+            };
+            let is_second = |other: &usize| {
+                let end = broken_names::name_of_end(system, *other, 1);
+                *other != number && end.as_ref() == Some(&name)
+            };
+            let breaks = broken_names::name_of_end(system, number, 1).is_none();
+            let second = lines.clone().find(|other| breaks && is_second(other));
+            let mut parts = second.into_iter().chain([number]);
+            if parts.any(|part| may_reach(&system.network, part)) {
+                let id = ChannelQuantity::OnBed.at(name);
+                self.add(id, Source::OnBed(number, second));
+            }
+        }
+    }
+
     fn add(&mut self, id: ChannelId, source: Source) {
         self.ids.push(id);
         self.sources.push(source);
@@ -158,86 +190,16 @@ impl Channels {
     /// one line after the other, where they are known.
     pub fn read(
         &self,
-        (system, bodies): (&MovingSystem, &[MovingBody]),
-        (t, state): (f64, &SystemState),
+        system: (&MovingSystem, &[MovingBody]),
+        at: (f64, &SystemState),
         tensions: Option<&[f64]>,
         values: &mut [f64],
     ) {
-        let network = &system.network;
-        // Its three components come one after the other.
-        let mut pin = V3::zeros();
-        let mut first = FirstNode::default();
-        let mut tension = |line: usize, node: usize| {
-            let known = tensions.and_then(|all| all.get(first.of(line, state) + node));
-            known.copied().unwrap_or_else(|| {
-                let scene = system.scene(line, state);
-                scene.tension_at(node, &state.lines[line])
-            })
-        };
-        let read = self.sources.iter().map(|source| match *source {
-            Source::Tension(line, end) => tension(line, end * (state.lines[line].x.len() - 1)),
-            Source::Between(line, meeting) => {
-                let joint = system.scene(line, state).labels.joints.get(meeting);
-                joint.map_or(f64::NAN, |joint| tension(line, joint.node))
-            }
-            Source::At(line, node) => tension(line, node),
-            Source::Place(joint, axis) => state.joints.x[joint][axis],
-            Source::Pin(body, axis) => {
-                if axis == 0 {
-                    pin = pin_force(system, bodies, state, body);
-                }
-                pin[axis]
-            }
-            Source::Uplift(joint) => uplift(system, state, joint),
-            Source::Elevation => {
-                let sea = network.sea.as_ref();
-                sea.map_or(0.0, |sea| sea.elevation(t, &network.gauge))
-            }
-            Source::Length(number) => {
-                let segments = state.paid[number].line.segments.iter();
-                let meshed: f64 = segments.map(|segment| segment.axial.length).sum();
-                let left = [0, 1].map(|end| system.surplus((number, end), state)[0]);
-                meshed - left[0] - left[1]
-            }
-            Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
-        });
-        for (value, read) in values.iter_mut().zip(read) {
-            *value = read;
+        let mut reading = ChannelValues::new(system, at, tensions);
+        for (value, source) in values.iter_mut().zip(&self.sources) {
+            *value = reading.read(*source);
         }
     }
-}
-
-/// The first node of a line among those of all. Lines are asked for in their order.
-#[derive(Default)]
-struct FirstNode {
-    line: usize,
-    node: usize,
-}
-
-impl FirstNode {
-    fn of(&mut self, line: usize, state: &SystemState) -> usize {
-        if line < self.line {
-            *self = Self::default();
-        }
-        let passed = &state.lines[self.line..line];
-        self.node += passed.iter().map(|line| line.x.len()).sum::<usize>();
-        self.line = line;
-        self.node
-    }
-}
-
-/// The upward pull of all lines on a joint \[N\].
-fn uplift(system: &MovingSystem, state: &SystemState, joint: usize) -> f64 {
-    let mut sum = 0.0;
-    for (number, ends) in state.attached.iter().enumerate() {
-        let (scene, line) = (system.scene(number, state), &state.lines[number]);
-        for (end, at) in ends.iter().enumerate() {
-            if *at == joint {
-                sum += scene.end_force(end * (line.x.len() - 1), line).z;
-            }
-        }
-    }
-    sum
 }
 
 fn moves(system: &MovingSystem, body: usize) -> bool {
@@ -248,9 +210,17 @@ fn is_moving(body: &Body) -> bool {
     body.turns() || body.motion.is_some()
 }
 
+/// Whether a line is part of one that may break.
+fn may_break(network: &Network, line: &Line) -> bool {
+    let ends = [line.from, line.to].into_iter();
+    ends.map(|end| &network.points[end].name)
+        .any(|name| broken_names::is_between(name))
+}
+
 /// The quantities that runs of a system record.
 #[must_use]
-pub fn quantities(network: &Network) -> Vec<ChannelQuantity> {
+pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
+    let network = &solved.network;
     let mut all = vec![ChannelQuantity::Tension];
     let bodies_move = network.bodies.iter().any(is_moving);
     let points = &network.points;
@@ -266,6 +236,8 @@ pub fn quantities(network: &Network) -> Vec<ChannelQuantity> {
     if network.bodies.iter().any(|body| body.pinned) {
         all.extend(ChannelQuantity::PIN_FORCE);
     }
+    let reaches = (0..network.lines.len()).any(|line| may_reach(network, line));
+    all.extend(reaches.then_some(ChannelQuantity::OnBed));
     all.extend(
         network
             .sea

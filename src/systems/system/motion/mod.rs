@@ -11,6 +11,7 @@
 
 pub mod along;
 pub mod alpha;
+mod bed_reach;
 mod body_damping;
 pub mod body_equation;
 pub mod body_flow;
@@ -19,6 +20,7 @@ pub mod border;
 pub mod breaks;
 pub mod broken_names;
 mod channel_result;
+mod channel_values;
 pub mod channels;
 pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;

@@ -1,0 +1,130 @@
+//! The values of the channels of a system in a state.
+
+use super::body_equation::MovingBody;
+use super::channels::Source;
+use super::moving_system::MovingSystem;
+use super::pins::pin_force;
+use super::system_state::SystemState;
+use crate::numerics::V3;
+
+/// A state from which channels are read in their order.
+pub(super) struct ChannelValues<'a> {
+    system: &'a MovingSystem,
+    /// The bodies that turn, with their mass.
+    bodies: &'a [MovingBody],
+    time: f64,
+    state: &'a SystemState,
+    /// Tensions of all nodes of the lines \[N\], one line after the other, where they are known.
+    tensions: Option<&'a [f64]>,
+    first: FirstNode,
+    /// The force whose three components are read one after the other.
+    force: V3,
+}
+
+impl<'a> ChannelValues<'a> {
+    /// Of a system at a time \[s\].
+    pub(super) fn new(
+        (system, bodies): (&'a MovingSystem, &'a [MovingBody]),
+        (time, state): (f64, &'a SystemState),
+        tensions: Option<&'a [f64]>,
+    ) -> Self {
+        Self {
+            system,
+            bodies,
+            time,
+            state,
+            tensions,
+            first: FirstNode::default(),
+            force: V3::zeros(),
+        }
+    }
+
+    /// The value of a channel, in the unit of its quantity.
+    pub(super) fn read(&mut self, source: Source) -> f64 {
+        let (system, state) = (self.system, self.state);
+        match source {
+            Source::Tension(line, end) => self.tension(line, end * (state.lines[line].x.len() - 1)),
+            Source::Between(line, meeting) => {
+                let joint = system.scene(line, state).labels.joints.get(meeting);
+                joint.map_or(f64::NAN, |joint| self.tension(line, joint.node))
+            }
+            Source::At(line, node) => self.tension(line, node),
+            Source::Place(joint, axis) => state.joints.x[joint][axis],
+            Source::Pin(body, axis) => {
+                self.component(axis, |own| pin_force(system, own.bodies, state, body))
+            }
+            Source::Uplift(joint) => self.pull(joint).z,
+            Source::OnBed(line, second) => {
+                let parts = [Some(line), second].into_iter().flatten();
+                let on_bed =
+                    |part: usize| system.scene(part, state).length_on_bed(&state.lines[part]);
+                parts.filter_map(on_bed).sum()
+            }
+            Source::Elevation => {
+                let (sea, gauge) = (system.network.sea.as_ref(), &system.network.gauge);
+                sea.map_or(0.0, |sea| sea.elevation(self.time, gauge))
+            }
+            Source::Length(number) => {
+                let segments = state.paid[number].line.segments.iter();
+                let meshed: f64 = segments.map(|segment| segment.axial.length).sum();
+                let left = [0, 1].map(|end| system.surplus((number, end), state)[0]);
+                meshed - left[0] - left[1]
+            }
+            Source::Angle(body, axis) => system.body(state, body).pose.angles()[axis].to_degrees(),
+        }
+    }
+
+    fn tension(&mut self, line: usize, node: usize) -> f64 {
+        let state = self.state;
+        let first = &mut self.first;
+        let known = self
+            .tensions
+            .and_then(|all| all.get(first.of(line, state) + node));
+        known.copied().unwrap_or_else(|| {
+            let scene = self.system.scene(line, state);
+            scene.tension_at(node, &state.lines[line])
+        })
+    }
+
+    /// A component of a force, which is computed once for all three.
+    fn component(&mut self, axis: usize, force: impl FnOnce(&Self) -> V3) -> f64 {
+        if axis == 0 {
+            self.force = force(self);
+        }
+        self.force[axis]
+    }
+
+    /// The force of all lines on a joint \[N\].
+    fn pull(&self, joint: usize) -> V3 {
+        let (system, state) = (self.system, self.state);
+        let mut sum = V3::zeros();
+        for (number, ends) in state.attached.iter().enumerate() {
+            let (scene, line) = (system.scene(number, state), &state.lines[number]);
+            for (end, at) in ends.iter().enumerate() {
+                if *at == joint {
+                    sum += scene.end_force(end * (line.x.len() - 1), line);
+                }
+            }
+        }
+        sum
+    }
+}
+
+/// The first node of a line among those of all. Lines are asked for in their order.
+#[derive(Default)]
+struct FirstNode {
+    line: usize,
+    node: usize,
+}
+
+impl FirstNode {
+    fn of(&mut self, line: usize, state: &SystemState) -> usize {
+        if line < self.line {
+            *self = Self::default();
+        }
+        let passed = &state.lines[self.line..line];
+        self.node += passed.iter().map(|line| line.x.len()).sum::<usize>();
+        self.line = line;
+        self.node
+    }
+}
