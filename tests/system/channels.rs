@@ -83,3 +83,71 @@ fn a_line_case_has_the_same_length_on_the_bed() {
         assert!((line - system).abs() < 0.02, "{line} {system}");
     }
 }
+
+/// A rope whose stiffness goes with its mean load, in a pipe's sheath.
+const ROPE: &str = "[environment]\nwater_density_kg_per_m3 = 1025.0\n\
+     [materials.rope]\ndiameter_m = 0.2\nmass_kg_per_m = 35.0\nea_n = 1.8e8\nbreak_load_n = 1.4e7\ndynamic_stiffness = \"secant\"\n\
+     dynamic_alpha = 14.5\ndynamic_beta = 0.21\ndynamic_gamma = 0.27\n\
+     [materials.pipe]\ndiameter_m = 0.2\nmass_kg_per_m = 60.0\nea_n = 5e8\nbore = { diameter_m = 0.15, content_density_kg_per_m3 = 800.0, pressure_pa = 1e6 }\n";
+
+#[test]
+fn ropes_and_pipes_of_a_system_record_what_those_of_a_line_do() {
+    let motion = "position_m = [120.0, 0.0, -20.0]\namplitude_m = [2.0, 0.0, 0.0]\nperiod_s = 10.0\nramp_s = 5.0\n";
+    let sections = [("rope", 69.0, 8), ("pipe", 69.0, 8)];
+    let solver = "[solver]\nmethod = \"alpha\"\ntime_step_s = 0.1\nduration_s = 20.0\nerror_estimate = false\nposition_tolerance_m = 1e-9\n\
+         [output]\ninterval_s = 0.5\n";
+    let line: String = sections
+        .iter()
+        .map(|(name, length, segments)| {
+            format!(
+                "[[line]]\nname = \"{name}\"\nmaterial = \"{name}\"\nlength_m = {length:?}\nsegments = {segments}\n"
+            )
+        })
+        .collect();
+    let line = format!(
+        "{ROPE}{line}[ends.a]\nname = \"low\"\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -90.0]\n\
+         [ends.b]\nname = \"top\"\nkind = \"moving\"\n{motion}{solver}"
+    );
+    let parts: String = sections
+        .iter()
+        .map(|(name, length, _)| {
+            format!("[[lines.sections]]\nmaterial = \"{name}\"\nlength_m = {length:?}\n")
+        })
+        .collect();
+    let run = moved(&format!(
+        "{ROPE}[points.low]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -90.0]\n[points.top]\nkind = \"moved\"\n{motion}\
+         [[lines]]\nname = \"line\"\nfrom = \"low\"\nto = \"top\"\nsegments = 16\n{parts}{solver}"
+    ));
+    let pairs = [
+        ("mean_load_percent[line|1.a]", "mean_load_percent[rope.a]"),
+        ("mean_load_percent[line|1.b]", "mean_load_percent[rope.b]"),
+        (
+            "load_deviation_percent[line|1.b]",
+            "load_deviation_percent[rope.b]",
+        ),
+        ("stiffness_k[line|1.a]", "stiffness_k[rope.a]"),
+        ("wall_tension_n[line|2.a]", "wall_tension_n[pipe.a]"),
+        ("wall_tension_n[line|2.b]", "wall_tension_n[pipe.b]"),
+    ];
+    for (of_system, name) in pairs {
+        let expected = of_line(&line, name);
+        let found = channel(&run, of_system);
+        let scale = expected
+            .iter()
+            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        assert!(scale > 0.0, "{name}");
+        for (found, expected) in found.iter().zip(&expected) {
+            assert!(
+                (found - expected).abs() < 1e-4 * scale,
+                "{name}: {found} {expected}"
+            );
+        }
+    }
+    assert!(run.history.channel("stiffness_k[line|2.a]").is_none());
+    // T_w = T + p_i A_i - p_o A_o at the top, 20 m down.
+    let disc = |diameter: f64| 0.25 * std::f64::consts::PI * diameter * diameter;
+    let g = 9.80665;
+    let pressed = (1e6 + 800.0 * g * 20.0) * disc(0.15) - 1025.0 * g * 20.0 * disc(0.2);
+    let wall = channel(&run, "wall_tension_n[line|2.b]")[0] - channel(&run, "tension_n[line|b]")[0];
+    assert!((wall / pressed - 1.0).abs() < 1e-9, "{wall} {pressed}");
+}

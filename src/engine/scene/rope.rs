@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::LumpedLine;
+use super::{LumpedLine, Scene};
+use crate::case::ChannelQuantity;
 use crate::physics::rope::{
     ElasticTension, FibreRope, MeanState, RopeAverage, StiffnessForm, TensionLaw,
 };
@@ -18,6 +19,48 @@ pub struct RopeStiffness {
     pub deviation: f64,
     /// k: stiffness EA by breaking load \[-\].
     pub stiffness: f64,
+}
+
+impl RopeStiffness {
+    /// The value of a quantity of dynamic stiffness, in its unit; nothing of others.
+    #[must_use]
+    pub fn value(&self, quantity: ChannelQuantity) -> Option<f64> {
+        match quantity {
+            ChannelQuantity::MeanLoad => Some(self.mean_load),
+            ChannelQuantity::LoadDeviation => Some(self.deviation),
+            ChannelQuantity::Stiffness => Some(self.stiffness),
+            _ => None,
+        }
+    }
+}
+
+impl Scene {
+    /// Dynamic stiffness at the first or last node of a section, by its number; zero of a material that has none. A segment has that of its
+    /// middle: at the node it is extrapolated from both segments next to it.
+    #[must_use]
+    pub fn rope_at_end(&self, section: usize, at_end: bool, state: &State) -> RopeStiffness {
+        let joint = |index: usize| self.labels.joints[index].node;
+        let (first, last) = (joint(section), joint(section + 1) - 1);
+        let (near, far) = if at_end {
+            (last, first.max(last.saturating_sub(1)))
+        } else {
+            (first, last.min(first + 1))
+        };
+        let length = |segment: usize| self.line.segments[segment].axial.length;
+        let beyond = length(near) / (length(near) + length(far));
+        let of = |segment: usize| self.line.rope_reading(segment, state);
+        let [near, far] = [near, far].map(|segment| of(segment).unwrap_or_default());
+        let at_node = |value: fn(&RopeStiffness) -> f64| {
+            let (near, far) = (value(&near), value(&far));
+            near + (near - far) * beyond
+        };
+        RopeStiffness {
+            // A mean is positive, or of a rope that has been slack all along.
+            mean_load: at_node(|of| of.mean_load).max(near.mean_load.min(0.0)),
+            deviation: at_node(|of| of.deviation),
+            stiffness: at_node(|of| of.stiffness),
+        }
+    }
 }
 
 impl LumpedLine {

@@ -258,7 +258,7 @@ pub const FIGURES: [Figure; 31] = [
     figure(Id::Tensions, "Tensions", Time, tensions)
         .when(|c| c.dynamic).at_places(Quantity::Tension).also_in_systems(Quantity::Tension).in_report(1),
     figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
-        .when(|c| c.records(Quantity::WallTension)).at_places(Quantity::WallTension).in_report(2),
+        .when(|c| c.records(Quantity::WallTension)).at_places(Quantity::WallTension).also_in_systems(Quantity::WallTension).in_report(2),
     figure(Id::Payload, "Payload", Time, |d| payload_position(d.runs))
         .when(moves).curves(CurveNames::Fixed(&["x", "z"])).in_report(3),
     figure(Id::Path, "Path", Space, |d| trajectory(d.runs, d.instant))
@@ -296,13 +296,13 @@ pub const FIGURES: [Figure; 31] = [
     figure(Id::Study, "Study", Other, study)
         .when(studied).curves(CurveNames::Variants(study_names)),
     figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).in_report(11),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::Stiffness).also_in_systems(Quantity::Stiffness).in_report(11),
     figure(Id::StiffnessAlong, "Along rope", Other, |d| stiffness_profile(d.runs))
         .when(rope).curves(ENVELOPE).in_report(18),
     figure(Id::MeanLoad, "Mean load", Time, |d| against_time(d.runs, Quantity::MeanLoad))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).in_report(9),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::MeanLoad).also_in_systems(Quantity::MeanLoad).in_report(9),
     figure(Id::Deviation, "Deviation", Time, |d| against_time(d.runs, Quantity::LoadDeviation))
-        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).in_report(10),
+        .when(|c| c.records(Quantity::Stiffness)).at_places(Quantity::LoadDeviation).also_in_systems(Quantity::LoadDeviation).in_report(10),
     figure(Id::X, "x", Time, |d| against_time(d.runs, Quantity::X)).only_in_systems(Quantity::X),
     figure(Id::Y, "y", Time, |d| against_time(d.runs, Quantity::Y)).only_in_systems(Quantity::Y),
     figure(Id::Z, "z", Time, |d| against_time(d.runs, Quantity::Z)).only_in_systems(Quantity::Z),

@@ -145,32 +145,9 @@ impl<'a> ChannelReading<'a> {
         let ChannelLocation::Section(section, end) = site else {
             return None;
         };
-        let joint = |index: usize| self.scene.labels.joints[index].node;
-        let (first, last) = (joint(section), joint(section + 1) - 1);
-        let (near, far) = match end {
-            LineEnd::A => (first, last.min(first + 1)),
-            LineEnd::B => (last, first.max(last - 1)),
-        };
-        let line = &self.scene.line;
-        let value = |segment: usize| {
-            let reading = line.rope_reading(segment, self.state);
-            let reading = reading.unwrap_or_default();
-            match quantity {
-                ChannelQuantity::MeanLoad => Some(reading.mean_load),
-                ChannelQuantity::LoadDeviation => Some(reading.deviation),
-                ChannelQuantity::Stiffness => Some(reading.stiffness),
-                _ => None,
-            }
-        };
-        // A segment has the value of its middle: that of the end is extrapolated.
-        let length = |segment: usize| line.segments[segment].axial.length;
-        let beyond = length(near) / (length(near) + length(far));
-        let (near, far) = (value(near)?, value(far)?);
-        let at_end = near + (near - far) * beyond;
-        // A mean is positive, or of a rope that has been slack all along.
-        Some(match quantity {
-            ChannelQuantity::MeanLoad => at_end.max(near.min(0.0)),
-            _ => at_end,
-        })
+        let rope = self
+            .scene
+            .rope_at_end(section, end == LineEnd::B, self.state);
+        rope.value(quantity)
     }
 }

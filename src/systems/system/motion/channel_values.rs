@@ -54,6 +54,7 @@ impl<'a> ChannelValues<'a> {
                 self.component(axis, |own| pin_force(system, own.bodies, state, body))
             }
             Source::Uplift(joint) => self.pull(joint).z,
+            Source::Rope(..) | Source::Wall(..) => self.in_section(source),
             Source::OnBed(line, second) => {
                 let parts = [Some(line), second].into_iter().flatten();
                 let on_bed =
@@ -92,6 +93,24 @@ impl<'a> ChannelValues<'a> {
             self.force = force(self);
         }
         self.force[axis]
+    }
+
+    /// What is read at the first or last node of a section of a line.
+    fn in_section(&self, source: Source) -> f64 {
+        let (system, state) = (self.system, self.state);
+        let value = match source {
+            Source::Rope(line, (section, at_end), quantity) => {
+                let scene = system.scene(line, state);
+                let rope = scene.rope_at_end(section, at_end, &state.lines[line]);
+                rope.value(quantity)
+            }
+            Source::Wall(line, (section, at_end)) => {
+                let scene = system.scene(line, state);
+                scene.wall_tension(section, at_end, &state.lines[line])
+            }
+            _ => None,
+        };
+        value.unwrap_or(f64::NAN)
     }
 
     /// The force of all lines on a joint \[N\].

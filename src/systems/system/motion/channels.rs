@@ -7,9 +7,10 @@ use super::channel_values::ChannelValues;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
-use crate::case::{ChannelId, ChannelQuantity};
+use crate::case::{ChannelId, ChannelQuantity, DynamicStiffness, Material};
 use crate::system::SolvedSystem;
 use crate::system::network::{Body, Held, Line, Network};
+use crate::system::parts::parts as parts_of;
 
 /// What a channel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +29,10 @@ pub(super) enum Source {
     Pin(usize, usize),
     /// Upward pull of the lines on a joint.
     Uplift(usize),
+    /// A quantity of dynamic stiffness at the first or last node of a section of a line, by its number.
+    Rope(usize, (usize, bool), ChannelQuantity),
+    /// Tension of the wall of a pipe there.
+    Wall(usize, (usize, bool)),
     /// Length of a line on the bed; of one that may break in both of its parts.
     OnBed(usize, Option<usize>),
     /// Height of the waves over the gauge.
@@ -47,7 +52,8 @@ pub struct Channels {
 impl Channels {
     /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move,
     /// length on the bed of the lines that may reach it, height of the
-    /// waves.
+    /// waves, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
+    /// sections.
     #[must_use]
     pub fn of(system: &MovingSystem) -> Self {
         let mut channels = Self {
@@ -76,6 +82,9 @@ impl Channels {
         for (number, paid) in system.paid.iter().enumerate() {
             let name = system.network.lines[paid.line].name.as_str();
             channels.add(ChannelQuantity::Length.at(name), Source::Length(number));
+        }
+        for line in 0..system.network.lines.len() {
+            channels.sections(system, line);
         }
         channels
     }
@@ -152,6 +161,33 @@ impl Channels {
         }
     }
 
+    /// Dynamic stiffness of ropes and tension of the wall of pipes at both ends of the sections of a line, by their number from end A; not of
+    /// lines that may break.
+    fn sections(&mut self, system: &MovingSystem, line: usize) {
+        let given = &system.network.lines[line];
+        if may_break(&system.network, given) {
+            return;
+        }
+        for (section, material) in materials(given).enumerate() {
+            let ends = [("a", false), ("b", true)];
+            let name = |end: &str| format!("{}|{}.{end}", given.name, section + 1);
+            if is_dynamic(material) {
+                for quantity in ChannelQuantity::ROPE {
+                    for (end, at_end) in ends {
+                        let source = Source::Rope(line, (section, at_end), quantity);
+                        self.add(quantity.at(name(end)), source);
+                    }
+                }
+            }
+            if material.bore.is_some() {
+                for (end, at_end) in ends {
+                    let id = ChannelQuantity::WallTension.at(name(end));
+                    self.add(id, Source::Wall(line, (section, at_end)));
+                }
+            }
+        }
+    }
+
     fn uplift(&mut self, system: &MovingSystem) {
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
             if matches!(point.held, Held::At(_)) && !broken_names::is_between(&point.name) {
@@ -217,6 +253,19 @@ fn may_break(network: &Network, line: &Line) -> bool {
         .any(|name| broken_names::is_between(name))
 }
 
+/// The materials of the sections of a divided line.
+fn materials(line: &Line) -> impl Iterator<Item = &Material> {
+    let cases = line.discretised.iter().map(|line| line.case());
+    cases.flat_map(|case| {
+        let sections = case.line.iter();
+        sections.filter_map(|section| case.materials.get(&section.material))
+    })
+}
+
+fn is_dynamic(material: &Material) -> bool {
+    material.dynamic_stiffness != DynamicStiffness::None
+}
+
 /// The quantities that runs of a system record.
 #[must_use]
 pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
@@ -245,5 +294,14 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
             .then_some(ChannelQuantity::WaveElevation),
     );
     all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
+    let parts = solved.file.lines.iter();
+    let parts: Vec<_> = parts
+        .flat_map(|line| parts_of(&solved.file, line))
+        .collect();
+    if parts.iter().any(|part| is_dynamic(&part.material)) {
+        all.extend(ChannelQuantity::ROPE);
+    }
+    let is_pipe = parts.iter().any(|part| part.material.bore.is_some());
+    all.extend(is_pipe.then_some(ChannelQuantity::WallTension));
     all
 }
