@@ -84,6 +84,38 @@ fn a_line_case_has_the_same_length_on_the_bed() {
     }
 }
 
+#[test]
+fn the_force_on_a_point_is_the_tension_there_and_the_sum_of_its_lines() {
+    let run = moved(&chain("forces = true"));
+    let [x, z] = ["force_x_n[top]", "force_z_n[top]"].map(|name| channel(&run, name));
+    let tension = channel(&run, "tension_n[chain|b]");
+    for ((x, z), tension) in x.iter().zip(z).zip(tension) {
+        assert!(
+            (x.hypot(*z) / tension - 1.0).abs() < 1e-9,
+            "{x} {z} {tension}"
+        );
+    }
+    // Two lines that hang alike from one point: their weights, and nothing sideways.
+    let line = |name: &str, x: f64| {
+        format!(
+            "[points.{name}]\nkind = \"fixed\"\nposition_m = [{x:?}, 0.0, 0.0]\n\
+             [[lines]]\nname = \"{name}\"\nfrom = \"{name}\"\nto = \"middle\"\nmaterial = \"chain\"\nlength_m = 30.0\nsegments = 10\n"
+        )
+    };
+    let run = moved(&format!(
+        "{CHAIN}[points.middle]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n{}{}\
+         [solver]\nduration_s = 1.0\nerror_estimate = false\n[output]\nforces = true\n",
+        line("left", -25.0),
+        line("right", 25.0)
+    ));
+    let at = |name: &str| channel(&run, name)[0];
+    assert!((at("force_z_n[middle]") + 30.0 * WEIGHT).abs() < 1e-3);
+    assert!(at("force_x_n[middle]").abs() < 1e-3);
+    assert!((at("force_x_n[left]") + at("force_x_n[right]")).abs() < 1e-3);
+    // They hang high above the bed.
+    assert!(run.history.channel("on_bed_m[left]").is_none());
+}
+
 /// A rope whose stiffness goes with its mean load, in a pipe's sheath.
 const ROPE: &str = "[environment]\nwater_density_kg_per_m3 = 1025.0\n\
      [materials.rope]\ndiameter_m = 0.2\nmass_kg_per_m = 35.0\nea_n = 1.8e8\nbreak_load_n = 1.4e7\ndynamic_stiffness = \"secant\"\n\
@@ -150,4 +182,53 @@ fn ropes_and_pipes_of_a_system_record_what_those_of_a_line_do() {
     let pressed = (1e6 + 800.0 * g * 20.0) * disc(0.15) - 1025.0 * g * 20.0 * disc(0.2);
     let wall = channel(&run, "wall_tension_n[line|2.b]")[0] - channel(&run, "tension_n[line|b]")[0];
     assert!((wall / pressed - 1.0).abs() < 1e-9, "{wall} {pressed}");
+}
+
+/// A clump and a block that fall from 4 m above their beds once their wire is let go.
+#[test]
+fn what_lands_has_the_speed_of_its_fall_and_rests_with_its_weight() {
+    let clump = "[points.clump]\nkind = \"free\"\nmass_kg = 2000.0\n";
+    let block = "[points.eye]\nkind = \"body\"\nbody = \"block\"\nposition_m = [0.0, 0.0, 0.0]\n\
+         [bodies.block]\nkind = \"free\"\nposition_m = [0.0, 0.0, -20.0]\nmass_kg = 2000.0\nbottom_m = 1.5\nbed_friction = 0.3\n\
+         inertia_kg_m2 = [2e3, 2e3, 2e3]\n";
+    for (hung, end, name, below) in [(clump, "clump", "clump", 0.0), (block, "eye", "block", 1.5)] {
+        let run = moved(&format!(
+            "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n[seabed]\ndepth_m = 24.0\n\
+             [materials.wire]\nmass_kg_per_m = 10.0\ndiameter_m = 0.03\nea_n = 5e7\naxial_damping_n_s = 1e4\n\
+             [points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n{hung}\
+             [[lines]]\nname = \"wire\"\nfrom = \"{end}\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 20.0\nsegments = 10\nrelease_a_s = 0.5\n\
+             [solver]\nduration_s = 4.0\nerror_estimate = false\n[output]\ninterval_s = 0.05\n"
+        ));
+        let last = |quantity: &str| {
+            let values = channel(&run, &format!("{quantity}[{name}]"));
+            values[values.len() - 1]
+        };
+        let height = channel(&run, &format!("z_m[{name}]"))[0] - below + 24.0;
+        let speed = (2.0 * 10.0 * height).sqrt();
+        let landed = last("landing_speed_m_per_s");
+        assert!(
+            (landed / speed - 1.0).abs() < 1e-2,
+            "{name}: {landed} {speed}"
+        );
+        assert!(
+            (last("bed_force_n") / 2e4 - 1.0).abs() < 1e-3,
+            "{name}: {}",
+            last("bed_force_n")
+        );
+        assert_eq!(
+            channel(&run, &format!("landing_speed_m_per_s[{name}]"))[0],
+            0.0
+        );
+        assert_eq!(channel(&run, &format!("bed_force_n[{name}]"))[0], 0.0);
+        if name == "clump" {
+            let fastest = channel(&run, "speed_m_per_s[clump]").iter().copied();
+            let fastest = fastest.fold(0.0, f64::max);
+            // It falls by half a metre a second in an interval of output.
+            assert!(
+                fastest < 1.01 * speed && fastest > speed - 0.5,
+                "{fastest} {speed}"
+            );
+            assert!(last("speed_m_per_s") < 1e-2, "{}", last("speed_m_per_s"));
+        }
+    }
 }

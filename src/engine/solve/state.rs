@@ -66,6 +66,19 @@ pub struct BodyOnBed {
     pub landing_speed: f64,
 }
 
+impl BodyOnBed {
+    /// Takes in the height of its bottom with its rates after an accepted step. Where it has landed since the last one, it did so at the speed
+    /// that it had there by its acceleration above the bed.
+    pub fn update(&mut self, height: [f64; 3]) {
+        let [above, speed, acceleration] = self.height;
+        if height[0] < 0.0 && above > 0.0 {
+            let landing = (speed * speed - 2.0 * acceleration * above).max(0.0).sqrt();
+            self.landing_speed = self.landing_speed.max(landing);
+        }
+        self.height = height;
+    }
+}
+
 /// Tension history of a segment of rope over the accepted steps.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct RopeHistory {

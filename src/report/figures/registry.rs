@@ -264,11 +264,11 @@ pub const FIGURES: [Figure; 31] = [
     figure(Id::Path, "Path", Space, |d| trajectory(d.runs, d.instant))
         .when(moves).in_report(8),
     figure(Id::Speed, "Speed", Time, |d| against_time(d.runs, Quantity::Speed))
-        .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).in_report(4),
+        .when(|c| c.records(Quantity::Speed)).at_places(Quantity::Speed).also_in_systems(Quantity::Speed).in_report(4),
     figure(Id::Tilt, "Tilt", Time, |d| against_time(d.runs, Quantity::Tilt))
         .when(|c| c.records(Quantity::Tilt)).at_places(Quantity::Tilt).in_report(5),
     figure(Id::BedForce, "Bed force", Time, |d| against_time(d.runs, Quantity::BedForce))
-        .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).in_report(6),
+        .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).also_in_systems(Quantity::BedForce).in_report(6),
     figure(Id::OnBed, "On the bed", Time, |d| against_time(d.runs, Quantity::OnBed))
         .when(|c| c.records(Quantity::OnBed)).at_places(Quantity::OnBed).also_in_systems(Quantity::OnBed),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))

@@ -38,6 +38,8 @@ pub struct Network {
     pub gauge: V3,
     /// Whether the upward pull of the lines on fixed points is recorded in motion.
     pub records_uplift: bool,
+    /// Whether their force on fixed and moved points is.
+    pub records_forces: bool,
     /// Velocity of the wind on bodies \[m/s\].
     pub wind: V3,
     /// Points that lines end at.

@@ -366,24 +366,18 @@ impl BodyContact {
         let height = self.height(body, state);
         let bears = height < 0.0;
         let known = state.memory.bodies.get(number);
-        let landed = known.filter(|h| bears && h.height[0] > 0.0);
-        // From the last step above the bed on with its acceleration.
-        let landing = landed.map_or(0.0, |h| {
-            let [height, speed, acceleration] = h.height;
-            (speed * speed - 2.0 * acceleration * height)
-                .max(0.0)
-                .sqrt()
-        });
-        BodyOnBed {
+        let mut history = BodyOnBed {
             grip: self.grip(number, state),
             stuck: bears || known.is_some_and(|h| h.stuck && height < body.breakout.1),
-            height: [
-                height,
-                normal.dot(&body.motion(&state.v)),
-                normal.dot(&body.motion(&state.a)),
-            ],
-            landing_speed: known.map_or(0.0, |h| h.landing_speed).max(landing),
-        }
+            height: known.map_or([0.0; 3], |h| h.height),
+            landing_speed: known.map_or(0.0, |h| h.landing_speed),
+        };
+        history.update([
+            height,
+            normal.dot(&body.motion(&state.v)),
+            normal.dot(&body.motion(&state.a)),
+        ]);
+        history
     }
 
     /// Elastic stiffness of a body in contact \[N/m\], along or across the bed.

@@ -102,12 +102,17 @@ impl RunRecord {
     /// The places at which a series is recorded.
     pub fn places(&self, series: Series) -> impl Iterator<Item = &str> {
         let quantities = series.quantities();
-        let ids = self
-            .rows
-            .ids
-            .iter()
-            .filter(move |id| quantities.contains(&id.quantity));
-        ids.map(|id| id.place.as_str())
+        let ids = &self.rows.ids;
+        let of = move |id: &&ChannelId| quantities.contains(&id.quantity);
+        // A place that records both quantities of a series counts once.
+        let first = move |id: &&ChannelId| {
+            let there = |other: &&ChannelId| of(other) && other.place == id.place;
+            ids.iter().find(there) == Some(*id)
+        };
+        ids.iter()
+            .filter(of)
+            .filter(first)
+            .map(|id| id.place.as_str())
     }
 
     /// The record of a series at a place; one row stands for itself.

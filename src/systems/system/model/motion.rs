@@ -86,6 +86,8 @@ table! {
         shape_interval_s: f64 = 5.0, "shape interval", range positive(1e6);
         /// Whether the upward pull of the lines on fixed points is recorded, as uplift_n.
         uplift: bool = false, "uplift of anchors";
+        /// Whether the force of the lines on fixed points and on those that are moved is recorded, as force_x_n, force_y_n, force_z_n.
+        forces: bool = false, "forces on held points";
     }
 }
 

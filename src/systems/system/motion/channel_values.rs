@@ -54,6 +54,13 @@ impl<'a> ChannelValues<'a> {
                 self.component(axis, |own| pin_force(system, own.bodies, state, body))
             }
             Source::Uplift(joint) => self.pull(joint).z,
+            Source::Force(joint, axis) => self.component(axis, |own| own.pull(joint)),
+            Source::Speed(joint) => state.joints.v[joint].norm(),
+            Source::BedForce(joint) => system.bed_force(joint, state),
+            Source::Landing(number) => {
+                let landed = state.joints.memory.bodies.get(number);
+                landed.map_or(0.0, |body| body.landing_speed)
+            }
             Source::Rope(..) | Source::Wall(..) => self.in_section(source),
             Source::OnBed(line, second) => {
                 let parts = [Some(line), second].into_iter().flatten();

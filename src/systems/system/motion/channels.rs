@@ -6,6 +6,7 @@ use super::broken_names;
 use super::channel_values::ChannelValues;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
+use super::point_loads::bears;
 use super::system_state::SystemState;
 use crate::case::{ChannelId, ChannelQuantity, DynamicStiffness, Material};
 use crate::system::SolvedSystem;
@@ -29,6 +30,14 @@ pub(super) enum Source {
     Pin(usize, usize),
     /// Upward pull of the lines on a joint.
     Uplift(usize),
+    /// A component of the force of the lines on a joint.
+    Force(usize, usize),
+    /// Speed of a joint.
+    Speed(usize),
+    /// Force of the bed on what bears at a joint.
+    BedForce(usize),
+    /// Greatest speed at which what bears on the bed has landed, by its number among that.
+    Landing(usize),
     /// A quantity of dynamic stiffness at the first or last node of a section of a line, by its number.
     Rope(usize, (usize, bool), ChannelQuantity),
     /// Tension of the wall of a pipe there.
@@ -50,8 +59,8 @@ pub struct Channels {
 }
 
 impl Channels {
-    /// Tensions at both ends of every line, places of the points that move, poses of the bodies that move,
-    /// length on the bed of the lines that may reach it, height of the
+    /// Tensions at both ends of every line, places of the points that move and speeds of those that are free, poses of the bodies that move,
+    /// force of the bed on what bears on it and the speed at which that landed, length on the bed of the lines that may reach it, height of the
     /// waves, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
     /// sections.
     #[must_use]
@@ -74,6 +83,10 @@ impl Channels {
         if system.network.records_uplift {
             channels.uplift(system);
         }
+        if system.network.records_forces {
+            channels.forces(system);
+        }
+        channels.bearing(system);
         channels.on_bed(system);
         if system.network.sea.is_some() {
             let id = ChannelQuantity::WaveElevation.at("gauge");
@@ -112,7 +125,7 @@ impl Channels {
         channels
     }
 
-    /// Places of the points that move.
+    /// Places of the points that move, and speeds of those that are free.
     fn points(&mut self, system: &MovingSystem) {
         for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
             let moves = match system.joints.roles[joint] {
@@ -122,6 +135,10 @@ impl Channels {
             };
             if moves {
                 self.place(&point.name, joint);
+            }
+            if moves && matches!(point.held, Held::Free(_)) {
+                let id = ChannelQuantity::Speed.at(point.name.as_str());
+                self.add(id, Source::Speed(joint));
             }
         }
     }
@@ -140,6 +157,16 @@ impl Channels {
                     self.add(quantity.at(body.name.as_str()), Source::Pin(number, axis));
                 }
             }
+        }
+    }
+
+    /// What bears on the bed: the force of the bed, and how fast it landed.
+    fn bearing(&mut self, system: &MovingSystem) {
+        for (number, (joint, _)) in system.landing().enumerate() {
+            let name = system.name_of_bearing(joint);
+            self.add(ChannelQuantity::BedForce.at(name), Source::BedForce(joint));
+            let landing = ChannelQuantity::LandingSpeed.at(name);
+            self.add(landing, Source::Landing(number));
         }
     }
 
@@ -193,6 +220,16 @@ impl Channels {
             if matches!(point.held, Held::At(_)) && !broken_names::is_between(&point.name) {
                 let id = ChannelQuantity::Uplift.at(point.name.as_str());
                 self.add(id, Source::Uplift(joint));
+            }
+        }
+    }
+
+    fn forces(&mut self, system: &MovingSystem) {
+        for (point, &joint) in system.network.points.iter().zip(&system.joints.points) {
+            if matches!(point.held, Held::At(_)) && !broken_names::is_between(&point.name) {
+                for (axis, quantity) in ChannelQuantity::FORCE.into_iter().enumerate() {
+                    self.add(quantity.at(point.name.as_str()), Source::Force(joint, axis));
+                }
             }
         }
     }
@@ -281,6 +318,15 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     }
     if bodies_move {
         all.extend(ChannelQuantity::ANGLES);
+    }
+    let free = network.free_points().count() > 0;
+    all.extend(free.then_some(ChannelQuantity::Speed));
+    let feet = network
+        .bodies
+        .iter()
+        .any(|body| body.free && body.bottom.is_some());
+    if network.bed.is_some() && (feet || network.free_points().any(bears)) {
+        all.push(ChannelQuantity::BedForce);
     }
     if network.bodies.iter().any(|body| body.pinned) {
         all.extend(ChannelQuantity::PIN_FORCE);

@@ -114,7 +114,7 @@ pub(super) fn let_go(
     system.prescribe(0.0, &mut state);
     set_velocities(&system, &mut state);
     system.follow(&mut state);
-    state.joints.memory.grips = system.anchors(&state.joints);
+    system.begin_contacts(&mut state.joints);
     Ok((system, state))
 }
 

@@ -34,6 +34,7 @@ pub mod inputs;
 pub mod job;
 mod joint_place;
 pub mod joints;
+mod landing;
 mod let_go;
 mod march;
 mod mesh_of_ends;

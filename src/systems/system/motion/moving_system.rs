@@ -527,6 +527,7 @@ impl Marched<SystemState> for MovingSystem {
             state.joints.memory.time = t;
         }
         self.drag_anchors(state);
+        self.note_landings(&mut state.joints);
         turn_bases(self, state);
         body_flow::commit(self, t, state);
     }

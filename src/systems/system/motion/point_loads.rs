@@ -179,6 +179,19 @@ fn springs(point: &FreePoint) -> (f64, f64) {
     (stiffness, damping)
 }
 
+/// Whether a point bears on the bed by itself.
+pub(super) fn bears(point: &FreePoint) -> bool {
+    springs(point).0 > 0.0
+}
+
+/// Normal force of the bed on a point \[N\].
+pub(super) fn normal_force(network: &Network, point: &FreePoint, (x, v): (&V3, &V3)) -> f64 {
+    let bed = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0);
+    bed.map_or(0.0, |bed| {
+        push(bed, point, (x, v)).force * bed.gradient(x).norm()
+    })
+}
+
 /// The load of the bed alone.
 pub(super) fn bed_load(
     network: &Network,

@@ -70,7 +70,7 @@ pub fn start(solved: &SolvedSystem, segment: f64) -> Result<Start, UnsolvedSyste
     let iterations = settle(&system, &mut state).map_err(|error| refused(&system, &error))?;
     system.prescribe(0.0, &mut state);
     system.follow(&mut state);
-    state.joints.memory.grips = system.anchors(&state.joints);
+    system.begin_contacts(&mut state.joints);
     for (payout, force) in holding(&system, &state).into_iter().enumerate() {
         system.payouts[payout].holding = Some(force);
     }

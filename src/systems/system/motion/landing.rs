@@ -1,0 +1,106 @@
+//! What of a system bears on the bed by itself, points with weight or mass and the feet of bodies: how hard the bed pushes it, how fast it landed.
+
+use super::foot::Foot;
+use super::joints::Role;
+use super::moving_system::MovingSystem;
+use super::point_loads::{anchor, bears, normal_force};
+use super::system_state::SystemState;
+use crate::numerics::V3;
+use crate::solve::{BodyOnBed, State};
+use crate::system::bed::Bed;
+use crate::system::network::Held;
+
+impl MovingSystem {
+    /// What bears on the bed by itself, by its joints; nothing without a bed.
+    pub(super) fn landing(&self) -> impl Iterator<Item = (usize, Foot)> {
+        let joints = self.joints.free.clone();
+        joints.filter_map(|joint| Some((joint, self.foot(joint)?)))
+    }
+
+    fn foot(&self, joint: usize) -> Option<Foot> {
+        self.network.bed.as_ref()?;
+        let foot = match self.joints.roles[joint] {
+            Role::Free(number) => match &self.network.points[number].held {
+                Held::Free(point) => Foot {
+                    below: 0.0,
+                    point: *point,
+                },
+                Held::At(_) | Held::On(..) => return None,
+            },
+            Role::Origin(body) if self.network.bodies[body].free => self.feet[body]?,
+            _ => return None,
+        };
+        bears(&foot.point).then_some(foot)
+    }
+
+    /// Name of the point or body of a joint that bears on the bed.
+    pub(super) fn name_of_bearing(&self, joint: usize) -> &str {
+        match self.joints.roles[joint] {
+            Role::Free(number) => &self.network.points[number].name,
+            Role::Origin(body) => &self.network.bodies[body].name,
+            _ => "",
+        }
+    }
+
+    /// Attaches the springs of friction where everything is, and counts its landings from there.
+    pub(super) fn begin_contacts(&self, joints: &mut State) {
+        joints.memory.grips = self.anchors(joints);
+        let Some(bed) = &self.network.bed else {
+            return;
+        };
+        let begun = |(joint, foot): (usize, Foot)| BodyOnBed {
+            grip: anchor(&foot.point, &foot.place(&joints.x[joint])),
+            stuck: false,
+            height: height(bed, &foot, joint, joints),
+            landing_speed: 0.0,
+        };
+        joints.memory.bodies = self.landing().map(begun).collect();
+    }
+
+    /// Takes in where everything is after an accepted step; does not allocate.
+    pub(super) fn note_landings(&self, joints: &mut State) {
+        let Some(bed) = &self.network.bed else {
+            return;
+        };
+        let mut bodies = std::mem::take(&mut joints.memory.bodies);
+        for ((joint, foot), body) in self.landing().zip(&mut bodies) {
+            body.update(height(bed, &foot, joint, joints));
+        }
+        joints.memory.bodies = bodies;
+    }
+
+    /// Normal force of the bed on what bears at a joint \[N\], with that on the ends of lines there.
+    pub(super) fn bed_force(&self, joint: usize, state: &SystemState) -> f64 {
+        let joints = &state.joints;
+        let own = self.foot(joint).map_or(0.0, |foot| {
+            let place = foot.place(&joints.x[joint]);
+            normal_force(&self.network, &foot.point, (&place, &joints.v[joint]))
+        });
+        // Lines are where their joints are.
+        if own == 0.0 || !matches!(self.joints.roles[joint], Role::Free(_)) {
+            return own;
+        }
+        let ends = state.attached.iter().enumerate();
+        let on_line = |(number, ends): (usize, &[usize; 2])| -> f64 {
+            let line = &state.lines[number];
+            let nodes = [0, line.x.len() - 1].into_iter().zip(ends);
+            let there = nodes.filter(|(_, at)| **at == joint);
+            there
+                .map(|(node, _)| self.scene(number, state).bed_force_at(node, line))
+                .sum()
+        };
+        own + ends.map(on_line).sum::<f64>()
+    }
+}
+
+/// Height of a foot above the bed along its normal \[m\], and its rates \[m/s\], \[m/s²\].
+fn height(bed: &Bed, foot: &Foot, joint: usize, joints: &State) -> [f64; 3] {
+    let place: V3 = foot.place(&joints.x[joint]);
+    let gradient = bed.gradient(&place);
+    let (normal, steepness) = (gradient.normalize(), gradient.norm());
+    [
+        bed.height(&place) / steepness,
+        normal.dot(&joints.v[joint]),
+        normal.dot(&joints.a[joint]),
+    ]
+}
