@@ -232,3 +232,42 @@ fn what_lands_has_the_speed_of_its_fall_and_rests_with_its_weight() {
         }
     }
 }
+
+/// A cantilever, clamped level at A, a weight at its tip: `M = P L + w L² / 2`, and that by EI its curvature.
+#[test]
+fn a_clamp_bears_the_moment_of_a_cantilever() {
+    let (ei, length, tip, weight) = (1e6, 10.0, 100.0, 5.0);
+    let rod = "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n\
+         [materials.rod]\nmass_kg_per_m = 0.5\ndiameter_m = 0.05\nea_n = 1e8\nei_n_m2 = 1e6\n";
+    let solver = "[solver]\nduration_s = 1.0\nerror_estimate = false\n[output]\ninterval_s = 0.5\n";
+    let expected = tip * length + 0.5 * weight * length * length;
+    let run = moved(&format!(
+        "{rod}[points.wall]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n\
+         [points.tip]\nkind = \"free\"\nmass_kg = 10.0\nposition_m = [10.0, 0.0, 0.0]\n\
+         [[lines]]\nname = \"rod\"\nfrom = \"wall\"\nto = \"tip\"\nmaterial = \"rod\"\nlength_m = 10.0\nsegments = 20\n\
+         clamp_a_elevation_deg = 0.0\n{solver}"
+    ));
+    let of_system =
+        ["moment_nm[rod|a]", "curvature_per_m[rod|a]"].map(|name| channel(&run, name)[0]);
+    let line = format!(
+        "{rod}[[line]]\nname = \"rod\"\nmaterial = \"rod\"\nlength_m = 10.0\nsegments = 20\n\
+         [ends.a]\nname = \"wall\"\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\nclamp_elevation_deg = 0.0\n\
+         [ends.b]\nname = \"tip\"\nkind = \"payload\"\n[payload]\ndry_mass_kg = 10.0\nvolume_m3 = 0.0\ndrag_area_m2 = 0.0\nadded_mass_kg = 0.0\n{solver}"
+    );
+    let of_line = ["moment_nm[wall]", "curvature_per_m[wall]"].map(|name| of_line(&line, name)[0]);
+    for [moment, curvature] in [of_system, of_line] {
+        assert!(
+            (moment / expected - 1.0).abs() < 0.01,
+            "{moment} {expected}"
+        );
+        assert!(
+            (curvature * ei / expected - 1.0).abs() < 0.01,
+            "{curvature}"
+        );
+    }
+    assert!(
+        (of_system[0] / of_line[0] - 1.0).abs() < 1e-3,
+        "{of_system:?} {of_line:?}"
+    );
+    assert!(run.history.channel("moment_nm[rod|b]").is_none());
+}

@@ -86,6 +86,16 @@ impl Scene {
         (pull, force - pull)
     }
 
+    /// Curvature \[1/m\] and bending moment \[N m\] at end A or B of the line; nothing at a hinge.
+    #[must_use]
+    pub fn bending_at_end(&self, at_b: bool, state: &State) -> (f64, f64) {
+        let node = if at_b { self.line_nodes() - 1 } else { 0 };
+        let flexure = self.elements.flexure.as_ref();
+        flexure.map_or((0.0, 0.0), |flexure| {
+            flexure.bent_at(node, &self.line, state)
+        })
+    }
+
     /// The greatest angle between taut neighbouring segments \[rad\] and its node, without nodes that carry a body: straight segments
     /// approximate a curve only if it is small.
     #[must_use]

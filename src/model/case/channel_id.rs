@@ -86,6 +86,10 @@ channel_quantities! {
     PinForceY: "pin_force_y_n", "N", "force", "Force of the pins, y";
     /// Vertical component of the force of a pin on its body \[N\].
     PinForceZ: "pin_force_z_n", "N", "force", "Force of the pins, z";
+    /// Curvature of a line at a clamped end \[1/m\].
+    Curvature: "curvature_per_m", "1/m", "curvature", "Curvature at the clamps";
+    /// Bending moment of a line there \[N m\].
+    Moment: "moment_nm", "N m", "moment", "Bending moment at the clamps";
     /// Normal force of the sea bed on a body or a loose end \[N\]; negative where suction holds it.
     BedForce: "bed_force_n", "N", "force", "Force of the bed";
     /// Speed normal to the bed at which a body landed, the greatest so far \[m/s\]; 0 before.
@@ -115,6 +119,8 @@ impl ChannelQuantity {
     pub const FORCE: [Self; 3] = [Self::ForceX, Self::ForceY, Self::ForceZ];
     /// Components of the force of a pin, x first.
     pub const PIN_FORCE: [Self; 3] = [Self::PinForceX, Self::PinForceY, Self::PinForceZ];
+    /// Quantities of a line that bends.
+    pub const BENDING: [Self; 2] = [Self::Curvature, Self::Moment];
     /// Quantities of dynamic stiffness.
     pub const ROPE: [Self; 3] = [Self::MeanLoad, Self::LoadDeviation, Self::Stiffness];
     /// Quantities whose extremes checks compare: tension, uplift, force on an end, height.

@@ -75,6 +75,8 @@ pub(crate) struct RecordedSection<'a> {
     pub(crate) dynamic_stiffness: bool,
     /// Whether it is a pipe with a bore.
     pub(crate) bore: bool,
+    /// Whether it has bending stiffness.
+    pub(crate) bends: bool,
 }
 
 /// An end of the line.
@@ -86,6 +88,8 @@ pub(crate) struct RecordedEnd<'a> {
     pub(crate) kind: EndKind,
     /// Whether it is released at some time; it then counts as free.
     pub(crate) released: bool,
+    /// Whether its direction is held.
+    pub(crate) clamped: bool,
 }
 
 impl<'a> RecordedLine<'a> {
@@ -94,6 +98,7 @@ impl<'a> RecordedLine<'a> {
             name: &end.name,
             kind: end.kind,
             released: end.release_s.is_some(),
+            clamped: end.clamp_elevation_deg.is_some(),
         };
         let section = |section: &'a Section| {
             let material = case.materials.get(&section.material);
@@ -102,6 +107,7 @@ impl<'a> RecordedLine<'a> {
                 name: &section.name,
                 dynamic_stiffness: material.is_some_and(is_dynamic),
                 bore: material.is_some_and(|m| m.bore.is_some()),
+                bends: material.is_some_and(|m| m.ei_n_m2 > 0.0),
             }
         };
         Self {
@@ -123,7 +129,8 @@ impl<'a> RecordedLine<'a> {
     /// The channels in their order: tensions at the joints from A to B, position of every end that moves and speed of
     /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
     /// body, position, arc length and tension of the traveller, force on every held end, force of the bed on loose ends
-    /// and bodies and the speed at which these land, length of line on the bed, height of the waves, energy, dynamic stiffness at both ends of every section that has it, tension of the wall at
+    /// and bodies and the speed at which these land, length of line on the bed, height of the waves, energy, curvature and
+    /// bending moment at clamped ends, dynamic stiffness at both ends of every section that has it, tension of the wall at
     /// both ends of every section that is a pipe.
     pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
         let mut list = self.joint_tensions();
@@ -145,6 +152,7 @@ impl<'a> RecordedLine<'a> {
             let energy = [ChannelQuantity::Energy];
             add(&mut list, &energy, "line", ChannelLocation::Line);
         }
+        self.add_bending(&mut list);
         self.add_dynamic_stiffness(&mut list);
         for (index, section) in self.sections.iter().enumerate().filter(|(_, s)| s.bore) {
             let wall = ChannelQuantity::WallTension;
@@ -190,7 +198,7 @@ impl<'a> RecordedLine<'a> {
     fn add_forces(&self, list: &mut Vec<ChannelSpec>) {
         use ChannelQuantity as Q;
         for (end, site) in self.located_ends() {
-            if !matches!(end.kind, EndKind::Payload | EndKind::Free) {
+            if end.kind.is_held() {
                 add(list, &Q::FORCE, end.name, site);
             }
         }
@@ -208,6 +216,16 @@ impl<'a> RecordedLine<'a> {
         for (index, name) in self.bodies.iter().enumerate() {
             let quantities = [Q::BedForce, Q::LandingSpeed];
             add(list, &quantities, name, ChannelLocation::Body(index));
+        }
+    }
+
+    /// Curvature and bending moment at clamped ends of sections that bend.
+    fn add_bending(&self, list: &mut Vec<ChannelSpec>) {
+        let sections = [self.sections.first(), self.sections.last()];
+        for ((end, site), section) in self.located_ends().into_iter().zip(sections) {
+            if end.clamped && end.kind.is_held() && section.is_some_and(|section| section.bends) {
+                add(list, &ChannelQuantity::BENDING, end.name, site);
+            }
         }
     }
 
@@ -239,7 +257,7 @@ impl<'a> RecordedLine<'a> {
 impl RecordedEnd<'_> {
     /// Whether nothing holds it, at least from some time on.
     fn is_loose(&self) -> bool {
-        self.released || matches!(self.kind, EndKind::Payload | EndKind::Free)
+        self.released || !self.kind.is_held()
     }
 }
 

@@ -54,6 +54,8 @@ impl<'a> ChannelReading<'a> {
             Q::ForceZ => self.end_force(site).map(|f| f[2]),
             Q::BedForce => self.bed_force(site),
             Q::LandingSpeed => self.landing_speed(site),
+            Q::Curvature => self.bending(site).map(|(curvature, _)| curvature),
+            Q::Moment => self.bending(site).map(|(_, moment)| moment),
             Q::OnBed => scene.length_on_bed(state),
             Q::WaveElevation => Some(scene.line.elevation(self.time)),
             Q::Energy => {
@@ -130,6 +132,14 @@ impl<'a> ChannelReading<'a> {
             ChannelLocation::Body(body) => Some(scene.bed_force_on_body(body, state)),
             _ => None,
         }
+    }
+
+    /// Curvature \[1/m\] and bending moment \[N m\] at an end.
+    fn bending(&self, site: ChannelLocation) -> Option<(f64, f64)> {
+        let ChannelLocation::End(end) = site else {
+            return None;
+        };
+        Some(self.scene.bending_at_end(end == LineEnd::B, self.state))
     }
 
     fn landing_speed(&self, site: ChannelLocation) -> Option<f64> {

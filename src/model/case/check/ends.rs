@@ -23,10 +23,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
 }
 
 fn is_held(end: &EndKeys<'_>) -> bool {
-    matches!(
-        end.kind.get(),
-        Some(EndKind::Fixed | EndKind::Anchor | EndKind::Moving)
-    )
+    end.kind.get().is_some_and(|kind| kind.is_held())
 }
 
 /// Held ends need a position, moving ends a period; what is not held cannot be let go.

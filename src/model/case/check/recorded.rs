@@ -25,6 +25,7 @@ fn end<'k>(keys: &'k EndKeys<'_>) -> Option<RecordedEnd<'k>> {
         name: keys.name.get()?,
         kind: keys.kind.value()?,
         released: keys.release_s.is_given(),
+        clamped: keys.clamp_elevation_deg.is_given(),
     })
 }
 
@@ -37,10 +38,12 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         // A variant with static stiffness lacks them, but statements about the other variants are no fault.
         let dynamic = material.is_some_and(|(_, keys)| keys.dynamic_stiffness.is_given());
         let bore = material.is_some_and(|(_, keys)| keys.bore.is_some());
+        let stiffness = material.and_then(|(_, keys)| keys.ei_n_m2.value());
         Some(RecordedSection {
             name: section.name.get()?,
             dynamic_stiffness: dynamic,
             bore,
+            bends: stiffness.is_some_and(|stiffness| stiffness > 0.0),
         })
     });
     let sections: Option<Vec<RecordedSection<'_>>> = sections.collect();

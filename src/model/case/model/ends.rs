@@ -130,6 +130,14 @@ words! {
     }
 }
 
+impl EndKind {
+    /// Whether something holds or moves the end.
+    #[must_use]
+    pub const fn is_held(self) -> bool {
+        !matches!(self, Self::Payload | Self::Free)
+    }
+}
+
 table! {
     /// A body at the end of the line; a point, unless it has a rotation.
     #[derive(Debug, Clone, PartialEq)]

@@ -5,6 +5,7 @@ use super::channels::Source;
 use super::moving_system::MovingSystem;
 use super::pins::pin_force;
 use super::system_state::SystemState;
+use crate::case::ChannelQuantity;
 use crate::numerics::V3;
 
 /// A state from which channels are read in their order.
@@ -62,6 +63,16 @@ impl<'a> ChannelValues<'a> {
                 landed.map_or(0.0, |body| body.landing_speed)
             }
             Source::Rope(..) | Source::Wall(..) => self.in_section(source),
+            Source::Bending(line, at_b, quantity) => {
+                let bent = system
+                    .scene(line, state)
+                    .bending_at_end(at_b, &state.lines[line]);
+                if quantity == ChannelQuantity::Moment {
+                    bent.1
+                } else {
+                    bent.0
+                }
+            }
             Source::OnBed(line, second) => {
                 let parts = [Some(line), second].into_iter().flatten();
                 let on_bed =

@@ -40,6 +40,8 @@ pub(super) enum Source {
     Landing(usize),
     /// A quantity of dynamic stiffness at the first or last node of a section of a line, by its number.
     Rope(usize, (usize, bool), ChannelQuantity),
+    /// Curvature or bending moment of a line at its end A or B.
+    Bending(usize, bool, ChannelQuantity),
     /// Tension of the wall of a pipe there.
     Wall(usize, (usize, bool)),
     /// Length of a line on the bed; of one that may break in both of its parts.
@@ -61,7 +63,7 @@ pub struct Channels {
 impl Channels {
     /// Tensions at both ends of every line, places of the points that move and speeds of those that are free, poses of the bodies that move,
     /// force of the bed on what bears on it and the speed at which that landed, length on the bed of the lines that may reach it, height of the
-    /// waves, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
+    /// waves, curvature and bending moment at clamped ends, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
     /// sections.
     #[must_use]
     pub fn of(system: &MovingSystem) -> Self {
@@ -97,6 +99,7 @@ impl Channels {
             channels.add(ChannelQuantity::Length.at(name), Source::Length(number));
         }
         for line in 0..system.network.lines.len() {
+            channels.bending(system, line);
             channels.sections(system, line);
         }
         channels
@@ -185,6 +188,21 @@ impl Channels {
         for meeting in 1..given.sections.len() {
             let id = ChannelQuantity::Tension.at(format!("{}|{meeting}", given.name));
             self.add(id, Source::Between(line, meeting));
+        }
+    }
+
+    /// Curvature and bending moment of a line at its clamped ends.
+    fn bending(&mut self, system: &MovingSystem, line: usize) {
+        for (end, word) in ["a", "b"].into_iter().enumerate() {
+            let name = broken_names::name_of_end(system, line, end);
+            let is_clamped = is_clamped(&system.network.lines[line], end);
+            let Some(name) = name.filter(|_| is_clamped) else {
+                continue;
+            };
+            for quantity in ChannelQuantity::BENDING {
+                let id = quantity.at(format!("{name}|{word}"));
+                self.add(id, Source::Bending(line, end == 1, quantity));
+            }
         }
     }
 
@@ -299,6 +317,21 @@ fn materials(line: &Line) -> impl Iterator<Item = &Material> {
     })
 }
 
+/// Whether a divided line bends at its end A or B, where its direction is held.
+fn is_clamped(line: &Line, end: usize) -> bool {
+    let Some(case) = line.discretised.as_ref().map(|line| line.case()) else {
+        return false;
+    };
+    let clamps = [&case.ends.a, &case.ends.b].map(|end| end.clamp_elevation_deg.is_some());
+    let mut materials = materials(line);
+    let material = if end == 0 {
+        materials.next()
+    } else {
+        materials.last()
+    };
+    clamps[end] && material.is_some_and(|material| material.ei_n_m2 > 0.0)
+}
+
 fn is_dynamic(material: &Material) -> bool {
     material.dynamic_stiffness != DynamicStiffness::None
 }
@@ -340,6 +373,13 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
             .then_some(ChannelQuantity::WaveElevation),
     );
     all.extend((!network.payouts.is_empty()).then_some(ChannelQuantity::Length));
+    let lines = network.lines.iter();
+    if lines
+        .flat_map(|line| [0, 1].map(|end| is_clamped(line, end)))
+        .any(|clamped| clamped)
+    {
+        all.extend(ChannelQuantity::BENDING);
+    }
     let parts = solved.file.lines.iter();
     let parts: Vec<_> = parts
         .flat_map(|line| parts_of(&solved.file, line))
