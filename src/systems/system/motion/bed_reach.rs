@@ -2,7 +2,7 @@
 
 use crate::numerics::V3;
 use crate::system::bed::Bed;
-use crate::system::network::{Held, Line, Network};
+use crate::system::network::{Held, Line, Network, ReleaseCondition};
 
 /// By how much a line may stretch, and what moves may come down, by the depth.
 const STRETCH: f64 = 0.1;
@@ -28,7 +28,7 @@ pub(super) fn may_reach(network: &Network, number: usize) -> bool {
 /// Whether an end of a line is let go at some time, or it is paid out.
 fn changes(network: &Network, number: usize, line: &Line) -> bool {
     let mut paid = network.payouts.iter().flat_map(|payout| &payout.ends);
-    line.releases.iter().any(|release| release.is_given()) || paid.any(|end| end.line == number)
+    line.releases.iter().any(ReleaseCondition::is_given) || paid.any(|end| end.line == number)
 }
 
 /// Height of a point \[m\]; nothing where only lines hold it.
