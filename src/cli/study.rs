@@ -1,30 +1,36 @@
 //! `seacable study`: hard cases against expected results, work against error, error-controlled against constant steps.
 
-use std::{io, process::ExitCode, sync::Mutex};
+use std::{
+    io,
+    process::ExitCode,
+    sync::{Arc, Mutex},
+};
 
 use super::{
     BAD_RESULT, CommandError,
-    cases::{self, NamedCase},
+    cases::{self, EditedFile, NamedCase},
     common_args::{CaseArgs, TableArgs},
     effects, intervals,
     output::{self, FileFormat, OutputFile},
     physics, progress, random_systems,
     signals::StopFlag,
     study_args::{AccuracyArgs, BarsArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    study_page::AT_REST,
     system_study, vary,
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
 use seacable_model::case::Case;
-use seacable_model::kinds::FileBytes;
+use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::run_json as study_json;
 use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
-    speed::{self, SpeedError},
+    speed::{self, SpeedError, Timed},
     tally, varied,
 };
+use seacable_systems::system::{SystemFile, motion::system_in_time::SystemInTime};
 
 /// Columns of the page.
 const WIDTH: usize = 160;
@@ -90,19 +96,53 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
     file.write(&text, FileFormat::Text)
 }
 
+/// A scene in time.
+enum Scene {
+    Line(Case),
+    System(SystemInTime),
+}
+
+/// The scene of a file with what is set on top of it, and its name.
+fn scene_of(args: &CaseArgs) -> Result<(String, Scene), CommandError> {
+    let file = FileBytes::read(&args.file);
+    let name = file.path().display().to_string();
+    if file.kind() != FileType::System {
+        let loaded = cases::load_set(file, &args.set)?;
+        return Ok((loaded.name, Scene::Line(loaded.case)));
+    }
+    let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
+    let Some(motion) = file.content().solver.clone() else {
+        return Err(CommandError::Usage(format!("{name}: {AT_REST}")));
+    };
+    let solved = file.compute()?.computed;
+    let system = SystemInTime::new(Arc::new(solved), motion);
+    Ok((name, Scene::System(system)))
+}
+
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
-    let (name, case) = case_of(&args.case)?;
+    match scene_of(&args.case)? {
+        (name, Scene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &case),
+        (name, Scene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
+    }
+}
+
+fn speed_of_scene<C: Timed>(
+    args: &SpeedArgs,
+    file: Option<&OutputFile<'_>>,
+    name: &str,
+    case: &C,
+) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let usage = |why: SpeedError| CommandError::Usage(format!("{name}: {why}."));
-    let plan = speed::plan(&case).map_err(usage)?;
+    let plan = speed::plan(case).map_err(usage)?;
     let mut line = progress::ProgressLine::new();
     let mut report_progress = |begun: usize, of: usize, what: &str| {
         line.show(&format!("{begun} of {of}: {what}"));
     };
     let study = match speed::compute(
-        &case,
+        case,
         plan,
         args.repeats,
         stop.cancel(),
@@ -113,18 +153,12 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     };
     drop(line);
     let table = speed::table(&study);
-    write_csv(&table, file.as_ref())?;
+    write_csv(&table, file)?;
     let glyphs = output::glyphs(args.table.ascii);
     let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
     let mesh = speed::mesh_table(&study).to_text(WIDTH);
     print(&table, &format!("\n{chart}\n{mesh}"), "speed", &args.table)?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// The case of a file with what is set on top of it, and its name.
-fn case_of(args: &CaseArgs) -> Result<(String, Case), CommandError> {
-    let loaded = cases::load_set(FileBytes::read(&args.file), &args.set)?;
-    Ok((loaded.name, loaded.case))
 }
 
 /// How a study ends that did not come to its end: stopped by a signal, or in failure.
@@ -137,19 +171,30 @@ fn stopped(stop: &StopFlag, failure: CommandError) -> Result<ExitCode, CommandEr
 fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
-    let (name, case) = case_of(&args.case)?;
+    match scene_of(&args.case)? {
+        (name, Scene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &case),
+        (name, Scene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
+    }
+}
+
+fn steps_of_scene<C: Timed>(
+    args: &StepsArgs,
+    file: Option<&OutputFile<'_>>,
+    name: &str,
+    case: &C,
+) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     let mut line = progress::ProgressLine::new();
     let mut report_progress = |begun: usize, of: usize, what: &str| {
         line.show(&format!("{begun} of {of}: {what}"));
     };
-    let rows = match speed::compare(&case, args.variants, stop.cancel(), &mut report_progress) {
+    let rows = match speed::compare(case, args.variants, stop.cancel(), &mut report_progress) {
         Ok(rows) => rows,
         Err(why) => return stopped(&stop, CommandError::Usage(format!("{name}: {why}."))),
     };
     drop(line);
     let table = speed::comparison_table(&rows, args.variants);
-    write_csv(&table, file.as_ref())?;
+    write_csv(&table, file)?;
     print(&table, "", "steps", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -20,6 +20,10 @@ use seacable_studies::study::points::{BaseCase, PointProgress};
 use seacable_studies::study::sweep::SweepResults;
 use seacable_systems::system::SystemFile;
 
+/// What is said of a system at rest.
+pub(super) const AT_REST: &str =
+    "this study is of a run in time: add a table `[solver]` with its `duration_s`.";
+
 /// Rows of a chart, and its columns at most.
 const CHART: (usize, usize) = (18, 100);
 
@@ -58,8 +62,7 @@ fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subje
     let path = file.path().display().to_string();
     let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
     if file.content().solver.is_none() {
-        let what = "This study is of a run in time: add a table `[solver]` with its `duration_s`.";
-        return Err(CommandError::Usage(what.to_owned()));
+        return Err(CommandError::Usage(format!("{path}: {AT_REST}")));
     }
     let text = file.whole_text();
     let solved = file.compute()?.computed;

@@ -192,9 +192,14 @@ const FEATURES: &[Feature] = &[
         has: [Yes, Yes, Yes, Yes],
     },
     Feature {
+        name: "study of speed against error",
+        tried: |trial| trial.studies(&["speed", "--repeats", "1", "--set", "solver.duration_s=1"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
         name: "study of steps",
-        tried: |trial| trial.studies(&["steps"]),
-        has: [Yes, No, No, No],
+        tried: |trial| trial.studies(&["steps", "--variants", "1", "--set", "solver.duration_s=1"]),
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "study of effects left out",

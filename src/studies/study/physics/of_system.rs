@@ -173,9 +173,9 @@ fn without_body_added_mass(system: &mut SystemFile) {
 
 fn without_friction(system: &mut SystemFile) {
     let bed = system.seabed.iter_mut();
-    bed.for_each(|bed| bed.friction = 0.0);
+    bed.for_each(|bed| (bed.friction, bed.friction_lateral) = (0.0, None));
     for line in &mut system.lines {
-        line.friction = line.friction.map(|_| 0.0);
+        (line.friction, line.friction_lateral) = (line.friction.map(|_| 0.0), None);
     }
     for point in system.points.values_mut() {
         point.bed_friction = 0.0;

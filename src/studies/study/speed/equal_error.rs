@@ -8,13 +8,12 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{
-    Runner, STEPS, SpeedError, SpeedSetting, TOLERANCES, error, longest_step, plan, rounded, with,
+    Runner, STEPS, SpeedError, SpeedSetting, Steps, TOLERANCES, TimeMethod, Timed, error, plan,
+    rounded, setting,
 };
-use crate::case::{Case, Method};
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
 use crate::numerics::statistics::median;
-use crate::scene;
 use crate::table::{Align, NumberFormat, Table};
 
 /// Spectral radii at which steps are measured.
@@ -62,8 +61,8 @@ type Curve = Vec<MedianPoint>;
 ///
 /// # Errors
 /// As [`super::compute`].
-pub fn compare(
-    case: &Case,
+pub fn compare<C: Timed>(
+    case: &C,
     variants: usize,
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(usize, usize, &str),
@@ -78,10 +77,12 @@ pub fn compare(
     };
     let mut points = vec![Vec::new(); settings.len()];
     for number in 0..variants {
-        let exact = varied(exact.clone(), number);
-        let reference = runner.reference(&exact, format!("variant {number}"))?;
+        let varied = case.heavier(gravity(number)).map_err(SpeedError::Scene)?;
+        let of = |setting: &SpeedSetting<C>| varied.stepped(setting.steps);
+        let name = format!("variant {number}");
+        let reference = runner.reference(&of(&exact), &exact.name, name)?;
         for (setting, points) in settings.iter().zip(&mut points) {
-            let run = runner.run(&varied(setting.clone(), number), 1)?;
+            let run = runner.run(&of(setting), &setting.name, 1)?;
             // What failed is no point of its median.
             if let Some(errors) = error::errors(&run, &reference) {
                 points.push((run.info.work.iterations as f64, errors));
@@ -93,50 +94,40 @@ pub fn compare(
 }
 
 /// Varying and constant steps at every radius, the coarsest setting first.
-fn settings(case: &Case) -> Result<Vec<SpeedSetting>, SpeedError> {
-    if case.solver.method == Method::Static {
-        return Err(SpeedError::Static);
-    }
-    let scene = scene::build(case, 1).map_err(|e| SpeedError::Scene(e.to_string()))?;
-    let longest = longest_step(case, &scene);
-    let mut settings = Vec::new();
-    for rho in RADII {
-        let mut push = |step: Option<f64>, tolerance: f64, setting: String| {
-            let mut case = with(case, Method::Alpha, step);
-            case.solver.rho_inf = rho;
-            case.solver.step_tolerance = tolerance;
-            settings.push(SpeedSetting {
-                solver: format!("rho {rho}"),
-                setting,
-                case,
-            });
+fn settings<C: Timed>(case: &C) -> Result<Vec<SpeedSetting<C>>, SpeedError> {
+    let own = case.steps().ok_or(SpeedError::Static)?;
+    let longest = case.bounds().map_err(SpeedError::Scene)?.longest;
+    let of_radius = |rho: f64| {
+        let of = |length: Option<f64>, tolerance: f64, name: String| {
+            let steps = Steps {
+                method: TimeMethod::Alpha,
+                length,
+                tolerance,
+                rho,
+            };
+            setting(case, &format!("rho {rho}"), name, steps)
         };
-        for share in TOLERANCES {
-            let tolerance = rounded(case.solver.step_tolerance * share);
-            push(None, tolerance, format!("tolerance {tolerance:.1e}"));
-        }
-        for share in STEPS {
+        let vary = TOLERANCES.map(|share| {
+            let tolerance = rounded(own.tolerance * share);
+            of(None, tolerance, format!("tolerance {tolerance:.1e}"))
+        });
+        let constant = STEPS.map(|share| {
             let step = rounded(longest * share);
-            push(
-                Some(step),
-                case.solver.step_tolerance,
-                format!("step {step:.2e} s"),
-            );
-        }
-    }
-    Ok(settings)
+            of(Some(step), own.tolerance, format!("step {step:.2e} s"))
+        });
+        vary.into_iter().chain(constant)
+    };
+    Ok(RADII.into_iter().flat_map(of_radius).collect())
 }
 
-/// A setting for the variant of this number: gravity as it is, a little more, a little less, a little more than that ...
-fn varied(mut setting: SpeedSetting, number: usize) -> SpeedSetting {
+/// Gravity of the variant of this number by that of the case: as it is, a little more, a little less, more than that ...
+fn gravity(number: usize) -> f64 {
     let away = number.div_ceil(2) as f64 * APART;
-    let away = if number.is_multiple_of(2) {
-        -away
+    if number.is_multiple_of(2) {
+        1.0 - away
     } else {
-        away
-    };
-    setting.case.environment.gravity_m_per_s2 *= 1.0 + away;
-    setting
+        1.0 + away
+    }
 }
 
 fn median_of(points: &[(f64, error::Errors)]) -> Option<MedianPoint> {
@@ -149,16 +140,18 @@ fn median_of(points: &[(f64, error::Errors)]) -> Option<MedianPoint> {
 }
 
 /// Every point of varying steps, beside the cheapest constant ones.
-fn comparisons(settings: &[SpeedSetting], medians: &[Option<MedianPoint>]) -> Vec<WorkComparison> {
+fn comparisons<C>(
+    settings: &[SpeedSetting<C>],
+    medians: &[Option<MedianPoint>],
+) -> Vec<WorkComparison> {
     let constant = |rho: f64| -> Curve {
         let all = settings.iter().zip(medians);
-        let of = all
-            .filter(|(s, _)| s.case.solver.rho_inf == rho && s.case.solver.time_step_s.is_some());
+        let of = all.filter(|(s, _)| s.steps.rho == rho && s.steps.length.is_some());
         of.filter_map(|(_, median)| *median).collect()
     };
     let curves = RADII.map(constant);
     let vary = settings.iter().zip(medians);
-    let vary = vary.filter(|(s, _)| s.case.solver.time_step_s.is_none());
+    let vary = vary.filter(|(s, _)| s.steps.length.is_none());
     vary.filter_map(|(setting, median)| {
         let median = (*median)?;
         let cheapest = |which: usize| {
@@ -167,8 +160,8 @@ fn comparisons(settings: &[SpeedSetting], medians: &[Option<MedianPoint>]) -> Ve
             works.reduce(f64::min)
         };
         Some(WorkComparison {
-            rho: setting.case.solver.rho_inf,
-            tolerance: setting.case.solver.step_tolerance,
+            rho: setting.steps.rho,
+            tolerance: setting.steps.tolerance,
             median,
             constant: [cheapest(0), cheapest(1)],
         })

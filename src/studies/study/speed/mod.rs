@@ -7,48 +7,57 @@
 
 mod equal_error;
 mod error;
+mod timed;
 mod view;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use equal_error::{MedianPoint, WorkComparison, compare, comparison_table};
 pub use error::Errors;
+pub use timed::{StepBounds, Steps, TimeMethod, Timed};
 pub use view::{chart, mesh_table, table};
 
-use crate::case::{Case, Method};
 use crate::run::job::{self, Request};
 use crate::run::{Quantity, Run, RunState};
-use crate::scene;
 
 /// What is to be measured.
 #[derive(Debug, Clone)]
-pub struct SpeedPlan {
+pub struct SpeedPlan<C> {
     /// The points, method by method, the coarsest setting first.
-    pub points: Vec<SpeedSetting>,
+    pub points: Vec<SpeedSetting<C>>,
     /// The reference.
-    pub reference: SpeedSetting,
+    pub reference: SpeedSetting<C>,
     /// The same in steps of twice its length, for the error of the reference.
-    pub coarser: SpeedSetting,
+    pub coarser: SpeedSetting<C>,
     /// What was left out and why, in words.
     pub left_out: Vec<String>,
 }
 
-/// A method at one setting.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SpeedSetting {
+/// A method at one setting, by name.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SettingName {
     /// The curve it is a point of: `alpha, steps vary`.
     pub solver: String,
     /// What sets its accuracy: `tolerance 2e-5`.
     pub setting: String,
-    /// The case computed so, without companion runs.
-    pub case: Case,
+}
+
+/// A method at one setting.
+#[derive(Debug, Clone)]
+pub struct SpeedSetting<C> {
+    /// Its name.
+    pub name: SettingName,
+    /// Its steps.
+    pub steps: Steps,
+    /// The scene computed so, without companion runs.
+    pub case: C,
 }
 
 /// A point of the table.
 #[derive(Debug, Clone)]
 pub struct SpeedPoint {
     /// What was computed.
-    pub setting: SpeedSetting,
+    pub setting: SettingName,
     /// The run, the cheapest of its repeats.
     pub run: Run,
     /// Its errors against the reference; absent where it failed.
@@ -104,78 +113,111 @@ const STEPS: [f64; 5] = [1.0, 0.5, 0.25, 0.125, 0.0625];
 /// Shares of the stability limit at which RK4 is measured.
 const EXPLICIT: [f64; 2] = [0.9, 0.45];
 
-/// The points for a case, and the reference: RK4 at a sixteenth of its limit, or, where that would take too long,
+/// The points for a scene, and the reference: RK4 at a sixteenth of its limit, or, where that would take too long,
 /// generalized-alpha in constant steps, 64 to the longest, without numerical damping to speak of.
 ///
 /// # Errors
 /// [`SpeedError`] where the case is static or no line can be built from it.
-pub fn plan(case: &Case) -> Result<SpeedPlan, SpeedError> {
-    if case.solver.method == Method::Static {
-        return Err(SpeedError::Static);
-    }
-    let scene = scene::build(case, 1).map_err(|e| SpeedError::Scene(e.to_string()))?;
-    let limit = scene.explicit_limit().0;
-    let longest = longest_step(case, &scene);
-    let mut points = Vec::new();
-    for share in TOLERANCES {
-        let tolerance = rounded(case.solver.step_tolerance * share);
-        let mut case = with(case, Method::Alpha, None);
-        case.solver.step_tolerance = tolerance;
-        points.push(SpeedSetting {
-            solver: "alpha, steps vary".to_owned(),
-            setting: format!("tolerance {tolerance:.1e}"),
-            case,
-        });
-    }
-    let constant = |solver: &str, method, step: f64| SpeedSetting {
-        solver: solver.to_owned(),
-        setting: format!("step {step:.2e} s"),
-        case: with(case, method, Some(step)),
+pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
+    let own = case.steps().ok_or(SpeedError::Static)?;
+    let bounds = case.bounds().map_err(SpeedError::Scene)?;
+    let by_tolerance = TOLERANCES.map(|share| {
+        let tolerance = rounded(own.tolerance * share);
+        let steps = Steps {
+            method: TimeMethod::Alpha,
+            length: None,
+            tolerance,
+            ..own
+        };
+        let name = format!("tolerance {tolerance:.1e}");
+        setting(case, "alpha, steps vary", name, steps)
+    });
+    let constant = |method, step: f64| {
+        let steps = Steps {
+            method,
+            length: Some(step),
+            ..own
+        };
+        let solver = match method {
+            TimeMethod::Alpha => "alpha",
+            TimeMethod::Rk4 => "rk4",
+        };
+        setting(case, solver, format!("step {step:.2e} s"), steps)
     };
-    points.extend(STEPS.map(|share| constant("alpha", Method::Alpha, rounded(longest * share))));
-    let evaluations =
-        |step: f64| 4.0 * case.solver.duration_s / step * scene.line.mass.len() as f64;
+    let longest = bounds.longest;
+    let implicit = STEPS.map(|share| constant(TimeMethod::Alpha, rounded(longest * share)));
+    let explicit = EXPLICIT.map(|share| rounded(bounds.explicit * share));
+    let evaluations = |step: f64| 4.0 * case.duration_s() / step * bounds.nodes as f64;
+    let affordable = |step: &f64| step.is_finite() && evaluations(*step) <= DEAREST;
+    let (fine, method) = match rounded(bounds.explicit / 16.0) {
+        step if affordable(&step) => (step, TimeMethod::Rk4),
+        _ => (rounded(longest / 64.0), TimeMethod::Alpha),
+    };
+    let dearest = evaluations(bounds.explicit / 16.0) / bounds.nodes.max(1) as f64;
+    let affordable: Vec<f64> = explicit.into_iter().filter(affordable).collect();
+    let left_out = left_out(&bounds, method, dearest, affordable.len() == EXPLICIT.len());
+    let explicit = affordable
+        .iter()
+        .map(|step| constant(TimeMethod::Rk4, *step));
+    Ok(SpeedPlan {
+        points: by_tolerance
+            .into_iter()
+            .chain(implicit)
+            .chain(explicit)
+            .collect(),
+        reference: constant(method, fine),
+        coarser: constant(method, 2.0 * fine),
+        left_out,
+    })
+}
+
+/// What a plan leaves out, and why: with the method of its reference, the evaluations of the force at a node that RK4 would take as one, and
+/// whether all explicit steps are measured.
+fn left_out(
+    bounds: &StepBounds,
+    reference: TimeMethod,
+    dearest: f64,
+    has_explicit: bool,
+) -> Vec<String> {
     let mut left_out = vec![
         "quasi: it leaves inertia out, so that its distance is one of models and not of time steps"
             .to_owned(),
     ];
-    let affordable = |step: &f64| evaluations(*step) <= DEAREST;
-    let explicit = EXPLICIT.map(|share| rounded(limit * share));
-    let (fine, solver, method) = match rounded(limit / 16.0) {
-        step if affordable(&step) => (step, "rk4", Method::Rk4),
-        _ => (rounded(longest / 64.0), "alpha", Method::Alpha),
-    };
-    if method != Method::Rk4 {
+    let limit = bounds.explicit;
+    if limit.is_infinite() {
+        left_out.push("rk4: there is no line whose segments bind its steps".to_owned());
+        return left_out;
+    }
+    if reference != TimeMethod::Rk4 {
         left_out.push(format!(
-            "rk4 as reference: stable steps are {limit:.1e} s, which would take {:.0e} evaluations of the force; the \
-             reference is alpha itself in steps much finer",
-            evaluations(limit / 16.0) / scene.line.mass.len() as f64
+            "rk4 as reference: stable steps are {limit:.1e} s, which would take {dearest:.0e} evaluations of the force; the \
+             reference is alpha itself in steps much finer"
         ));
     }
-    points.extend(
-        explicit
-            .iter()
-            .filter(|step| affordable(step))
-            .map(|step| constant("rk4", Method::Rk4, *step)),
-    );
-    if !explicit.iter().all(affordable) {
+    if !has_explicit {
         left_out.push("rk4: its stable steps are too many to wait for".to_owned());
     }
-    Ok(SpeedPlan {
-        points,
-        reference: constant(solver, method, fine),
-        coarser: constant(solver, method, 2.0 * fine),
-        left_out,
-    })
+    left_out
+}
+
+fn setting<C: Timed>(case: &C, solver: &str, setting: String, steps: Steps) -> SpeedSetting<C> {
+    SpeedSetting {
+        name: SettingName {
+            solver: solver.to_owned(),
+            setting,
+        },
+        steps,
+        case: case.stepped(steps),
+    }
 }
 
 /// Computes a plan, reporting each run before it begins: its number, how many there are, its name.
 ///
 /// # Errors
 /// [`SpeedError`] where the reference fails or the user stops it.
-pub fn compute(
-    case: &Case,
-    plan: SpeedPlan,
+pub fn compute<C: Timed>(
+    case: &C,
+    plan: SpeedPlan<C>,
     repeats: usize,
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(usize, usize, &str),
@@ -186,31 +228,29 @@ pub fn compute(
         cancel,
         progress,
     };
-    let reference = runner.reference(&plan.reference, plan.reference.name())?;
+    let (fine, coarser) = (&plan.reference, &plan.coarser);
+    let reference = runner.reference(&fine.case, &fine.name, fine.name.to_string())?;
     // The whole difference to twice the step: no order is presumed where forces may jump.
-    let own = error::errors(&runner.run(&plan.coarser, 1)?, &reference);
+    let own = error::errors(&runner.run(&coarser.case, &coarser.name, 1)?, &reference);
     let mut points = Vec::with_capacity(plan.points.len());
-    for setting in plan.points {
-        let run = runner.run(&setting, repeats)?;
+    for SpeedSetting { name, case, .. } in plan.points {
+        let run = runner.run(&case, &name, repeats)?;
         let errors = error::errors(&run, &reference);
         points.push(SpeedPoint {
-            setting,
+            setting: name,
             run,
             errors,
         });
     }
-    let mut estimated = case.clone();
-    estimated.solver.error_estimate = true;
-    let unchanged = SpeedSetting {
+    let unchanged = SettingName {
         solver: "as the case stands".to_owned(),
         setting: "and with half the segments".to_owned(),
-        case: estimated,
     };
-    let mesh = runner.run(&unchanged, 1)?.summary;
+    let mesh = runner.run(&case.with_companions(), &unchanged, 1)?.summary;
     Ok(SpeedStudy {
         points,
         reference: SpeedPoint {
-            setting: plan.reference,
+            setting: plan.reference.name,
             run: reference,
             errors: own,
         },
@@ -219,10 +259,9 @@ pub fn compute(
     })
 }
 
-impl SpeedSetting {
-    /// Curve and setting.
-    fn name(&self) -> String {
-        format!("{}, {}", self.solver, self.setting)
+impl std::fmt::Display for SettingName {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}, {}", self.solver, self.setting)
     }
 }
 
@@ -237,10 +276,15 @@ struct Runner<'a> {
 
 impl Runner<'_> {
     /// The run of a setting, the cheapest of several.
-    fn run(&mut self, setting: &SpeedSetting, repeats: usize) -> Result<Run, SpeedError> {
+    fn run<C: Timed>(
+        &mut self,
+        case: &C,
+        name: &SettingName,
+        repeats: usize,
+    ) -> Result<Run, SpeedError> {
         self.begun += 1;
-        (self.progress)(self.begun, self.total, &setting.name());
-        let run = cheapest(&setting.case, repeats, self.cancel);
+        (self.progress)(self.begun, self.total, &name.to_string());
+        let run = cheapest(case, repeats, self.cancel);
         let stopped = self.cancel.load(Ordering::Relaxed);
         if stopped {
             Err(SpeedError::Stopped)
@@ -250,25 +294,21 @@ impl Runner<'_> {
     }
 
     /// A run that others are held against, by its name in an error.
-    fn reference(&mut self, setting: &SpeedSetting, name: String) -> Result<Run, SpeedError> {
-        let run = self.run(setting, 1)?;
+    fn reference<C: Timed>(
+        &mut self,
+        case: &C,
+        name: &SettingName,
+        in_error: String,
+    ) -> Result<Run, SpeedError> {
+        let run = self.run(case, name, 1)?;
         if run.info.state == RunState::Done {
             return Ok(run);
         }
         Err(SpeedError::Reference {
-            setting: name,
+            setting: in_error,
             why: run.info.failure.unwrap_or_default(),
         })
     }
-}
-
-/// The longest step that suits the case \[s\]: its own, or the one chosen for it.
-fn longest_step(case: &Case, scene: &scene::Scene) -> f64 {
-    let open = with(case, Method::Alpha, None);
-    let chosen = crate::run::settings::settings(&open, scene).time_step_s;
-    case.solver
-        .time_step_s
-        .map_or(chosen, |step| step.max(chosen))
 }
 
 /// To two digits, so that a setting is what its name says.
@@ -276,16 +316,8 @@ fn rounded(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
-fn with(case: &Case, method: Method, step: Option<f64>) -> Case {
-    let mut case = case.clone();
-    case.solver.method = method;
-    case.solver.time_step_s = step;
-    case.solver.error_estimate = false;
-    case
-}
-
 /// A run of the case, the one of several that took the least CPU time.
-fn cheapest(case: &Case, repeats: usize, cancel: &AtomicBool) -> Run {
+fn cheapest<C: Timed>(case: &C, repeats: usize, cancel: &AtomicBool) -> Run {
     let request = Request {
         case: case.clone(),
         text: String::new(),

@@ -20,6 +20,7 @@ use crate::run::computation::Computation;
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
 use crate::run::refinable::Refinable;
+use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::rest::UnsolvedSystem;
@@ -45,6 +46,33 @@ impl SystemInTime {
             motion,
             begun: Arc::default(),
         }
+    }
+
+    /// The same system, computed otherwise in time.
+    #[must_use]
+    pub fn with(&self, motion: MotionInputs) -> Self {
+        Self {
+            motion,
+            ..self.clone()
+        }
+    }
+
+    /// The stability limit of explicit steps, where lines have one, the longest step chosen for generalized-alpha \[s\], and the number of
+    /// nodes.
+    ///
+    /// # Errors
+    /// Where the divided lines do not come to rest.
+    pub fn step_bounds(&self) -> Result<(Option<f64>, f64, usize), String> {
+        let begun = self.begun().map_err(|why| in_words(&why))?;
+        let open = MotionInputs {
+            method: MotionMethod::Alpha,
+            time_step_s: None,
+            ..self.motion.clone()
+        };
+        let limit = MotionSettings::step_lengths(&open, &begun.system).map(|steps| steps.limit);
+        let chosen = MotionSettings::new(&open, 1.0, &begun.system).time_step_s;
+        let nodes = begun.system.scenes.iter().map(Scene::line_nodes).sum();
+        Ok((limit, chosen, nodes))
     }
 
     /// What it begins with.
@@ -103,13 +131,7 @@ impl Computation for SystemInTime {
         // What does not begin fails with its reason later.
         let begun = self.begun().ok()?;
         let (motion, why) = chosen(&self.motion, begun, from, cancel)?;
-        Some((
-            Self {
-                motion,
-                ..self.clone()
-            },
-            Some(why),
-        ))
+        Some((self.with(motion), Some(why)))
     }
 
     fn compute(
