@@ -288,7 +288,16 @@ pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandEr
 /// The line cases named; without names, those below `cases` here, or else those that come with the program. Of these the hard
 /// ones are left out, whose answers converge only where their trials say so.
 pub(super) fn of_lines(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError> {
-    let mut cases = named(paths)?.lines;
+    let ValidationFiles { lines, others } = named(paths)?;
+    let is_named = |file: &&OtherFile| paths.iter().any(|path| *path == Path::new(&file.name));
+    if let Some(file) = others.iter().find(is_named) {
+        return Err(CommandError::Usage(format!(
+            "This study takes cases of lines; {} is {}.",
+            visible::path(Path::new(&file.name)),
+            file.kind.description().0
+        )));
+    }
+    let mut cases = lines;
     if paths.is_empty() {
         cases.retain(|loaded| loaded.case.trial.is_empty());
     }

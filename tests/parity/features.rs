@@ -90,6 +90,10 @@ const FAST: &[&str] = &["--set", "solver.error_estimate=false"];
 /// A line has no bending stiffness in files of this scene.
 const NO_STIFFNESS: Has = Never("its file has no bending stiffness");
 
+/// What that file cannot say of the body here.
+const NO_BUOYANCY: Has =
+    Never("a file of MoorDyn has no centre of buoyancy apart from that of gravity");
+
 const FEATURES: &[Feature] = &[
     Feature {
         name: "a profile of every line, with envelopes",
@@ -190,6 +194,33 @@ const FEATURES: &[Feature] = &[
             })
         },
         has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "length of line on the bed over time",
+        tried: |trial| trial.run(FAST).is_some() && trial.summary().contains("on_bed_m["),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "exported to a file of MoorDyn",
+        tried: |trial| {
+            let (scene, to) = (
+                trial.scene.display().to_string(),
+                trial.path("exported.txt"),
+            );
+            let words = ["export", "--moordyn", &scene, "-o", &to];
+            trial.command(&words).status.success()
+        },
+        has: [No, Yes, NO_BUOYANCY, Yes],
+    },
+    Feature {
+        name: "error bars held against converged runs",
+        tried: |trial| trial.studies(&["bars"]),
+        has: [Yes, No, No, No],
+    },
+    Feature {
+        name: "accuracies held against converged runs",
+        tried: |trial| trial.studies(&["accuracy", "--accuracy", "0.05", "--budget", "5s"]),
+        has: [Yes, No, No, No],
     },
     Feature {
         name: "study of speed against error",

@@ -15,7 +15,7 @@ fn pendulum() -> Case {
     case
 }
 
-fn computed(case: &Case, plan: SpeedPlan) -> SpeedStudy {
+fn computed(case: &Case, plan: SpeedPlan<Case>) -> SpeedStudy {
     let mut reported = Vec::new();
     let mut tell =
         |begun: usize, of: usize, what: &str| reported.push(format!("{begun} {of} {what}"));
