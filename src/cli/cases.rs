@@ -304,6 +304,21 @@ pub(super) fn of_lines(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError
     Ok(cases)
 }
 
+/// The line cases among files that are named.
+pub(super) fn lines_among(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError> {
+    named(paths).map(|files| files.lines)
+}
+
+/// The systems among files that are named; none without names.
+pub(super) fn systems(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CommandError> {
+    if paths.is_empty() {
+        return Ok(Vec::new());
+    }
+    let others = named(paths)?.others.into_iter();
+    let systems = others.filter(|file| file.kind == FileType::System);
+    Ok(systems.map(|file| PathBuf::from(file.name)).collect())
+}
+
 fn shipped() -> Result<ValidationFiles, CommandError> {
     let mut named = ValidationFiles::default();
     for (kind, files) in shipped::BY_KIND {

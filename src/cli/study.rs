@@ -20,6 +20,7 @@ use super::{
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
+use seacable_foreign::import::ImportOptions;
 use seacable_model::case::Case;
 use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::run_json as study_json;
@@ -110,13 +111,23 @@ fn scene_of(args: &CaseArgs) -> Result<(String, Scene), CommandError> {
         let loaded = cases::load_set(file, &args.set)?;
         return Ok((loaded.name, Scene::Line(loaded.case)));
     }
-    let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
+    let system = system_of(file, &args.set, &args.import.options())?;
+    let at_rest = || CommandError::Usage(format!("{name}: {AT_REST}"));
+    Ok((name.clone(), Scene::System(system.ok_or_else(at_rest)?)))
+}
+
+/// The system of a file in time; nothing of one at rest.
+fn system_of(
+    file: FileBytes,
+    set: &[String],
+    options: &ImportOptions,
+) -> Result<Option<SystemInTime>, CommandError> {
+    let file = EditedFile::<SystemFile>::read(file, set, options)?;
     let Some(motion) = file.content().solver.clone() else {
-        return Err(CommandError::Usage(format!("{name}: {AT_REST}")));
+        return Ok(None);
     };
     let solved = file.compute()?.computed;
-    let system = SystemInTime::new(Arc::new(solved), motion);
-    Ok((name, Scene::System(system)))
+    Ok(Some(SystemInTime::new(Arc::new(solved), motion)))
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
@@ -203,15 +214,27 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     let (varied, seed, by_result) = (args.varied, args.seed, args.results);
     let args = &args.cases;
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let cases = cases::of_lines(&args.cases)?;
+    let systems = if varied.is_some() {
+        Vec::new()
+    } else {
+        cases::systems(&args.cases)?
+    };
+    let cases = match systems.is_empty() {
+        true => cases::of_lines(&args.cases)?,
+        false => cases::lines_among(&args.cases)?,
+    };
     let stop = StopFlag::listen()?;
-    let settings: Vec<BarSetting> = cases
-        .iter()
-        .flat_map(|named| match varied {
-            Some(count) => varied::settings(&named.name, &named.case, seed, count),
-            None => bars::settings(&named.name, &named.case),
-        })
-        .collect();
+    let of_line = |named: &NamedCase| match varied {
+        Some(count) => varied::settings(&named.name, &named.case, seed, count),
+        None => bars::settings(&named.name, &named.case),
+    };
+    let mut settings: Vec<BarSetting> = cases.iter().flat_map(of_line).collect();
+    for path in &systems {
+        let system = system_of(FileBytes::read(path), &[], &ImportOptions::default())?;
+        let name = path.display().to_string();
+        let of_system = |system| bars::settings(&name, &system);
+        settings.extend(system.map(of_system).unwrap_or_default());
+    }
     let (line, total) = (
         Mutex::new((0, progress::ProgressLine::new())),
         settings.len(),

@@ -215,7 +215,7 @@ const FEATURES: &[Feature] = &[
     Feature {
         name: "error bars held against converged runs",
         tried: |trial| trial.studies(&["bars"]),
-        has: [Yes, No, No, No],
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "accuracies held against converged runs",

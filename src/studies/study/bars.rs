@@ -7,10 +7,10 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
-use crate::case::{Case, Method};
-use crate::run::job::{self, Request};
+use super::points::PointJob;
+use super::speed::{Steps, TimeMethod, Timed};
+use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
-use crate::scene;
 use crate::table::{Columns, NumberFormat, Table};
 
 /// A case by one method at one accuracy.
@@ -20,8 +20,10 @@ pub struct BarSetting {
     pub name: String,
     /// Method and accuracy, in words.
     pub setting: String,
-    /// The case computed so, with error estimates.
-    pub case: Case,
+    /// Its run, with error estimates.
+    run: PointJob,
+    /// The converged run, or why there is none.
+    converged: Result<PointJob, String>,
 }
 
 /// A result, its bar and its true error.
@@ -103,59 +105,78 @@ impl BarResult {
     }
 }
 
-/// The settings of a case: as it is, and in motion by generalized-alpha at two tolerances and by RK4 where that can be afforded.
+/// The settings of a scene: as it is, and in motion by generalized-alpha at two tolerances and by RK4 where that can be afforded.
 #[must_use]
-pub fn settings(name: &str, case: &Case) -> Vec<BarSetting> {
-    let setting = |words: &str, change: &dyn Fn(&mut Case)| {
-        let mut case = case.clone();
-        case.solver.error_estimate = true;
-        change(&mut case);
-        BarSetting {
-            name: name.to_owned(),
-            setting: words.to_owned(),
-            case,
-        }
-    };
-    let moves = |method| move |case: &mut Case| case.solver.method = method;
-    match case.solver.method {
-        Method::Static => return vec![setting("static", &moves(Method::Static))],
-        Method::Quasi => return vec![setting("quasi", &moves(Method::Quasi))],
+pub fn settings<C: Timed>(name: &str, case: &C) -> Vec<BarSetting>
+where
+    PointJob: From<Request<C>>,
+{
+    let own = case.steps();
+    let by = |method| Steps { method, ..own };
+    let of = |words: &str, steps: Steps| setting((name, words), case, steps);
+    match own.method {
+        TimeMethod::Static => return vec![of("static", own)],
+        TimeMethod::Quasi => return vec![of("quasi", own)],
         _ => {}
     }
-    let mut list = vec![setting("alpha", &moves(Method::Alpha))];
-    if case.solver.time_step_s.is_none() {
-        list.push(setting("alpha, 8 x tolerance", &|case| {
-            case.solver.method = Method::Alpha;
-            case.solver.step_tolerance = (LOOSE * case.solver.step_tolerance).min(1.0);
-        }));
+    let mut list = vec![of("alpha", by(TimeMethod::Alpha))];
+    if own.length.is_none() {
+        let loose = Steps {
+            tolerance: (LOOSE * own.tolerance).min(1.0),
+            ..by(TimeMethod::Alpha)
+        };
+        list.push(of("alpha, 8 x tolerance", loose));
     }
-    let explicit = setting("rk4", &|case| {
-        case.solver.method = Method::Rk4;
-        case.solver.time_step_s = None;
-    });
-    if evaluations(&refined(&explicit.case)).is_some_and(|cost| cost < DEAREST) {
-        list.push(explicit);
+    let explicit = Steps {
+        length: None,
+        ..by(TimeMethod::Rk4)
+    };
+    if evaluations(case).is_some_and(|cost| cost < DEAREST) {
+        list.push(of("rk4", explicit));
     }
     list
 }
 
-/// Evaluations of the force by RK4, times the nodes.
-fn evaluations(case: &Case) -> Option<f64> {
-    let scene = scene::build(case, 1).ok()?;
-    let step = crate::run::settings::settings(case, &scene).time_step_s;
-    Some(4.0 * case.solver.duration_s / step * scene.line.mass.len() as f64)
+/// A scene by one method, with its converged run.
+fn setting<C: Timed>((name, words): (&str, &str), case: &C, steps: Steps) -> BarSetting
+where
+    PointJob: From<Request<C>>,
+{
+    let finer = Steps {
+        tolerance: FINER_TOLERANCE * steps.tolerance,
+        length: steps.length.map(|step| FINER_STEP * step),
+        ..steps
+    };
+    let converged = case
+        .divided(REFINEMENT)
+        .map(|case| job(case.stepped(finer)));
+    BarSetting {
+        name: name.to_owned(),
+        setting: words.to_owned(),
+        run: job(case.stepped(steps).with_companions()),
+        converged,
+    }
 }
 
-/// The case of the converged run.
-fn refined(case: &Case) -> Case {
-    let mut case = case.clone();
-    case.solver.error_estimate = false;
-    for section in &mut case.line {
-        section.segments *= REFINEMENT;
-    }
-    case.solver.step_tolerance *= FINER_TOLERANCE;
-    case.solver.time_step_s = case.solver.time_step_s.map(|step| FINER_STEP * step);
-    case
+/// The job of a scene that is not stored.
+fn job<C>(case: C) -> PointJob
+where
+    PointJob: From<Request<C>>,
+{
+    PointJob::from(Request {
+        case,
+        text: String::new(),
+        file: String::new(),
+        overrides: Vec::new(),
+        id: "bars".to_owned(),
+    })
+}
+
+/// Evaluations of the force by RK4 in the converged run, times the nodes; none where no segment binds its steps.
+fn evaluations(case: &impl Timed) -> Option<f64> {
+    let bounds = case.divided(REFINEMENT).ok()?.bounds().ok()?;
+    let step = Some(bounds.explicit_step).filter(|step| step.is_finite())?;
+    Some(4.0 * case.duration_s() / step * bounds.nodes as f64)
 }
 
 /// Computes settings and their converged runs, on all cores; `done` is called after each.
@@ -173,9 +194,10 @@ pub fn compute(
 }
 
 fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, String> {
-    let run = run(&setting.case, cancel)?;
-    let converged = self::run(&refined(&setting.case), cancel)
-        .map_err(|why| format!("converged run: {why}"))?;
+    let run = run(&setting.run, cancel)?;
+    let converged = setting.converged.as_ref().map_err(Clone::clone);
+    let converged = converged.and_then(|job| self::run(job, cancel));
+    let converged = converged.map_err(|why| format!("converged run: {why}"))?;
     let largest = |unit: &str| {
         let same = converged.summary.iter().filter(|q| q.unit() == unit);
         same.map(|q| q.value.abs()).fold(0.0, f64::max)
@@ -198,15 +220,8 @@ fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, 
     Ok(run.summary.iter().filter_map(result).collect())
 }
 
-fn run(case: &Case, cancel: &AtomicBool) -> Result<Run, String> {
-    let request = Request {
-        case: case.clone(),
-        text: String::new(),
-        file: String::new(),
-        overrides: Vec::new(),
-        id: "bars".to_owned(),
-    };
-    let run = job::execute(&request, cancel, &mut |_| {});
+fn run(job: &PointJob, cancel: &AtomicBool) -> Result<Run, String> {
+    let run = job.execute(cancel, &mut |_| {});
     match run.info.state {
         RunState::Done => Ok(run),
         _ => Err(run.info.failure.unwrap_or_else(|| "stopped".to_owned())),

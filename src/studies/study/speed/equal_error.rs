@@ -8,8 +8,8 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{
-    Runner, STEPS, SpeedError, SpeedSetting, Steps, TOLERANCES, TimeMethod, Timed, error, plan,
-    rounded, setting,
+    Runner, STEPS, SpeedError, SpeedSetting, Steps, TOLERANCES, TimeMethod, Timed, error, moving,
+    plan, rounded, setting,
 };
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
@@ -95,7 +95,7 @@ pub fn compare<C: Timed>(
 
 /// Varying and constant steps at every radius, the coarsest setting first.
 fn settings<C: Timed>(case: &C) -> Result<Vec<SpeedSetting<C>>, SpeedError> {
-    let own = case.steps().ok_or(SpeedError::Static)?;
+    let own = moving(case)?;
     let longest = case.bounds().map_err(SpeedError::Scene)?.longest;
     let of_radius = |rho: f64| {
         let of = |length: Option<f64>, tolerance: f64, name: String| {

@@ -119,7 +119,7 @@ const EXPLICIT: [f64; 2] = [0.9, 0.45];
 /// # Errors
 /// [`SpeedError`] where the case is static or no line can be built from it.
 pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
-    let own = case.steps().ok_or(SpeedError::Static)?;
+    let own = moving(case)?;
     let bounds = case.bounds().map_err(SpeedError::Scene)?;
     let by_tolerance = TOLERANCES.map(|share| {
         let tolerance = rounded(own.tolerance * share);
@@ -139,8 +139,8 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
             ..own
         };
         let solver = match method {
-            TimeMethod::Alpha => "alpha",
             TimeMethod::Rk4 => "rk4",
+            _ => "alpha",
         };
         setting(case, solver, format!("step {step:.2e} s"), steps)
     };
@@ -198,6 +198,15 @@ fn left_out(
         left_out.push("rk4: its stable steps are too many to wait for".to_owned());
     }
     left_out
+}
+
+/// The steps of a scene that moves.
+fn moving(case: &impl Timed) -> Result<Steps, SpeedError> {
+    let steps = case.steps();
+    match steps.method {
+        TimeMethod::Static => Err(SpeedError::Static),
+        _ => Ok(steps),
+    }
 }
 
 fn setting<C: Timed>(case: &C, solver: &str, setting: String, steps: Steps) -> SpeedSetting<C> {

@@ -4,15 +4,21 @@ use std::sync::Arc;
 
 use crate::case::{Case, Method};
 use crate::run::accuracy::searchable::Searchable;
+use crate::run::outlook::StepLengths;
 use crate::scene;
+use crate::system::SystemFile;
 use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::motion::system_in_time::SystemInTime;
 use crate::system::solved::solve;
 
-/// A method of time integration whose steps are measured.
+/// How a scene is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimeMethod {
-    /// Generalized-alpha.
+    /// At rest.
+    Static,
+    /// In equilibrium at every instant.
+    Quasi,
+    /// Generalized-alpha, or left to the program.
     Alpha,
     /// Runge-Kutta of order 4.
     Rk4,
@@ -36,6 +42,8 @@ pub struct Steps {
 pub struct StepBounds {
     /// The stability limit of explicit steps \[s\]; infinite where no segment binds them.
     pub explicit: f64,
+    /// The explicit step chosen for it \[s\].
+    pub explicit_step: f64,
     /// The longest step that suits it \[s\]: its own, or the one chosen for it.
     pub longest: f64,
     /// Number of nodes.
@@ -44,8 +52,8 @@ pub struct StepBounds {
 
 /// A scene in time whose steps are measured.
 pub trait Timed: Searchable {
-    /// Its method with its own steps; none at rest.
-    fn steps(&self) -> Option<Steps>;
+    /// Its method with its own steps.
+    fn steps(&self) -> Steps;
 
     /// What bounds its steps.
     ///
@@ -59,6 +67,12 @@ pub trait Timed: Searchable {
     /// The same with companions.
     fn with_companions(&self) -> Self;
 
+    /// The same with so many times the segments.
+    ///
+    /// # Errors
+    /// Why it does not come to rest then.
+    fn divided(&self, by: usize) -> Result<Self, String>;
+
     /// The same with so many times the gravity.
     ///
     /// # Errors
@@ -67,23 +81,32 @@ pub trait Timed: Searchable {
 }
 
 impl Timed for Case {
-    fn steps(&self) -> Option<Steps> {
+    fn steps(&self) -> Steps {
         let solver = &self.solver;
-        (solver.method != Method::Static).then_some(Steps {
-            method: TimeMethod::Alpha,
+        Steps {
+            method: match solver.method {
+                Method::Static => TimeMethod::Static,
+                Method::Quasi => TimeMethod::Quasi,
+                Method::Rk4 => TimeMethod::Rk4,
+                Method::Alpha | Method::Auto => TimeMethod::Alpha,
+            },
             length: solver.time_step_s,
             tolerance: solver.step_tolerance,
             rho: solver.rho_inf,
-        })
+        }
     }
 
     fn bounds(&self) -> Result<StepBounds, String> {
         let scene = scene::build(self, 1).map_err(|error| error.to_string())?;
-        let mut open = self.clone();
-        (open.solver.method, open.solver.time_step_s) = (Method::Alpha, None);
-        let chosen = crate::run::settings::settings(&open, &scene).time_step_s;
+        let chosen = |method| {
+            let mut open = self.clone();
+            (open.solver.method, open.solver.time_step_s) = (method, None);
+            crate::run::settings::settings(&open, &scene).time_step_s
+        };
+        let (explicit_step, chosen) = (chosen(Method::Rk4), chosen(Method::Alpha));
         Ok(StepBounds {
             explicit: scene.explicit_limit().0,
+            explicit_step,
             longest: self
                 .solver
                 .time_step_s
@@ -96,6 +119,8 @@ impl Timed for Case {
         let mut case = self.clone();
         let solver = &mut case.solver;
         solver.method = match steps.method {
+            TimeMethod::Static => Method::Static,
+            TimeMethod::Quasi => Method::Quasi,
             TimeMethod::Alpha => Method::Alpha,
             TimeMethod::Rk4 => Method::Rk4,
         };
@@ -112,6 +137,14 @@ impl Timed for Case {
         case
     }
 
+    fn divided(&self, by: usize) -> Result<Self, String> {
+        let mut case = self.clone();
+        for section in &mut case.line {
+            section.segments *= by;
+        }
+        Ok(case)
+    }
+
     fn heavier(&self, by: f64) -> Result<Self, String> {
         let mut case = self.clone();
         case.environment.gravity_m_per_s2 *= by;
@@ -120,20 +153,26 @@ impl Timed for Case {
 }
 
 impl Timed for SystemInTime {
-    fn steps(&self) -> Option<Steps> {
-        Some(Steps {
-            method: TimeMethod::Alpha,
+    fn steps(&self) -> Steps {
+        Steps {
+            method: match self.motion.method {
+                MotionMethod::Quasi => TimeMethod::Quasi,
+                MotionMethod::Rk4 => TimeMethod::Rk4,
+                MotionMethod::Alpha | MotionMethod::Auto => TimeMethod::Alpha,
+            },
             length: self.motion.time_step_s,
             tolerance: self.motion.step_tolerance,
             rho: self.motion.rho_inf,
-        })
+        }
     }
 
     fn bounds(&self) -> Result<StepBounds, String> {
-        let (limit, chosen, nodes) = self.step_bounds()?;
+        let (lengths, chosen, nodes) = self.step_bounds()?;
+        let of = |length: fn(&StepLengths) -> f64| lengths.as_ref().map_or(f64::INFINITY, length);
         let own = self.motion.time_step_s;
         Ok(StepBounds {
-            explicit: limit.unwrap_or(f64::INFINITY),
+            explicit: of(|lengths| lengths.limit),
+            explicit_step: of(|lengths| lengths.explicit),
             longest: own.map_or(chosen, |own| own.max(chosen)),
             nodes,
         })
@@ -142,6 +181,7 @@ impl Timed for SystemInTime {
     fn stepped(&self, steps: Steps) -> Self {
         self.with(MotionInputs {
             method: match steps.method {
+                TimeMethod::Static | TimeMethod::Quasi => MotionMethod::Quasi,
                 TimeMethod::Alpha => MotionMethod::Alpha,
                 TimeMethod::Rk4 => MotionMethod::Rk4,
             },
@@ -160,13 +200,22 @@ impl Timed for SystemInTime {
         })
     }
 
-    fn heavier(&self, by: f64) -> Result<Self, String> {
-        if by == 1.0 {
-            return Ok(self.clone());
+    fn divided(&self, by: usize) -> Result<Self, String> {
+        let mut file = self.solved.file.clone();
+        for (line, own) in file.lines.iter_mut().zip(self.segments()) {
+            line.segments = Some(by * own);
         }
+        of_file(file, &self.motion)
+    }
+
+    fn heavier(&self, by: f64) -> Result<Self, String> {
         let mut file = self.solved.file.clone();
         file.environment.gravity_m_per_s2 *= by;
-        let solved = solve(file).map_err(|why| why.problem)?;
-        Ok(Self::new(Arc::new(solved), self.motion.clone()))
+        of_file(file, &self.motion)
     }
+}
+
+fn of_file(file: SystemFile, motion: &MotionInputs) -> Result<SystemInTime, String> {
+    let solved = solve(file).map_err(|why| why.problem)?;
+    Ok(SystemInTime::new(Arc::new(solved), motion.clone()))
 }

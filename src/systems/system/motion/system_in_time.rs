@@ -19,6 +19,7 @@ use crate::limits::STEPS;
 use crate::run::computation::Computation;
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
+use crate::run::outlook::StepLengths;
 use crate::run::refinable::Refinable;
 use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
@@ -57,22 +58,22 @@ impl SystemInTime {
         }
     }
 
-    /// The stability limit of explicit steps, where lines have one, the longest step chosen for generalized-alpha \[s\], and the number of
-    /// nodes.
+    /// The steps of both methods, where lines limit the explicit ones, the longest step chosen for generalized-alpha \[s\], and the number
+    /// of nodes.
     ///
     /// # Errors
     /// Where the divided lines do not come to rest.
-    pub fn step_bounds(&self) -> Result<(Option<f64>, f64, usize), String> {
+    pub fn step_bounds(&self) -> Result<(Option<StepLengths>, f64, usize), String> {
         let begun = self.begun().map_err(|why| in_words(&why))?;
         let open = MotionInputs {
             method: MotionMethod::Alpha,
             time_step_s: None,
             ..self.motion.clone()
         };
-        let limit = MotionSettings::step_lengths(&open, &begun.system).map(|steps| steps.limit);
+        let lengths = MotionSettings::step_lengths(&open, &begun.system);
         let chosen = MotionSettings::new(&open, 1.0, &begun.system).time_step_s;
         let nodes = begun.system.scenes.iter().map(Scene::line_nodes).sum();
-        Ok((limit, chosen, nodes))
+        Ok((lengths, chosen, nodes))
     }
 
     /// What it begins with.
