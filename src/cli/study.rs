@@ -2,6 +2,7 @@
 
 use std::{
     io,
+    path::PathBuf,
     process::ExitCode,
     sync::{Arc, Mutex},
 };
@@ -28,8 +29,10 @@ use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
-    speed::{self, SpeedError, Timed},
-    tally, varied,
+    speed::{self, SpeedError},
+    tally,
+    timed::Timed,
+    varied,
 };
 use seacable_systems::system::{SystemFile, motion::system_in_time::SystemInTime};
 
@@ -113,21 +116,23 @@ fn scene_of(args: &CaseArgs) -> Result<(String, Scene), CommandError> {
     }
     let system = system_of(file, &args.set, &args.import.options())?;
     let at_rest = || CommandError::Usage(format!("{name}: {AT_REST}"));
-    Ok((name.clone(), Scene::System(system.ok_or_else(at_rest)?)))
+    let (system, _) = system.ok_or_else(at_rest)?;
+    Ok((name, Scene::System(system)))
 }
 
-/// The system of a file in time; nothing of one at rest.
+/// The system of a file in time, and its text; nothing of one at rest.
 fn system_of(
     file: FileBytes,
     set: &[String],
     options: &ImportOptions,
-) -> Result<Option<SystemInTime>, CommandError> {
+) -> Result<Option<(SystemInTime, String)>, CommandError> {
     let file = EditedFile::<SystemFile>::read(file, set, options)?;
     let Some(motion) = file.content().solver.clone() else {
         return Ok(None);
     };
+    let text = file.whole_text();
     let solved = file.compute()?.computed;
-    Ok(Some(SystemInTime::new(Arc::new(solved), motion)))
+    Ok(Some((SystemInTime::new(Arc::new(solved), motion), text)))
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
@@ -214,27 +219,26 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     let (varied, seed, by_result) = (args.varied, args.seed, args.results);
     let args = &args.cases;
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let systems = if varied.is_some() {
-        Vec::new()
-    } else {
-        cases::systems(&args.cases)?
+    let scenes = match varied {
+        Some(_) => Vec::new(),
+        None => scenes(&args.cases)?,
     };
-    let cases = match systems.is_empty() {
-        true => cases::of_lines(&args.cases)?,
-        false => cases::lines_among(&args.cases)?,
+    let drawn = match varied {
+        Some(_) => cases::of_lines(&args.cases)?,
+        None => Vec::new(),
     };
     let stop = StopFlag::listen()?;
-    let of_line = |named: &NamedCase| match varied {
-        Some(count) => varied::settings(&named.name, &named.case, seed, count),
-        None => bars::settings(&named.name, &named.case),
+    let of_scene = |named: &NamedScene| match &named.scene {
+        Scene::Line(case) => bars::settings(&named.name, case),
+        Scene::System(system) => bars::settings(&named.name, system),
     };
-    let mut settings: Vec<BarSetting> = cases.iter().flat_map(of_line).collect();
-    for path in &systems {
-        let system = system_of(FileBytes::read(path), &[], &ImportOptions::default())?;
-        let name = path.display().to_string();
-        let of_system = |system| bars::settings(&name, &system);
-        settings.extend(system.map(of_system).unwrap_or_default());
-    }
+    let of_drawn = |named: &NamedCase| {
+        let count = varied.unwrap_or_default();
+        varied::settings(&named.name, &named.case, seed, count)
+    };
+    let settings: Vec<BarSetting> = (scenes.iter().flat_map(of_scene))
+        .chain(drawn.iter().flat_map(of_drawn))
+        .collect();
     let (line, total) = (
         Mutex::new((0, progress::ProgressLine::new())),
         settings.len(),
@@ -265,27 +269,68 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// A scene in time of a file that is named.
+struct NamedScene {
+    name: String,
+    text: String,
+    scene: Scene,
+}
+
+/// The scenes named, systems in time among them; without names, the cases of lines as [`cases::of_lines`].
+fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
+    let systems = cases::systems(paths)?;
+    let lines = match systems.is_empty() {
+        true => cases::of_lines(paths)?,
+        false => cases::lines_among(paths)?,
+    };
+    let of_line = |named: NamedCase| NamedScene {
+        name: named.name,
+        text: named.text,
+        scene: Scene::Line(named.case),
+    };
+    let mut scenes: Vec<NamedScene> = lines.into_iter().map(of_line).collect();
+    for path in &systems {
+        let file = FileBytes::read(path);
+        let name = path.display().to_string();
+        match system_of(file, &[], &ImportOptions::default())? {
+            Some((system, text)) => scenes.push(NamedScene {
+                name,
+                text,
+                scene: Scene::System(system),
+            }),
+            // In a directory it is passed over, as what is of other kinds.
+            None if !paths.contains(path) => {}
+            None => return Err(CommandError::Usage(format!("{name}: {AT_REST}"))),
+        }
+    }
+    Ok(scenes)
+}
+
 fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let cases = cases::of_lines(&args.cases)?;
+    let scenes = scenes(&args.cases)?;
     let stop = StopFlag::listen()?;
-    let trials: Vec<AccuracyTrial> = cases.iter().flat_map(|named| trials(named, args)).collect();
     let mut line = progress::ProgressLine::new();
-    let mut rows = Vec::with_capacity(trials.len());
-    let total = trials.len();
-    for (number, trial) in trials.into_iter().enumerate() {
-        line.show(&format!(
-            "{} of {total}: {}, {:e}",
-            number + 1,
-            trial.name,
-            trial.asked
-        ));
-        let found = accuracy::check(&trial, stop.cancel());
-        if let Some(status) = stop.status() {
-            output::message("Stopped before all searches were computed; nothing was judged.");
-            return Ok(status);
+    let total = scenes.len() * args.accuracy.len();
+    let mut rows = Vec::with_capacity(total);
+    for NamedScene { name, text, scene } in &scenes {
+        for asked in &args.accuracy {
+            line.show(&format!("{} of {total}: {name}, {asked:e}", rows.len() + 1));
+            let trial = AccuracyTrial {
+                name: name.clone(),
+                asked: *asked,
+                budget_s: args.budget,
+            };
+            let found = match scene {
+                Scene::Line(case) => accuracy::check(&trial, case, text, stop.cancel()),
+                Scene::System(system) => accuracy::check(&trial, system, text, stop.cancel()),
+            };
+            if let Some(status) = stop.status() {
+                output::message("Stopped before all searches were computed; nothing was judged.");
+                return Ok(status);
+            }
+            rows.push((trial, found));
         }
-        rows.push((trial, found));
     }
     drop(line);
     let table = accuracy::table(&rows);
@@ -293,18 +338,6 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
     let totals = accuracy::totals(&rows).to_text(WIDTH);
     print(&table, &format!("\n{totals}"), "accuracy", &args.table)?;
     Ok(ExitCode::SUCCESS)
-}
-
-/// A trial of a case for each accuracy.
-fn trials(named: &NamedCase, args: &AccuracyArgs) -> Vec<AccuracyTrial> {
-    let trial = |asked: &f64| AccuracyTrial {
-        name: named.name.clone(),
-        text: named.text.clone(),
-        case: named.case.clone(),
-        asked: *asked,
-        budget_s: args.budget,
-    };
-    args.accuracy.iter().map(trial).collect()
 }
 
 fn hard_case(loaded: NamedCase) -> HardCase {

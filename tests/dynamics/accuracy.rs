@@ -165,12 +165,11 @@ fn the_study_finds_it_met_and_a_cheapest_setting() {
     request.case.line[0].segments = 24;
     let trial = AccuracyTrial {
         name: "line".to_owned(),
-        text: case::write(&request.case),
-        case: request.case,
         asked: 3e-2,
         budget_s: 20.0,
     };
-    let found = accuracy::check(&trial, &AtomicBool::new(false)).unwrap();
+    let (case, text) = (&request.case, case::write(&request.case));
+    let found = accuracy::check(&trial, case, &text, &AtomicBool::new(false)).unwrap();
     assert!(found.said && found.results > 20, "{found:?}");
     assert!(20 * found.within >= 19 * found.results, "{found:?}");
     let [cheapest, knowing] = [found.cheapest, found.knowing].map(|setting| setting.unwrap().cpu_s);

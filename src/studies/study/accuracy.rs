@@ -9,8 +9,9 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 use rustix::time::{ClockId, clock_gettime};
 
-use crate::case::{self, Case};
+use super::timed::{Steps, Timed};
 use crate::numerics::statistics::median;
+use crate::run::accuracy::searchable::Asked;
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, result_scales};
 use crate::table::{NumberFormat, Table};
@@ -24,15 +25,11 @@ const SHORTER_STEPS: f64 = 0.5;
 const MESHES: [f64; 4] = [0.25, 0.5, 1.0, 2.0];
 const STEPS: [f64; 5] = [8.0, 4.0, 2.0, 1.0, 0.5];
 
-/// A case and the accuracy asked of it.
+/// The accuracy asked of a case or a system.
 #[derive(Debug, Clone)]
 pub struct AccuracyTrial {
-    /// The case's name.
+    /// Its name.
     pub name: String,
-    /// Its text.
-    pub text: String,
-    /// What it says.
-    pub case: Case,
     /// The accuracy asked, as a share.
     pub asked: f64,
     /// Wall time that the search may take \[s\].
@@ -94,27 +91,33 @@ impl AccuracyFinding {
 /// A trial with its outcome, or the reason why it has none.
 pub type AccuracyRow = (AccuracyTrial, Result<AccuracyFinding, String>);
 
-/// Searches, and holds against the truth. The search is computed alone, so that its CPU time is that of the process.
+/// Searches what a text says, and holds against the truth. The search is computed alone, so that its CPU time is that of the process.
 ///
 /// # Errors
 /// The reason for which the search or the run that counts as true did not come to its end.
-pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFinding, String> {
-    let mut asked = trial.case.clone();
-    asked.solver.accuracy = Some(trial.asked);
-    asked.solver.budget_s = Some(trial.budget_s);
+pub fn check<C: Timed>(
+    trial: &AccuracyTrial,
+    own: &C,
+    text: &str,
+    cancel: &AtomicBool,
+) -> Result<AccuracyFinding, String> {
+    let asked = own.asking(Asked {
+        accuracy: trial.asked,
+        budget_s: Some(trial.budget_s),
+    });
     let begun = cpu(ClockId::ProcessCPUTime);
-    let run = run(asked, &trial.text, cancel)?;
+    let run = run(asked, text, cancel)?;
     let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
-    let found = case::parse(&run.case_text, &trial.name).map_err(|_| "its case is not read")?;
-    let exact = self::run(finer(&trial.case, &found), "", cancel)
-        .map_err(|why| format!("true run: {why}"))?;
+    let found = C::of_stored(&run.case_text, &trial.name).ok_or("its case is not read")?;
+    let exact = finer(own, &found).and_then(|finer| self::run(finer, "", cancel));
+    let exact = exact.map_err(|why| format!("true run: {why}"))?;
     let judge = Judge {
-        scales: result_scales(found.solver.duration_s, &run),
+        scales: result_scales(found.duration_s(), &run),
         exact: &exact,
         asked: trial.asked,
     };
     let (results, within) = judge.count(&run);
-    let met = met(&trial.case, &judge, cancel);
+    let met = met(own, &judge, cancel);
     Ok(AccuracyFinding {
         name: trial.name.clone(),
         asked: trial.asked,
@@ -127,7 +130,7 @@ pub fn check(trial: &AccuracyTrial, cancel: &AtomicBool) -> Result<AccuracyFindi
         within,
         cpu_s,
         cheapest: met.first().copied(),
-        knowing: knowing(&trial.case, &judge, &met, cancel),
+        knowing: knowing(own, &judge, &met, cancel),
     })
 }
 
@@ -171,14 +174,14 @@ impl Judge<'_> {
 }
 
 /// The settings that are as accurate as asked, the cheapest first; without error bars.
-fn met(case: &Case, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
+fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
     let settings = MESHES
         .iter()
         .flat_map(|mesh| STEPS.map(|steps| (*mesh, steps)));
     let settings: Vec<(f64, f64)> = settings.collect();
     let met = settings.into_par_iter().filter_map(|(segments, steps)| {
         let begun = cpu(ClockId::ThreadCPUTime);
-        let run = run(with(case, segments, steps), "", cancel).ok()?;
+        let run = run(with(case, segments, steps).ok()?, "", cancel).ok()?;
         let cpu_s = cpu(ClockId::ThreadCPUTime) - begun;
         judge.is_met(&run).then_some(Setting {
             segments,
@@ -192,8 +195,8 @@ fn met(case: &Case, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
 }
 
 /// The cheapest of those that are as accurate which knows it. Each is computed alone, since its companions have threads of their own.
-fn knowing(
-    case: &Case,
+fn knowing<C: Timed>(
+    case: &C,
     judge: &Judge<'_>,
     met: &[Setting],
     cancel: &AtomicBool,
@@ -204,10 +207,11 @@ fn knowing(
         if cheapest.is_some_and(|cheapest| cheapest.cpu_s <= setting.cpu_s) {
             break;
         }
-        let mut case = with(case, setting.segments, setting.steps);
-        case.solver.error_estimate = true;
+        let Ok(case) = with(case, setting.segments, setting.steps) else {
+            continue;
+        };
         let begun = cpu(ClockId::ProcessCPUTime);
-        let Ok(run) = run(case, "", cancel) else {
+        let Ok(run) = run(case.with_companions(), "", cancel) else {
             continue;
         };
         let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
@@ -218,40 +222,43 @@ fn knowing(
     cheapest
 }
 
-/// Twice as fine as what was found and as the case itself.
-fn finer(own: &Case, found: &Case) -> Case {
-    let mut finer = with(found, FINER_MESH as f64, SHORTER_STEPS);
-    let own = with(own, FINER_MESH as f64, SHORTER_STEPS);
-    for (section, other) in finer.line.iter_mut().zip(&own.line) {
-        section.segments = section.segments.max(other.segments);
-    }
-    let (solver, other) = (&mut finer.solver, &own.solver);
-    solver.step_tolerance = solver.step_tolerance.min(other.step_tolerance);
-    solver.time_step_s = match (solver.time_step_s, other.time_step_s) {
-        (Some(found), Some(own)) => Some(found.min(own)),
-        (found, own) => found.or(own),
+/// Twice as fine as what was found and as the scene itself.
+fn finer<C: Timed>(own: &C, found: &C) -> Result<C, String> {
+    let pairs = found.segments().into_iter().zip(own.segments());
+    let segments: Vec<usize> = pairs.map(|(a, b)| FINER_MESH * a.max(b)).collect();
+    let [found_steps, own_steps] = [found, own].map(|of| shorter(of.steps(), SHORTER_STEPS));
+    let steps = Steps {
+        tolerance: found_steps.tolerance.min(own_steps.tolerance),
+        length: match (found_steps.length, own_steps.length) {
+            (Some(found), Some(own)) => Some(found.min(own)),
+            (found, own) => found.or(own),
+        },
+        // Where it is longer than that of the scene, the scene has its own.
+        longest: None,
+        ..found_steps
     };
-    // Where it is longer than that of the case, the case has its own.
-    solver.longest_step_s = None;
-    finer
+    Ok(found.with_segments(&segments)?.stepped(steps))
 }
 
-/// The case with these segments and steps by its own, without a search or bars.
-fn with(case: &Case, mesh: f64, steps: f64) -> Case {
-    let mut case = case.clone();
-    for section in &mut case.line {
-        section.segments = ((section.segments as f64 * mesh).ceil() as usize).max(1);
+/// The scene with these segments and steps by its own, without a search or bars.
+fn with<C: Timed>(scene: &C, mesh: f64, steps: f64) -> Result<C, String> {
+    let own = scene.segments().into_iter().zip(scene.fewest());
+    let segments = own.map(|(own, fewest)| ((own as f64 * mesh).ceil() as usize).max(fewest));
+    let scene = scene.with_segments(&segments.collect::<Vec<_>>())?;
+    let steps = shorter(scene.steps(), steps);
+    Ok(scene.stepped(steps))
+}
+
+/// Steps by these: the error in a step grows with one power more than that of the run.
+fn shorter(steps: Steps, by: f64) -> Steps {
+    Steps {
+        tolerance: (steps.tolerance * by.powi(3)).min(1.0),
+        length: steps.length.map(|step| step * by),
+        ..steps
     }
-    let solver = &mut case.solver;
-    solver.accuracy = None;
-    solver.error_estimate = false;
-    // The error in a step grows with one power more than that of the run.
-    solver.step_tolerance = (solver.step_tolerance * steps.powi(3)).min(1.0);
-    solver.time_step_s = solver.time_step_s.map(|step| step * steps);
-    case
 }
 
-fn run(case: Case, text: &str, cancel: &AtomicBool) -> Result<Run, String> {
+fn run<C: Timed>(case: C, text: &str, cancel: &AtomicBool) -> Result<Run, String> {
     let request = Request {
         case,
         text: text.to_owned(),

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 
 use super::points::PointJob;
-use super::speed::{Steps, TimeMethod, Timed};
+use super::timed::{Steps, TimeMethod, Timed, refined};
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
 use crate::table::{Columns, NumberFormat, Table};
@@ -147,9 +147,7 @@ where
         length: steps.length.map(|step| FINER_STEP * step),
         ..steps
     };
-    let converged = case
-        .divided(REFINEMENT)
-        .map(|case| job(case.stepped(finer)));
+    let converged = refined(case, REFINEMENT).map(|case| job(case.stepped(finer)));
     BarSetting {
         name: name.to_owned(),
         setting: words.to_owned(),
@@ -174,7 +172,7 @@ where
 
 /// Evaluations of the force by RK4 in the converged run, times the nodes; none where no segment binds its steps.
 fn evaluations(case: &impl Timed) -> Option<f64> {
-    let bounds = case.divided(REFINEMENT).ok()?.bounds().ok()?;
+    let bounds = refined(case, REFINEMENT).ok()?.bounds().ok()?;
     let step = Some(bounds.explicit_step).filter(|step| step.is_finite())?;
     Some(4.0 * case.duration_s() / step * bounds.nodes as f64)
 }

@@ -19,6 +19,7 @@ pub mod seas;
 pub mod speed;
 pub mod studied;
 pub mod sweep;
+pub mod timed;
 pub mod varied;
 pub mod vary;
 mod verdict;

@@ -8,12 +8,12 @@
 use std::sync::atomic::AtomicBool;
 
 use super::{
-    Runner, STEPS, SpeedError, SpeedSetting, Steps, TOLERANCES, TimeMethod, Timed, error, moving,
-    plan, rounded, setting,
+    Runner, STEPS, SpeedError, SpeedSetting, TOLERANCES, error, moving, plan, rounded, setting,
 };
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
 use crate::numerics::statistics::median;
+use crate::study::timed::{Steps, TimeMethod, Timed};
 use crate::table::{Align, NumberFormat, Table};
 
 /// Spectral radii at which steps are measured.
@@ -104,6 +104,7 @@ fn settings<C: Timed>(case: &C) -> Result<Vec<SpeedSetting<C>>, SpeedError> {
                 length,
                 tolerance,
                 rho,
+                ..own
             };
             setting(case, &format!("rho {rho}"), name, steps)
         };

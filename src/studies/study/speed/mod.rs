@@ -7,16 +7,15 @@
 
 mod equal_error;
 mod error;
-mod timed;
 mod view;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use equal_error::{MedianPoint, WorkComparison, compare, comparison_table};
 pub use error::Errors;
-pub use timed::{StepBounds, Steps, TimeMethod, Timed};
 pub use view::{chart, mesh_table, table};
 
+use super::timed::{StepBounds, Steps, TimeMethod, Timed};
 use crate::run::job::{self, Request};
 use crate::run::{Quantity, Run, RunState};
 

@@ -1,9 +1,9 @@
-//! What steps are measured on: a case of a line, or a system of lines in time.
+//! What studies compute in other steps and on other meshes: a case of a line, or a system of lines in time.
 
 use std::sync::Arc;
 
-use crate::case::{Case, Method};
-use crate::run::accuracy::searchable::Searchable;
+use crate::case::{Case, Method, kind};
+use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::outlook::StepLengths;
 use crate::scene;
 use crate::system::SystemFile;
@@ -18,10 +18,12 @@ pub enum TimeMethod {
     Static,
     /// In equilibrium at every instant.
     Quasi,
-    /// Generalized-alpha, or left to the program.
+    /// Generalized-alpha.
     Alpha,
     /// Runge-Kutta of order 4.
     Rk4,
+    /// Left to the program.
+    Auto,
 }
 
 /// A method with its steps.
@@ -31,6 +33,8 @@ pub struct Steps {
     pub method: TimeMethod,
     /// Length of constant steps \[s\]; none where they vary.
     pub length: Option<f64>,
+    /// The longest of those that vary \[s\]; chosen by the program where it is none.
+    pub longest: Option<f64>,
     /// Error allowed in a step that varies.
     pub tolerance: f64,
     /// Spectral radius.
@@ -50,7 +54,7 @@ pub struct StepBounds {
     pub nodes: usize,
 }
 
-/// A scene in time whose steps are measured.
+/// A scene that is computed in other steps.
 pub trait Timed: Searchable {
     /// Its method with its own steps.
     fn steps(&self) -> Steps;
@@ -61,17 +65,23 @@ pub trait Timed: Searchable {
     /// Why it cannot be computed.
     fn bounds(&self) -> Result<StepBounds, String>;
 
-    /// The same in other steps, without companions.
+    /// The same in other steps, without companions, asked for no accuracy.
     fn stepped(&self, steps: Steps) -> Self;
 
     /// The same with companions.
     fn with_companions(&self) -> Self;
 
-    /// The same with so many times the segments.
+    /// The same asked for an accuracy.
+    fn asking(&self, asked: Asked) -> Self;
+
+    /// What a run stored as this text, of a file of this name, computed.
+    fn of_stored(text: &str, file: &str) -> Option<Self>;
+
+    /// The same with these segments of every part that is divided by itself.
     ///
     /// # Errors
     /// Why it does not come to rest then.
-    fn divided(&self, by: usize) -> Result<Self, String>;
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String>;
 
     /// The same with so many times the gravity.
     ///
@@ -88,9 +98,11 @@ impl Timed for Case {
                 Method::Static => TimeMethod::Static,
                 Method::Quasi => TimeMethod::Quasi,
                 Method::Rk4 => TimeMethod::Rk4,
-                Method::Alpha | Method::Auto => TimeMethod::Alpha,
+                Method::Alpha => TimeMethod::Alpha,
+                Method::Auto => TimeMethod::Auto,
             },
             length: solver.time_step_s,
+            longest: solver.longest_step_s,
             tolerance: solver.step_tolerance,
             rho: solver.rho_inf,
         }
@@ -123,8 +135,11 @@ impl Timed for Case {
             TimeMethod::Quasi => Method::Quasi,
             TimeMethod::Alpha => Method::Alpha,
             TimeMethod::Rk4 => Method::Rk4,
+            TimeMethod::Auto => Method::Auto,
         };
         solver.time_step_s = steps.length;
+        solver.longest_step_s = steps.longest;
+        (solver.accuracy, solver.budget_s) = (None, None);
         solver.step_tolerance = steps.tolerance;
         solver.rho_inf = steps.rho;
         solver.error_estimate = false;
@@ -137,10 +152,21 @@ impl Timed for Case {
         case
     }
 
-    fn divided(&self, by: usize) -> Result<Self, String> {
+    fn asking(&self, asked: Asked) -> Self {
         let mut case = self.clone();
-        for section in &mut case.line {
-            section.segments *= by;
+        case.solver.accuracy = Some(asked.accuracy);
+        case.solver.budget_s = asked.budget_s;
+        case
+    }
+
+    fn of_stored(text: &str, file: &str) -> Option<Self> {
+        crate::case::parse(text, file).ok()
+    }
+
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String> {
+        let mut case = self.clone();
+        for (section, segments) in case.line.iter_mut().zip(segments) {
+            section.segments = *segments;
         }
         Ok(case)
     }
@@ -158,9 +184,11 @@ impl Timed for SystemInTime {
             method: match self.motion.method {
                 MotionMethod::Quasi => TimeMethod::Quasi,
                 MotionMethod::Rk4 => TimeMethod::Rk4,
-                MotionMethod::Alpha | MotionMethod::Auto => TimeMethod::Alpha,
+                MotionMethod::Alpha => TimeMethod::Alpha,
+                MotionMethod::Auto => TimeMethod::Auto,
             },
             length: self.motion.time_step_s,
+            longest: self.motion.longest_step_s,
             tolerance: self.motion.step_tolerance,
             rho: self.motion.rho_inf,
         }
@@ -184,8 +212,12 @@ impl Timed for SystemInTime {
                 TimeMethod::Static | TimeMethod::Quasi => MotionMethod::Quasi,
                 TimeMethod::Alpha => MotionMethod::Alpha,
                 TimeMethod::Rk4 => MotionMethod::Rk4,
+                TimeMethod::Auto => MotionMethod::Auto,
             },
             time_step_s: steps.length,
+            longest_step_s: steps.longest,
+            accuracy: None,
+            budget_s: None,
             step_tolerance: steps.tolerance,
             rho_inf: steps.rho,
             error_estimate: false,
@@ -200,10 +232,24 @@ impl Timed for SystemInTime {
         })
     }
 
-    fn divided(&self, by: usize) -> Result<Self, String> {
+    fn asking(&self, asked: Asked) -> Self {
+        self.with(MotionInputs {
+            accuracy: Some(asked.accuracy),
+            budget_s: asked.budget_s,
+            ..self.motion.clone()
+        })
+    }
+
+    fn of_stored(text: &str, file: &str) -> Option<Self> {
+        let solved = kind::parse_stored::<SystemFile>(text, file).ok()?;
+        let motion = solved.file.solver.clone()?;
+        Some(Self::new(Arc::new(solved), motion))
+    }
+
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String> {
         let mut file = self.solved.file.clone();
-        for (line, own) in file.lines.iter_mut().zip(self.segments()) {
-            line.segments = Some(by * own);
+        for (line, segments) in file.lines.iter_mut().zip(segments) {
+            line.segments = Some(*segments);
         }
         of_file(file, &self.motion)
     }
@@ -213,6 +259,15 @@ impl Timed for SystemInTime {
         file.environment.gravity_m_per_s2 *= by;
         of_file(file, &self.motion)
     }
+}
+
+/// A scene with so many times the segments.
+///
+/// # Errors
+/// Why it does not come to rest then.
+pub fn refined<C: Timed>(scene: &C, by: usize) -> Result<C, String> {
+    let segments: Vec<usize> = scene.segments().into_iter().map(|own| by * own).collect();
+    scene.with_segments(&segments)
 }
 
 fn of_file(file: SystemFile, motion: &MotionInputs) -> Result<SystemInTime, String> {
