@@ -161,6 +161,9 @@ impl<'w, K: FileKind> EditedFile<'w, K> {
 
     /// With more keys set after those.
     pub(super) fn with(self, words: &'w [String]) -> Result<Self, CommandError> {
+        if words.is_empty() {
+            return Ok(self);
+        }
         let more = edits(words)?;
         Self::of_opened(self.opened, [self.edits, more].concat())
     }
