@@ -102,7 +102,7 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
 
 /// A scene in time.
 enum Scene {
-    Line(Case),
+    Line(Box<Case>),
     System(SystemInTime),
 }
 
@@ -112,7 +112,7 @@ fn scene_of(args: &CaseArgs) -> Result<(String, Scene), CommandError> {
     let name = file.path().display().to_string();
     if file.kind() != FileType::System {
         let loaded = cases::load_set(file, &args.set)?;
-        return Ok((loaded.name, Scene::Line(loaded.case)));
+        return Ok((loaded.name, Scene::Line(Box::new(loaded.case))));
     }
     let system = system_of(file, &args.set, &args.import.options())?;
     let at_rest = || CommandError::Usage(format!("{name}: {AT_REST}"));
@@ -139,7 +139,7 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     match scene_of(&args.case)? {
-        (name, Scene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &case),
+        (name, Scene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &*case),
         (name, Scene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
     }
 }
@@ -188,7 +188,7 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     match scene_of(&args.case)? {
-        (name, Scene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &case),
+        (name, Scene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &*case),
         (name, Scene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
     }
 }
@@ -229,7 +229,7 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     };
     let stop = StopFlag::listen()?;
     let of_scene = |named: &NamedScene| match &named.scene {
-        Scene::Line(case) => bars::settings(&named.name, case),
+        Scene::Line(case) => bars::settings(&named.name, &**case),
         Scene::System(system) => bars::settings(&named.name, system),
     };
     let of_drawn = |named: &NamedCase| {
@@ -286,7 +286,7 @@ fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
     let of_line = |named: NamedCase| NamedScene {
         name: named.name,
         text: named.text,
-        scene: Scene::Line(named.case),
+        scene: Scene::Line(Box::new(named.case)),
     };
     let mut scenes: Vec<NamedScene> = lines.into_iter().map(of_line).collect();
     for path in &systems {
@@ -322,7 +322,7 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
                 budget_s: args.budget,
             };
             let found = match scene {
-                Scene::Line(case) => accuracy::check(&trial, case, text, stop.cancel()),
+                Scene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
                 Scene::System(system) => accuracy::check(&trial, system, text, stop.cancel()),
             };
             if let Some(status) = stop.status() {

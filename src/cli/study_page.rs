@@ -48,7 +48,7 @@ fn of_line(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject
     let NamedCase {
         name, text, case, ..
     } = cases::load_set(file, &args.set)?;
-    let ids = SweepResults::of_line(&case, names).map_err(no_result)?;
+    let ids = SweepResults::of_line(&case, names).map_err(|why| no_result(&why))?;
     let base = BaseCase {
         text: case::stand_alone(&text, &case).into_owned(),
         path: name,
@@ -66,7 +66,7 @@ fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subje
     }
     let text = file.whole_text();
     let solved = file.compute()?.computed;
-    let ids = SweepResults::of_system(&solved, names).map_err(no_result)?;
+    let ids = SweepResults::of_system(&solved, names).map_err(|why| no_result(&why))?;
     let base = BaseCase {
         text,
         path,
@@ -76,7 +76,7 @@ fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subje
     Ok(Subject::System(base, ids.ids()))
 }
 
-fn no_result(why: String) -> CommandError {
+fn no_result(why: &str) -> CommandError {
     CommandError::Usage(format!("--result: {why}."))
 }
 
