@@ -271,3 +271,27 @@ fn a_clamp_bears_the_moment_of_a_cantilever() {
     );
     assert!(run.history.channel("moment_nm[rod|b]").is_none());
 }
+
+/// A bight that hangs clear of the bed is lowered onto it by one end: at the end it lies as one that was there from the first.
+#[test]
+fn a_line_that_is_lowered_onto_the_bed_records_its_length_there() {
+    let bight = |b: &str| {
+        format!(
+            "{CHAIN}[points.a]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 30.0]\n[points.b]\n{b}\n\
+             [[lines]]\nname = \"bight\"\nfrom = \"a\"\nto = \"b\"\nmaterial = \"chain\"\nlength_m = 130.0\nsegments = 65\n\
+             [solver]\nmethod = \"quasi\"\nduration_s = 40.0\nerror_estimate = false\n"
+        )
+    };
+    let lowered = "kind = \"moved\"\nposition_m = [40.0, 0.0, 30.0]\ntable_time_s = [0.0, 20.0, 40.0]\n\
+         table_z_m = [0.0, -60.0, -60.0]";
+    let run = moved(&bight(lowered));
+    let on_bed = channel(&run, "on_bed_m[bight]");
+    let there = solved(&format!(
+        "{HEAD}{}",
+        bight("kind = \"fixed\"\nposition_m = [40.0, 0.0, -30.0]")
+    ));
+    let exact = there.rest.balance.lines[0].on_bed();
+    let last = on_bed.last().unwrap();
+    assert!(on_bed[0] == 0.0 && exact > 10.0, "{} {exact}", on_bed[0]);
+    assert!((last - exact).abs() < 1.0, "{last} {exact}");
+}

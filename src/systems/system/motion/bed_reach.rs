@@ -1,6 +1,5 @@
 //! Which lines may come to lie on the bed.
 
-use crate::numerics::V3;
 use crate::system::bed::Bed;
 use crate::system::network::{Held, Line, Network, ReleaseCondition};
 
@@ -8,8 +7,8 @@ use crate::system::network::{Held, Line, Network, ReleaseCondition};
 const STRETCH: f64 = 0.1;
 const HEAVE: f64 = 0.1;
 
-/// Whether a line may come to lie on the bed: that bears it, and it hangs down to there with both ends held above one place, or what holds
-/// its ends or its length may change.
+/// Whether a line may come to lie on the bed: that bears it, and it hangs down to there with both ends above one place as low as their
+/// motions take them, or what holds its ends or its length may change.
 pub(super) fn may_reach(network: &Network, number: usize) -> bool {
     let line = &network.lines[number];
     let Some(bed) = network.bed.as_ref().filter(|_| line.bed_contact) else {
@@ -31,15 +30,20 @@ fn changes(network: &Network, number: usize, line: &Line) -> bool {
     line.releases.iter().any(ReleaseCondition::is_given) || paid.any(|end| end.line == number)
 }
 
-/// Height of a point \[m\]; nothing where only lines hold it.
+/// Height of a point as low as its prescribed motion takes it \[m\]; nothing where only lines hold it, or a body that is moved.
 fn height(network: &Network, point: usize) -> Option<f64> {
-    let place: V3 = match &network.points[point].held {
-        Held::At(place) => *place,
-        Held::On(body, at) => {
-            let pose = &network.bodies[*body].pose;
-            pose.origin + pose.arm(at)
+    let point = &network.points[point];
+    match &point.held {
+        Held::At(place) => {
+            let motion = point.motion.as_ref();
+            let far = motion.map_or(0.0, |motion| motion.scale().0);
+            Some(place.z - far)
         }
-        Held::Free(_) => return None,
-    };
-    Some(place.z)
+        Held::On(body, at) => {
+            let body = &network.bodies[*body];
+            let place = body.pose.origin + body.pose.arm(at);
+            body.motion.is_none().then_some(place.z)
+        }
+        Held::Free(_) => None,
+    }
 }
