@@ -18,8 +18,9 @@ use crate::numerics::richardson::Refinement;
 pub use pairs::Place;
 pub(super) use pairs::{CRISIS, Coarsening, named};
 use pairs::{
-    Pairs, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_third, is_single_step, mesh_ratio,
-    meshes_in_steps, on_the_own_mesh, order, pairs_in_time, pairs_of, pairs_of_meshes, place_of,
+    Pairs, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_mesh, has_third, is_single_step,
+    mesh_ratio, meshes_in_steps, on_the_own_mesh, order, pairs_in_time, pairs_of, pairs_of_meshes,
+    place_of,
 };
 
 /// What shows one error of a run: the nearest pair of runs that differ in one thing only, and the next.
@@ -62,7 +63,8 @@ pub(super) struct Companions<'a> {
     cancel: &'a AtomicBool,
     computed: Vec<(Place, Cow<'a, Computed>)>,
     time: Option<Pairs>,
-    mesh: Pairs,
+    /// Absent where nothing is divided into segments.
+    mesh: Option<Pairs>,
 }
 
 impl<'a> Companions<'a> {
@@ -73,7 +75,7 @@ impl<'a> Companions<'a> {
         }
         let coarsens = coarsens(case);
         let time = pairs_in_time(case, run, coarsens);
-        let mesh = pairs_of_meshes(case, time.as_ref(), coarsens);
+        let mesh = has_mesh(case).then(|| pairs_of_meshes(case, time.as_ref(), coarsens));
         let companions = Self {
             case,
             run,
@@ -103,8 +105,9 @@ impl<'a> Companions<'a> {
         let time = order(case).and_then(|_| pairs_of(coarsenings, Coarsening::Steps));
         let coarsens = coarsens(case);
         let time = time.or_else(|| pairs_in_time(case, run, coarsens));
-        let mesh = pairs_of(coarsenings, Coarsening::Mesh);
-        let mesh = mesh.unwrap_or_else(|| pairs_of_meshes(case, time.as_ref(), coarsens));
+        let named = pairs_of(coarsenings, Coarsening::Mesh);
+        let usual = || pairs_of_meshes(case, time.as_ref(), coarsens);
+        let mesh = has_mesh(case).then(|| named.unwrap_or_else(usual));
         Self {
             case,
             run,
@@ -126,7 +129,7 @@ impl<'a> Companions<'a> {
             });
         }
         if coarsens(self.case) {
-            self.mesh = meshes_in_steps(self.case, 1.0);
+            self.mesh = Some(meshes_in_steps(self.case, 1.0));
         }
         self.complete()
     }
@@ -141,7 +144,7 @@ impl<'a> Companions<'a> {
 
     /// Computes what is missing, and others in the place of those that do not come to their end.
     fn complete(mut self) -> Self {
-        let places = self.time.iter().chain([&self.mesh]).flat_map(Pairs::places);
+        let places = self.time.iter().chain(&self.mesh).flat_map(Pairs::places);
         self.compute(&places.collect::<Vec<_>>());
         if let Some(time) = self.time
             && !(self.are_done(Some(time.near)) && self.are_done(time.far))
@@ -151,10 +154,10 @@ impl<'a> Companions<'a> {
             self.compute(&other.places().collect::<Vec<_>>());
         }
         for mesh in [meshes_in_steps(self.case, 1.0), finer_mesh(1.0)] {
-            if self.are_done(Some(self.mesh.near)) {
+            if self.are_done(self.mesh.map(|mesh| mesh.near)) {
                 break;
             }
-            self.mesh = mesh;
+            self.mesh = Some(mesh);
             self.compute(&mesh.places().collect::<Vec<_>>());
         }
         self
@@ -217,11 +220,11 @@ impl<'a> Companions<'a> {
         }))
     }
 
-    /// What shows the error of the mesh.
-    pub(super) fn mesh(&self) -> Result<Evidence<'_>, String> {
-        let pairs = self.mesh;
+    /// What shows the error of the mesh: none where nothing has a mesh.
+    pub(super) fn mesh(&self) -> Option<Result<Evidence<'_>, String>> {
+        let pairs = self.mesh?;
         let near = self.done(Some(pairs.near));
-        near.ok_or_else(|| self.failure(&pairs)).map(|near| {
+        Some(near.ok_or_else(|| self.failure(&pairs)).map(|near| {
             let is_finer = pairs.near[0].segment < 1.0;
             Evidence {
                 near,
@@ -239,7 +242,7 @@ impl<'a> Companions<'a> {
                 segment: pairs.far.unwrap_or(pairs.near)[1].segment,
                 is_elsewhere: pairs.near[0].step != 1.0,
             }
-        })
+        }))
     }
 
     /// Why the nearest pair is not complete.

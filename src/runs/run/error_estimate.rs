@@ -102,7 +102,7 @@ pub(super) fn by_companions(
         evidence.map_err(|why| warnings.push(warning(why))).ok()
     };
     let time = companions.time().and_then(|time| told("time", time));
-    let mesh = told("mesh", companions.mesh());
+    let mesh = companions.mesh().and_then(|mesh| told("mesh", mesh));
     estimates_by(case, run, [time.as_ref(), mesh.as_ref()], warnings)
 }
 

@@ -192,6 +192,11 @@ pub(super) fn has_third(case: &dyn Refinable) -> bool {
     !case.is_explicit()
 }
 
+/// Whether anything is divided into segments.
+pub(super) fn has_mesh(case: &dyn Refinable) -> bool {
+    case.segments(1) > 0
+}
+
 /// Whether there is a coarser mesh, and no section is a single segment, which has none.
 pub(super) fn coarsens(case: &dyn Refinable) -> bool {
     mesh_ratio(case, 2) > 1.0 && !case.has_single_segment()
