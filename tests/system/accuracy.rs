@@ -122,3 +122,45 @@ fn every_method_is_searched() {
         run.info.warnings
     );
 }
+
+/// A body alone has no mesh: none is refined, and none is spoken of.
+#[test]
+fn a_body_without_lines_has_an_error_of_its_steps_alone() {
+    let body = |solver: &str| {
+        of_text(&format!(
+            r#"
+            bodies.float = {{ kind = "free", mass_kg = 1e6, volume_m3 = 975.6, waterplane_stiffness = [0.0, 0.0, 1e6, 1e8, 1e8, 0.0], inertia_kg_m2 = [1e8, 1e8, 1e8], start_offset_m = [0.0, 0.0, 1.0] }}
+            start.placement = "given"
+            solver = {{ {solver}, duration_s = 20.0 }}
+            {HEAD}"#
+        ))
+    };
+    for method in ["alpha", "rk4"] {
+        let step = if method == "rk4" {
+            ", time_step_s = 0.2"
+        } else {
+            ""
+        };
+        let solver = format!("method = \"{method}\", accuracy = 0.01{step}");
+        let run = computed(&body(&solver));
+        let words = run.info.settings.accuracy.clone().unwrap();
+        assert!(words.contains("reached by 95 % of"), "{method}: {words}");
+        let settings = &run.info.settings;
+        assert!(
+            !settings.error_method.contains("mesh"),
+            "{}",
+            settings.error_method
+        );
+        let heave = run
+            .summary
+            .iter()
+            .find(|q| q.name() == "z_m[float].min")
+            .unwrap();
+        assert!(
+            heave.mesh_error.is_none() && heave.error_estimate().is_some(),
+            "{heave:?}"
+        );
+        // Undamped it swings by a metre: z = cos(t).
+        assert!((heave.value + 1.0).abs() < 0.02, "{heave:?}");
+    }
+}

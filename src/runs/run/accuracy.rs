@@ -11,6 +11,7 @@ pub mod fineness;
 mod reached;
 pub mod searchable;
 mod shares;
+pub mod steps;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
@@ -26,8 +27,9 @@ use event_record::EventRecord;
 use fineness::Fineness;
 use reached::reached;
 pub(super) use reached::{Reached, as_override};
-use searchable::{Asked, Searchable, Stepping};
+use searchable::{Asked, Searchable};
 use shares::{AllowedErrors, Shares};
+use steps::TimeMethod;
 
 /// A run of the search.
 pub(super) struct EstimatedRun {
@@ -201,18 +203,35 @@ impl<C: Searchable> Search<'_, C> {
 
     /// Whether steps are refined beside the mesh: at rest there are none, and explicit ones go with the segments.
     fn has_steps(&self) -> bool {
-        self.own.stepping() == Stepping::OfTheirOwn
+        self.own.has_own_steps()
+    }
+
+    /// Whether there is a mesh to refine: bodies alone have none.
+    fn has_mesh(&self) -> bool {
+        !self.own.segments().is_empty()
     }
 
     /// Levels before the first whose errors are known.
     fn unknown_levels(&self) -> usize {
-        if self.has_steps() { 2 * SEEN } else { SEEN }
+        SEEN * (usize::from(self.has_steps()) + usize::from(self.has_mesh()))
+    }
+
+    /// How many errors a result has, of its steps and of its mesh.
+    fn parts(&self) -> f64 {
+        let at_rest = self.own.steps().method == TimeMethod::Static;
+        if at_rest || !self.has_mesh() {
+            1.0
+        } else {
+            2.0
+        }
     }
 
     /// The errors of the last level by those below it, once each is seen to fall; keeps it where it is the most accurate.
     fn estimate(&mut self, events: Option<Vec<JobEvent>>) -> Option<Shares> {
         let seen = |what| self.coarsenings.iter().filter(|by| **by == what).count() >= SEEN;
-        if !seen(Coarsening::Mesh) || (self.has_steps() && !seen(Coarsening::Steps)) {
+        let unseen = |has: bool, what| has && !seen(what);
+        if unseen(self.has_mesh(), Coarsening::Mesh) || unseen(self.has_steps(), Coarsening::Steps)
+        {
             return None;
         }
         let level = self.levels.last()?;
@@ -231,7 +250,7 @@ impl<C: Searchable> Search<'_, C> {
         })?;
         let duration = self.own.duration_s();
         let allowed = AllowedErrors::of(duration, run, &estimates.summary, self.accuracy);
-        let shares = Shares::of(self.own.stepping(), &allowed, &estimates.summary);
+        let shares = Shares::of(self.parts(), &allowed, &estimates.summary);
         let (best, share) = (self.reached(), shares.reached());
         self.idle = if share < GAIN * best {
             0
@@ -261,6 +280,9 @@ impl<C: Searchable> Search<'_, C> {
 
     /// What the next level is finer in: by turns until both errors are seen, and then in what makes the greater one.
     fn next(&self, shares: Option<&Shares>) -> Coarsening {
+        if !self.has_mesh() {
+            return Coarsening::Steps;
+        }
         match (self.has_steps(), shares) {
             (false, _) => Coarsening::Mesh,
             (_, Some(shares)) if shares.time > shares.mesh => Coarsening::Steps,
@@ -310,7 +332,8 @@ impl<C: Searchable> Search<'_, C> {
     /// more than its size lets expect, as of statics that Newton alone does not find.
     fn cost_of(&self, next: Coarsening) -> f64 {
         // Explicit steps are as short as the segments.
-        let by_both = self.own.stepping() == Stepping::BySegments && next == Coarsening::Mesh;
+        let is_explicit = self.own.steps().method == TimeMethod::Rk4;
+        let by_both = is_explicit && next == Coarsening::Mesh;
         let by_size: f64 = if by_both { 4.0 } else { 2.0 };
         match self.levels.as_slice() {
             [] => 0.0,

@@ -9,9 +9,10 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 use rustix::time::{ClockId, clock_gettime};
 
-use super::timed::{Steps, Timed};
+use super::timed::Timed;
 use crate::numerics::statistics::median;
 use crate::run::accuracy::searchable::Asked;
+use crate::run::accuracy::steps::Steps;
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, result_scales};
 use crate::table::{NumberFormat, Table};
@@ -211,7 +212,7 @@ fn knowing<C: Timed>(
             continue;
         };
         let begun = cpu(ClockId::ProcessCPUTime);
-        let Ok(run) = run(case.with_companions(), "", cancel) else {
+        let Ok(run) = run(case.estimating(true), "", cancel) else {
             continue;
         };
         let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
@@ -237,7 +238,8 @@ fn finer<C: Timed>(own: &C, found: &C) -> Result<C, String> {
         longest: None,
         ..found_steps
     };
-    Ok(found.with_segments(&segments)?.stepped(steps))
+    let finer = found.with_segments(&segments)?;
+    Ok(finer.stepped(steps).estimating(false))
 }
 
 /// The scene with these segments and steps by its own, without a search or bars.
@@ -246,7 +248,7 @@ fn with<C: Timed>(scene: &C, mesh: f64, steps: f64) -> Result<C, String> {
     let segments = own.map(|(own, fewest)| ((own as f64 * mesh).ceil() as usize).max(fewest));
     let scene = scene.with_segments(&segments.collect::<Vec<_>>())?;
     let steps = shorter(scene.steps(), steps);
-    Ok(scene.stepped(steps))
+    Ok(scene.stepped(steps).estimating(false))
 }
 
 /// Steps by these: the error in a step grows with one power more than that of the run.

@@ -8,7 +8,8 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 
 use super::points::PointJob;
-use super::timed::{Steps, TimeMethod, Timed, refined};
+use super::timed::{Timed, divided};
+use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
 use crate::table::{Columns, NumberFormat, Table};
@@ -147,11 +148,12 @@ where
         length: steps.length.map(|step| FINER_STEP * step),
         ..steps
     };
-    let converged = refined(case, REFINEMENT).map(|case| job(case.stepped(finer)));
+    let converged = divided(case, REFINEMENT);
+    let converged = converged.map(|case| job(case.stepped(finer).estimating(false)));
     BarSetting {
         name: name.to_owned(),
         setting: words.to_owned(),
-        run: job(case.stepped(steps).with_companions()),
+        run: job(case.stepped(steps).estimating(true)),
         converged,
     }
 }
@@ -172,7 +174,7 @@ where
 
 /// Evaluations of the force by RK4 in the converged run, times the nodes; none where no segment binds its steps.
 fn evaluations(case: &impl Timed) -> Option<f64> {
-    let bounds = refined(case, REFINEMENT).ok()?.bounds().ok()?;
+    let bounds = divided(case, REFINEMENT).ok()?.bounds().ok()?;
     let step = Some(bounds.explicit_step).filter(|step| step.is_finite())?;
     Some(4.0 * case.duration_s() / step * bounds.nodes as f64)
 }

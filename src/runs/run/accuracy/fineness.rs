@@ -26,7 +26,7 @@ impl Fineness {
         }
         let mut steps = coarsest as f64;
         // A step may err by the size of the line at most.
-        while steps > 1.0 && own.step_tolerance() * steps.powi(3) > 1.0 {
+        while steps > 1.0 && own.steps().tolerance * steps.powi(3) > 1.0 {
             steps /= 2.0;
         }
         let segments = own.segments().into_iter().zip(own.fewest());
@@ -48,7 +48,7 @@ impl Fineness {
 
     /// What a run as fine as this takes, by another of the same \[-\].
     pub(super) fn work(&self) -> f64 {
-        self.segments.iter().sum::<usize>() as f64 / self.steps
+        self.segments.iter().sum::<usize>().max(1) as f64 / self.steps
     }
 
     /// Twice as fine in this.

@@ -1,21 +1,11 @@
 //! What mesh and steps are searched for: a case of a line, or a system of lines in time.
 
 use super::super::computation::Computation;
-use super::super::settings::{method_name, settings};
+use super::super::settings::settings;
 use super::Fineness;
+use super::steps::{Steps, TimeMethod};
 use crate::case::{Case, Clump, Method};
 use crate::scene;
-
-/// Steps in time, as a search makes them finer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stepping {
-    /// None: at rest.
-    None,
-    /// Explicit ones, as short as the segments want them.
-    BySegments,
-    /// Apart from the mesh.
-    OfTheirOwn,
-}
 
 /// What a search is asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,10 +22,16 @@ pub trait Searchable: Computation {
     fn asked(&self) -> Option<Asked>;
 
     /// Its steps.
-    fn stepping(&self) -> Stepping;
+    fn steps(&self) -> Steps;
 
-    /// Error that its file allows in a step.
-    fn step_tolerance(&self) -> f64;
+    /// Length of the steps that it takes, or of the longest of those that vary \[s\].
+    ///
+    /// # Errors
+    /// Why it cannot be computed.
+    fn chosen_step(&self) -> Result<f64, String>;
+
+    /// The same in other steps.
+    fn stepped(&self, steps: Steps) -> Self;
 
     /// Segments of every part that is divided by itself.
     fn segments(&self) -> Vec<usize>;
@@ -43,17 +39,71 @@ pub trait Searchable: Computation {
     /// Fewest segments of each of them.
     fn fewest(&self) -> Vec<usize>;
 
+    /// The key of the segments of each of them.
+    fn segment_keys(&self) -> Vec<String>;
+
+    /// The same with these segments of each of them.
+    ///
+    /// # Errors
+    /// Why it does not come to rest then.
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String>;
+
     /// Whether everything stays where it is on a mesh so many times coarser: what is moved by half a segment is an error of first order.
     fn keeps_its_places(&self, coarser: usize) -> bool;
+
+    /// The companions that its file names, from the finest, each by what is coarser in it.
+    fn companions(&self) -> &[String];
+
+    /// The same with these companions, asked for no accuracy.
+    fn found_with(&self, companions: &[String]) -> Self;
+
+    /// Whether it has steps that are refined beside the mesh: at rest there are none, and explicit ones go with the segments, where there
+    /// are any.
+    fn has_own_steps(&self) -> bool {
+        match self.steps().method {
+            TimeMethod::Static => false,
+            TimeMethod::Rk4 => self.segments().is_empty(),
+            TimeMethod::Quasi | TimeMethod::Alpha | TimeMethod::Auto => true,
+        }
+    }
 
     /// The same as fine as this, with companions coarser in these; asked for no accuracy.
     ///
     /// # Errors
     /// Why it cannot be computed so.
-    fn refined(&self, fineness: &Fineness, companions: &[String]) -> Result<Self, String>;
+    fn refined(&self, fineness: &Fineness, companions: &[String]) -> Result<Self, String> {
+        let mut steps = self.steps();
+        if self.has_own_steps() {
+            let step = self.chosen_step()? * fineness.steps;
+            if steps.vary() {
+                steps.longest = Some(step);
+                steps.tolerance *= fineness.steps.powi(3);
+            } else {
+                steps.length = Some(step);
+            }
+        } else {
+            let finer = fineness.finest_by(&self.segments());
+            steps.length = steps.length.map(|step| step / finer);
+        }
+        let divided = self.with_segments(&fineness.segments)?;
+        Ok(divided.stepped(steps).found_with(companions))
+    }
 
     /// The keys in which one as fine as was found differs, with their values.
-    fn found_keys(&self, found: &Self) -> Vec<(String, String)>;
+    fn found_keys(&self, found: &Self) -> Vec<(String, String)> {
+        let parts = self.segments().into_iter().zip(found.segments());
+        let divided = self.segment_keys().into_iter().zip(parts);
+        let divided = divided.filter(|(_, (own, found))| own != found);
+        let divided = divided.map(|(key, (_, found))| (key, found.to_string()));
+        let companions = format!("{:?}", found.companions());
+        divided
+            .chain(found.steps().keys())
+            .chain([
+                ("solver.companions".to_owned(), companions),
+                ("solver.method".to_owned(), found.method().to_owned()),
+            ])
+            .collect()
+    }
 }
 
 impl Searchable for Case {
@@ -63,16 +113,43 @@ impl Searchable for Case {
         self.solver.accuracy.map(asked)
     }
 
-    fn stepping(&self) -> Stepping {
-        match self.solver.method {
-            Method::Static => Stepping::None,
-            Method::Rk4 => Stepping::BySegments,
-            Method::Quasi | Method::Alpha | Method::Auto => Stepping::OfTheirOwn,
+    fn steps(&self) -> Steps {
+        let solver = &self.solver;
+        Steps {
+            method: match solver.method {
+                Method::Static => TimeMethod::Static,
+                Method::Quasi => TimeMethod::Quasi,
+                Method::Rk4 => TimeMethod::Rk4,
+                Method::Alpha => TimeMethod::Alpha,
+                Method::Auto => TimeMethod::Auto,
+            },
+            length: solver.time_step_s,
+            longest: solver.longest_step_s,
+            tolerance: solver.step_tolerance,
+            rho: solver.rho_inf,
         }
     }
 
-    fn step_tolerance(&self) -> f64 {
-        self.solver.step_tolerance
+    fn chosen_step(&self) -> Result<f64, String> {
+        let scene = scene::build(self, 1).map_err(|error| error.to_string())?;
+        Ok(settings(self, &scene).time_step_s)
+    }
+
+    fn stepped(&self, steps: Steps) -> Self {
+        let mut case = self.clone();
+        let solver = &mut case.solver;
+        solver.method = match steps.method {
+            TimeMethod::Static => Method::Static,
+            TimeMethod::Quasi => Method::Quasi,
+            TimeMethod::Alpha => Method::Alpha,
+            TimeMethod::Rk4 => Method::Rk4,
+            TimeMethod::Auto => Method::Auto,
+        };
+        solver.time_step_s = steps.length;
+        solver.longest_step_s = steps.longest;
+        solver.step_tolerance = steps.tolerance;
+        solver.rho_inf = steps.rho;
+        case
     }
 
     fn segments(&self) -> Vec<usize> {
@@ -81,6 +158,21 @@ impl Searchable for Case {
 
     fn fewest(&self) -> Vec<usize> {
         vec![1; self.line.len()]
+    }
+
+    fn segment_keys(&self) -> Vec<String> {
+        let sections = self.line.iter();
+        sections
+            .map(|section| format!("line.{}.segments", section.name))
+            .collect()
+    }
+
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String> {
+        let mut case = self.clone();
+        for (section, segments) in case.line.iter_mut().zip(segments) {
+            section.segments = *segments;
+        }
+        Ok(case)
     }
 
     fn keeps_its_places(&self, coarser: usize) -> bool {
@@ -97,78 +189,14 @@ impl Searchable for Case {
         self.clumps.iter().all(is_at_node)
     }
 
-    fn refined(&self, fineness: &Fineness, companions: &[String]) -> Result<Self, String> {
+    fn companions(&self) -> &[String] {
+        self.solver.companions.as_deref().unwrap_or_default()
+    }
+
+    fn found_with(&self, companions: &[String]) -> Self {
         let mut case = self.clone();
-        for (section, segments) in case.line.iter_mut().zip(&fineness.segments) {
-            section.segments = *segments;
-        }
-        let solver = &mut case.solver;
-        match solver.method {
-            Method::Static => {}
-            Method::Rk4 => {
-                let finer = fineness.finest_by(&self.segments());
-                solver.time_step_s = self.solver.time_step_s.map(|step| step / finer);
-            }
-            _ => {
-                let step = automatic_step(self)? * fineness.steps;
-                if solver.method == Method::Alpha && self.solver.time_step_s.is_none() {
-                    solver.longest_step_s = Some(step);
-                    solver.step_tolerance *= fineness.steps.powi(3);
-                } else {
-                    solver.time_step_s = Some(step);
-                }
-            }
-        }
-        solver.companions = Some(companions.to_vec());
-        (solver.accuracy, solver.budget_s) = (None, None);
-        Ok(case)
+        case.solver.companions = Some(companions.to_vec());
+        (case.solver.accuracy, case.solver.budget_s) = (None, None);
+        case
     }
-
-    fn found_keys(&self, found: &Self) -> Vec<(String, String)> {
-        let sections = self.line.iter().zip(&found.line);
-        let divided = sections.filter(|(own, found)| own.segments != found.segments);
-        let divided = divided.map(|(_, section)| {
-            let key = format!("line.{}.segments", section.name);
-            (key, section.segments.to_string())
-        });
-        let solver = &found.solver;
-        let method = (
-            "solver.method".to_owned(),
-            method_name(solver.method).to_owned(),
-        );
-        let varies = solver.method == Method::Alpha && solver.time_step_s.is_none();
-        divided
-            .chain(step_keys(
-                varies.then_some(solver.step_tolerance),
-                [solver.time_step_s, solver.longest_step_s],
-                solver.companions.as_deref(),
-            ))
-            .chain([method])
-            .collect()
-    }
-}
-
-/// The keys of steps and companions, with their values: the error allowed in a step where steps vary, length of a step and the longest
-/// \[s\].
-pub fn step_keys(
-    step_tolerance: Option<f64>,
-    [step, longest]: [Option<f64>; 2],
-    companions: Option<&[String]>,
-) -> impl Iterator<Item = (String, String)> {
-    let numbers = [
-        ("solver.step_tolerance", step_tolerance),
-        ("solver.time_step_s", step),
-        ("solver.longest_step_s", longest),
-    ];
-    let numbers = numbers
-        .into_iter()
-        .filter_map(|(key, value)| Some((key.to_owned(), format!("{:?}", value?))));
-    let companions = companions.unwrap_or_default();
-    numbers.chain([("solver.companions".to_owned(), format!("{companions:?}"))])
-}
-
-/// The step of the case as it is, or the longest of those that vary \[s\].
-fn automatic_step(own: &Case) -> Result<f64, String> {
-    let scene = scene::build(own, 1).map_err(|error| error.to_string())?;
-    Ok(settings(own, &scene).time_step_s)
 }

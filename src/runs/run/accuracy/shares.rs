@@ -1,6 +1,5 @@
 //! Estimated errors of results as shares of what is asked of them.
 
-use super::searchable::Stepping;
 use crate::numerics::richardson::OBSERVED;
 use crate::run::compute::Computed;
 use crate::run::result_scale::Scales;
@@ -37,7 +36,8 @@ pub(super) struct Shares {
 }
 
 impl Shares {
-    pub(super) fn of(stepping: Stepping, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
+    /// Of results that have so many errors, of steps and of mesh: each may be as large a part of what is asked.
+    pub(super) fn of(parts: f64, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
         let counted = allowed.0.iter().filter_map(|(id, allowed)| {
             let q = summary.iter().find(|q| q.id == *id)?;
             Some((q, *allowed, q.expected_error()? / allowed))
@@ -48,8 +48,6 @@ impl Shares {
             .map(|(q, _, share)| (*share, q.name()))
             .collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        // Either error may be half of what is asked; at rest there is one.
-        let parts = if stepping == Stepping::None { 1.0 } else { 2.0 };
         let part = |error: fn(&Quantity) -> Option<f64>| {
             let shares = counted
                 .iter()

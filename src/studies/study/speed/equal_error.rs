@@ -13,7 +13,8 @@ use super::{
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
 use crate::numerics::statistics::median;
-use crate::study::timed::{Steps, TimeMethod, Timed};
+use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::study::timed::Timed;
 use crate::table::{Align, NumberFormat, Table};
 
 /// Spectral radii at which steps are measured.
@@ -78,7 +79,7 @@ pub fn compare<C: Timed>(
     let mut points = vec![Vec::new(); settings.len()];
     for number in 0..variants {
         let varied = case.heavier(gravity(number)).map_err(SpeedError::Scene)?;
-        let of = |setting: &SpeedSetting<C>| varied.stepped(setting.steps);
+        let of = |setting: &SpeedSetting<C>| varied.stepped(setting.steps).estimating(false);
         let name = format!("variant {number}");
         let reference = runner.reference(&of(&exact), &exact.name, name)?;
         for (setting, points) in settings.iter().zip(&mut points) {

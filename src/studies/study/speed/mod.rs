@@ -15,7 +15,8 @@ pub use equal_error::{MedianPoint, WorkComparison, compare, comparison_table};
 pub use error::Errors;
 pub use view::{chart, mesh_table, table};
 
-use super::timed::{StepBounds, Steps, TimeMethod, Timed};
+use super::timed::{StepBounds, Timed};
+use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::{self, Request};
 use crate::run::{Quantity, Run, RunState};
 
@@ -215,7 +216,7 @@ fn setting<C: Timed>(case: &C, solver: &str, setting: String, steps: Steps) -> S
             setting,
         },
         steps,
-        case: case.stepped(steps),
+        case: case.stepped(steps).estimating(false),
     }
 }
 
@@ -254,7 +255,7 @@ pub fn compute<C: Timed>(
         solver: "as the case stands".to_owned(),
         setting: "and with half the segments".to_owned(),
     };
-    let mesh = runner.run(&case.with_companions(), &unchanged, 1)?.summary;
+    let mesh = runner.run(&case.estimating(true), &unchanged, 1)?.summary;
     Ok(SpeedStudy {
         points,
         reference: SpeedPoint {

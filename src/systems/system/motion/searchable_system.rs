@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use super::settings::MotionSettings;
 use super::system_in_time::SystemInTime;
-use crate::run::accuracy::fineness::Fineness;
-use crate::run::accuracy::searchable::{Asked, Searchable, Stepping, step_keys};
+use crate::run::accuracy::searchable::{Asked, Searchable};
+use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::system::discretised::{FEWEST, SEGMENTS};
-use crate::system::model::MotionMethod;
+use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::solved::solve;
 
 impl Searchable for SystemInTime {
@@ -17,15 +16,40 @@ impl Searchable for SystemInTime {
         self.motion.accuracy.map(asked)
     }
 
-    fn stepping(&self) -> Stepping {
-        match self.motion.method {
-            MotionMethod::Rk4 => Stepping::BySegments,
-            MotionMethod::Alpha | MotionMethod::Auto | MotionMethod::Quasi => Stepping::OfTheirOwn,
+    fn steps(&self) -> Steps {
+        Steps {
+            method: match self.motion.method {
+                MotionMethod::Quasi => TimeMethod::Quasi,
+                MotionMethod::Rk4 => TimeMethod::Rk4,
+                MotionMethod::Alpha => TimeMethod::Alpha,
+                MotionMethod::Auto => TimeMethod::Auto,
+            },
+            length: self.motion.time_step_s,
+            longest: self.motion.longest_step_s,
+            tolerance: self.motion.step_tolerance,
+            rho: self.motion.rho_inf,
         }
     }
 
-    fn step_tolerance(&self) -> f64 {
-        self.motion.step_tolerance
+    fn chosen_step(&self) -> Result<f64, String> {
+        let begun = self.begun().map_err(|why| why.problem)?;
+        Ok(self.settings(begun).time_step_s)
+    }
+
+    fn stepped(&self, steps: Steps) -> Self {
+        self.with(MotionInputs {
+            method: match steps.method {
+                TimeMethod::Static | TimeMethod::Quasi => MotionMethod::Quasi,
+                TimeMethod::Alpha => MotionMethod::Alpha,
+                TimeMethod::Rk4 => MotionMethod::Rk4,
+                TimeMethod::Auto => MotionMethod::Auto,
+            },
+            time_step_s: steps.length,
+            longest_step_s: steps.longest,
+            step_tolerance: steps.tolerance,
+            rho_inf: steps.rho,
+            ..self.motion.clone()
+        })
     }
 
     fn segments(&self) -> Vec<usize> {
@@ -42,52 +66,37 @@ impl Searchable for SystemInTime {
             .collect()
     }
 
+    fn segment_keys(&self) -> Vec<String> {
+        let lines = self.solved.file.lines.iter();
+        lines
+            .map(|line| format!("lines.{}.segments", line.name))
+            .collect()
+    }
+
+    fn with_segments(&self, segments: &[usize]) -> Result<Self, String> {
+        let mut file = self.solved.file.clone();
+        for (line, segments) in file.lines.iter_mut().zip(segments) {
+            line.segments = Some(*segments);
+        }
+        let solved = solve(file).map_err(|why| why.problem)?;
+        Ok(Self::new(Arc::new(solved), self.motion.clone()))
+    }
+
     /// What hangs on a line hangs where its sections meet, which are nodes of every mesh.
     fn keeps_its_places(&self, _: usize) -> bool {
         true
     }
 
-    fn refined(&self, fineness: &Fineness, companions: &[String]) -> Result<Self, String> {
-        let begun = self.begun().map_err(|why| why.problem)?;
-        let own = MotionSettings::new(&self.motion, 1.0, &begun.system).time_step_s;
-        let mut file = self.solved.file.clone();
-        for (line, segments) in file.lines.iter_mut().zip(&fineness.segments) {
-            line.segments = Some(*segments);
-        }
-        let mut motion = self.motion.clone();
-        match motion.method {
-            MotionMethod::Rk4 => {
-                let finer = fineness.finest_by(&self.segments());
-                motion.time_step_s = motion.time_step_s.map(|step| step / finer);
-            }
-            MotionMethod::Alpha if motion.time_step_s.is_none() => {
-                motion.longest_step_s = Some(own * fineness.steps);
-                motion.step_tolerance *= fineness.steps.powi(3);
-            }
-            _ => motion.time_step_s = Some(own * fineness.steps),
-        }
-        motion.companions = Some(companions.to_vec());
-        (motion.accuracy, motion.budget_s) = (None, None);
-        file.solver = Some(motion.clone());
-        let solved = solve(file).map_err(|why| why.problem)?;
-        Ok(Self::new(Arc::new(solved), motion))
+    fn companions(&self) -> &[String] {
+        self.motion.companions.as_deref().unwrap_or_default()
     }
 
-    fn found_keys(&self, found: &Self) -> Vec<(String, String)> {
-        let lines = self.solved.file.lines.iter().zip(found.segments());
-        let divided = lines.filter(|(own, found)| own.segments != Some(*found));
-        let divided = divided
-            .map(|(line, found)| (format!("lines.{}.segments", line.name), found.to_string()));
-        let motion = &found.motion;
-        let varies = motion.method == MotionMethod::Alpha && motion.time_step_s.is_none();
-        let method = ("solver.method".to_owned(), motion.method.name().to_owned());
-        divided
-            .chain(step_keys(
-                varies.then_some(motion.step_tolerance),
-                [motion.time_step_s, motion.longest_step_s],
-                motion.companions.as_deref(),
-            ))
-            .chain([method])
-            .collect()
+    fn found_with(&self, companions: &[String]) -> Self {
+        self.with(MotionInputs {
+            companions: Some(companions.to_vec()),
+            accuracy: None,
+            budget_s: None,
+            ..self.motion.clone()
+        })
     }
 }
