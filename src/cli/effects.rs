@@ -8,7 +8,7 @@ use super::{
     output::{self, OutputFile},
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{Subject, print, subject, variants_told},
+    study_page::{StudiedFile, print, studied_file, variants_told},
 };
 use seacable_base::number::duration;
 use seacable_display::table::Table;
@@ -21,12 +21,12 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let subject = subject(&args.case, &args.result)?;
+    let studied = studied_file(&args.case, &args.result)?;
     let stop = StopFlag::listen()?;
     let begun = Instant::now();
-    let (found, mut ids) = variants_told(|told| match subject {
-        Subject::Line(base, ids) => (effects::compute::<Case>(&base, stop.cancel(), told), ids),
-        Subject::System(base, ids) => (
+    let (found, mut ids) = variants_told(|told| match studied {
+        StudiedFile::Line(base, ids) => (effects::compute::<Case>(&base, stop.cancel(), told), ids),
+        StudiedFile::System(base, ids) => (
             effects::compute::<SystemFile>(&base, stop.cancel(), told),
             ids,
         ),

@@ -8,7 +8,7 @@ use super::{
     output::{self, OutputFile},
     signals::StopFlag,
     study_args::EffectsArgs,
-    study_page::{Subject, print, subject, variants_told},
+    study_page::{StudiedFile, print, studied_file, variants_told},
 };
 use seacable_model::case::Case;
 use seacable_report::physics as report;
@@ -19,11 +19,11 @@ pub(super) fn physics(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let table = &args.page.table;
     let file = OutputFile::check(table.output.as_deref(), table.force, &inputs)?;
-    let subject = subject(&args.case, &args.result)?;
+    let studied = studied_file(&args.case, &args.result)?;
     let stop = StopFlag::listen()?;
-    let (study, ids) = variants_told(|told| match subject {
-        Subject::Line(base, ids) => (physics::compute::<Case>(&base, stop.cancel(), told), ids),
-        Subject::System(base, ids) => (
+    let (study, ids) = variants_told(|told| match studied {
+        StudiedFile::Line(base, ids) => (physics::compute::<Case>(&base, stop.cancel(), told), ids),
+        StudiedFile::System(base, ids) => (
             physics::compute::<SystemFile>(&base, stop.cancel(), told),
             ids,
         ),

@@ -101,23 +101,23 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
 }
 
 /// A scene in time.
-enum Scene {
+enum TimedScene {
     Line(Box<Case>),
     System(SystemInTime),
 }
 
 /// The scene of a file with what is set on top of it, and its name.
-fn scene_of(args: &CaseArgs) -> Result<(String, Scene), CommandError> {
+fn scene_of(args: &CaseArgs) -> Result<(String, TimedScene), CommandError> {
     let file = FileBytes::read(&args.file);
     let name = file.path().display().to_string();
     if file.kind() != FileType::System {
         let loaded = cases::load_set(file, &args.set)?;
-        return Ok((loaded.name, Scene::Line(Box::new(loaded.case))));
+        return Ok((loaded.name, TimedScene::Line(Box::new(loaded.case))));
     }
     let system = system_of(file, &args.set, &args.import.options())?;
     let at_rest = || CommandError::Usage(format!("{name}: {AT_REST}"));
     let (system, _) = system.ok_or_else(at_rest)?;
-    Ok((name, Scene::System(system)))
+    Ok((name, TimedScene::System(system)))
 }
 
 /// The system of a file in time, and its text; nothing of one at rest.
@@ -139,8 +139,8 @@ fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     match scene_of(&args.case)? {
-        (name, Scene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &*case),
-        (name, Scene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
+        (name, TimedScene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &*case),
+        (name, TimedScene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
     }
 }
 
@@ -188,8 +188,8 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     match scene_of(&args.case)? {
-        (name, Scene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &*case),
-        (name, Scene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
+        (name, TimedScene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &*case),
+        (name, TimedScene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
     }
 }
 
@@ -229,8 +229,8 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     };
     let stop = StopFlag::listen()?;
     let of_scene = |named: &NamedScene| match &named.scene {
-        Scene::Line(case) => bars::settings(&named.name, &**case),
-        Scene::System(system) => bars::settings(&named.name, system),
+        TimedScene::Line(case) => bars::settings(&named.name, &**case),
+        TimedScene::System(system) => bars::settings(&named.name, system),
     };
     let of_drawn = |named: &NamedCase| {
         let count = varied.unwrap_or_default();
@@ -273,7 +273,7 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
 struct NamedScene {
     name: String,
     text: String,
-    scene: Scene,
+    scene: TimedScene,
 }
 
 /// The scenes named, systems in time among them; without names, the cases of lines as [`cases::of_lines`].
@@ -286,7 +286,7 @@ fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
     let of_line = |named: NamedCase| NamedScene {
         name: named.name,
         text: named.text,
-        scene: Scene::Line(Box::new(named.case)),
+        scene: TimedScene::Line(Box::new(named.case)),
     };
     let mut scenes: Vec<NamedScene> = lines.into_iter().map(of_line).collect();
     for path in &systems {
@@ -296,7 +296,7 @@ fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
             Some((system, text)) => scenes.push(NamedScene {
                 name,
                 text,
-                scene: Scene::System(system),
+                scene: TimedScene::System(system),
             }),
             // In a directory it is passed over, as what is of other kinds.
             None if !paths.contains(path) => {}
@@ -322,8 +322,8 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
                 budget_s: args.budget,
             };
             let found = match scene {
-                Scene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
-                Scene::System(system) => accuracy::check(&trial, system, text, stop.cancel()),
+                TimedScene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
+                TimedScene::System(system) => accuracy::check(&trial, system, text, stop.cancel()),
             };
             if let Some(status) = stop.status() {
                 output::message("Stopped before all searches were computed; nothing was judged.");

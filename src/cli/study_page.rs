@@ -28,7 +28,7 @@ pub(super) const AT_REST: &str =
 const CHART: (usize, usize) = (18, 100);
 
 /// A file that a study varies: what points are set on, and the results that are named, or the main ones.
-pub(super) enum Subject {
+pub(super) enum StudiedFile {
     /// A case of a line.
     Line(BaseCase, Vec<QuantityId>),
     /// A system of lines in time.
@@ -36,7 +36,7 @@ pub(super) enum Subject {
 }
 
 /// A case or a system with keys set on top of its file.
-pub(super) fn subject(args: &CaseArgs, names: &[String]) -> Result<Subject, CommandError> {
+pub(super) fn studied_file(args: &CaseArgs, names: &[String]) -> Result<StudiedFile, CommandError> {
     let file = FileBytes::read(&args.file);
     match file.kind() {
         FileType::System => of_system(args, file, names),
@@ -44,7 +44,11 @@ pub(super) fn subject(args: &CaseArgs, names: &[String]) -> Result<Subject, Comm
     }
 }
 
-fn of_line(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject, CommandError> {
+fn of_line(
+    args: &CaseArgs,
+    file: FileBytes,
+    names: &[String],
+) -> Result<StudiedFile, CommandError> {
     let NamedCase {
         name, text, case, ..
     } = cases::load_set(file, &args.set)?;
@@ -55,10 +59,14 @@ fn of_line(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject
         overrides: args.set.clone(),
         files: case.files,
     };
-    Ok(Subject::Line(base, ids.ids()))
+    Ok(StudiedFile::Line(base, ids.ids()))
 }
 
-fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subject, CommandError> {
+fn of_system(
+    args: &CaseArgs,
+    file: FileBytes,
+    names: &[String],
+) -> Result<StudiedFile, CommandError> {
     let path = file.path().display().to_string();
     let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
     if file.content().solver.is_none() {
@@ -73,7 +81,7 @@ fn of_system(args: &CaseArgs, file: FileBytes, names: &[String]) -> Result<Subje
         overrides: args.set.clone(),
         files: solved.file.files,
     };
-    Ok(Subject::System(base, ids.ids()))
+    Ok(StudiedFile::System(base, ids.ids()))
 }
 
 fn no_result(why: &str) -> CommandError {

@@ -30,7 +30,7 @@ impl<K> ScenePart<K> {
 }
 
 /// A kind of file whose effects can be left out.
-pub trait Scene: Studied + PartialEq {
+pub trait HasEffects: Studied + PartialEq {
     /// Effects that cannot be left out, and why.
     const KEPT: &'static [(&'static str, &'static str)];
 

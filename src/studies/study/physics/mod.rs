@@ -5,7 +5,7 @@ mod of_line;
 mod of_material;
 mod of_system;
 
-pub use effect::{EffectName, Scene, ScenePart};
+pub use effect::{EffectName, HasEffects, ScenePart};
 
 use std::sync::atomic::AtomicBool;
 
@@ -52,7 +52,7 @@ pub struct Omission {
 ///
 /// # Errors
 /// The case itself could not be computed, and why.
-pub fn compute<K: Scene>(
+pub fn compute<K: HasEffects>(
     base: &BaseCase,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::of_material::{self, HasMaterials};
-use super::{Scene, ScenePart};
+use super::{HasEffects, ScenePart};
 use crate::case::{
     Case, EndKind, Material, Method, OneOrMany, StudyPoint, Subject, WaterSurface, WaveKind, Waves,
     channels, kind, write,
@@ -15,7 +15,7 @@ impl HasMaterials for Case {
     }
 }
 
-impl Scene for Case {
+impl HasEffects for Case {
     const KEPT: &'static [(&'static str, &'static str)] = &[
         (
             "weight and buoyancy",

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::of_line::flatten;
 use super::of_material::{self, HasMaterials};
-use super::{Scene, ScenePart};
+use super::{HasEffects, ScenePart};
 use crate::case::{Material, WaterSurface};
 use crate::system::SystemFile;
 use crate::system::discretised::SEGMENTS;
@@ -16,7 +16,7 @@ impl HasMaterials for SystemFile {
     }
 }
 
-impl Scene for SystemFile {
+impl HasEffects for SystemFile {
     const KEPT: &'static [(&'static str, &'static str)] = &[
         (
             "weight and buoyancy",
