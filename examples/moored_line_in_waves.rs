@@ -68,7 +68,7 @@ pub(crate) fn tension_at_vessel() -> Result<[f64; 3], Box<dyn Error>> {
         step: 0.02,
     };
     let (rho_inf, tolerance_m, max_iterations) = (0.4, 1e-5, 30);
-    let mut method = GeneralizedAlpha::new(scene.nodes(), rho_inf, tolerance_m, max_iterations);
+    let mut method = GeneralizedAlpha::new(&scene, &state, rho_inf, tolerance_m, max_iterations);
     march.run(&mut method, &scene, &mut state, &mut sink)?;
     Ok([at_rest, greatest, least])
 }

@@ -3,10 +3,11 @@
 use allocation_counter::measure;
 use seacable::case::kind;
 use seacable::dynamics::March;
+use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::solve::{AcceptedStep, Marched, Progressing};
 use seacable::system::SystemFile;
+use seacable::system::motion::SystemState;
 use seacable::system::motion::start::start;
-use seacable::system::motion::{SystemAlpha, SystemState};
 
 const SYSTEM: &str = "
 [system]
@@ -132,7 +133,7 @@ fn allocates_nothing(text: &str, until: f64) {
     if let Some(origin) = system.joints.bodies.first() {
         state.joints.v[*origin].x = 0.5;
     }
-    let mut method = SystemAlpha::new(&system, &state, 0.4, 1e-7, 30);
+    let mut method = GeneralizedAlpha::new(&system, &state, 0.4, 1e-7, 30);
     method.accelerate(&system, 0.0, &mut state).unwrap();
     system.commit(0.0, 0.0, &mut state);
     let march = |duration: f64| March {

@@ -4,7 +4,7 @@ use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
 use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{March, Stepper};
 use seacable::scene::Scene;
-use seacable::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, State};
+use seacable::solve::{AcceptedStep, ExplicitRhs, Progressing, State};
 
 /// Marches in steps of `step`, showing every step.
 pub(crate) fn march(
@@ -27,10 +27,10 @@ pub(crate) fn march(
 
 /// Runge-Kutta for this line.
 pub(crate) fn rk4(scene: &Scene) -> Rk4 {
-    Rk4::new(scene.nodes())
+    Rk4::new(scene, &scene.initial_state())
 }
 
 /// Generalized-alpha for this line, its equations solved to 1e-12 m.
 pub(crate) fn alpha(scene: &Scene, rho: f64) -> GeneralizedAlpha {
-    GeneralizedAlpha::new(scene.nodes(), rho, 1e-12, 30)
+    GeneralizedAlpha::new(scene, &scene.initial_state(), rho, 1e-12, 30)
 }

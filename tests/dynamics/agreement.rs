@@ -8,7 +8,7 @@ use seacable::case::{self, Case, DragCoefficient, Method};
 use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::run::job::{Request, execute};
 use seacable::run::{History, Run, RunState};
-use seacable::solve::{Kinematics, State};
+use seacable::solve::State;
 
 fn run(case: Case) -> Run {
     let request = Request {
@@ -124,8 +124,7 @@ fn rest_stays_at_rest() {
             assert!(off < tolerance, "t = {t}: {off} m, {tolerance} m");
         }
     };
-    let nodes = scene.nodes();
-    let quasi = QuasiStatic::new(nodes, 1e-9, 30);
+    let quasi = QuasiStatic::new(&scene, &scene.initial_state(), 1e-9, 30);
     march::march(
         march::rk4(&scene),
         &scene,

@@ -10,7 +10,7 @@ use seacable::dynamics::quasi_static::QuasiStatic;
 use seacable::dynamics::{Integrator, StepError, Stepper, TimeStep, WorkCounts};
 use seacable::run::job::{Request, execute};
 use seacable::scene::Scene;
-use seacable::solve::{Hysteresis, Kinematics, State};
+use seacable::solve::{Hysteresis, Marched, State};
 
 /// Slopes of log error over log step: over all by least squares, then between neighbours.
 fn slopes(points: &[(f64, f64)]) -> (f64, Vec<f64>) {
@@ -177,8 +177,8 @@ fn tensions_at_nodes_are_of_order_two() {
 /// Every step in two parts, one twice as long as the other.
 struct Uneven<M>(M);
 
-impl<S, M: Stepper<S>> Stepper<S> for Uneven<M> {
-    fn step(&mut self, system: &S, at: TimeStep, state: &mut State) -> Result<f64, StepError> {
+impl<S: Marched, M: Stepper<S>> Stepper<S> for Uneven<M> {
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut S::State) -> Result<f64, StepError> {
         let third = at.dt / 3.0;
         self.0.step(system, TimeStep { dt: third, ..at }, state)?;
         let rest = TimeStep {
@@ -188,10 +188,10 @@ impl<S, M: Stepper<S>> Stepper<S> for Uneven<M> {
         };
         self.0.step(system, rest, state)
     }
-    fn restart(&mut self, system: &S, t: f64, state: &mut State) {
+    fn restart(&mut self, system: &S, t: f64, state: &mut S::State) {
         self.0.restart(system, t, state);
     }
-    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut S::State) -> bool {
         self.0.pass_kink(system, t, state)
     }
 }
@@ -216,7 +216,7 @@ fn steps_of_changing_length_keep_the_order() {
             (0.1, 0.2),
         );
     }
-    let quasi = || Uneven(QuasiStatic::new(scene.nodes(), 1e-12, 40));
+    let quasi = || Uneven(QuasiStatic::new(&scene, &scene.initial_state(), 1e-12, 40));
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
     assert_order("uneven, quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
@@ -225,7 +225,7 @@ fn steps_of_changing_length_keep_the_order() {
 #[test]
 fn the_quasi_static_march_is_of_order_two() {
     let scene = rest::build(SWUNG);
-    let quasi = || QuasiStatic::new(scene.nodes(), 1e-12, 40);
+    let quasi = || QuasiStatic::new(&scene, &scene.initial_state(), 1e-12, 40);
     let exact = swung(&scene, quasi(), 0.002);
     let error = |h| apart(&swung(&scene, quasi(), h), &exact);
     assert_order("quasi", &points(0.5, 5, error), 2.0, (0.1, 0.25));
@@ -349,7 +349,7 @@ const BORNE: &str = r#"
 /// The state of the borne body at the end.
 fn borne(scene: &Scene, method: impl Stepper<Scene>, step: f64) -> State {
     let mut state = rest::at_rest(scene);
-    scene.commit(0.0, 0.0, &mut state);
+    Hysteresis::commit(scene, 0.0, 0.0, &mut state);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     march::march(method, scene, &mut state, (8.0, step), |_, s| {
         let force = scene.bed_force_at(scene.line_nodes() - 1, s);

@@ -12,7 +12,7 @@ use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
 use seacable::scene::Scene;
-use seacable::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, State};
+use seacable::solve::{AcceptedStep, ExplicitRhs, Progressing, State};
 
 const INTERPOLATIONS: [&str; 3] = ["spline", "monotone", "linear"];
 
@@ -130,7 +130,7 @@ fn the_quasi_static_march_keeps_its_order_at_a_jump() {
         oscillator("linear", RAMP_AND_HOLD).replace("drag_area_m2 = 0.0", "drag_area_m2 = 3.0")
     ));
     let quasi = |h: f64| {
-        let method = QuasiStatic::new(scene.nodes(), 1e-12, 40);
+        let method = QuasiStatic::new(&scene, &scene.initial_state(), 1e-12, 40);
         marched(method, &scene, (3.6, h)).0.x[1]
     };
     let exact = quasi(0.000_312_5);

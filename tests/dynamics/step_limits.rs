@@ -11,7 +11,7 @@ use seacable::dynamics::{Integrator, March, StepError, Stepper, TimeStep, WorkCo
 use seacable::numerics::V3;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::solve::{AcceptedStep, NewtonError, Progressing, State};
+use seacable::solve::{AcceptedStep, Marched, NewtonError, Progressing, State};
 
 fn run(changes: &str) -> Run {
     computed(lines::line(changes))
@@ -193,8 +193,8 @@ struct Choosy {
     taken: Vec<(f64, f64)>,
 }
 
-impl<S> Stepper<S> for Choosy {
-    fn step(&mut self, _: &S, at: TimeStep, _: &mut State) -> Result<f64, StepError> {
+impl<S: Marched> Stepper<S> for Choosy {
+    fn step(&mut self, _: &S, at: TimeStep, _: &mut S::State) -> Result<f64, StepError> {
         if at.dt > self.longest {
             return Err(NewtonError::NotConverged {
                 iterations: 9,
@@ -206,8 +206,8 @@ impl<S> Stepper<S> for Choosy {
         self.taken.push((at.t, at.dt));
         Ok(self.share)
     }
-    fn restart(&mut self, _system: &S, _t: f64, _state: &mut State) {}
-    fn pass_kink(&mut self, _system: &S, _t: f64, _state: &mut State) -> bool {
+    fn restart(&mut self, _system: &S, _t: f64, _state: &mut S::State) {}
+    fn pass_kink(&mut self, _system: &S, _t: f64, _state: &mut S::State) -> bool {
         false
     }
 }

@@ -303,7 +303,7 @@ fn rest_stays_at_rest() {
         stays(&scene, &start, "alpha", &end, 1e-6);
         let mut end = start.clone();
         march::march(
-            QuasiStatic::new(41, 1e-9, 30),
+            QuasiStatic::new(&scene, &start, 1e-9, 30),
             &scene,
             &mut end,
             (20.0, 0.5),

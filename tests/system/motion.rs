@@ -3,11 +3,14 @@
 use std::sync::atomic::AtomicBool;
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
+use seacable::dynamics::rk4::Rk4;
 use seacable::dynamics::{Stepper, TimeStep};
 use seacable::solve::{Marched, State};
 use seacable::system::motion::body_equation::MovingBody;
+use seacable::system::motion::border::Border;
 use seacable::system::motion::run::{MotionRun, run};
-use seacable::system::motion::{MovingSystem, SystemAlpha, SystemRk4, SystemState};
+use seacable::system::motion::{MovingSystem, SystemState};
 use seacable::system::network::{Body, Network};
 use seacable::system::pose::Pose;
 
@@ -215,7 +218,7 @@ fn spin_energy(system: &MovingSystem, state: &SystemState) -> f64 {
 type Spinner = (MovingSystem, SystemState);
 
 /// Steps a spinning body, and calls for every state.
-fn spin<M: Stepper<MovingSystem, SystemState>>(
+fn spin<M: Stepper<MovingSystem>>(
     (system, state): &mut Spinner,
     method: &mut M,
     (step, steps): (f64, usize),
@@ -234,12 +237,12 @@ fn spin<M: Stepper<MovingSystem, SystemState>>(
     }
 }
 
-fn alpha((system, state): &Spinner) -> SystemAlpha {
-    SystemAlpha::new(system, state, 0.4, 1e-13, 30)
+fn alpha((system, state): &Spinner) -> GeneralizedAlpha<SystemState, Border> {
+    GeneralizedAlpha::new(system, state, 0.4, 1e-13, 30)
 }
 
 /// Greatest change of the energy over 1e5 steps at 200 a turn about the middle axis, which is unstable.
-fn lost<M: Stepper<MovingSystem, SystemState>>(made: impl Fn(&Spinner) -> M) -> f64 {
+fn lost<M: Stepper<MovingSystem>>(made: impl Fn(&Spinner) -> M) -> f64 {
     let mut spinner = spinning(V3::new(1.0, 2.0, 3.0), V3::new(0.01, 1.0, 0.01));
     let before = spin_energy(&spinner.0, &spinner.1);
     let mut method = made(&spinner);
@@ -262,12 +265,12 @@ fn lost<M: Stepper<MovingSystem, SystemState>>(made: impl Fn(&Spinner) -> M) -> 
 fn a_spinning_body_keeps_its_energy() {
     let by_alpha = lost(alpha);
     assert!(by_alpha < 3e-3, "{by_alpha}");
-    let by_rk4 = lost(|(system, state)| SystemRk4::new(system, state));
+    let by_rk4 = lost(|(system, state)| Rk4::new(system, state));
     assert!(by_rk4 < 1e-6, "{by_rk4}");
 }
 
 /// Where a spinning body points after a time, in this many steps.
-fn turned<M: Stepper<MovingSystem, SystemState>>(
+fn turned<M: Stepper<MovingSystem>>(
     steps: usize,
     made: impl Fn(&Spinner) -> M,
 ) -> UnitQuaternion<f64> {
@@ -286,7 +289,7 @@ fn rotations_are_of_the_order_of_the_method() {
     };
     let second = order([100, 200, 400].map(|steps| turned(steps, alpha)));
     assert!((1.9..2.1).contains(&second), "{second}");
-    let rk4 = |(system, state): &Spinner| SystemRk4::new(system, state);
+    let rk4 = |(system, state): &Spinner| Rk4::new(system, state);
     let fourth = order([20, 40, 80].map(|steps| turned(steps, rk4)));
     assert!((3.8..4.3).contains(&fourth), "{fourth}");
 }

@@ -70,12 +70,12 @@ impl March {
     ///
     /// # Errors
     /// [`MarchError`] when a step fails at every length tried; `state` is the last accepted one.
-    pub fn run<M: Stepper<S, X>, S: Marched<X>, X>(
+    pub fn run<M: Stepper<S>, S: Marched>(
         &self,
         method: &mut M,
         system: &S,
-        state: &mut X,
-        sink: &mut dyn Sink<X>,
+        state: &mut S::State,
+        sink: &mut dyn Sink<S::State>,
     ) -> Result<MarchSummary, MarchError> {
         let mut progress = MarchProgress::default();
         system.update_wave_kinematics(0.0, state);
@@ -103,14 +103,14 @@ impl March {
     ///
     /// # Errors
     /// As [`March::run`].
-    pub fn advance<M: Stepper<S, X>, S: Marched<X>, X>(
+    pub fn advance<M: Stepper<S>, S: Marched>(
         &self,
         progress: &mut MarchProgress,
         until: f64,
         method: &mut M,
         system: &S,
-        state: &mut X,
-        sink: &mut dyn Sink<X>,
+        state: &mut S::State,
+        sink: &mut dyn Sink<S::State>,
     ) -> Result<Progressing, MarchError> {
         let until = until.min(self.duration);
         let same = |a: f64, b: f64| (a - b).abs() <= self.slop();

@@ -5,6 +5,7 @@
 pub mod alpha_scheme;
 pub mod generalized_alpha;
 pub mod march;
+pub mod method;
 pub mod method_state;
 pub mod numerical_damping;
 pub mod progress;
@@ -15,6 +16,7 @@ pub mod stepper;
 
 pub use alpha_scheme::{AlphaScheme, ErrorLimits};
 pub use march::{March, MarchSummary};
+pub use method::Method;
 pub use method_state::MethodState;
 pub use progress::MarchProgress;
 pub use step_control::MarchError;

@@ -4,29 +4,30 @@
 //! `0 = f(t, x, v)` with v by backward differences of second order at variable step (BDF2; the first step by backward
 //! Euler). L-stable: the fast decay to the velocity limited by drag needs no small step. Drag coefficients are frozen over a
 //! step at the velocities of the step before: where a coefficient jumps (drag crisis), a line without inertia has two
-//! velocities in equilibrium, and so keeps to the branch it is on as long as that exists.
+//! velocities in equilibrium, and so keeps to the branch it is on as long as that exists. What a step displaced is kept, not where it
+//! began: rotations count from the pose of the last accepted step.
 
+use super::generalized_alpha::zeros;
 use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};
 use crate::numerics::V3;
-use crate::solve::{Factors, Hysteresis, Kinematics, Newton, NewtonError, Residual, State};
+use crate::solve::{BandedEquations, Factors, Integrated, Newton, NewtonError, Parted, State};
 
-/// The method and its work arrays; allocates only in [`QuasiStatic::new`].
+/// The method and its work arrays, for states X and the equations W of a system; allocates only in [`QuasiStatic::new`].
 #[derive(Debug, Clone)]
-pub struct QuasiStatic {
-    newton: Newton,
-    trial: State,
+pub struct QuasiStatic<X = State, W = BandedEquations> {
+    newton: Newton<W>,
+    trial: X,
     /// Length of the last accepted step \[s\].
     last_step: Option<f64>,
-    /// Positions one accepted step back.
-    x_before: Vec<V3>,
+    /// Its displacements, part by part \[m\].
+    displaced: Vec<Vec<V3>>,
     /// Whether there are velocities at which drag coefficients are frozen.
     drag_is_frozen: bool,
 }
 
 /// Coefficients (c, d) of the backward difference `v = c (x - x0) + d (x0 - x_before)` in a step of h \[s\] after one of another length; the first
 /// step by backward Euler.
-#[must_use]
-pub fn backward_differences(last_step: Option<f64>, h: f64) -> (f64, f64) {
+fn backward_differences(last_step: Option<f64>, h: f64) -> (f64, f64) {
     match last_step {
         None => (1.0 / h, 0.0),
         Some(last) => {
@@ -38,19 +39,32 @@ pub fn backward_differences(last_step: Option<f64>, h: f64) -> (f64, f64) {
 }
 
 /// Fractions of inertia for a step that does not converge without; the last is none.
-pub const INERTIA: [f64; 6] = [1.0, 0.3, 0.1, 0.03, 0.01, 0.0];
+const INERTIA: [f64; 6] = [1.0, 0.3, 0.1, 0.03, 0.01, 0.0];
 
-impl QuasiStatic {
-    /// For a system of `nodes` nodes; tolerance \[m\] and iterations as in [`Newton`].
+/// Displacement of a step by the length of its line beyond which it is none.
+const REACH: f64 = 3.0;
+
+impl<X: Parted, W> QuasiStatic<X, W> {
+    /// For a system with states of the size of this one; tolerance \[m\] and iterations as in [`Newton`].
     #[must_use]
-    pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
+    pub fn new<S: Integrated<State = X, Work = W>>(
+        system: &S,
+        state: &X,
+        tolerance: f64,
+        max_iterations: usize,
+    ) -> Self {
         Self {
-            newton: Newton::new(nodes, tolerance, max_iterations),
-            trial: State::at_rest(vec![V3::zeros(); nodes]),
+            newton: Newton::of_equations(system.equations(state), tolerance, max_iterations),
+            trial: state.clone(),
             last_step: None,
-            x_before: vec![V3::zeros(); nodes],
+            displaced: zeros(state),
             drag_is_frozen: false,
         }
+    }
+
+    /// The equations of the system.
+    pub const fn equations(&self) -> &W {
+        &self.newton.equations
     }
 
     fn differences(&self, h: f64) -> (f64, f64) {
@@ -58,29 +72,33 @@ impl QuasiStatic {
     }
 
     /// Predicts the trial state at the velocities of the state before, without inertia.
-    fn predict<S: Kinematics>(&mut self, system: &S, t: f64, h: f64, state: &State) {
+    fn predict<S: Integrated<State = X>>(&mut self, system: &S, t: f64, h: f64, state: &X) {
         let (c, d) = self.differences(h);
         self.trial.copy_from(state);
-        for i in system.free() {
-            self.trial.x[i] = state.x[i] + state.v[i] * h;
-            self.trial.v[i] = state.v[i] * (h * c) + (state.x[i] - self.x_before[i]) * d;
-            self.trial.a[i] = V3::zeros();
+        let parts = self.trial.parts_mut().zip(state.parts());
+        for (number, (trial, start)) in parts.enumerate() {
+            for i in system.free(number) {
+                trial.x[i] = start.x[i] + start.v[i] * h;
+                trial.v[i] = start.v[i] * (h * c) + self.displaced[number][i] * d;
+            }
         }
         system.prescribe(t + h, &mut self.trial);
+        system.follow(&mut self.trial);
         system.update_wave_kinematics(t + h, &mut self.trial);
-        // The acceleration of driven ends counts no more than that of free nodes.
-        let free = system.free();
-        self.trial.a[..free.start].fill(V3::zeros());
-        self.trial.a[free.end..].fill(V3::zeros());
+        // No acceleration counts, that of driven ends no more than that of free nodes.
+        for part in self.trial.parts_mut() {
+            part.a.fill(V3::zeros());
+        }
+        system.follow(&mut self.trial);
     }
 
     /// Newton without inertia; if that fails, with decreasing fractions of it.
-    fn converge<S: Residual>(
+    fn converge<S: Integrated<State = X, Work = W>>(
         &mut self,
         system: &S,
         t: f64,
         h: f64,
-        state: &State,
+        state: &X,
     ) -> Result<(), NewtonError> {
         let massless = Factors {
             mass: 0.0,
@@ -96,12 +114,12 @@ impl QuasiStatic {
     }
 
     /// Newton with these fractions of inertia, one after the other.
-    fn converge_with_inertia<S: Residual>(
+    fn converge_with_inertia<S: Integrated<State = X, Work = W>>(
         &mut self,
         system: &S,
         t: f64,
         h: f64,
-        state: &State,
+        state: &X,
         fractions: &[f64],
     ) -> Result<(), NewtonError> {
         let (c, _) = self.differences(h);
@@ -111,59 +129,85 @@ impl QuasiStatic {
                 damping: c,
                 stiffness: 1.0,
             };
-            for i in system.free() {
-                self.trial.a[i] = (self.trial.v[i] - state.v[i]) * (fraction / h);
+            let parts = self.trial.parts_mut().zip(state.parts());
+            for (number, (trial, start)) in parts.enumerate() {
+                for i in system.free(number) {
+                    trial.a[i] = (trial.v[i] - start.v[i]) * (fraction / h);
+                }
             }
+            system.follow(&mut self.trial);
             self.newton.solve(system, t + h, &mut self.trial, factors)?;
         }
         Ok(())
     }
 
-    /// Rejects a root beyond three times the length of the line: without inertia a slack line without axial drag has no
+    /// Rejects a root beyond three times the length of its line: without inertia a slack line without axial drag has no
     /// velocity of its own, and the equations have roots at any distance.
-    fn check_reach<S: Kinematics>(&self, system: &S, state: &State) -> Result<(), NewtonError> {
-        let length: f64 = state.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum();
-        let moved = |i: usize| (self.trial.x[i] - state.x[i]).norm();
-        system
-            .free()
-            .find(|&i| moved(i) > 3.0 * length)
-            .map_or(Ok(()), |node| {
-                Err(NewtonError::Runaway {
-                    node,
+    fn check_reach<S: Integrated<State = X>>(
+        &self,
+        system: &S,
+        state: &X,
+    ) -> Result<(), NewtonError> {
+        let parts = state.parts().zip(self.trial.parts()).enumerate();
+        for (number, (before, after)) in parts.filter(|(number, _)| system.is_line(*number)) {
+            let length: f64 = before.x.windows(2).map(|x| (x[1] - x[0]).norm()).sum();
+            let moved = |i: usize| (after.x[i] - before.x[i]).norm();
+            if let Some(node) = system.free(number).find(|i| moved(*i) > REACH * length) {
+                return Err(NewtonError::Runaway {
+                    node: system.offset(number) + node,
                     moved: moved(node),
-                })
-            })
+                });
+            }
+        }
+        Ok(())
+    }
+
+    /// Keeps what the step displaced.
+    fn keep_displacements(&mut self, state: &X) {
+        let parts = self.trial.parts().zip(state.parts());
+        for ((trial, start), displaced) in parts.zip(&mut self.displaced) {
+            let places = trial.x.iter().zip(&start.x);
+            for (displaced, (now, before)) in displaced.iter_mut().zip(places) {
+                *displaced = now - before;
+            }
+        }
     }
 }
 
-impl<S: Residual + Hysteresis> Stepper<S> for QuasiStatic {
-    fn step(&mut self, system: &S, at: TimeStep, state: &mut State) -> Result<f64, StepError> {
-        let TimeStep { t, dt, .. } = at;
+impl<S: Integrated> Stepper<S> for QuasiStatic<S::State, S::Work> {
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut S::State) -> Result<f64, StepError> {
+        let TimeStep { t, dt, reject } = at;
         if !self.drag_is_frozen {
-            // A line at rest has no velocities for its drag coefficients: take those after one step with inertia.
+            // Lines at rest have no velocities for their drag coefficients: take those after one step with inertia.
             self.predict(system, t, dt, state);
             self.converge_with_inertia(system, t, dt, state, &INERTIA[..1])?;
             system.freeze_drag_coefficients(&mut self.trial);
-            state.memory.copy_from(&self.trial.memory);
+            for (part, trial) in state.parts_mut().zip(self.trial.parts()) {
+                part.memory.copy_from(&trial.memory);
+            }
             self.drag_is_frozen = true;
         }
         self.predict(system, t, dt, state);
         self.converge(system, t, dt, state)?;
         self.check_reach(system, state)?;
-        self.x_before.copy_from_slice(&state.x);
+        let passed = system.passes(state, &self.trial);
+        if reject && passed > 1.0 {
+            return Err(StepError::Inaccurate(passed));
+        }
+        self.keep_displacements(state);
         self.last_step = Some(dt);
         state.copy_from(&self.trial);
         system.freeze_drag_coefficients(state);
-        Ok(0.0)
+        Ok(passed)
     }
 
-    fn restart(&mut self, _system: &S, _t: f64, _state: &mut State) {
+    fn restart(&mut self, _system: &S, _t: f64, _state: &mut S::State) {
         self.last_step = None;
         self.newton.reset_rate();
     }
 
     /// Velocities are by backward differences: none of them reaches across a jump.
-    fn pass_kink(&mut self, system: &S, t: f64, state: &mut State) -> bool {
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut S::State) -> bool {
         let jumps = system.pass_kink(t, state);
         if jumps {
             self.restart(system, t, state);
@@ -172,11 +216,11 @@ impl<S: Residual + Hysteresis> Stepper<S> for QuasiStatic {
     }
 }
 
-impl Integrator for QuasiStatic {
+impl<X: Parted, W> Integrator for QuasiStatic<X, W> {
     fn method_state(&self) -> MethodState {
         MethodState {
             last_step: self.last_step,
-            x_before: self.x_before.clone(),
+            displaced: self.displaced.clone(),
             drag_is_frozen: self.drag_is_frozen,
             rate: self.newton.rate(),
             work_counts: self.work_counts(),
@@ -185,11 +229,16 @@ impl Integrator for QuasiStatic {
     }
 
     fn restore(&mut self, saved: &MethodState) {
-        self.last_step = saved.last_step;
-        self.x_before.clone_from(&saved.x_before);
         self.drag_is_frozen = saved.drag_is_frozen;
         self.newton
             .restore(saved.rate, saved.work_counts.iterations);
+        // Segments that were parted or joined begin anew.
+        let nodes = self.displaced.iter().map(Vec::len);
+        let is_same = nodes.eq(saved.displaced.iter().map(Vec::len));
+        self.last_step = saved.last_step.filter(|_| is_same);
+        if is_same {
+            self.displaced.clone_from(&saved.displaced);
+        }
     }
 
     fn work_counts(&self) -> WorkCounts {

@@ -46,13 +46,13 @@ impl WholeStep {
     ///
     /// # Errors
     /// [`MarchError`] if a step fails at every length; `state` is then the last accepted one.
-    pub(super) fn take<M: Stepper<S, X>, S: Marched<X>, X>(
+    pub(super) fn take<M: Stepper<S>, S: Marched>(
         &self,
         progress: &mut MarchProgress,
         method: &mut M,
         system: &S,
-        state: &mut X,
-        sink: &mut dyn Sink<X>,
+        state: &mut S::State,
+        sink: &mut dyn Sink<S::State>,
     ) -> Result<Progressing, MarchError> {
         // What was taken of it before the march was stopped counts.
         while progress.done < 1 << progress.level {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::MethodState;
-use crate::solve::{NewtonError, State};
+use crate::solve::{Marched, NewtonError};
 
 /// A method of time integration: its work so far, and the state to restart it from.
 pub trait Integrator {
@@ -19,17 +19,17 @@ pub trait Integrator {
     fn restore(&mut self, _saved: &MethodState) {}
 }
 
-/// A method that takes steps of systems of the kind S, with states of the kind X.
-pub trait Stepper<S, X = State>: Integrator {
+/// A method that takes steps of systems of the kind S.
+pub trait Stepper<S: Marched>: Integrator {
     /// Moves `state` from t to t + dt and returns the estimated error of the step relative to the error limits (0 if the
     /// method has none). A step with a ratio above 1 is rejected if `at.reject`. A failed step leaves `state` as it was.
     ///
     /// # Errors
     /// Why the step fails at this length.
-    fn step(&mut self, system: &S, at: TimeStep, state: &mut X) -> Result<f64, StepError>;
+    fn step(&mut self, system: &S, at: TimeStep, state: &mut S::State) -> Result<f64, StepError>;
 
     /// Restarts the method at time t \[s\] where the system has changed and its forces are discontinuous.
-    fn restart(&mut self, system: &S, t: f64, state: &mut X);
+    fn restart(&mut self, system: &S, t: f64, state: &mut S::State);
 
     /// Passes a kink of the prescribed motion at time t \[s\]
     /// ([`Kinematics::pass_kink`](crate::solve::Kinematics::pass_kink)), and continues the method after it. Returns whether a
@@ -37,7 +37,7 @@ pub trait Stepper<S, X = State>: Integrator {
     ///
     /// Positions are continuous, and the velocities of free nodes are too: a prescribed node has no inertia that counts. The forces
     /// that depend on its velocity, the axial damping of the segment at it, jump with it, and so do the accelerations of free nodes.
-    fn pass_kink(&mut self, system: &S, t: f64, state: &mut X) -> bool;
+    fn pass_kink(&mut self, system: &S, t: f64, state: &mut S::State) -> bool;
 }
 
 /// A step to take.

@@ -10,14 +10,52 @@
 //! larger tolerance than along it. An iteration that cycles, as between two sides of a kink, stops early: the march then
 //! halves its step at less cost.
 
-use super::convergence::{Convergence, ConvergenceRate};
-use super::{Factors, Residual, State};
-use crate::numerics::{BlockBand, V3};
+use std::fmt::Debug;
 
-/// Newton's method with its work arrays and the measured rate of convergence. Allocates in [`Newton::new`], and at the first
-/// iteration of a pentadiagonal system.
+use super::banded::BandedEquations;
+use super::convergence::{Convergence, ConvergenceRate};
+use super::{Factors, PartedSystem, Residual, State};
+
+/// What Newton's method asks of a system: its linearised equations, solved, and what their solution does.
+pub trait Iterated: PartedSystem {
+    /// Work arrays: residuals, the tangent, displacements.
+    type Work: Clone + Debug + 'static;
+
+    /// The work arrays at a state.
+    fn equations(&self, state: &Self::State) -> Self::Work;
+
+    /// Solves the linearised equations at a state. Returns the node that moves most and by how much \[m\].
+    ///
+    /// # Errors
+    /// [`NewtonError::Singular`] and [`NewtonError::NotFinite`].
+    fn displace(
+        &self,
+        work: &mut Self::Work,
+        t: f64,
+        state: &Self::State,
+        c: Factors,
+    ) -> Result<(usize, f64), NewtonError>;
+
+    /// Makes a share of the displacements found, velocities and accelerations following the positions by `c`.
+    fn apply(&self, work: &Self::Work, state: &mut Self::State, c: Factors, share: f64);
+
+    /// The displacements found in the norm of convergence on force \[m\]: see [`Residual::force_norm_displacement`].
+    fn norm_on_force(&self, work: &Self::Work, state: &Self::State) -> f64;
+
+    /// Whether an estimate of convergence is none: the displacements found, which led to this state, passed a kink of a force. `by_bound`:
+    /// the estimate is by a bound ([`ConvergenceRate::is_bound`]).
+    fn is_misjudged(&self, work: &Self::Work, state: &Self::State, by_bound: bool) -> bool;
+
+    /// The greatest of what the displacements found miss beside those of the nodes \[m\].
+    fn missed(&self, _work: &Self::Work, _c: Factors) -> f64 {
+        0.0
+    }
+}
+
+/// Newton's method with its work arrays and the measured rate of convergence. Allocates in [`Newton::new`] and [`Newton::of_equations`],
+/// and at the first iteration of a pentadiagonal line.
 #[derive(Debug, Clone)]
-pub struct Newton {
+pub struct Newton<W = BandedEquations> {
     /// Largest displacement of a node at which an iteration counts as converged \[m\].
     pub tolerance: f64,
     /// The same transverse to the line, if larger: [`Newton::tolerance`] then holds for
@@ -35,8 +73,8 @@ pub struct Newton {
     pub stagnation_limit: usize,
     /// Iterations so far, over all calls.
     pub iterations: u64,
-    residual: Vec<V3>,
-    tangent: BlockBand,
+    /// The equations.
+    pub equations: W,
     /// Absent until two iterations were seen.
     rate: Option<ConvergenceRate>,
 }
@@ -102,9 +140,36 @@ impl NewtonError {
 }
 
 impl Newton {
-    /// For a system of `nodes` nodes; tolerance \[m\].
+    /// For a line of `nodes` nodes; tolerance \[m\].
     #[must_use]
     pub fn new(nodes: usize, tolerance: f64, max_iterations: usize) -> Self {
+        Self::of_equations(BandedEquations::new(nodes), tolerance, max_iterations)
+    }
+
+    /// The largest residual of a free node \[N\], and its node.
+    pub fn largest_residual<S: Residual>(
+        &mut self,
+        system: &S,
+        t: f64,
+        state: &State,
+    ) -> (usize, f64) {
+        let residual = &mut self.equations.residual;
+        system.residual(t, state, residual);
+        let mut worst = (0, 0.0);
+        for i in system.free() {
+            let size = residual[i].norm();
+            if size.is_nan() || size > worst.1 {
+                worst = (i, size);
+            }
+        }
+        worst
+    }
+}
+
+impl<W> Newton<W> {
+    /// For a system with these work arrays; tolerance \[m\].
+    #[must_use]
+    pub fn of_equations(equations: W, tolerance: f64, max_iterations: usize) -> Self {
         Self {
             tolerance,
             transverse_tolerance: tolerance,
@@ -113,8 +178,7 @@ impl Newton {
             max_displacement: f64::INFINITY,
             stagnation_limit: usize::MAX,
             iterations: 0,
-            residual: vec![V3::zeros(); nodes],
-            tangent: BlockBand::new(nodes),
+            equations,
             rate: None,
         }
     }
@@ -141,11 +205,11 @@ impl Newton {
     ///
     /// # Errors
     /// [`NewtonError`]; `state` then holds the last iterate.
-    pub fn solve<S: Residual>(
+    pub fn solve<S: Iterated<Work = W>>(
         &mut self,
         system: &S,
         t: f64,
-        state: &mut State,
+        state: &mut S::State,
         c: Factors,
     ) -> Result<usize, NewtonError> {
         // The factor of damping is 0 in statics.
@@ -164,9 +228,12 @@ impl Newton {
             let moved = self.convergence_norm(system, state, worst.1);
             let reached = convergence.is_reached(moved);
             self.rate = convergence.rate();
-            // A bound says that all was linear so far: nothing of a tension that sets in.
-            let by_bound = moved > tolerance && self.rate.is_some_and(|rate| rate.is_bound);
-            if reached && !(by_bound && system.passes_kink(&self.residual, state)) {
+            let by_bound = self.rate.is_some_and(|rate| rate.is_bound);
+            let equations = &self.equations;
+            let is_reached = reached
+                && (moved <= tolerance || !system.is_misjudged(equations, state, by_bound))
+                && system.missed(equations, c) <= self.tolerance;
+            if is_reached {
                 return Ok(made);
             }
         }
@@ -180,12 +247,17 @@ impl Newton {
     }
 
     /// The displacement of the last iteration in the norm of convergence \[m\]; `moved` is its maximum norm.
-    fn convergence_norm<S: Residual>(&self, system: &S, state: &State, moved: f64) -> f64 {
+    fn convergence_norm<S: Iterated<Work = W>>(
+        &self,
+        system: &S,
+        state: &S::State,
+        moved: f64,
+    ) -> f64 {
         // A force that depends steeply on velocity does so in every direction.
         if self.transverse_tolerance <= self.tolerance || self.velocity_tolerance.is_finite() {
             return moved;
         }
-        let along = system.force_norm_displacement(&self.residual, state);
+        let along = system.norm_on_force(&self.equations, state);
         along.max(moved * self.tolerance / self.transverse_tolerance)
     }
 
@@ -194,84 +266,21 @@ impl Newton {
     ///
     /// # Errors
     /// [`NewtonError::Singular`] and [`NewtonError::NotFinite`].
-    pub fn iterate<S: Residual>(
+    pub fn iterate<S: Iterated<Work = W>>(
         &mut self,
         system: &S,
         t: f64,
-        state: &mut State,
+        state: &mut S::State,
         c: Factors,
     ) -> Result<(usize, f64), NewtonError> {
         self.iterations += 1;
-        if system.is_pentadiagonal() && !self.tangent.is_wide() {
-            self.tangent.widen();
-        }
-        system.linearise(t, state, c, &mut self.residual, &mut self.tangent);
-        let free = system.free();
-        self.tangent
-            .solve(free.clone(), &mut self.residual)
-            .map_err(|e| self.singular_or_not_finite(system, t, state, e.node))?;
-        let mut worst = (free.start, 0.0);
-        for i in free.clone() {
-            let moved = self.residual[i].amax();
-            if !moved.is_finite() {
-                return Err(NewtonError::NotFinite { node: i });
-            }
-            if moved > worst.1 {
-                worst = (i, moved);
-            }
-        }
-        // Prescribed nodes do not move.
-        self.residual[..free.start].fill(V3::zeros());
-        self.residual[free.end..].fill(V3::zeros());
-        if !state.extrapolated_tension.is_empty() {
-            system.extrapolate_tensions(&self.residual, state);
-        }
+        let worst = system.displace(&mut self.equations, t, state, c)?;
         let share = if worst.1 > self.max_displacement {
             self.max_displacement / worst.1
         } else {
             1.0
         };
-        for i in free {
-            let d = self.residual[i] * share;
-            state.x[i] -= d;
-            state.v[i] -= d * c.damping;
-            state.a[i] -= d * c.mass;
-        }
+        system.apply(&self.equations, state, c, share);
         Ok(worst)
-    }
-
-    /// Why the tangent cannot be factored: it is singular, or a force is not finite.
-    fn singular_or_not_finite<S: Residual>(
-        &mut self,
-        system: &S,
-        t: f64,
-        state: &State,
-        node: usize,
-    ) -> NewtonError {
-        system.residual(t, state, &mut self.residual);
-        let bad = system
-            .free()
-            .find(|&i| !self.residual[i].iter().all(|c| c.is_finite()));
-        bad.map_or(NewtonError::Singular { node }, |node| {
-            NewtonError::NotFinite { node }
-        })
-    }
-
-    /// The largest residual of a free node \[N\], and its node.
-    pub fn largest_residual<S: Residual>(
-        &mut self,
-        system: &S,
-        t: f64,
-        state: &State,
-    ) -> (usize, f64) {
-        system.residual(t, state, &mut self.residual);
-        let mut worst = (0, 0.0);
-        for i in system.free() {
-            let size = self.residual[i].norm();
-            if size.is_nan() || size > worst.1 {
-                worst = (i, size);
-            }
-        }
-        worst
     }
 }

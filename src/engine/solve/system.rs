@@ -6,9 +6,11 @@
 //! | [`Residual`] | Newton: statics and every implicit step |
 //! | [`ExplicitRhs`] | Runge-Kutta; the first acceleration of generalized-alpha |
 //! | [`Hysteresis`] | the time march, after every accepted step |
-//! | [`Marched`] | the time march, of a line or of a system of lines |
 //! | [`MidstepBalance`] | generalized-alpha, which balances forces between two steps |
 //! | [`StaticSearch`] | the search for an equilibrium |
+//!
+//! These are of one line. Newton's method, the methods of time integration and the march take any system: see
+//! [`Iterated`](super::Iterated), [`Integrated`](super::Integrated) and [`Marched`](super::Marched), which a line has by these.
 //!
 //! No function of these changes the system. None allocates, except for the memory of a state at its first use.
 
@@ -116,32 +118,6 @@ pub trait Hysteresis: Kinematics {
     /// without inertia needs this where the coefficient jumps: nothing else carries a node across a force that falls while
     /// its speed rises.
     fn freeze_drag_coefficients(&self, _state: &mut State) {}
-}
-
-/// What the time march asks of a system with states of the kind X.
-pub trait Marched<X = State> {
-    /// As [`Kinematics::next_kink`].
-    fn next_kink(&self, state: &X) -> f64;
-
-    /// As [`Kinematics::update_wave_kinematics`].
-    fn update_wave_kinematics(&self, t: f64, state: &mut X);
-
-    /// As [`Hysteresis::commit`].
-    fn commit(&self, t: f64, dt: f64, state: &mut X);
-}
-
-impl<S: Hysteresis> Marched for S {
-    fn next_kink(&self, state: &State) -> f64 {
-        Kinematics::next_kink(self, state)
-    }
-
-    fn update_wave_kinematics(&self, t: f64, state: &mut State) {
-        Kinematics::update_wave_kinematics(self, t, state);
-    }
-
-    fn commit(&self, t: f64, dt: f64, state: &mut State) {
-        Hysteresis::commit(self, t, dt, state);
-    }
 }
 
 /// Corrections for a method that balances forces at a mix of the states before and after a step.

@@ -85,8 +85,8 @@ impl Checkpoint {
         self.recorded
             .check(channels, &[step_envelope::profile(scene)])?;
         self.check_parts(scene)?;
-        let (state, method) = (&self.state, &self.method_state);
-        let vectors = [&state.x, &state.v, &state.a, &method.jerk, &method.x_before];
+        let state = &self.state;
+        let vectors = [&state.x, &state.v, &state.a];
         let mut numbers = vectors.into_iter().flatten().flat_map(|v| v.iter());
         let step = self.whole_step_s;
         if numbers.all(|number| number.is_finite()) && step.is_finite() && step > 0.0 {
@@ -99,7 +99,7 @@ impl Checkpoint {
     /// Checks every list with an entry a node, segment or channel.
     fn check_lists(&self, scene: &Scene) -> Result<(), String> {
         let (nodes, segments) = (scene.nodes(), scene.nodes() - 1);
-        let (state, memory, method) = (&self.state, &self.state.memory, &self.method_state);
+        let (state, memory) = (&self.state, &self.state.memory);
         let needed = [
             ("positions", state.x.len(), nodes),
             ("velocities", state.v.len(), nodes),
@@ -120,8 +120,6 @@ impl Checkpoint {
                 segments,
             ),
             ("chord corrections", state.chord_correction.len(), segments),
-            ("rates of acceleration", method.jerk.len(), nodes),
-            ("positions a step back", method.x_before.len(), nodes),
         ];
         let needed = needed.into_iter().filter(|(_, found, size)| found != size);
         let optional = optional
@@ -140,6 +138,7 @@ impl Checkpoint {
         let known = self.state.memory.bodies.len();
         let parts = [
             ("place in the march", self.place.is_possible()),
+            ("method", self.method_state.fits(&[scene.nodes()])),
             // A body that was released keeps its history.
             ("bodies on the bed", known == 0 || known >= bodies),
         ];

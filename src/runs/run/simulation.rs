@@ -97,7 +97,6 @@ fn run_method<'a>(
     start: &MarchStart<'_>,
 ) -> MarchResult {
     let scene = &phases[0];
-    let nodes = scene.nodes();
     let tolerance = position_tolerance(case, scene);
     let max_iterations = case.solver.max_iterations;
     let accelerate = |state: &mut State| {
@@ -119,7 +118,7 @@ fn run_method<'a>(
             }
         }
         Method::Quasi => {
-            let method = QuasiStatic::new(nodes, tolerance, max_iterations);
+            let method = QuasiStatic::new(scene, state, tolerance, max_iterations);
             march(method, settings, phases, state, recorder, start)
         }
         Method::Rk4 => {
@@ -128,12 +127,13 @@ fn run_method<'a>(
                 return MarchResult::failed(unstable(settings), start.work);
             }
             accelerate(state);
-            march(Rk4::new(nodes), settings, phases, state, recorder, start)
+            let method = Rk4::new(scene, state);
+            march(method, settings, phases, state, recorder, start)
         }
         Method::Alpha | Method::Auto => {
             accelerate(state);
-            let method =
-                GeneralizedAlpha::new(nodes, case.solver.rho_inf, tolerance, max_iterations);
+            let rho = case.solver.rho_inf;
+            let method = GeneralizedAlpha::new(scene, state, rho, tolerance, max_iterations);
             let method = match settings.step_tolerance {
                 Some(tolerance) => method.controlled(error_limits(case, scene, tolerance)),
                 None => method,

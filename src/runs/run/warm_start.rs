@@ -88,13 +88,14 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
 
 /// Whether a state of a method is that of this method.
 fn belongs_to(known: &MethodState, method: Method, scene: &Scene) -> bool {
-    let nodes = scene.nodes();
-    match method {
-        Method::Alpha | Method::Auto => known.jerk.len() == nodes,
-        Method::Quasi => known.x_before.len() == nodes,
-        Method::Rk4 => known.jerk.is_empty() && known.x_before.is_empty(),
+    let has = |list: &[Vec<V3>]| !list.is_empty();
+    let is_of_method = match method {
+        Method::Alpha | Method::Auto => has(&known.jerk),
+        Method::Quasi => has(&known.displaced),
+        Method::Rk4 => !has(&known.jerk) && !has(&known.displaced),
         Method::Static => false,
-    }
+    };
+    is_of_method && known.fits(&[scene.nodes()])
 }
 
 /// A state on another mesh of the same line: places and velocities in between, memories of the nearest.

@@ -13,7 +13,7 @@ use super::payout_border::{self, BorderedLines, DrivenPayout, driven};
 use super::point_loads::{Around, point_load};
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, V3};
-use crate::solve::{Factors, NewtonError, Residual, State};
+use crate::solve::{Factors, NewtonError, Parted, PartedSystem, Residual, State};
 use crate::system::network::Held;
 use crate::system::pose::cross;
 
@@ -186,7 +186,7 @@ impl Border {
     pub fn residual(&self, system: &MovingSystem) -> f64 {
         let joints = system.joints.free.clone();
         let rows = joints.filter_map(|joint| Some((system.joints.row(joint)?, joint)));
-        let sizes = rows.map(|(row, joint)| self.own[row].norm() / system.scale(joint));
+        let sizes = rows.map(|(row, joint)| self.own[row].norm() / system.scale_of_joint(joint));
         sizes.fold(self.of_lines, f64::max)
     }
 
@@ -280,10 +280,8 @@ impl Border {
         let mut offset = 0;
         for number in 0..=self.lines.len() {
             let d = self.displacements(number);
-            let joints = number == self.lines.len();
             for i in system.free(number) {
-                let scale = if joints { system.scale(i) } else { 1.0 };
-                let moved = d[i].amax() * scale;
+                let moved = d[i].amax() * system.scale(number, i);
                 if !moved.is_finite() {
                     return Err(NewtonError::NotFinite { node: offset + i });
                 }

@@ -3,11 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::march::Marching;
-use super::method_state::MethodState;
 use super::system_state::SystemState;
-use crate::dynamics::MarchProgress;
+use crate::dynamics::{Integrator, MarchProgress, MethodState};
 use crate::run::recorder_state::RecorderState;
 use crate::run::{Profile, Resumed};
+use crate::solve::Parted;
 
 /// The state of a run in time after an accepted step. Written as `checkpoint.toml`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -76,11 +76,10 @@ impl SystemCheckpoint {
                 .chain([state.bases.len(), state.attached.len()])
                 .collect()
         };
-        let jerk: Vec<usize> = self.method.jerk.iter().map(Vec::len).collect();
         let nodes: Vec<usize> = state.parts().map(|part| part.x.len()).collect();
         let mut attached = self.state.attached.iter().flatten();
         let agrees = sizes(&self.state) == sizes(state)
-            && (jerk.is_empty() || jerk == nodes)
+            && self.method.fits(&nodes)
             && self.state.velocities.len() == state.velocities.len()
             && self.state.drive_excess.len() == state.drive_excess.len()
             && attached.all(|joint| *joint < state.joints.x.len())

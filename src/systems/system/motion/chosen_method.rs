@@ -27,7 +27,7 @@ pub(super) fn chosen(
         ..given.clone()
     };
     if let Some(from) = from.filter(|from| from.checkpoint.place.steps > 0) {
-        let begun_with = match from.checkpoint.method.evaluations {
+        let begun_with = match from.checkpoint.method.work_counts.evaluations {
             0 => Cheaper::Alpha,
             _ => Cheaper::Rk4,
         };

@@ -8,8 +8,7 @@ use super::broken_names;
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint};
 use super::mesh_of_ends::{EndMesh, Remesh};
-use super::method::Method;
-use super::method_state::MethodState;
+use super::method::{SystemMethod, method};
 use super::moving_system::MovingSystem;
 use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
@@ -17,7 +16,7 @@ use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
-use crate::dynamics::{Integrator, March, MarchError, MarchProgress, Stepper};
+use crate::dynamics::{Integrator, March, MarchError, MarchProgress, MethodState, Stepper};
 use crate::run::compute::Computed;
 use crate::run::event::JobEvent;
 use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
@@ -38,7 +37,7 @@ const BETWEEN_CHECKPOINTS: Duration = Duration::from_secs(2);
 pub(super) struct Marching<'a> {
     system: MovingSystem,
     pub(super) state: SystemState,
-    pub(super) method: Method,
+    pub(super) method: SystemMethod,
     bodies: Vec<MovingBody>,
     channels: Channels,
     pub(super) recorder: Recorder<'a>,
@@ -157,9 +156,9 @@ impl<'a> Marching<'a> {
         recorder: Recorder<'a>,
     ) -> Self {
         let Start { system, state, .. } = begun;
-        let method = Method::new(settings, &system, &state);
+        let method = method(settings, &system, &state);
         Self {
-            bodies: method.bodies().to_vec(),
+            bodies: method.equations().bodies().to_vec(),
             channels,
             recorder,
             march: March {
@@ -367,8 +366,8 @@ impl<'a> Marching<'a> {
     /// The method for lines of another number of nodes.
     fn renew_method(&mut self, t: f64, kept: &MethodState) {
         self.system.update_wave_kinematics(t, &mut self.state);
-        self.method = Method::new(&self.settings, &self.system, &self.state);
-        self.method.restore(kept, &self.state);
+        self.method = method(&self.settings, &self.system, &self.state);
+        self.method.restore(kept);
     }
 
     fn result(

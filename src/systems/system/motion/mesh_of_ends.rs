@@ -1,11 +1,11 @@
 //! The mesh at ends that are paid out: only their segment grows or shrinks; where it is too long it is parted, where too short joined
 //! with the next: see [`super::new_node`] and [`super::surplus`].
 
-use super::method_state::MethodState;
 use super::moving_system::{MovingSystem, put_into_water};
 use super::new_node::NewNode;
 use super::paid_line::PaidLine;
 use super::system_state::SystemState;
+use crate::dynamics::MethodState;
 use crate::numerics::V3;
 use crate::scene::{self, PaidOut, Scene};
 use crate::solve::State;
@@ -130,7 +130,7 @@ impl MovingSystem {
 
     /// By how much the end segments change between two states, by what a step may: cubed, as errors of steps grow.
     #[must_use]
-    pub(super) fn passes(&self, from: &SystemState, to: &SystemState) -> f64 {
+    pub(super) fn passes_at_ends(&self, from: &SystemState, to: &SystemState) -> f64 {
         let shares = self.paid_ends().map(|(number, end)| {
             let length = |state: &SystemState| self.paid_out(number, end, state).length;
             let (before, after) = (length(from), length(to));

@@ -2,7 +2,7 @@
 //!
 //! The unknowns are the inner nodes of the lines, the free points, and of every free body its origin and a rotation vector from where it
 //! was at the last accepted step, in its own axes ([`SystemState`]). All are vectors of three numbers, so that generalized-alpha
-//! treats them alike ([`SystemAlpha`]); the order is kept since the velocity that belongs to the rotation vector is the angular
+//! treats them alike ([`Integrated`](crate::solve::Integrated)); the order is kept since the velocity that belongs to the rotation vector is the angular
 //! velocity along the body's axes to second order (Brüls and Cardona 2010, doi 10.1115/1.4001370).
 //!
 //! The tangent is an arrowhead: the band of each line, bordered by the joints at its ends. Each line is condensed onto its end
@@ -10,7 +10,6 @@
 //! between prescribed ends has no border and costs what it costs alone.
 
 pub mod along;
-pub mod alpha;
 mod bed_reach;
 mod body_damping;
 pub mod body_equation;
@@ -31,6 +30,7 @@ mod flow_load;
 pub mod foot;
 pub mod frequency;
 pub mod inputs;
+mod integrated_system;
 pub mod job;
 mod joint_place;
 pub mod joints;
@@ -38,8 +38,7 @@ mod landing;
 mod let_go;
 mod march;
 mod mesh_of_ends;
-pub mod method;
-mod method_state;
+mod method;
 pub mod moving_system;
 mod new_node;
 mod paid_line;
@@ -49,14 +48,12 @@ pub mod payout_inputs;
 pub mod pins;
 mod point_loads;
 pub mod pose_motion;
-mod quasi_static;
 mod recorded_system;
 mod refinable_system;
 pub mod release;
 pub mod responses;
 mod rest_state;
 pub mod resume;
-pub mod rk4;
 pub mod run;
 mod searchable_system;
 pub mod settings;
@@ -64,13 +61,10 @@ pub mod start;
 pub mod surplus;
 mod surplus_of_lines;
 pub mod system_in_time;
-mod system_newton;
 pub mod system_state;
 pub mod velocity_history;
 mod wave_stations;
 
-pub use alpha::SystemAlpha;
 pub use moving_system::MovingSystem;
 pub use pose_motion::{BodyMotion, PoseMotion};
-pub use rk4::SystemRk4;
 pub use system_state::SystemState;

@@ -16,7 +16,7 @@ use crate::numerics::V3;
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentProfile, FrictionAnchor};
 use crate::scene::{EndCondition, Scene};
-use crate::solve::{Hysteresis, Kinematics, Marched, State};
+use crate::solve::{Kinematics, State};
 use crate::system::network::{FreePoint, Held, Line, Network};
 
 /// A system in motion.
@@ -132,7 +132,7 @@ impl MovingSystem {
     }
 
     /// The first time after this one \[s\] at which the current has a row, and its rate may jump; infinite where there is none.
-    fn next_row_of_current(&self, time: f64) -> f64 {
+    pub(super) fn next_row_of_current(&self, time: f64) -> f64 {
         let current = self.network.current_over_time.as_ref();
         let rows = current.map_or(&[][..], |current| current.times());
         let passed = rows.partition_point(|row| *row <= time + SAME_TIME * (1.0 + time.abs()));
@@ -198,28 +198,13 @@ impl MovingSystem {
         lines.map(move |(number, line)| (self.scene(number, state), line))
     }
 
-    /// The nodes of a part that follow the equation of motion; the parts are the lines, then the joints.
-    #[must_use]
-    pub fn free(&self, part: usize) -> Range<usize> {
-        match self.scenes.get(part) {
-            Some(scene) => 1..scene.nodes() - 1,
-            None => self.joints.free.clone(),
-        }
-    }
-
     /// By what lengths the free joints count: 1 for displacements, the arm of its body for a rotation \[m/rad\].
     #[must_use]
-    pub fn scale(&self, joint: usize) -> f64 {
+    pub fn scale_of_joint(&self, joint: usize) -> f64 {
         match self.joints.roles[joint] {
             Role::Rotation(body) => self.arms[body],
             _ => 1.0,
         }
-    }
-
-    /// Number of the first node of a part, where all nodes are numbered one after the other.
-    #[must_use]
-    pub fn offset(&self, part: usize) -> usize {
-        self.scenes[..part].iter().map(Scene::nodes).sum()
     }
 
     /// What a node is, by its number among all of them.
@@ -447,6 +432,17 @@ impl MovingSystem {
         }
     }
 
+    /// Updates the history of points and bodies by an accepted state at time t \[s\]; the rotation vectors of the bodies count from here.
+    pub(super) fn commit_joints(&self, t: f64, state: &mut SystemState) {
+        if self.network.current_over_time.is_some() {
+            state.joints.memory.time = t;
+        }
+        self.drag_anchors(state);
+        self.note_landings(&mut state.joints);
+        turn_bases(self, state);
+        body_flow::commit(self, t, state);
+    }
+
     /// A body in motion.
     #[must_use]
     pub fn body(&self, state: &SystemState, body: usize) -> BodyMotion {
@@ -505,32 +501,6 @@ fn paid_lines(network: &Network) -> Vec<PaidLine> {
 /// Writes position, velocity and acceleration of a joint.
 fn set(joints: &mut State, joint: usize, (x, v, a): (V3, V3, V3)) {
     (joints.x[joint], joints.v[joint], joints.a[joint]) = (x, v, a);
-}
-
-impl Marched<SystemState> for MovingSystem {
-    fn next_kink(&self, state: &SystemState) -> f64 {
-        self.next_row_of_current(state.joints.memory.time)
-    }
-
-    fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
-        self.write_wave_kinematics(t, None, state);
-    }
-
-    /// The rotation vectors of the bodies count from here.
-    fn commit(&self, t: f64, dt: f64, state: &mut SystemState) {
-        let SystemState { lines, paid, .. } = &mut *state;
-        for (number, line) in lines.iter_mut().enumerate() {
-            let scene = self.scene_among(number, paid);
-            Hysteresis::commit(scene, t, dt, line);
-        }
-        if self.network.current_over_time.is_some() {
-            state.joints.memory.time = t;
-        }
-        self.drag_anchors(state);
-        self.note_landings(&mut state.joints);
-        turn_bases(self, state);
-        body_flow::commit(self, t, state);
-    }
 }
 
 /// Turns the bases of the bodies that turn by their rotation vectors, which start anew.

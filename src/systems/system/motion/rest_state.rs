@@ -17,7 +17,11 @@ use super::{
     system_state::SystemState,
     velocity_history::VelocityHistory,
 };
-use crate::{numerics::V3, physics::sea::WaterMotion, solve::State};
+use crate::{
+    numerics::V3,
+    physics::sea::WaterMotion,
+    solve::{Parted, State},
+};
 use nalgebra::UnitQuaternion;
 
 /// The lines at rest between points at these places, without what they would be solved again by: of many lines that is most of the memory.

@@ -9,7 +9,7 @@ use super::system_state::SystemState;
 
 use super::rest_state::{at_rest, carried, lines_at_rest, longest, still};
 use crate::run::lines_along::LinesAlong;
-use crate::solve::{Factors, NewtonError, StaticSearch};
+use crate::solve::{Factors, Iterated, NewtonError, Parted, StaticSearch};
 use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, build, divide};
 use crate::system::discretised::SEGMENTS;
@@ -218,13 +218,12 @@ pub(super) fn settle(system: &MovingSystem, state: &mut SystemState) -> Result<u
         before = residual;
         mass = (mass / 10.0).max(least);
         let share = (LONGEST_ITERATION * size / last.1).min(1.0);
-        for (number, part) in state.parts_mut().enumerate() {
-            let d = border.displacements(number);
-            for i in system.free(number) {
-                part.x[i] -= d[i] * share;
-            }
-        }
-        system.follow(state);
+        let places_alone = Factors {
+            mass: 0.0,
+            damping: 0.0,
+            stiffness: 1.0,
+        };
+        system.apply(&border, state, places_alone, share);
         still(state);
         turn_bases(system, state);
     }

@@ -50,44 +50,11 @@ pub struct SystemState {
 }
 
 impl SystemState {
-    /// Copies another state of the same system without allocating.
-    pub fn copy_from(&mut self, other: &Self) {
-        for (line, other) in self.lines.iter_mut().zip(&other.lines) {
-            line.copy_from(other);
-        }
-        self.joints.copy_from(&other.joints);
-        self.bases.copy_from_slice(&other.bases);
-        self.attached.copy_from_slice(&other.attached);
-        self.body_flow.clone_from(&other.body_flow);
-        self.flow_loads.copy_from_slice(&other.flow_loads);
-        self.velocities.clone_from_slice(&other.velocities);
-        self.drive_excess.copy_from_slice(&other.drive_excess);
-        self.pay_out_as(other);
-    }
-
     /// Sets the lines that are paid out as in another state.
-    fn pay_out_as(&mut self, other: &Self) {
+    pub(super) fn pay_out_as(&mut self, other: &Self) {
         for (line, other) in self.paid.iter_mut().zip(&other.paid) {
             line.pay_out_as(other);
         }
-    }
-
-    /// Swaps what is kept to read the waves with another state at places close by.
-    pub fn swap_kept_waves(&mut self, other: &mut Self) {
-        for (own, other) in self.parts_mut().zip(other.parts_mut()) {
-            std::mem::swap(&mut own.kept_waves, &mut other.kept_waves);
-        }
-    }
-
-    /// Copies histories, bases and what is attached to what.
-    pub fn copy_history_from(&mut self, other: &Self) {
-        for (line, other) in self.lines.iter_mut().zip(&other.lines) {
-            line.memory.copy_from(&other.memory);
-        }
-        self.joints.memory.copy_from(&other.joints.memory);
-        self.bases.copy_from_slice(&other.bases);
-        self.attached.copy_from_slice(&other.attached);
-        self.velocities.clone_from_slice(&other.velocities);
     }
 
     /// Takes what a checkpoint has of it; what waves make of the water is read anew.
@@ -113,17 +80,6 @@ impl SystemState {
     #[must_use]
     pub fn nodes(&self) -> i64 {
         self.lines.iter().map(|line| line.x.len() as i64).sum()
-    }
-
-    /// The lines, then the joints.
-    pub fn parts(&self) -> impl Iterator<Item = &State> {
-        self.lines.iter().chain(std::iter::once(&self.joints))
-    }
-
-    /// The same, to be changed.
-    pub fn parts_mut(&mut self) -> impl Iterator<Item = &mut State> {
-        let joints = std::iter::once(&mut self.joints);
-        self.lines.iter_mut().chain(joints)
     }
 
     /// A body in motion.

@@ -14,6 +14,7 @@ use crate::case::{Case, ChannelQuantity};
 use crate::numerics::SingularBlock;
 use crate::physics::motion::MotionPath;
 use crate::scene;
+use crate::solve::PartedSystem;
 use crate::system::SolvedSystem;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::motion::border::Border;

@@ -3,7 +3,7 @@
 use nalgebra::Vector6;
 
 use crate::numerics::V3;
-use crate::solve::{Marched, NewtonError};
+use crate::solve::{Marched, NewtonError, Parted};
 use crate::system::motion::pose_motion::BodyMotion;
 use crate::system::motion::start::{Start, settle};
 use crate::system::motion::system_state::SystemState;
