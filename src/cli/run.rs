@@ -145,7 +145,6 @@ pub(super) fn stored(
             JobEvent::Started { .. }
             | JobEvent::Case(_)
             | JobEvent::Checkpoint(_)
-            | JobEvent::SystemCheckpoint(_)
             | JobEvent::Finished(_) => {}
         }
         if !recorder.event(&event) {

@@ -115,10 +115,7 @@ impl Board {
                 content.progress_changes += 1;
             }
             JobEvent::Estimating => self.progress_of_run(|progress| progress.estimating = true),
-            JobEvent::Case(_)
-            | JobEvent::Checkpoint(_)
-            | JobEvent::SystemCheckpoint(_)
-            | JobEvent::Finished(_) => {}
+            JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::Finished(_) => {}
         }
     }
 

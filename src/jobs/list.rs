@@ -2,13 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::de::IgnoredAny;
+
 use super::folder::{JobFolder, JobState};
 use super::jobs_dir::JobsDir;
 use super::spec::{JobSpec, plain};
 use super::status::{JobPhase, JobStatus};
 use crate::run::Checkpoint;
 use crate::run::store::{StoreError, sealed_checkpoint};
-use crate::system::motion::checkpoint::SystemCheckpoint;
 use crate::visible;
 
 /// How long a job that has ended is kept for somebody to see it \[s\].
@@ -169,16 +170,8 @@ pub fn results_from_here(spec: &JobSpec, results: &Path) -> PathBuf {
 /// # Errors
 /// It cannot, in words.
 fn resumable_from(dir: &Path) -> Result<f64, String> {
-    let line = sealed_checkpoint::<Checkpoint>(dir).map(|(checkpoint, _)| checkpoint.time());
-    let found = line.or_else(|error| match error {
-        StoreError::Damaged { .. } => {
-            let system = sealed_checkpoint::<SystemCheckpoint>(dir);
-            system.map(|(checkpoint, _)| checkpoint.time())
-        }
-        error => Err(error),
-    });
-    match found {
-        Ok(time) => Ok(time),
+    match sealed_checkpoint::<Checkpoint<IgnoredAny>>(dir) {
+        Ok((checkpoint, _)) => Ok(checkpoint.time()),
         // It has a case and is computed from its start.
         Err(StoreError::NoCheckpoint(_)) if dir.is_dir() => Ok(0.0),
         Err(error) => Err(visible::line(&error.to_string()).into_owned()),

@@ -504,7 +504,7 @@ fn relay(
         let recorded = || record.lock().unwrap_or_else(PoisonError::into_inner);
         match event {
             JobEvent::Frame(frame) => recorded().push(&frame),
-            JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
+            JobEvent::Case(_) | JobEvent::Checkpoint(_) => {}
             event => {
                 if let JobEvent::Started { channels, .. } = &event {
                     recorded().begin(channels.clone());

@@ -135,7 +135,7 @@ fn a_run_of_a_moment_is_there_at_once_or_not_at_all() {
         (dir, writer)
     };
     let entries = || fs::read_dir(root.path().join("runs")).unwrap().count();
-    let checkpoint = JobEvent::SystemCheckpoint("a = 1\n".to_owned());
+    let checkpoint = JobEvent::Checkpoint("a = 1\n".to_owned());
 
     let (dir, writer) = begin("whole");
     let mut writer = writer.unwrap();

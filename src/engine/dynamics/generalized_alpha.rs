@@ -89,11 +89,6 @@ impl<X: Parted, W> GeneralizedAlpha<X, W> {
         self
     }
 
-    /// The equations of the system.
-    pub fn equations(&self) -> &W {
-        &self.newton.equations
-    }
-
     /// Accelerations from positions and velocities, by the forces.
     ///
     /// # Errors

@@ -35,15 +35,6 @@ impl<X: Parted, W: 'static> Method<X, W> {
         }
     }
 
-    /// The equations of the system.
-    pub fn equations(&self) -> &W {
-        match self {
-            Self::Alpha(method) => method.equations(),
-            Self::Rk4(method) => method.equations(),
-            Self::QuasiStatic(method) => method.equations(),
-        }
-    }
-
     fn integrator(&self) -> &dyn Integrator {
         match self {
             Self::Alpha(method) => method,

@@ -62,11 +62,6 @@ impl<X: Parted, W> QuasiStatic<X, W> {
         }
     }
 
-    /// The equations of the system.
-    pub const fn equations(&self) -> &W {
-        &self.newton.equations
-    }
-
     fn differences(&self, h: f64) -> (f64, f64) {
         backward_differences(self.last_step, h)
     }

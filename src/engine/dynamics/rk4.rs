@@ -47,11 +47,6 @@ impl<X: Parted, W> Rk4<X, W> {
         }
     }
 
-    /// The equations of the system.
-    pub const fn equations(&self) -> &W {
-        &self.equations
-    }
-
     /// Accelerations from positions and velocities, by the forces.
     ///
     /// # Errors

@@ -13,37 +13,42 @@ use crate::dynamics::{MarchProgress, MethodState};
 use crate::scene::Scene;
 use crate::solve::{Kinematics, State};
 
-/// The state of a computation after an accepted step. Written as `checkpoint.toml`.
+/// The state of a computation after an accepted step, of a line or, with states X, of a system. Written as `checkpoint.toml`.
+///
+/// What has tables comes last: values behind a table are inserted into the text before it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Checkpoint {
+pub struct Checkpoint<X = State> {
     /// Digests of the case by its tables ([`digests`](case::digests)), which name what was changed.
     pub case: BTreeMap<String, String>,
     /// Length of a whole step \[s\].
     pub whole_step_s: f64,
-    /// Events of the line so far.
+    /// Changes so far that are counted: events of a line.
     pub phase: usize,
     /// Newton iterations of the search for the start.
     pub start_iterations: u64,
     /// Warnings of the start.
     pub warnings: Vec<String>,
+    /// What happened to the lines so far, in words.
+    pub happened: Vec<String>,
     /// Position of the time march.
     pub place: MarchProgress,
-    /// The state of the line.
-    pub state: State,
     /// State of the time integration method.
-    #[serde(rename = "carried")]
-    pub method_state: MethodState,
+    pub method: MethodState,
     /// What is recorded so far.
     pub recorded: RecorderState,
+    /// The state of the line, or of the lines, points and bodies.
+    pub state: X,
 }
 
-impl Checkpoint {
+impl<X> Checkpoint<X> {
     /// Time of the state \[s\].
     #[must_use]
     pub fn time(&self) -> f64 {
         self.recorded.time().unwrap_or(self.place.time)
     }
+}
 
+impl Checkpoint {
     /// Checks that it is one of this case.
     ///
     /// # Errors
@@ -138,7 +143,7 @@ impl Checkpoint {
         let known = self.state.memory.bodies.len();
         let parts = [
             ("place in the march", self.place.is_possible()),
-            ("method", self.method_state.fits(&[scene.nodes()])),
+            ("method", self.method.fits(&[scene.nodes()])),
             // A body that was released keeps its history.
             ("bodies on the bed", known == 0 || known >= bodies),
         ];

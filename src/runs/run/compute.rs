@@ -1,14 +1,16 @@
 //! One computation of a case, without companions: scene, settings, simulation, and what follows from its record.
 
+use std::cell::OnceCell;
 use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::event::{JobEvent, Listener};
-use super::line_recorder::LineRecorder;
+use super::line_under_way::{LineUnderWay, phases, plan};
+use super::march::MarchResult;
 use super::observer::RunRecord;
+use super::recorder::Recorder;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
-use super::time_march::{MarchResult, phases};
 use super::{Cost, Profile, Quantity, ResumedRun, RunState, Settings, Work};
 use super::{natural_modes, published_curve, steady_state};
 use crate::background::cpu_time;
@@ -96,11 +98,11 @@ pub(super) fn compute(
     let ratio = resolution.step_ratio;
     settings.time_step_s *= ratio;
     settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
+    let channels = case::channels(case);
     let events: Listener<'_> = match events {
         Some(events) => {
-            let channels = case::channels(case).into_iter();
             events(JobEvent::Started {
-                channels: channels.map(|channel| channel.id).collect(),
+                channels: channels.iter().map(|channel| channel.id.clone()).collect(),
                 lines: Vec::new(),
             });
             Some(events)
@@ -110,9 +112,16 @@ pub(super) fn compute(
     let (cpu, wall) = (cpu_time(), Instant::now());
     let mut warnings = warnings(&scene, &settings);
     let phases = phases(scene);
-    let mut recorder = LineRecorder::new(case, &phases[0], events, cancel);
-    let outcome = simulate(case, &phases, &settings, &mut recorder, &mut warnings, from);
-    let record = recorder.finish();
+    let recorder = Recorder::new(plan(case, &phases[0], &channels), events, cancel);
+    let line = LineUnderWay {
+        case,
+        settings: &settings,
+        phases: &phases,
+        phase: 0,
+        channels: &channels,
+        digests: OnceCell::new(),
+    };
+    let (outcome, record) = simulate(line, recorder, &mut warnings, from);
     let cost = Cost {
         cpu_s: cpu_time() - cpu,
         wall_s: wall.elapsed().as_secs_f64(),

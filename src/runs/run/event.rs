@@ -1,6 +1,6 @@
 //! What a job reports while it computes.
 
-use super::{Checkpoint, OutputFrame, Run, SearchProgress};
+use super::{OutputFrame, Run, SearchProgress};
 use crate::case::ChannelId;
 
 /// Where the events of a computation go; none where nobody waits for them.
@@ -22,10 +22,8 @@ pub enum JobEvent {
     Case(String),
     /// An output time.
     Frame(Box<OutputFrame>),
-    /// The state of the computation, from which it can be resumed.
-    Checkpoint(Box<Checkpoint>),
-    /// The same of a system of lines, as the text of its file.
-    SystemCheckpoint(String),
+    /// The state of the computation, from which it can be resumed, as the text of its file.
+    Checkpoint(String),
     /// The run is complete; companion runs now estimate its errors.
     Estimating,
     /// The end, whatever it was: see [`RunInfo::state`](super::RunInfo::state).

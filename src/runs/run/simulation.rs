@@ -1,63 +1,92 @@
 //! A simulation: brings the line to its start, then runs the method of the case.
 
-use std::sync::atomic::Ordering;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::initial_equilibrium::find_equilibrium;
-use super::line_recorder::LineRecorder;
-use super::settings::{motion_scale, position_tolerance};
-use super::time_march::{MarchResult, MarchStart, march};
+use super::line_under_way::LineUnderWay;
+use super::march::{MarchResult, MarchStart, Marching};
+use super::observer::{LineAtEnd, RunEnd, RunRecord};
+use super::recorder::Recorder;
 use super::warm_start::warm_start;
 use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
-use crate::dynamics::quasi_static::QuasiStatic;
-use crate::dynamics::rk4::{BELOW_LIMIT, Rk4, above_limit};
-use crate::dynamics::{ErrorLimits, generalized_alpha::GeneralizedAlpha};
+use crate::dynamics::March;
+use crate::dynamics::rk4::{BELOW_LIMIT, above_limit};
+use crate::limits::STEPS;
 use crate::scene::Scene;
-use crate::solve::{AcceptedStep, ExplicitRhs, Kinematics, Progressing, Sink, State};
+use crate::solve::State;
 
-/// Brings the line to its start and runs the method of the case. `phases` is the line at first and after each of its
-/// events.
+/// Brings a line to its start and runs the method of its case.
 pub(super) fn simulate<'a>(
-    case: &Case,
-    phases: &'a [Scene],
-    settings: &Settings,
-    recorder: &mut LineRecorder<'a>,
+    line: LineUnderWay<'a>,
+    recorder: Recorder<'a>,
     warnings: &mut Vec<String>,
-    resume: Option<&ResumedRun>,
-) -> MarchResult {
+    resume: Option<&'a ResumedRun>,
+) -> (MarchResult, RunRecord) {
+    let (case, settings, phases) = (line.case, line.settings, line.phases);
+    let cancel = recorder.cancel();
     let mut state = phases[0].initial_state();
-    let mut result = simulate_from(
-        case,
-        phases,
-        settings,
-        recorder,
-        warnings,
-        (&mut state, resume),
-    );
-    recorder.end(&state);
-    if let Some(fault) = recorder.fault() {
-        result.state = RunState::Failed;
-        result.failure.get_or_insert(fault);
-    }
-    result
+    let found = find_start(case, &phases[0], &mut state, cancel, warnings, resume);
+    let (start, failure) = match found {
+        Ok(start) => (start, None),
+        Err((work, failure)) => (MarchStart::at_rest(None, work), Some(failure)),
+    };
+    let work = start.work;
+    let march = March {
+        duration: settings.duration_s,
+        step: settings.time_step_s,
+    };
+    let mut marching = Marching::new(line, state, march, recorder, start);
+    let refused = failure.or_else(|| refusal(case, settings).map(Failure::OfMethod));
+    let result = match refused {
+        None if case.solver.method == Method::Static => marching.record_alone(work),
+        None => marching.run(),
+        Some(Failure::Stopped) => MarchResult::stopped(work),
+        Some(Failure::OfRest(why)) => MarchResult {
+            state: RunState::Failed,
+            failure: Some(why),
+            ..marching.record_alone(work)
+        },
+        Some(Failure::OfMethod(why)) => MarchResult::failed(why, work),
+    };
+    let (line, state, recorder) = marching.into_parts();
+    let end = LineAtEnd {
+        scene: line.scene(),
+        state: recorder.fault().is_none().then_some(&state),
+    };
+    let record = recorder.finish(&RunEnd {
+        single_line: Some((case, &phases[0])),
+        lines: &[end],
+    });
+    (result, record)
 }
 
-/// The same from this initial state, which becomes the last one.
-fn simulate_from<'a>(
+/// Why there is nothing to march.
+enum Failure {
+    /// The search for the start was stopped.
+    Stopped,
+    /// There is no equilibrium; where the search came to is recorded.
+    OfRest(String),
+    /// The method, or the run to start from, is refused.
+    OfMethod(String),
+}
+
+/// The start of a line, and its state there.
+///
+/// # Errors
+/// What the search took, and why there is no start.
+fn find_start<'a>(
     case: &Case,
-    phases: &'a [Scene],
-    settings: &Settings,
-    recorder: &mut LineRecorder<'a>,
+    scene: &Scene,
+    state: &mut State,
+    cancel: &AtomicBool,
     warnings: &mut Vec<String>,
-    (state, resume): (&mut State, Option<&ResumedRun>),
-) -> MarchResult {
-    let scene = &phases[0];
+    resume: Option<&'a ResumedRun>,
+) -> Result<MarchStart<'a, State>, (Work, Failure)> {
     let mut work = Work::default();
     let earlier_warnings = warnings.len();
-    let warm = match warm_start(case, scene) {
-        Ok(warm) => warm.filter(|_| resume.is_none()),
-        Err(failure) => return MarchResult::failed(failure, work),
-    };
+    let warm = warm_start(case, scene).map_err(|why| (work, Failure::OfMethod(why)))?;
+    let warm = warm.filter(|_| resume.is_none());
     let from_run = warm.is_some() && case.solver.method != Method::Static;
     let mut method_state = None;
     if let Some(warm) = warm {
@@ -67,110 +96,38 @@ fn simulate_from<'a>(
         work.iterations = resume.checkpoint.start_iterations;
         warnings.extend(resume.checkpoint.warnings.iter().cloned());
     } else if !from_run {
-        let (cancel, notes) = (recorder.cancel(), (&mut work, &mut *warnings));
-        if let Err(failure) = find_equilibrium(case, scene, state, cancel, notes) {
-            if cancel.load(Ordering::Relaxed) {
-                return MarchResult::stopped(work);
-            }
-            record_single(recorder, state);
-            return MarchResult::failed(failure, work);
-        }
+        let found = find_equilibrium(case, scene, state, cancel, (&mut work, &mut *warnings));
+        found.map_err(|why| match cancel.load(Ordering::Relaxed) {
+            true => (work, Failure::Stopped),
+            false => (work, Failure::OfRest(why)),
+        })?;
     }
     scene.apply_start_velocity(state);
-    let start = MarchStart {
+    Ok(MarchStart {
         resume,
         from_run,
-        method_state: method_state.as_ref(),
-        warnings: &warnings[earlier_warnings..],
+        method_state,
+        warnings: warnings[earlier_warnings..].to_vec(),
         work,
-    };
-    run_method(case, settings, phases, state, recorder, &start)
+    })
 }
 
-/// Runs the method of the case from the current state.
-fn run_method<'a>(
-    case: &Case,
-    settings: &Settings,
-    phases: &'a [Scene],
-    state: &mut State,
-    recorder: &mut LineRecorder<'a>,
-    start: &MarchStart<'_>,
-) -> MarchResult {
-    let scene = &phases[0];
-    let tolerance = position_tolerance(case, scene);
-    let max_iterations = case.solver.max_iterations;
-    let accelerate = |state: &mut State| {
-        scene.update_wave_kinematics(0.0, state);
-        // A known acceleration stays: derived anew from the forces it would lose an order.
-        if start.method_state.is_none() {
-            scene.accelerate(0.0, state);
-        }
-    };
-    match case.solver.method {
-        Method::Static => {
-            record_single(recorder, state);
-            MarchResult {
-                state: RunState::Done,
-                failure: None,
-                work: start.work,
-                reached: 0.0,
-                lengths: Vec::new(),
-            }
-        }
-        Method::Quasi => {
-            let method = QuasiStatic::new(scene, state, tolerance, max_iterations);
-            march(method, settings, phases, state, recorder, start)
-        }
-        Method::Rk4 => {
-            let limit = settings.stability_limit_s;
-            if limit.is_some_and(|limit| settings.time_step_s > limit) {
-                return MarchResult::failed(unstable(settings), start.work);
-            }
-            accelerate(state);
-            let method = Rk4::new(scene, state);
-            march(method, settings, phases, state, recorder, start)
-        }
-        Method::Alpha | Method::Auto => {
-            accelerate(state);
-            let rho = case.solver.rho_inf;
-            let method = GeneralizedAlpha::new(scene, state, rho, tolerance, max_iterations);
-            let method = match settings.step_tolerance {
-                Some(tolerance) => method.controlled(error_limits(case, scene, tolerance)),
-                None => method,
-            };
-            let method = match scene.velocity_resolution() {
-                Some(speed) => method.resolving(speed),
-                None => method,
-            };
-            march(method, settings, phases, state, recorder, start)
-        }
+/// Why a method is refused before its first step: too many steps, or unstable ones.
+fn refusal(case: &Case, settings: &Settings) -> Option<String> {
+    if case.solver.method == Method::Static {
+        return None;
     }
-}
-
-/// Errors allowed in a step, from the dimensionless tolerance of the case.
-fn error_limits(case: &Case, scene: &Scene, tolerance: f64) -> ErrorLimits {
-    let (distance, speed) = motion_scale(case, scene);
-    ErrorLimits {
-        position: tolerance * distance,
-        velocity: 2.0 * tolerance * speed,
+    let step = settings.time_step_s;
+    let limit = settings.stability_limit_s;
+    if case.solver.method == Method::Rk4 && limit.is_some_and(|limit| step > limit) {
+        let at = settings.stability_limit_at.as_deref().unwrap_or_default();
+        let problem = above_limit(step, limit.unwrap_or_default(), at);
+        return Some(format!("{problem}; {BELOW_LIMIT}"));
     }
-}
-
-/// Records a single state.
-fn record_single(recorder: &mut LineRecorder<'_>, state: &State) {
-    let _: Progressing = recorder.accept(AcceptedStep {
-        time: 0.0,
-        state,
-        steps: 0,
-        whole: true,
-    });
-}
-
-fn unstable(settings: &Settings) -> String {
-    let problem = above_limit(
-        settings.time_step_s,
-        settings.stability_limit_s.unwrap_or_default(),
-        settings.stability_limit_at.as_deref().unwrap_or_default(),
-    );
-    format!("{problem}; {BELOW_LIMIT}")
+    let steps = settings.duration_s / step;
+    STEPS.is_exceeded_by(steps).then(|| {
+        let fewer = "make the line less stiff, or choose the solver `alpha`";
+        let remedy = STEPS.remedy(fewer, steps);
+        format!("it would take {steps:.1e} steps of {step:.1e} s; {remedy}")
+    })
 }

@@ -75,7 +75,7 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
         }
     }
     let method_state =
-        Some(stored.method_state).filter(|c| same && belongs_to(c, case.solver.method, scene));
+        Some(stored.method).filter(|c| same && belongs_to(c, case.solver.method, scene));
     let method_state = method_state.map(|known| MethodState {
         work_counts: WorkCounts::default(),
         ..known

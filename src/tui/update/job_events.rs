@@ -46,7 +46,7 @@ pub(super) fn event(state: &mut AppState, ticket: JobNumber, event: JobEvent) ->
                 curves.push(&frame);
             }
         }
-        JobEvent::Case(_) | JobEvent::Checkpoint(_) | JobEvent::SystemCheckpoint(_) => {}
+        JobEvent::Case(_) | JobEvent::Checkpoint(_) => {}
         JobEvent::Estimating => {
             if let Some(line) = state.jobs.get_mut(ticket) {
                 line.progress.estimating = true;

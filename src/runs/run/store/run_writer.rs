@@ -17,7 +17,7 @@ use super::{
 };
 use crate::case::ChannelId;
 use crate::files::unsaved::Unsaved;
-use crate::run::{Checkpoint, OutputFrame, Run, RunInfo, RunState, event::JobEvent};
+use crate::run::{OutputFrame, Run, RunInfo, RunState, event::JobEvent};
 use crate::seal::{Digest, Seal, sealed};
 
 /// How long rows may wait in memory.
@@ -135,8 +135,7 @@ impl RunWriter {
         match event {
             JobEvent::Started { channels, lines } => self.begin_record(channels, lines),
             JobEvent::Frame(frame) => self.frame(frame),
-            JobEvent::Checkpoint(checkpoint) => self.checkpoint(checkpoint),
-            JobEvent::SystemCheckpoint(text) => self.checkpoint_text(text),
+            JobEvent::Checkpoint(text) => self.checkpoint(text),
             JobEvent::Estimating => self.flush(),
             JobEvent::Case(text) => {
                 self.case_due = Some(text.clone());
@@ -215,15 +214,7 @@ impl RunWriter {
     }
 
     /// Writes a checkpoint once everything recorded before is on disk.
-    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), StoreError> {
-        let text = toml::to_string(checkpoint).map_err(|error| StoreError::Damaged {
-            file: self.dir.join(CHECKPOINT),
-            reason: error.to_string(),
-        })?;
-        self.checkpoint_text(&text)
-    }
-
-    fn checkpoint_text(&mut self, text: &str) -> Result<(), StoreError> {
+    fn checkpoint(&mut self, text: &str) -> Result<(), StoreError> {
         self.flush()?;
         if let Some(case) = self.case_due.take() {
             self.case = Digest::of(case.as_bytes());

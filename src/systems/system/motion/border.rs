@@ -127,13 +127,22 @@ pub fn accelerate(
     Ok(())
 }
 
+/// The bodies that turn, with the added mass that they have in a state.
+pub(super) fn moving_bodies(system: &MovingSystem, state: &SystemState) -> Vec<MovingBody> {
+    let turns = |number: &usize| system.network.bodies[*number].turns();
+    let bodies = (0..system.network.bodies.len()).filter(turns);
+    let moving = |number| {
+        let pose = system.body(state, number).pose;
+        MovingBody::new(&system.network, number, &pose)
+    };
+    bodies.map(moving).collect()
+}
+
 impl Border {
     /// For a system, whose bodies have the added mass that they have in this state.
     #[must_use]
     pub fn new(system: &MovingSystem, state: &SystemState) -> Self {
         let nodes = || state.lines.iter().map(|line| line.x.len());
-        let turns = |number: &usize| system.network.bodies[*number].turns();
-        let bodies = (0..system.network.bodies.len()).filter(turns);
         let driven = driven(system, state);
         let unknowns = system.joints.envelope.len();
         Self {
@@ -141,12 +150,7 @@ impl Border {
             // Lengths that are unknowns are solved for with the bands of all lines.
             tangents: Tangents::new(system, nodes(), !driven.is_empty()),
             condensations: nodes().map(Condensation::new).collect(),
-            bodies: bodies
-                .map(|number| {
-                    let pose = system.body(state, number).pose;
-                    MovingBody::new(&system.network, number, &pose)
-                })
-                .collect(),
+            bodies: moving_bodies(system, state),
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),
             rows: vec![V3::zeros(); unknowns],
             joints: vec![V3::zeros(); state.joints.x.len()],

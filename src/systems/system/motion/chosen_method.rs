@@ -3,9 +3,9 @@
 use std::sync::atomic::AtomicBool;
 
 use super::checkpoint::ResumedSystem;
-use super::march::compute;
 use super::settings::MotionSettings;
 use super::start::Start;
+use super::system_under_way::compute;
 use crate::run::Work;
 use crate::run::lines_along::LinesAlong;
 use crate::run::outlook::{Cheaper, Outlook, TRIAL};

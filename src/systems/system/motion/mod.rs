@@ -36,7 +36,6 @@ mod joint_place;
 pub mod joints;
 mod landing;
 mod let_go;
-mod march;
 mod mesh_of_ends;
 mod method;
 pub mod moving_system;
@@ -62,6 +61,7 @@ pub mod surplus;
 mod surplus_of_lines;
 pub mod system_in_time;
 pub mod system_state;
+mod system_under_way;
 pub mod velocity_history;
 mod wave_stations;
 

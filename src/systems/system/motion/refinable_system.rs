@@ -3,10 +3,10 @@
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
-use super::march::compute;
 use super::settings::MotionSettings;
 use super::start::{Start, start};
 use super::system_in_time::SystemInTime;
+use super::system_under_way::compute;
 use crate::run::companions::Place;
 use crate::run::compute::Computed;
 use crate::run::lines_along::LinesAlong;
