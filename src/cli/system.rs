@@ -21,13 +21,13 @@ use seacable_report::{
     verdict::RunVerdict,
 };
 use seacable_runs::run::job::execute_from;
+use seacable_runs::run::resume_request;
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_systems::system::{
     SystemFile,
     analysis::analyses::Analyses,
     motion::checkpoint::ResumedSystem,
     motion::job::{self, SystemRequest},
-    motion::resume::resume_request,
     validation,
 };
 

@@ -9,11 +9,11 @@ use std::time::Duration;
 
 use signal_hook::low_level::exit;
 
+use super::JobRequest;
 use super::board::Board;
 use super::folder::JobFolder;
 use super::jobs_dir::JobsDir;
 use super::launch::Launcher;
-use super::request::JobRequest;
 use super::server::Server;
 use super::spec::{JobSpec, Work};
 use super::status::{JobPhase, JobStatus, LoadCaseProgress};

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
+use super::JobRequest;
 use super::identity::ProcessIdentity;
-use super::request::JobRequest;
 use super::status::VERSION;
 use super::sweep::SweepRequest;
 use crate::case::{self, Diagnostic, kind};

@@ -5,7 +5,7 @@ use seacable_display::table;
 use seacable_engine::{dynamics, modes, scene, solve, statics};
 #[cfg(test)]
 use seacable_model::section;
-use seacable_model::{case, checks, kinds, published};
+use seacable_model::{case, checks, published};
 use seacable_numerics as numerics;
 use seacable_physics as physics;
 use seacable_statistics::fatigue;

@@ -2,9 +2,9 @@
 
 use seacable_base::{background, files, limits, number, visible, work_log};
 use seacable_engine::{dynamics, line_between_ends, modes, scene, solve, statics};
-use seacable_model::{case, checks, published};
+use seacable_model::{case, checks, kinds, published};
 #[cfg(test)]
-use seacable_model::{kinds, section, templates};
+use seacable_model::{section, templates};
 use seacable_numerics as numerics;
 use seacable_physics as physics;
 use seacable_runs::{reference, run};

@@ -167,7 +167,7 @@ fn a_run_goes_on_in_its_output_intervals() {
     let (resumed, _) = run(&request, from.as_ref());
     let (whole, _) = run(&short_interval(8.0), None);
     assert_eq!(resumed.history.time, whole.history.time);
-    assert!(resume_request(&dir, Some(8.02)).is_err());
+    assert!(resume_request::<case::Case>(&dir, Some(8.02)).is_err());
 }
 
 /// Stopped while it looks for its equilibrium it has no rows, wrong ones least of all, and is begun anew.
@@ -215,7 +215,7 @@ fn a_killed_run_resumes_from_its_last_checkpoint() {
     let checkpoint = toml::to_string(&checkpoint).unwrap();
     writer.event(&JobEvent::Checkpoint(checkpoint)).unwrap();
     assert!(store::is_locked(&dir));
-    let refused = resume_request(&dir, None).unwrap_err();
+    let refused = resume_request::<case::Case>(&dir, None).unwrap_err();
     assert!(refused.contains("still being computed"), "{refused}");
     let reported = store::read(&dir).unwrap().info.warnings;
     assert!(

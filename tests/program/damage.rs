@@ -13,7 +13,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 use assert_cmd::Command;
-use seacable::case::{self, edit, kind};
+use seacable::case::{self, Case, edit, kind};
 use seacable::chart::Glyphs;
 use seacable::kinds::FileType;
 use seacable::reference;
@@ -23,7 +23,7 @@ use seacable::run::store::{self, RunLocation, RunWriter};
 use seacable::run::{Run, RunInfo, RunState};
 use seacable::system::SystemFile;
 use seacable::system::motion::job as system_job;
-use seacable::system::motion::resume as systems;
+use seacable::system::motion::system_in_time::SystemInTime;
 
 use crate::chance::{Chance, asked, seed};
 use crate::reseal::{reseal, unsealed};
@@ -156,10 +156,10 @@ fn resumed(dir: &Path) -> Result<(Run, bool), String> {
     let ignore = &mut |_| {};
     let run = catch_unwind(AssertUnwindSafe(|| {
         if FileType::of_text(&text) == FileType::System {
-            let (request, from) = systems::resume_request(dir, None)?;
+            let (request, from) = seacable::run::resume_request::<SystemInTime>(dir, None)?;
             Ok(job::execute_from(&request, from.as_ref(), &cancel, ignore))
         } else {
-            let (request, from) = seacable::run::resume_request(dir, None)?;
+            let (request, from) = seacable::run::resume_request::<Case>(dir, None)?;
             Ok(job::execute_from(&request, from.as_ref(), &cancel, ignore))
         }
     }));

@@ -83,7 +83,7 @@ fn starting_from_a_run_is_going_on_with_it() {
         let text = text(&keys);
         let case = case::parse(&text, "small.toml").unwrap();
         stored(&request(text, case), &dir);
-        let (resumed, stands) = resume_request(&dir, Some(4.0)).unwrap();
+        let (resumed, stands) = resume_request::<Case>(&dir, Some(4.0)).unwrap();
         let whole = job::execute_from(
             &resumed,
             stands.as_ref(),

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use crate::reseal::{reseal, unsealed};
+use seacable::case::Case;
 use seacable::chart::Glyphs;
 use seacable::report::text;
 use seacable::run::store::{RunLocation, RunWriter, StoreError, read};
@@ -61,14 +62,14 @@ fn changed(run: &Path, change: impl Fn(&str, String) -> String) -> tempfile::Tem
 /// That the run in this directory is not resumed, since its history was changed; sealed anew, it is the run that was never
 /// interrupted.
 fn assert_resumes(dir: &Path) {
-    let refused = resume_request(dir, Some(5.0)).unwrap_err();
+    let refused = resume_request::<Case>(dir, Some(5.0)).unwrap_err();
     assert!(
         refused.contains("history.csv cannot be read: it was changed"),
         "{refused}"
     );
     let checkpoint = fs::read_to_string(dir.join("checkpoint.toml")).unwrap();
     reseal(dir, unsealed(&checkpoint));
-    let (request, from) = resume_request(dir, Some(5.0)).unwrap();
+    let (request, from) = resume_request::<Case>(dir, Some(5.0)).unwrap();
     let never = AtomicBool::new(false);
     let resumed = job::execute_from(&request, from.as_ref(), &never, &mut |_| ());
     let whole = job::execute(&request, &never, &mut |_| ());
@@ -113,7 +114,7 @@ fn a_run_of_the_version_before_opens_and_reports_and_says_why_it_does_not_resume
     let rows = reference::rows_of_run(&run, &case);
     let report = text::report(&run, &case, &rows, Glyphs::Ascii);
     assert!(report.contains(&run.info.title) && report.contains("mean_load_percent.max"));
-    let refused = resume_request(&stored(), Some(5.0)).unwrap_err();
+    let refused = resume_request::<Case>(&stored(), Some(5.0)).unwrap_err();
     assert!(refused.contains("Version 0.1.0 wrote it"), "{refused}");
 }
 
@@ -195,6 +196,6 @@ fn what_cannot_be_read_says_which_version_wrote_it() {
         "checkpoint.toml" => text.replace("whole_step_s", "step_s"),
         _ => text,
     });
-    let error = resume_request(dir.path(), Some(6.0)).unwrap_err();
+    let error = resume_request::<Case>(dir.path(), Some(6.0)).unwrap_err();
     assert!(error.contains("9.1.0"), "{error}");
 }

@@ -11,11 +11,12 @@ use seacable::case::kind;
 use seacable::run::index::RunIndex;
 use seacable::run::job::JobEvent;
 use seacable::run::job::execute_from;
+use seacable::run::resume_request;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState, store};
 use seacable::system::SystemFile;
+use seacable::system::motion::checkpoint::ResumedSystem;
 use seacable::system::motion::job::{self as system_job, SystemRequest};
-use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::quantities::value;
 
 const BRIDLE: &str = include_str!("../../cases/systems/bridle_in_heave.toml");

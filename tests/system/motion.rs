@@ -543,3 +543,28 @@ fn motion_without_a_run_in_time_is_said_to_have_no_effect() {
         "{warnings:?}"
     );
 }
+
+/// Drag slows a light ball in less than a step, which is halved until it is stable; before, it reached 1e81 m/s.
+#[test]
+fn an_explicit_step_is_halved_where_drag_is_fast() {
+    let text = |method: &str| {
+        format!(
+            "[points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -5.0]
+            [points.ball]\nkind = \"free\"\nposition_m = [0.0, 0.0, -15.0]\nmass_kg = 60.0\nvolume_m3 = 0.02\ndrag_area_m2 = 1.5\nstart_velocity_m_per_s = [0.0, 6.0, 0.0]
+            [materials.wire]\nmass_kg_per_m = 2.0\ndiameter_m = 0.02\nea_n = 3e2\ndrag_normal = 1.2\naxial_damping_n_s = 10.0
+            [[lines]]\nname = \"wire\"\nfrom = \"top\"\nto = \"ball\"\nmaterial = \"wire\"\nlength_m = 10.0\nsegments = 2
+            [solver]\nmethod = \"{method}\"\nduration_s = 6.0\ntime_step_s = 0.06\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+        )
+    };
+    let explicit = moved(&text("rk4"));
+    assert!(explicit.work.rejections > 0);
+    let implicit = moved(&text("alpha").replace("0.06", "0.002"));
+    let paths = [&explicit, &implicit].map(|run| channel(run, "y_m[ball]"));
+    let range = paths[1].iter().fold(0.0_f64, |most, y| most.max(y.abs()));
+    for (explicit, implicit) in paths[0].iter().zip(paths[1]) {
+        assert!(
+            (explicit - implicit).abs() < 1e-2 * range,
+            "{explicit} {implicit}"
+        );
+    }
+}

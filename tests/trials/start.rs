@@ -7,11 +7,12 @@ use seacable::case::kind;
 use seacable::import::{self, ImportOptions};
 use seacable::run::job::JobEvent;
 use seacable::run::job::execute_from;
+use seacable::run::resume_request;
 use seacable::run::store::{RunLocation, RunWriter};
 use seacable::run::{Run, RunState};
+use seacable::system::motion::checkpoint::ResumedSystem;
 use seacable::system::motion::job::{self as system_job, SystemRequest};
 use seacable::system::motion::run::{MotionRun, run};
-use seacable::system::motion::{checkpoint::ResumedSystem, resume::resume_request};
 use seacable::system::{SolvedSystem, SystemFile};
 
 const G: f64 = 9.80665;

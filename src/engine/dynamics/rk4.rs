@@ -108,7 +108,7 @@ impl<X: Parted, W> Rk4<X, W> {
 
     /// Rejects a step with a number that is not finite, and one too long for the decay by drag at its start or end. Returns an error ratio
     /// that allows doubling where the decay does.
-    fn check<S: Integrated<State = X>>(
+    fn check<S: Integrated<State = X, Work = W>>(
         &mut self,
         system: &S,
         h: f64,
@@ -118,9 +118,11 @@ impl<X: Parted, W> Rk4<X, W> {
             return Err(NewtonError::NotFinite { node });
         }
         let mut ratio = 0.0_f64;
-        let start = self.decay.unwrap_or_else(|| system.fastest_decay(state));
+        let start = self
+            .decay
+            .unwrap_or_else(|| system.fastest_decay(&self.equations, state));
         self.decay = Some(start);
-        let end = system.fastest_decay(&self.next);
+        let end = system.fastest_decay(&self.equations, &self.next);
         for (rate, node) in [end, start] {
             if h * rate > REAL_AXIS_LIMIT {
                 return Err(NewtonError::Unstable { node });

@@ -131,7 +131,7 @@ impl ExplicitRhs for Scene {
     }
 
     fn fastest_decay(&self, state: &State) -> (f64, usize) {
-        self.fastest_drag_decay(state)
+        self.fastest_drag_decay(self.line.free(), state)
     }
 }
 

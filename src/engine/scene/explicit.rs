@@ -1,5 +1,7 @@
 //! Explicit right-hand side: accelerations, and the stability limits of the time step.
 
+use std::ops::Range;
+
 use nalgebra::Vector6;
 
 use super::segment_block::SegmentPass;
@@ -110,14 +112,15 @@ impl Scene {
         any
     }
 
-    /// An upper bound of the rate at which damping slows a node \[1/s\], and the node: `dF/du / m` with the whole relative
+    /// An upper bound of the rate at which damping slows one of these nodes \[1/s\], and the node: `dF/du / m` with the whole relative
     /// velocity counted as normal or as tangential, whichever gives more, and without added mass; for ropes, at least their
     /// present axial frequency.
-    pub(super) fn fastest_drag_decay(&self, state: &State) -> (f64, usize) {
+    #[must_use]
+    pub fn fastest_drag_decay(&self, nodes: Range<usize>, state: &State) -> (f64, usize) {
         let (line, at) = (&self.line, self.at(state.memory.time, state));
         let last = line.nodes() - 1;
         let mut fastest = (0.0, 0);
-        for node in line.free() {
+        for node in nodes {
             let speed = (line.water_at(node, state) - state.v[node]).norm();
             let halves = line.segments[node.saturating_sub(1)..(node + 1).min(last)].iter();
             let mut drag: f64 = halves

@@ -71,7 +71,7 @@ pub trait Integrated: Marched + Iterated {
     ) -> Result<(), NewtonError>;
 
     /// As [`ExplicitRhs::fastest_decay`].
-    fn fastest_decay(&self, state: &Self::State) -> (f64, usize);
+    fn fastest_decay(&self, work: &Self::Work, state: &Self::State) -> (f64, usize);
 
     /// As [`Kinematics::extrapolate_wave_kinematics`].
     fn extrapolate_wave_kinematics(
@@ -118,7 +118,7 @@ impl<S: MidstepBalance + ExplicitRhs + Hysteresis> Integrated for S {
         Ok(())
     }
 
-    fn fastest_decay(&self, state: &State) -> (f64, usize) {
+    fn fastest_decay(&self, _: &Self::Work, state: &State) -> (f64, usize) {
         ExplicitRhs::fastest_decay(self, state)
     }
 

@@ -155,13 +155,13 @@ impl Checkpoint {
 }
 
 /// A stored run of a line to be resumed.
-pub type ResumedRun = Resumed<Checkpoint>;
+pub type ResumedRun = Resumed<State>;
 
 /// A stored run to be resumed.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Resumed<C> {
+pub struct Resumed<X> {
     /// Its state.
-    pub checkpoint: C,
+    pub checkpoint: Checkpoint<X>,
     /// The run directory, with the record up to there and perhaps beyond.
     pub dir: PathBuf,
 }

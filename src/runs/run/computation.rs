@@ -3,21 +3,53 @@
 use std::collections::BTreeMap;
 use std::sync::atomic::AtomicBool;
 
+use serde::de::DeserializeOwned;
+
 use super::checkpoint::Resumed;
 use super::compute::{Computed, Resolution, compute};
 use super::event::Listener;
 use super::outlook::TRIAL;
+use super::output_times::OutputTimes;
 use super::refinable::Refinable;
 use super::{Checkpoint, ResumedRun, Work, limits, settings};
 use crate::case::fields::Schema;
 use crate::case::model::CASE;
-use crate::case::{Attachment, Case, Method};
+use crate::case::{self, Attachment, Case, Diagnostic, Method};
 use crate::scene;
+use crate::solve::State;
 
 /// What a run computes.
 pub trait Computation: Clone + Sync {
-    /// The state from which a stored run of it is resumed.
-    type Checkpoint;
+    /// Its states.
+    type State: DeserializeOwned;
+
+    /// The computation of a stored text, by the name of its file.
+    ///
+    /// # Errors
+    /// What is wrong with it, in words.
+    fn of_stored(text: &str, file: &str) -> Result<Self, String>;
+
+    /// A text with a key set.
+    ///
+    /// # Errors
+    /// Why the key cannot have that value, in words.
+    fn with_key(text: &str, key: &str, value: &str) -> Result<String, String>;
+
+    /// Checks that it was not changed since a checkpoint of it was written, as far as its tables tell.
+    ///
+    /// # Errors
+    /// What was changed, in words.
+    fn check_unchanged(&self, _checkpoint: &Checkpoint<Self::State>) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Checks that it can be computed on from a checkpoint.
+    ///
+    /// # Errors
+    /// Why it cannot, in words.
+    fn check_rows(&self, _checkpoint: &Checkpoint<Self::State>) -> Result<(), String> {
+        Ok(())
+    }
 
     /// The keys of its file.
     fn schema() -> &'static Schema;
@@ -41,14 +73,14 @@ pub trait Computation: Clone + Sync {
     /// run that is resumed keeps its method.
     fn with_chosen_method(
         &self,
-        from: Option<&Resumed<Self::Checkpoint>>,
+        from: Option<&Resumed<Self::State>>,
         cancel: &AtomicBool,
     ) -> Option<(Self, Option<String>)>;
 
     /// Computes it, or resumes a stored run of it.
     fn compute(
         &self,
-        from: Option<&Resumed<Self::Checkpoint>>,
+        from: Option<&Resumed<Self::State>>,
         cancel: &AtomicBool,
         events: Listener<'_>,
     ) -> Computed;
@@ -61,7 +93,38 @@ pub trait Computation: Clone + Sync {
 }
 
 impl Computation for Case {
-    type Checkpoint = Checkpoint;
+    type State = State;
+
+    fn of_stored(text: &str, file: &str) -> Result<Self, String> {
+        case::parse_stored(text, file).map_err(|faults| first(&faults))
+    }
+
+    fn with_key(text: &str, key: &str, value: &str) -> Result<String, String> {
+        case::edit::set(text, key, value)
+            .map_err(|fault| format!("{key} {}: {}", fault.problem, fault.remedy))
+    }
+
+    /// By the method that `auto` chose.
+    fn check_unchanged(&self, checkpoint: &Checkpoint) -> Result<(), String> {
+        let mut chosen = self.clone();
+        if self.solver.method == Method::Auto {
+            chosen.solver.method = checkpoint.chosen_method(self).into();
+        }
+        checkpoint.check_case(&chosen)
+    }
+
+    fn check_rows(&self, checkpoint: &Checkpoint) -> Result<(), String> {
+        let times = OutputTimes::new(self.solver.duration_s, self.output.interval_s);
+        // Older runs have intervals that are rounded otherwise.
+        const ROUNDED: f64 = 1e-12;
+        if (times.interval / checkpoint.recorded.output_interval_s - 1.0).abs() > ROUNDED {
+            return Err(format!(
+                "The run cannot be resumed to {} s, which is not a whole number of its output intervals of {} s.",
+                self.solver.duration_s, self.output.interval_s
+            ));
+        }
+        Ok(())
+    }
 
     fn schema() -> &'static Schema {
         &CASE
@@ -136,6 +199,12 @@ impl Computation for Case {
     fn ask_refinable<T>(&self, ask: impl FnOnce(&dyn Refinable) -> T) -> Option<T> {
         Some(ask(self))
     }
+}
+
+/// The first of what is wrong, in words.
+#[must_use]
+pub fn first(faults: &[Diagnostic]) -> String {
+    faults.first().map(ToString::to_string).unwrap_or_default()
 }
 
 /// Work of generalized-alpha in a trial of the case.

@@ -106,7 +106,7 @@ pub fn execute<C: Searchable>(
 /// As [`execute`], or resumes an earlier run.
 pub fn execute_from<C: Searchable>(
     request: &Request<C>,
-    from: Option<&Resumed<C::Checkpoint>>,
+    from: Option<&Resumed<C::State>>,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Run {

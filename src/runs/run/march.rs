@@ -58,7 +58,7 @@ impl MarchResult {
 /// The start of a march: at time zero, or at the checkpoint of an earlier run.
 pub struct MarchStart<'a, X> {
     /// An earlier run to be resumed.
-    pub resume: Option<&'a Resumed<Checkpoint<X>>>,
+    pub resume: Option<&'a Resumed<X>>,
     /// Whether the initial state is that of another run, whose history is taken in already.
     pub from_run: bool,
     /// State of the method at the end of that run.
@@ -72,7 +72,7 @@ pub struct MarchStart<'a, X> {
 impl<'a, X> MarchStart<'a, X> {
     /// At rest, found with this work, or at a checkpoint.
     #[must_use]
-    pub fn at_rest(resume: Option<&'a Resumed<Checkpoint<X>>>, work: Work) -> Self {
+    pub fn at_rest(resume: Option<&'a Resumed<X>>, work: Work) -> Self {
         Self {
             resume,
             from_run: false,
@@ -198,7 +198,7 @@ impl<'a, T: UnderWay> Marching<'a, T> {
 
     /// Continues from the checkpoint of a stored run; its rows are recorded and sent again, and it with them, so that the new run can
     /// be resumed before it has one of its own.
-    fn resume(&mut self, from: &Resumed<Checkpoint<StateOf<T>>>) -> Result<(), String> {
+    fn resume(&mut self, from: &Resumed<StateOf<T>>) -> Result<(), String> {
         let stored = &from.checkpoint;
         let channels = self.recorder.channels().len();
         let fits = self
@@ -382,7 +382,7 @@ impl<'a, T: UnderWay> Marching<'a, T> {
 }
 
 /// Why a run cannot be resumed.
-fn damaged<X>(from: &Resumed<Checkpoint<X>>, reason: &str) -> String {
+fn damaged<X>(from: &Resumed<X>, reason: &str) -> String {
     let file = from.dir.join(CHECKPOINT);
     let reason = format!("it does not belong to this case: {reason}");
     StoreError::Damaged { file, reason }.to_string()

@@ -66,7 +66,5 @@ pub use finite::refuse_not_finite;
 pub use line_statistics::evaluate as along_line;
 pub use model::*;
 pub use result_scale::result_scales;
-pub use resume::check_later;
-pub use resume::info_of_ended;
 pub use resume::resume_request;
 pub use search_progress::SearchProgress;

@@ -109,7 +109,7 @@ pub fn check<C: Timed>(
     let begun = cpu(ClockId::ProcessCPUTime);
     let run = run(asked, text, cancel)?;
     let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
-    let found = C::of_stored(&run.case_text, &trial.name).ok_or("its case is not read")?;
+    let found = C::of_stored(&run.case_text, &trial.name)?;
     let exact = finer(own, &found).and_then(|finer| self::run(finer, "", cancel));
     let exact = exact.map_err(|why| format!("true run: {why}"))?;
     let judge = Judge {

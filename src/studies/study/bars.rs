@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
-use super::points::PointJob;
 use super::timed::{Timed, divided};
 use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
+use crate::system::motion::job_request::JobRequest;
 use crate::table::{Columns, NumberFormat, Table};
 
 /// A case by one method at one accuracy.
@@ -22,9 +22,9 @@ pub struct BarSetting {
     /// Method and accuracy, in words.
     pub setting: String,
     /// Its run, with error estimates.
-    run: PointJob,
+    run: JobRequest,
     /// The converged run, or why there is none.
-    converged: Result<PointJob, String>,
+    converged: Result<JobRequest, String>,
 }
 
 /// A result, its bar and its true error.
@@ -110,7 +110,7 @@ impl BarResult {
 #[must_use]
 pub fn settings<C: Timed>(name: &str, case: &C) -> Vec<BarSetting>
 where
-    PointJob: From<Request<C>>,
+    JobRequest: From<Request<C>>,
 {
     let own = case.steps();
     let by = |method| Steps { method, ..own };
@@ -141,7 +141,7 @@ where
 /// A scene by one method, with its converged run.
 fn setting<C: Timed>((name, words): (&str, &str), case: &C, steps: Steps) -> BarSetting
 where
-    PointJob: From<Request<C>>,
+    JobRequest: From<Request<C>>,
 {
     let finer = Steps {
         tolerance: FINER_TOLERANCE * steps.tolerance,
@@ -159,11 +159,11 @@ where
 }
 
 /// The job of a scene that is not stored.
-fn job<C>(case: C) -> PointJob
+fn job<C>(case: C) -> JobRequest
 where
-    PointJob: From<Request<C>>,
+    JobRequest: From<Request<C>>,
 {
-    PointJob::from(Request {
+    JobRequest::from(Request {
         case,
         text: String::new(),
         file: String::new(),
@@ -220,7 +220,7 @@ fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, 
     Ok(run.summary.iter().filter_map(result).collect())
 }
 
-fn run(job: &PointJob, cancel: &AtomicBool) -> Result<Run, String> {
+fn run(job: &JobRequest, cancel: &AtomicBool) -> Result<Run, String> {
     let run = job.execute(cancel, &mut |_| {});
     match run.info.state {
         RunState::Done => Ok(run),

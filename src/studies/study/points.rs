@@ -1,6 +1,5 @@
 //! A case computed at many points, side by side: what studies have in common.
 
-use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -9,10 +8,10 @@ use rayon::prelude::*;
 
 use crate::case::fields::number;
 use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit};
-use crate::run::job::{self, JobEvent, Request};
+use crate::run::job::Request;
 use crate::run::store::{Recorder, StoreError};
 use crate::run::{Quantity, Run, RunInfo, RunState};
-use crate::system::motion::job::SystemRequest;
+use crate::system::motion::job_request::JobRequest;
 
 /// The case that points are set on top of.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,61 +70,6 @@ pub struct Point {
 
 /// The case at a point, or why it refuses the settings.
 pub type PointRequest = Result<Request, String>;
-
-/// What is computed at a point.
-#[derive(Debug, Clone)]
-pub enum PointJob {
-    /// A line.
-    Line(Box<Request>),
-    /// A system of lines, in time.
-    System(Box<SystemRequest>),
-}
-
-impl PointJob {
-    /// The content of `run.toml` while it is computed.
-    fn initial_info(&self) -> RunInfo {
-        match self {
-            Self::Line(request) => request.initial_info(),
-            Self::System(request) => request.initial_info(),
-        }
-    }
-
-    /// Its text with all files that it names.
-    pub fn text(&self) -> Cow<'_, str> {
-        match self {
-            Self::Line(request) => request.stored_text(),
-            Self::System(request) => request.stored_text(),
-        }
-    }
-
-    /// Names its run.
-    fn name(&mut self, id: &str) {
-        let known = match self {
-            Self::Line(request) => &mut request.id,
-            Self::System(request) => &mut request.id,
-        };
-        id.clone_into(known);
-    }
-
-    pub(super) fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
-        match self {
-            Self::Line(request) => job::execute(request, cancel, events),
-            Self::System(request) => job::execute(request, cancel, events),
-        }
-    }
-}
-
-impl From<Request> for PointJob {
-    fn from(request: Request) -> Self {
-        Self::Line(Box::new(request))
-    }
-}
-
-impl From<SystemRequest> for PointJob {
-    fn from(request: SystemRequest) -> Self {
-        Self::System(Box::new(request))
-    }
-}
 
 impl BaseCase {
     /// A case without overrides.
@@ -233,7 +177,7 @@ pub struct PointProgress<'a> {
 /// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores nothing; points whose runs are
 /// stored are a [sweep](super::sweep). A point that fails stops no other. Once `cancel` is set no further one begins; a point that did not
 /// begin has no outcome.
-pub fn compute<J: Into<PointJob> + Send>(
+pub fn compute<J: Into<JobRequest> + Send>(
     requests: Vec<Result<J, String>>,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
@@ -277,7 +221,7 @@ pub(super) fn side_by_side<R: Send, T: Send>(
 
 /// Computes a point, and stores its run where a place is given.
 pub(super) fn outcome(
-    mut job: PointJob,
+    mut job: JobRequest,
     store: Option<&Path>,
     cancel: &AtomicBool,
 ) -> PointOutcome {
@@ -299,11 +243,11 @@ pub(super) fn outcome(
 
 /// Computes a job and stores its run: while it is computed, or at its end where that comes in a moment.
 fn execute_stored(
-    job: &mut PointJob,
+    job: &mut JobRequest,
     dir: &Path,
     cancel: &AtomicBool,
 ) -> Result<(Run, PathBuf), StoreError> {
-    let mut recorder = Recorder::begin_late(dir, job.initial_info(), &job.text())?;
+    let mut recorder = Recorder::begin_late(dir, job.initial_info(), &job.stored_text())?;
     job.name(recorder.id());
     let mut run = job.execute(cancel, &mut |event| {
         if !recorder.event(&event) {

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::case::{Case, Method, kind};
+use crate::case::{Case, Method};
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::outlook::StepLengths;
 use crate::scene;
-use crate::system::SystemFile;
 use crate::system::model::MotionInputs;
 use crate::system::motion::system_in_time::SystemInTime;
 use crate::system::solved::solve;
@@ -37,9 +36,6 @@ pub trait Timed: Searchable {
 
     /// The same asked for an accuracy.
     fn asking(&self, asked: Asked) -> Self;
-
-    /// What a run stored as this text, of a file of this name, computed.
-    fn of_stored(text: &str, file: &str) -> Option<Self>;
 
     /// The same with so many times the gravity.
     ///
@@ -82,10 +78,6 @@ impl Timed for Case {
         case
     }
 
-    fn of_stored(text: &str, file: &str) -> Option<Self> {
-        crate::case::parse(text, file).ok()
-    }
-
     fn heavier(&self, by: f64) -> Result<Self, String> {
         let mut case = self.clone();
         case.environment.gravity_m_per_s2 *= by;
@@ -121,12 +113,6 @@ impl Timed for SystemInTime {
             budget_s: asked.budget_s,
             ..self.motion.clone()
         })
-    }
-
-    fn of_stored(text: &str, file: &str) -> Option<Self> {
-        let solved = kind::parse_stored::<SystemFile>(text, file).ok()?;
-        let motion = solved.file.solver.clone()?;
-        Some(Self::new(Arc::new(solved), motion))
     }
 
     fn heavier(&self, by: f64) -> Result<Self, String> {

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use seacable::case::Case;
 use seacable::case::{self, shipped};
 use seacable::chart::Glyphs;
 use seacable::reference;
@@ -11,7 +12,7 @@ use seacable::report::text;
 use seacable::run::index::RunIndex;
 use seacable::run::store::{self, RunNotes};
 use seacable::run::{RunState, job, resume_request};
-use seacable::system::motion::resume;
+use seacable::system::motion::system_in_time::SystemInTime;
 use seacable::tui::recovery::RecoveredEdits;
 
 use super::Target;
@@ -133,7 +134,7 @@ fn opened(dir: &Path) -> bool {
 
 /// Goes on from a checkpoint: everything up to the first step, and a step or two where it belongs to the run.
 fn resumed(dir: &Path) -> bool {
-    let Ok((request, from)) = resume_request(dir, Some(4.25)) else {
+    let Ok((request, from)) = resume_request::<Case>(dir, Some(4.25)) else {
         return false;
     };
     let stop = AtomicBool::new(true);
@@ -142,7 +143,7 @@ fn resumed(dir: &Path) -> bool {
 }
 
 fn resumed_system(dir: &Path) -> bool {
-    let Ok((request, from)) = resume::resume_request(dir, Some(2.1)) else {
+    let Ok((request, from)) = resume_request::<SystemInTime>(dir, Some(2.1)) else {
         return false;
     };
     let stop = AtomicBool::new(true);

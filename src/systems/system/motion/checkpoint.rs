@@ -8,7 +8,7 @@ use crate::solve::Parted;
 pub type SystemCheckpoint = Checkpoint<SystemState>;
 
 /// A stored run of a system to be resumed.
-pub type ResumedSystem = Resumed<SystemCheckpoint>;
+pub type ResumedSystem = Resumed<SystemState>;
 
 /// Segments that a line is paid out by at most.
 const MOST_ADDED: i64 = 1_000_000;

@@ -211,8 +211,8 @@ impl Integrated for MovingSystem {
         Ok(())
     }
 
-    fn fastest_decay(&self, _state: &SystemState) -> (f64, usize) {
-        (0.0, 0)
+    fn fastest_decay(&self, border: &Border, state: &SystemState) -> (f64, usize) {
+        self.decay(border.bodies(), state)
     }
 
     fn extrapolate_wave_kinematics(

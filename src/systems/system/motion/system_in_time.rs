@@ -6,17 +6,18 @@ use std::sync::{Arc, OnceLock};
 
 use super::along::counted_along;
 use super::channels::Channels;
-use super::checkpoint::{ResumedSystem, SystemCheckpoint};
+use super::checkpoint::ResumedSystem;
 use super::chosen_method::chosen;
 use super::refinable_system::RefinableSystem;
 use super::settings::MotionSettings;
 use super::start::{Start, start};
+use super::system_state::SystemState;
 use super::system_under_way::compute;
-use crate::case::Attachment;
 use crate::case::fields::Schema;
+use crate::case::{Attachment, kind};
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::limits::STEPS;
-use crate::run::computation::Computation;
+use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
 use crate::run::outlook::StepLengths;
@@ -25,7 +26,7 @@ use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::rest::UnsolvedSystem;
-use crate::system::{SYSTEM, SolvedSystem};
+use crate::system::{SYSTEM, SolvedSystem, SystemFile};
 
 /// A system in time.
 #[derive(Debug, Clone)]
@@ -98,7 +99,18 @@ impl SystemInTime {
 }
 
 impl Computation for SystemInTime {
-    type Checkpoint = SystemCheckpoint;
+    type State = SystemState;
+
+    fn of_stored(text: &str, file: &str) -> Result<Self, String> {
+        let solved = kind::parse_stored::<SystemFile>(text, file).map_err(|all| first(&all))?;
+        let motion = solved.file.solver.clone();
+        let motion = motion.ok_or("its case.toml has no table `[solver]`")?;
+        Ok(Self::new(Arc::new(solved), motion))
+    }
+
+    fn with_key(text: &str, key: &str, value: &str) -> Result<String, String> {
+        kind::put::<SystemFile>(text, key, value).map_err(|all| first(&all))
+    }
 
     fn schema() -> &'static Schema {
         &SYSTEM

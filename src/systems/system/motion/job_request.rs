@@ -4,14 +4,15 @@ use std::borrow::Cow;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
+use super::checkpoint::ResumedSystem;
+use super::job::SystemRequest;
+use super::system_in_time::SystemInTime;
+use crate::case::Case;
 use crate::kinds::FileType;
 use crate::run::event::JobEvent;
 use crate::run::job::{self, Request};
 use crate::run::store;
 use crate::run::{ResumedRun, Run, RunInfo, resume_request};
-use crate::system::motion::checkpoint::ResumedSystem;
-use crate::system::motion::job::SystemRequest;
-use crate::system::motion::resume;
 
 /// What a job computes.
 #[derive(Debug, Clone)]
@@ -37,11 +38,11 @@ impl JobRequest {
     /// As [`JobRequest::resumed`].
     pub fn resumed_until(dir: &Path, until: Option<f64>) -> Result<Self, String> {
         if FileType::of(&dir.join(store::CASE)) == FileType::System {
-            let (mut request, from) = resume::resume_request(dir, until)?;
+            let (mut request, from) = resume_request::<SystemInTime>(dir, until)?;
             request.id = stem(&request.file);
             return Ok(Self::System(Box::new(request), from.map(Box::new)));
         }
-        let (mut request, from) = resume_request(dir, until)?;
+        let (mut request, from) = resume_request::<Case>(dir, until)?;
         request.id = stem(&request.file);
         Ok(Self::Line(Box::new(request), from.map(Box::new)))
     }
@@ -91,6 +92,15 @@ impl JobRequest {
         }
     }
 
+    /// Names its run.
+    pub fn name(&mut self, id: &str) {
+        let known = match self {
+            Self::Line(request, _) => &mut request.id,
+            Self::System(request, _) => &mut request.id,
+        };
+        id.clone_into(known);
+    }
+
     /// Computes it. Does not send [`JobEvent::Finished`]: the run is returned.
     pub fn execute(&self, cancel: &AtomicBool, events: &mut dyn FnMut(JobEvent)) -> Run {
         match self {
@@ -101,6 +111,18 @@ impl JobRequest {
                 job::execute_from(request, from.as_deref(), cancel, events)
             }
         }
+    }
+}
+
+impl From<Request> for JobRequest {
+    fn from(request: Request) -> Self {
+        Self::Line(Box::new(request), None)
+    }
+}
+
+impl From<SystemRequest> for JobRequest {
+    fn from(request: SystemRequest) -> Self {
+        Self::System(Box::new(request), None)
     }
 }
 
