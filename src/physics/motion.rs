@@ -60,11 +60,22 @@ impl EndMotion {
     /// rising from 0 to 1 as a quintic with no kink in acceleration. At a kink they are those after it.
     #[must_use]
     pub fn at(&self, t: f64) -> (V3, V3, V3) {
-        let piece = match &self.course {
+        self.after_kinks(t, t)
+    }
+
+    /// The same on the piece of the course after the kinks up to a time `passed` \[s\], at any time t \[s\].
+    #[must_use]
+    pub fn after_kinks(&self, passed: f64, t: f64) -> (V3, V3, V3) {
+        self.on_piece(self.piece_at(passed), t)
+    }
+
+    /// The piece of the course at time t \[s\]; at a kink the piece after it.
+    #[must_use]
+    pub fn piece_at(&self, t: f64) -> usize {
+        match &self.course {
             MotionPath::Piecewise(path) => path.piece_at(t),
             _ => 0,
-        };
-        self.on_piece(piece, t)
+        }
     }
 
     /// The same on a piece of the course between two kinks, the first of which is 0.

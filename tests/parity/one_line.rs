@@ -105,14 +105,17 @@ fn as_system(solver: &str) -> History {
 const NONE: f64 = 2e-3;
 
 fn assert_agree(solver: &str) {
-    let (line, system) = (as_line(solver), as_system(solver));
+    assert_same(solver, (&as_line(solver), &as_system(solver)));
+}
+
+fn assert_same(solver: &str, (line, system): (&History, &History)) {
     let of = |history: &History, name: &str| history.channel(name).unwrap().values.clone();
     let pairs = [
         ("tension_n[anchor|chain]", "tension_n[chain|a]"),
         ("tension_n[chain|fairlead]", "tension_n[chain|b]"),
     ];
     for (own, other) in pairs {
-        let (own, other) = (of(&line, own), of(&system, other));
+        let (own, other) = (of(line, own), of(system, other));
         assert_eq!(own.len(), 81, "{solver}");
         let apart = own.iter().zip(&other).map(|(a, b)| (a - b).abs());
         let apart = apart.fold(0.0, f64::max);
@@ -136,4 +139,34 @@ fn by_runge_kutta() {
 #[test]
 fn quasi_statically() {
     assert_agree(&solver("quasi", "time_step_s = 0.05"));
+}
+
+/// The upper end raised, held and lowered along a table, with kinks between two steps.
+fn assert_agree_by_table(interpolation: &str, solver: &str) {
+    let swing = "amplitude_m = [0.0, 0.0, 0.5]\nperiod_s = 8.0\nramp_s = 4.0\n";
+    let rows = "0,0,0,0\\n1.303,0,0,0\\n3.117,0.02,0,0.06\\n4.217,0.02,0,0.06\\n6.05,0,0,0.02\\n9,0,0,0.02";
+    let by_file = format!(
+        "motion = \"table\"\nmotion_file = \"p.csv\"\nmotion_interpolation = \"{interpolation}\"\n"
+    );
+    let own = LINE.replace(swing, &by_file);
+    let line = format!(
+        "files.\"p.csv\".text = \"time_s,x_m,y_m,z_m\\n{rows}\"\n{own}{COMMON}[start]\nshape = \"equilibrium\"\n{solver}"
+    );
+    let by_keys = format!(
+        "table_time_s = [0.0, 1.303, 3.117, 4.217, 6.05, 9.0]\ntable_x_m = [0.0, 0.0, 0.02, 0.02, 0.0, 0.0]\n\
+         table_z_m = [0.0, 0.0, 0.06, 0.06, 0.02, 0.02]\ntable_interpolation = \"{interpolation}\"\n"
+    );
+    let system = format!("{}{COMMON}{solver}", SYSTEM.replace(swing, &by_keys));
+    let (line, system) = (line_run(line).history, system_run(&system).history);
+    assert_same(&format!("{interpolation} {solver}"), (&line, &system));
+}
+
+/// A spline through these rows begins with a velocity.
+#[test]
+fn moved_by_tables_with_kinks() {
+    for interpolation in ["monotone", "linear"] {
+        assert_agree_by_table(interpolation, &solver("alpha", "time_step_s = 0.02"));
+    }
+    assert_agree_by_table("linear", &solver("rk4", "time_step_s = 5e-4"));
+    assert_agree_by_table("linear", &solver("quasi", "time_step_s = 0.05"));
 }

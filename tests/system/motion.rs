@@ -202,6 +202,7 @@ fn spinning(inertia: V3, spin: V3) -> (MovingSystem, SystemState) {
         joints,
         bases: vec![UnitQuaternion::identity()],
         attached: Vec::new(),
+        kinks_passed_s: 0.0,
         paid: Vec::new(),
         added: Vec::new(),
         surplus: Vec::new(),

@@ -19,7 +19,7 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, OneOrMany, StatisticsInputs, Waves,
+    Mark, Material, MotionInterpolation, OneOrMany, StatisticsInputs, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -223,7 +223,7 @@ table! {
         period_s: Option<OneOrMany>, "motion period", kind NumberOrTriple, range positive(1e5), absent "it stays", matters MOVED;
         /// Phases of its motion, A sin(2 pi t / T + phase).
         phase_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion phase", range of(-360.0, 360.0), matters MOVED;
-        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run; splines through its rows.
+        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run.
         table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters MOVED;
         /// x from its position at these times.
         table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
@@ -231,6 +231,8 @@ table! {
         table_y_m: Vec<f64>, "y of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// z from its position at these times.
         table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// How its table is interpolated: a spline is smooth, the others end steps at the kinks of their rows.
+        table_interpolation: MotionInterpolation = MotionInterpolation::Spline, "table interpolation", matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
@@ -259,6 +261,7 @@ impl PointInputs {
             table_x_m: Vec::new(),
             table_y_m: Vec::new(),
             table_z_m: Vec::new(),
+            table_interpolation: MotionInterpolation::Spline,
             ramp_s: 0.0,
         }
     }
@@ -344,7 +347,7 @@ table! {
         period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters CARRIED;
         /// Phases of its six motions, A sin(2 pi t / T + phase): six numbers.
         phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters CARRIED;
-        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run; splines through its rows.
+        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run.
         table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters CARRIED;
         /// x from its position at these times.
         table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters CARRIED;
@@ -358,6 +361,8 @@ table! {
         table_pitch_deg: Vec<f64>, "pitch of the table", range of(-90.0, 90.0), absent "0", matters MOVED;
         /// Yaw from that of its pose at these times.
         table_yaw_deg: Vec<f64>, "yaw of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
+        /// How its table is interpolated: a spline is smooth, the others end steps at the kinks of their rows.
+        table_interpolation: MotionInterpolation = MotionInterpolation::Spline, "table interpolation", matters CARRIED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters CARRIED;
         /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.

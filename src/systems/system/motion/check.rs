@@ -3,7 +3,8 @@
 use super::super::check_matrix::matrix;
 use crate::case::schema::Key;
 use crate::case::{
-    Finding, WaveKind, of_companions, of_longest_step, of_waves, too_many_rows, too_many_steps,
+    Finding, MotionInterpolation, WaveKind, of_companions, of_longest_step, of_waves,
+    too_many_rows, too_many_steps,
 };
 use crate::limits::SEGMENTS;
 use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
@@ -139,6 +140,10 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     for (_, point) in &keys.points {
         let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
         found.extend(motion_table(&point.table_time_s, &columns, until));
+        found.extend(interpolated_table(
+            &point.table_interpolation,
+            &point.table_time_s,
+        ));
     }
     for (_, body) in &keys.bodies {
         let columns = [
@@ -150,6 +155,10 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
             &body.table_yaw_deg,
         ];
         found.extend(motion_table(&body.table_time_s, &columns, until));
+        found.extend(interpolated_table(
+            &body.table_interpolation,
+            &body.table_time_s,
+        ));
         let moves = body.amplitude_m.is_given() || body.amplitude_deg.is_given();
         let follows = body.kind.is(&BodyKind::Moved) || body.kind.is(&BodyKind::Pinned);
         if follows && moves {
@@ -160,6 +169,18 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(matrix(&body.phase_deg, &[6], "six numbers"));
     }
     found
+}
+
+/// How a table is interpolated that there is not.
+fn interpolated_table(
+    how: &Key<'_, MotionInterpolation>,
+    times: &Key<'_, Vec<f64>>,
+) -> Option<Finding> {
+    let acts = times.is_given() || !how.is_given();
+    (!acts).then(|| {
+        let remedy = "add a table: `table_time_s` and its columns, or leave it out";
+        how.finding("acts on nothing: there is no table", remedy)
+    })
 }
 
 /// A table of motion with times that do not increase from 0 to the end, or columns of another length.

@@ -3,8 +3,9 @@
 use std::f64::consts::TAU;
 
 use super::PoseMotion;
-use crate::case::OneOrMany;
+use crate::case::{MotionInterpolation, OneOrMany};
 use crate::numerics::V3;
+use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
@@ -22,7 +23,8 @@ pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
         None => [f64::INFINITY; 3],
     };
     let columns = [&given.table_x_m, &given.table_y_m, &given.table_z_m];
-    if let Some(course) = table(&given.table_time_s, columns, 1.0) {
+    let rows = rows(&given.table_time_s, columns, 1.0);
+    if let Some(course) = table(&rows, given.table_interpolation) {
         return EndMotion {
             position: place,
             course,
@@ -59,7 +61,8 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
         )
     };
     let by_table = |columns, scale, position| {
-        let course = table(&given.table_time_s, columns, scale)?;
+        let rows = rows(&given.table_time_s, columns, scale);
+        let course = table(&rows, given.table_interpolation)?;
         Some(EndMotion {
             position,
             course,
@@ -87,14 +90,28 @@ pub fn body_motion(given: &BodyInputs) -> PoseMotion {
     }
 }
 
-/// A spline through the rows of a table, absent columns zero; nothing without a table.
-fn table(times: &[f64], columns: [&Vec<f64>; 3], scale: f64) -> Option<MotionPath> {
+/// The rows of a table, absent columns zero.
+fn rows(times: &[f64], columns: [&Vec<f64>; 3], scale: f64) -> Vec<(f64, V3)> {
     let row = |(k, time): (usize, &f64)| {
         let at = columns.map(|column| column.get(k).map_or(0.0, |value| value * scale));
         (*time, V3::from(at))
     };
-    let rows: Vec<(f64, V3)> = times.iter().enumerate().map(row).collect();
-    Spline::through(&rows).ok().map(MotionPath::Table)
+    times.iter().enumerate().map(row).collect()
+}
+
+/// The course through the rows of a table; nothing without a table.
+fn table(rows: &[(f64, V3)], interpolation: MotionInterpolation) -> Option<MotionPath> {
+    match interpolation {
+        MotionInterpolation::Spline => Spline::through(rows).ok().map(MotionPath::Table),
+        MotionInterpolation::Monotone => {
+            let path = PiecewiseCubic::monotone(rows).ok();
+            path.map(MotionPath::Piecewise)
+        }
+        MotionInterpolation::Linear => {
+            let path = PiecewiseCubic::linear(rows).ok();
+            path.map(MotionPath::Piecewise)
+        }
+    }
 }
 
 /// `A sin(2 pi t / T + phase)` along each axis about a place, growing over a ramp.

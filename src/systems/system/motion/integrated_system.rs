@@ -41,6 +41,7 @@ impl Parted for SystemState {
         self.joints.copy_from(&other.joints);
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
+        self.kinks_passed_s = other.kinks_passed_s;
         self.body_flow.clone_from(&other.body_flow);
         self.flow_loads.copy_from_slice(&other.flow_loads);
         self.velocities.clone_from_slice(&other.velocities);
@@ -56,6 +57,7 @@ impl Parted for SystemState {
         self.joints.memory.copy_from(&other.joints.memory);
         self.bases.copy_from_slice(&other.bases);
         self.attached.copy_from_slice(&other.attached);
+        self.kinks_passed_s = other.kinks_passed_s;
         self.velocities.clone_from_slice(&other.velocities);
     }
 }
@@ -144,7 +146,8 @@ impl Iterated for MovingSystem {
 
 impl Marched for MovingSystem {
     fn next_kink(&self, state: &SystemState) -> f64 {
-        self.next_row_of_current(state.joints.memory.time)
+        let of_current = self.next_row_of_current(state.joints.memory.time);
+        of_current.min(self.next_kink_of_motions(state))
     }
 
     fn update_wave_kinematics(&self, t: f64, state: &mut SystemState) {
@@ -179,8 +182,8 @@ impl Integrated for MovingSystem {
     }
 
     /// The rows of the current pass as time does.
-    fn pass_kink(&self, _t: f64, _state: &mut SystemState) -> bool {
-        false
+    fn pass_kink(&self, t: f64, state: &mut SystemState) -> bool {
+        self.pass_kink_of_motions(t, state)
     }
 
     /// Accelerations of unknowns are of a time of their own; prescribed ones act at that of the balance.

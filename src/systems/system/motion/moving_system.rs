@@ -14,7 +14,7 @@ use super::pose_motion::BodyMotion;
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::physics::sea::Sea;
-use crate::physics::{CurrentProfile, FrictionAnchor};
+use crate::physics::{CurrentProfile, EndMotion, FrictionAnchor};
 use crate::scene::{EndCondition, Scene};
 use crate::solve::{Kinematics, State};
 use crate::system::network::{FreePoint, Held, Line, Network};
@@ -139,6 +139,42 @@ impl MovingSystem {
         rows.get(passed).copied().unwrap_or(f64::INFINITY)
     }
 
+    /// The motions that are prescribed, of points and of the origins and angles of bodies.
+    pub(super) fn motions(&self) -> impl Iterator<Item = &EndMotion> {
+        let points = self.network.points.iter();
+        let points = points.filter_map(|point| point.motion.as_ref());
+        let bodies = self.network.bodies.iter();
+        let bodies = bodies.filter_map(|body| body.motion.as_ref());
+        points.chain(bodies.flat_map(|motion| [&motion.place, &motion.angles]))
+    }
+
+    /// The next time at which a motion has a kink that is not passed \[s\]; infinite where there is none.
+    pub(super) fn next_kink_of_motions(&self, state: &SystemState) -> f64 {
+        let passed = state.kinks_passed_s;
+        let kinks = self
+            .motions()
+            .map(|motion| motion.next_kink(motion.piece_at(passed)));
+        kinks.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Passes the next kink of the motions by time t \[s\], if there is one. Returns whether a velocity jumps there.
+    pub(super) fn pass_kink_of_motions(&self, t: f64, state: &mut SystemState) -> bool {
+        let kink = self.next_kink_of_motions(state);
+        if kink > t + SAME_TIME * (1.0 + t.abs()) {
+            return false;
+        }
+        let passed = state.kinks_passed_s;
+        let jumps = |motion: &EndMotion| {
+            let piece = motion.piece_at(passed);
+            motion.next_kink(piece) == kink && motion.velocity_jumps(piece)
+        };
+        let jumps = self.motions().any(jumps);
+        state.kinks_passed_s = kink;
+        self.prescribe(t, state);
+        self.follow(state);
+        jumps
+    }
+
     /// The payouts, not yet held.
     fn moving_payouts(&self) -> Vec<MovingPayout> {
         let payouts = self.network.payouts.iter().enumerate();
@@ -238,20 +274,21 @@ impl MovingSystem {
 
     /// Sets what is prescribed at time t \[s\]: points, bodies, and points on such bodies.
     pub fn prescribe(&self, t: f64, state: &mut SystemState) {
+        let passed = state.kinks_passed_s;
         for (number, body) in self.network.bodies.iter().enumerate() {
             let Some(motion) = body.motion.as_ref().filter(|_| !body.free) else {
                 continue;
             };
             match body.pinned {
-                true => state.set_pin(&self.joints, number, &motion.at(t)),
-                false => state.set_body(&self.joints, number, &motion.at(t)),
+                true => state.set_pin(&self.joints, number, &motion.after_kinks(passed, t)),
+                false => state.set_body(&self.joints, number, &motion.after_kinks(passed, t)),
             }
         }
         for joint in 0..self.joints.free.start {
             if let Role::Prescribed(point) = self.joints.roles[joint]
                 && let Some(motion) = &self.network.points[point].motion
             {
-                set(&mut state.joints, joint, motion.at(t));
+                set(&mut state.joints, joint, motion.after_kinks(passed, t));
             }
         }
         self.follow_prescribed(state);

@@ -36,8 +36,14 @@ impl PoseMotion {
     /// ```
     #[must_use]
     pub fn at(&self, t: f64) -> BodyMotion {
-        let (origin, velocity, acceleration) = self.place.at(t);
-        let (angles, rates, gains) = self.angles.at(t);
+        self.after_kinks(t, t)
+    }
+
+    /// The same after the kinks of its tables up to a time `passed` \[s\], at any time t \[s\].
+    #[must_use]
+    pub fn after_kinks(&self, passed: f64, t: f64) -> BodyMotion {
+        let (origin, velocity, acceleration) = self.place.after_kinks(passed, t);
+        let (angles, rates, gains) = self.angles.after_kinks(passed, t);
         let (sr, cr) = angles.x.sin_cos();
         let (sp, cp) = angles.y.sin_cos();
         let (r1, p1, y1) = (rates.x, rates.y, rates.z);

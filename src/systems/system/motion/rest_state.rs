@@ -112,6 +112,7 @@ pub(super) fn state_of(
         joints: State::at_rest(places),
         bases,
         attached: system.network.lines.iter().map(ends).collect(),
+        kinks_passed_s: 0.0,
         paid: system
             .paid
             .iter()

@@ -135,20 +135,6 @@ impl MotionSettings {
     }
 }
 
-/// The motions that are prescribed, of points and of the origins of bodies.
-fn motions(system: &MovingSystem) -> impl Iterator<Item = &EndMotion> {
-    let network = &system.network;
-    let points = network
-        .points
-        .iter()
-        .filter_map(|point| point.motion.as_ref());
-    let bodies = network
-        .bodies
-        .iter()
-        .filter_map(|body| body.motion.as_ref());
-    points.chain(bodies.flat_map(|motion| [&motion.place, &motion.angles]))
-}
-
 /// The surface over the origin, where there are waves.
 fn surface(system: &MovingSystem) -> Option<EndMotion> {
     let sea = system.network.sea.as_ref()?;
@@ -273,7 +259,7 @@ fn explicit_limit_of_drives(system: &MovingSystem) -> f64 {
 
 /// The shortest period that the system forces \[s\]: of prescribed motion, or of its longest line bouncing along itself.
 fn forced_period(system: &MovingSystem) -> f64 {
-    let prescribed = motions(system).filter_map(EndMotion::period);
+    let prescribed = system.motions().filter_map(EndMotion::period);
     prescribed.fold(own_period(system), f64::min)
 }
 
@@ -298,7 +284,7 @@ fn longest_allowed(given: &MotionInputs, system: &MovingSystem) -> f64 {
 fn longest_step(system: &MovingSystem) -> f64 {
     let own = own_period(system);
     let surface = surface(system);
-    let prescribed = motions(system).chain(&surface);
+    let prescribed = system.motions().chain(&surface);
     let prescribed = prescribed.filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
     prescribed.fold(own / STEPS_A_PERIOD, f64::min)
 }

@@ -26,6 +26,8 @@ pub struct SystemState {
     pub bases: Vec<UnitQuaternion<f64>>,
     /// Joints at ends A and B of each line.
     pub attached: Vec<[usize; 2]>,
+    /// Up to when the kinks of prescribed motions are passed \[s\].
+    pub kinks_passed_s: f64,
     /// What waves make of the water at the stations of the bodies; empty in still water.
     #[serde(skip)]
     pub body_flow: Vec<WaterMotion>,
@@ -63,6 +65,7 @@ impl SystemState {
         self.joints.clone_from(&stored.joints);
         self.bases.clone_from(&stored.bases);
         self.attached.clone_from(&stored.attached);
+        self.kinks_passed_s = stored.kinks_passed_s;
         self.velocities.clone_from(&stored.velocities);
         self.added.clone_from(&stored.added);
         self.surplus.clone_from(&stored.surplus);
