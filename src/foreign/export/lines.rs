@@ -39,7 +39,7 @@ pub fn write(
     sheet: &mut Sheet,
 ) {
     let sections = sections(line);
-    let counts = shared(line.segments.unwrap_or(SEGMENTS), &sections);
+    let counts = shared(line.asked_segments().unwrap_or(SEGMENTS), &sections);
     let first = sheet.lines.len();
     for ((section, segments), ends) in sections.iter().zip(counts).zip(attachments.windows(2)) {
         sheet.lines.push(LineRow {
@@ -70,14 +70,22 @@ pub fn write(
     }
 }
 
-/// Segments of each section by its length, one at least: the same for the same sum, however often they are shared out.
+/// Segments of each section by those it asks for or its length, one at least: the same for the same sum, however often they are shared out.
 fn shared(total: usize, sections: &[LineSection]) -> Vec<usize> {
+    let asked: Option<Vec<usize>> = sections.iter().map(|section| section.segments).collect();
+    if let Some(asked) = asked.filter(|asked| asked.iter().sum::<usize>() == total) {
+        return asked;
+    }
     let total = total.max(sections.len());
-    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
+    let weight = |section: &LineSection| match section.segments {
+        Some(segments) => segments as f64,
+        None => section.length_m,
+    };
+    let whole: f64 = sections.iter().map(weight).sum();
     let spare = (total - sections.len()) as f64;
     let shares: Vec<f64> = sections
         .iter()
-        .map(|section| spare * section.length_m / whole)
+        .map(|section| spare * weight(section) / whole)
         .collect();
     #[expect(
         clippy::cast_possible_truncation,
@@ -164,6 +172,7 @@ mod tests {
         let section = |length_m| LineSection {
             material: "chain".to_owned(),
             length_m,
+            segments: None,
             clump_kg: 0.0,
         };
         let lengths = [516.84, 400.0, 382.762, 33.498, 137.382, 41.197];

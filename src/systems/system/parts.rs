@@ -1,5 +1,6 @@
 //! The parts of a line: its sections, each of one material, in order from its end A.
 
+use super::discretised::SEGMENTS;
 use super::model::{LineInputs, LineSection, SystemFile};
 use crate::case::{Material, WaterSurface};
 
@@ -14,6 +15,8 @@ pub struct Part {
     pub length_m: f64,
     /// Weight in water of a body at its end towards B, as mass \[kg\]; negative floats.
     pub clump_kg: f64,
+    /// Segments that its section asks for.
+    pub segments: Option<usize>,
     /// Pieces of equal length that its section is divided into; 1 where it is not.
     pub pieces: usize,
 }
@@ -25,6 +28,7 @@ pub fn sections(line: &LineInputs) -> Vec<LineSection> {
         (Some(material), Some(length_m)) => vec![LineSection {
             material: material.clone(),
             length_m,
+            segments: None,
             clump_kg: 0.0,
         }],
         _ => line.sections.clone(),
@@ -38,10 +42,27 @@ pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
         material: file.materials[&section.material].clone(),
         name: section.material,
         length_m: section.length_m,
+        segments: section.segments,
         clump_kg: section.clump_kg,
         pieces: 1,
     };
     sections(line).into_iter().map(part).collect()
+}
+
+impl LineInputs {
+    /// The segments that the line, or its sections, ask for.
+    #[must_use]
+    pub fn asked_segments(&self) -> Option<usize> {
+        let of_sections: Option<usize> = self.sections.iter().map(|one| one.segments).sum();
+        let of_sections = of_sections.filter(|count| *count > 0);
+        self.segments.or(of_sections)
+    }
+
+    /// The segments that it is divided into, but for the fewest of each section.
+    #[must_use]
+    pub fn wanted_segments(&self) -> usize {
+        self.asked_segments().unwrap_or(SEGMENTS)
+    }
 }
 
 /// Whether lines and points of a file have their weight in air above its water.
