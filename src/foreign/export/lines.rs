@@ -6,7 +6,7 @@ use crate::case::CreepModel;
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::model::{LineInputs, LineSection};
-use crate::system::parts::sections;
+use crate::system::parts::{SectionClump, sections};
 
 /// Segments of a line that does not say how many.
 const SEGMENTS: usize = 50;
@@ -127,19 +127,24 @@ fn joint(
     sheet: &mut Sheet,
 ) -> String {
     let bends = |section: &LineSection| solved.file.materials[&section.material].ei_n_m2 > 0.0;
-    let clump = before.clump_kg;
-    if target == Target::MoorDyn && clump == 0.0 && bends(before) && bends(behind) {
+    let clump = before.clump();
+    let is_bare = clump == SectionClump::default();
+    if target == Target::MoorDyn && is_bare && bends(before) && bends(behind) {
         let number = rod_without_length("Free", [place; 2], sheet);
         return format!("R{number}A");
     }
     let density = solved.file.environment.water_density_kg_per_m3;
+    let volume = clump.volume_m3(density);
     sheet.points.push(PointRow {
         hold: "Free".to_owned(),
         place,
-        mass: clump.max(0.0),
-        volume: if clump < 0.0 { -clump / density } else { 0.0 },
-        drag_area: 0.0,
-        added_mass: 0.0,
+        mass: clump.mass_kg,
+        volume,
+        drag_area: clump.drag_area_m2,
+        added_mass: match density * volume > 0.0 {
+            true => clump.added_mass_kg / (density * volume),
+            false => 0.0,
+        },
         load: [0.0; 3],
     });
     sheet.points.len().to_string()
@@ -172,8 +177,7 @@ mod tests {
         let section = |length_m| LineSection {
             material: "chain".to_owned(),
             length_m,
-            segments: None,
-            clump_kg: 0.0,
+            ..LineSection::default()
         };
         let lengths = [516.84, 400.0, 382.762, 33.498, 137.382, 41.197];
         let sections: Vec<LineSection> = lengths.into_iter().map(section).collect();

@@ -140,6 +140,9 @@ impl<'k, 'a> ByName<'k, 'a> {
             let problem = "is at the end of the line";
             let remedy = "give the mass to the point there, or to the section before";
             found.extend(last.clump_kg.if_given(problem, remedy));
+            found.extend(last.clump_mass_kg.if_given(problem, remedy));
+            found.extend(last.clump_drag_area_m2.if_given(problem, remedy));
+            found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
         }
         found
     }

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
-use super::parts::{Part, is_crossed};
-use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
+use super::parts::{Part, SectionClump, is_crossed};
+use crate::case::{Case, Clump, End, Ends, Method, OneOrMany, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
@@ -339,13 +339,15 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         let count = segments_of(line, part, parts);
         case.line
             .push(Section::new(&name, &name, part.length_m, count));
-        if part.clump_kg != 0.0 {
+        if part.clump != SectionClump::default() {
             case.clumps.push(Clump {
                 name: format!("clump{}", k + 1),
                 section: name,
                 at_m: part.length_m,
-                mass_kg: part.clump_kg.abs(),
-                wet_mass_kg: part.clump_kg,
+                mass_kg: part.clump.mass_kg,
+                wet_mass_kg: part.clump.wet_kg,
+                drag_area_m2: OneOrMany::One(part.clump.drag_area_m2),
+                added_mass_kg: OneOrMany::One(part.clump.added_mass_kg),
                 ..Clump::default()
             });
         }

@@ -552,6 +552,12 @@ table! {
         segments: Option<usize>, "segments", range of(1.0, 1e4), absent "by its length";
         /// Weight in water of a body at its end towards B, as mass; negative floats. Not on the last section.
         clump_kg: f64 = 0.0, "clump", range of(-1e10, 1e10);
+        /// Mass in air of that body.
+        clump_mass_kg: Option<f64>, "mass of the clump", range of(0.0, 1e10), absent "as its weight in water, whichever way that acts";
+        /// Drag coefficient times area of that body.
+        clump_drag_area_m2: f64 = 0.0, "drag area of the clump", range of(0.0, 1e6);
+        /// Added mass of that body.
+        clump_added_mass_kg: f64 = 0.0, "added mass of the clump", range of(0.0, 1e10);
     }
 }
 

@@ -90,8 +90,7 @@ fn cut(sections: Vec<LineSection>, at: f64) -> (Vec<LineSection>, Vec<LineSectio
             before.push(LineSection {
                 length_m: at - arc,
                 segments: section.segments.map(|count| shared(count, share)),
-                clump_kg: 0.0,
-                ..section.clone()
+                ..section.clone().without_clump()
             });
             after.push(LineSection {
                 length_m: end - at,
