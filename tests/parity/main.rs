@@ -5,6 +5,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+mod case_as_system;
 mod features;
 mod friction;
 mod nothing_lost;
