@@ -46,6 +46,7 @@ impl OpenedFile {
         let imported = if import::is_foreign_file(&path, &text) {
             import::read(&text, &file, options)?
         } else if is_system::<K>() && line_case::is_line_case(&text) {
+            without_options(&file, options)?;
             line_case::read(&text, &path)?
         } else {
             return Ok(Self {
@@ -106,6 +107,16 @@ impl OpenedFile {
         let at_its_row = |one: &Diagnostic| imported.at_its_row(one, file, text);
         found.iter().map(at_its_row).collect()
     }
+}
+
+/// Refuses what is said besides a case of a line, which leaves nothing open.
+fn without_options(file: &str, options: &ImportOptions) -> Result<(), Vec<Diagnostic>> {
+    if options.is_empty() {
+        return Ok(());
+    }
+    let problem = "is a case of a line, which says all that files of other programs leave open";
+    let remedy = "leave --without, --depth, --density, --gravity and --motion out; set its keys";
+    Err(vec![Diagnostic::whole_file(file, problem, remedy)])
 }
 
 /// Whether a kind of file is the system.

@@ -8,5 +8,6 @@
 mod case_as_system;
 mod features;
 mod friction;
+mod line_keys;
 mod nothing_lost;
 mod one_line;

@@ -1,7 +1,6 @@
 //! Channels of a case by the names that its system gives them.
 
-use super::LINE;
-use super::source::LineSource;
+use super::source::{LINE, LineSource};
 use super::stretches::Stretch;
 use crate::case::{ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, channels};
 
@@ -25,7 +24,7 @@ pub(super) fn translated(
             let mut numbers = within.map(|(number, _)| number + 1);
             let number = match end {
                 LineEnd::A => numbers.next(),
-                LineEnd::B => numbers.last(),
+                LineEnd::B => numbers.next_back(),
             };
             Some(
                 id.quantity

@@ -98,7 +98,9 @@ fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
         }
     };
     one("mass_kg", "dry_mass_kg");
-    one("volume_m3", "volume_m3");
+    if payload.wet_mass_kg.is_none() {
+        one("volume_m3", "volume_m3");
+    }
     let density = source.case.environment.water_density_kg_per_m3;
     if let Some(wet) = payload.wet_mass_kg
         && let Some(span) = source.span(&["payload", "wet_mass_kg"])

@@ -1,21 +1,12 @@
 //! The line itself: its sections, clamps and releases.
 
-use super::LINE;
 use super::buoyed::name_of;
 use super::copied::value_of;
 use super::ends::{LETTERS, alike};
-use super::source::LineSource;
-use super::stretches::Stretch;
+use super::source::{LINE, LineSource};
+use super::stretches::{Stretch, is_one};
 use crate::case::{Clump, EndKind};
 use crate::import::to_case::case_text::{CaseText, number, text};
-
-/// Fewest segments of a line that does not state those of its sections.
-const FEWEST: usize = 8;
-
-/// Whether the line is of one section that needs no table of its own.
-pub(super) fn is_one(line: &[Stretch<'_>]) -> bool {
-    matches!(line, [only] if only.segments >= FEWEST)
-}
 
 /// Writes the line.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {

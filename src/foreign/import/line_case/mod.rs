@@ -29,9 +29,6 @@ use crate::case::{self, Diagnostic};
 use crate::kinds::FileType;
 use crate::visible;
 
-/// The name of the line in the system.
-pub const LINE: &str = "line";
-
 /// Whether a text is that of a case of one line.
 #[must_use]
 pub fn is_line_case(text: &str) -> bool {
@@ -59,7 +56,9 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     });
     faults.extend(results::faults(source, &line));
     if !faults.is_empty() {
-        faults.sort_by_key(|fault| fault.span.start);
+        faults
+            .sort_by(|one, other| (one.span.start, &one.key).cmp(&(other.span.start, &other.key)));
+        faults.dedup();
         return Err(faults);
     }
     let mut system = CaseText::of_text(source.text);

@@ -1,9 +1,7 @@
 //! Key paths of a case by the paths that its system has them at.
 
-use super::LINE;
-use super::line::is_one;
-use super::source::LineSource;
-use super::stretches::Stretch;
+use super::source::{LINE, LineSource};
+use super::stretches::{Stretch, is_one};
 use crate::case::split;
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.

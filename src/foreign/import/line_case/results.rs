@@ -5,7 +5,9 @@ use super::copied::{copy, copy_keys, value_of};
 use super::paths;
 use super::source::LineSource;
 use super::stretches::Stretch;
-use crate::case::{ChannelId, ChannelQuantity, Published, PublishedCurve, Statistic, Subject};
+use crate::case::{
+    ChannelId, ChannelQuantity, Published, PublishedCurve, Statistic, Subject, TomlNode,
+};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
 
@@ -82,7 +84,7 @@ fn checks(source: &LineSource<'_>) -> Vec<Fault> {
     });
     let paths = source
         .node(&["checks"])
-        .map_or_else(Vec::new, |node| node.names());
+        .map_or_else(Vec::new, TomlNode::names);
     let fault = |(number, _): (usize, _)| {
         let path = ["checks", paths.get(number).map_or("", String::as_str), "of"];
         let problem = "names a part of the line that is no part of the system";
@@ -214,7 +216,7 @@ fn published(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch
 }
 
 /// The keys of a published value or curve that say what it is worth.
-fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &crate::case::TomlNode) {
+fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode) {
     for key in KEPT {
         if let Some(value) = node.get(key) {
             system.given(key, &value_of(source, value), &value.span, "");

@@ -37,7 +37,8 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
     }
     let forces = results::reads_forces(source, line);
     let output = source.node(&["output"]);
-    if output.is_none() && !forces {
+    let is_checked = !source.case.checks.is_empty();
+    if output.is_none() && !forces && !is_checked {
         return;
     }
     system.table("[output]", output.map(|node| &node.span));
@@ -45,6 +46,9 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         if let Some(node) = source.node(&["output", key]) {
             system.given(key, &value_of(source, node), &node.span, "");
         }
+    }
+    if is_checked {
+        system.assumed("uplift", "true", "checks may be of it");
     }
     if forces {
         system.assumed("forces", "true", "a published curve is of one");

@@ -6,6 +6,9 @@ use std::ops::Range;
 use crate::case::{Case, Method, TomlNode};
 use crate::import::fault::Fault;
 
+/// The name of the line in the system.
+pub(super) const LINE: &str = "line";
+
 /// A case with its text.
 pub(super) struct LineSource<'t> {
     /// Its text.

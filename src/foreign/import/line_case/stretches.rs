@@ -32,6 +32,14 @@ impl Stretch<'_> {
     }
 }
 
+/// Fewest segments of a line that does not state those of its sections.
+const FEWEST: usize = 8;
+
+/// Whether the line is of one section that needs no table of its own.
+pub(super) fn is_one(line: &[Stretch<'_>]) -> bool {
+    matches!(line, [only] if only.segments >= FEWEST)
+}
+
 /// The stretches of the line from end A to end B.
 ///
 /// # Errors
@@ -57,6 +65,13 @@ pub(super) fn stretches<'c>(source: &'c LineSource<'_>) -> Result<Vec<Stretch<'c
         nodes.extend(hung.iter().map(|(node, _)| *node));
         nodes.sort_unstable();
         nodes.dedup();
+        if nodes.len() > 2 {
+            let keys = ["length_m", "segments"].map(|key| ["line", section.name.as_str(), key]);
+            faults.extend(
+                keys.iter()
+                    .filter_map(|path| source.fault_of_expression(path)),
+            );
+        }
         for (node, clump) in &hung {
             let first = number == 0 && *node == 0;
             let last = number + 1 == case.line.len() && *node == section.segments;
