@@ -502,7 +502,7 @@ table! {
         /// The axis of the copies: x and y. Points on a body turn about the z axis of their body.
         repeat_about_m: [f64; 2] = [0.0, 0.0], "axis of repeats", range of(-1e6, 1e6);
         /// Segments of the line where it has no closed form: in a current, or with bending stiffness.
-        segments: Option<usize>, "segments", range of(2.0, 1e4), absent "those of its sections, or 100";
+        segments: Option<usize>, "segments", range of(2.0, 1e4), absent "sections or 100";
         /// Neither current nor waves act on it: as where they matter little, which is cheaper, or in a place that is sheltered.
         still_water: bool = false, "in still water";
         /// Whether the bed bears it; without, it hangs through the bed: as OMIT_CONTACT of MAP++.
