@@ -143,6 +143,12 @@ fn expressions_of_what_is_cut_are_refused() {
         (found[0].key.as_str(), found.len()),
         ("line.high.length_m", 1)
     );
+    let text = WIRE.replace("kg_per_m3 = 1000.0", "kg_per_m3 = \"25 * long_m\"");
+    let read = |text: &str| line_case::read(text, Path::new("wire.toml"));
+    assert!(read(&text).is_ok());
+    let floats = "[[floats]]\nsection = \"high\"\nlift_kg = 10.0\n";
+    let found = read(&format!("{text}{floats}")).unwrap_err();
+    assert_eq!(found[0].key, "environment.water_density_kg_per_m3");
 }
 
 #[test]

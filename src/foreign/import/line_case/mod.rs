@@ -10,6 +10,7 @@ mod copied;
 mod ends;
 mod line;
 mod paths;
+mod payload;
 mod refused;
 mod results;
 mod run;

@@ -1,7 +1,8 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::{LETTERS, alike, coefficient, rows_of};
-use super::source::LineSource;
+use super::ends::{LETTERS, alike, rows_of};
+use super::payload;
+use super::source::{DENSITY, LineSource};
 use crate::case::{
     DragCoefficient, DynamicStiffness, End, EndKind, MotionInterpolation, MotionName, StartShape,
 };
@@ -23,7 +24,7 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
         found.extend(motion(source, letter, end));
     }
     if source.case.ends.b.kind == EndKind::Payload {
-        found.extend(payload(source));
+        found.extend(payload::faults(source));
     }
     found.extend(clumps(source));
     found.extend(buoyed(source));
@@ -81,74 +82,6 @@ fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Option<Fault> {
 fn is_off_place(end: &End) -> bool {
     let mut axes = end.amplitude_m.iter().zip(&end.phase_deg);
     end.ramp_s == 0.0 && axes.any(|(amplitude, phase)| amplitude * phase.to_radians().sin() != 0.0)
-}
-
-/// The payload, where it is more than a point of mass and volume that hangs clear.
-fn payload(source: &LineSource<'_>) -> Vec<Fault> {
-    let Some(payload) = &source.case.payload else {
-        return Vec::new();
-    };
-    let mut found = Vec::new();
-    let mut at = |key: &[&str], problem, remedy| {
-        found.push(source.fault(&[&["payload"], key].concat(), problem, remedy));
-    };
-    if payload.rotation.is_some() {
-        at(
-            &["rotation"],
-            "a payload that turns about the end of the line is no point",
-            "write it as a free body of a system",
-        );
-    }
-    if source.case.seabed.is_some() {
-        let problem =
-            "bears on the bed over an area, and a point of a system does so by its weight alone";
-        at(
-            &["bed_area_m2"],
-            problem,
-            "leave the bed out where the payload hangs clear of it",
-        );
-    }
-    let dynamic = source.is_in_time();
-    for (key, acts) in [("drag_area_m2", source.flows()), ("added_mass_kg", dynamic)] {
-        let given = source.node(&["payload", key]).is_some();
-        let differs = given && coefficient(payload, key).is_none();
-        if acts && differs {
-            at(
-                &[key],
-                "a point of a system has the same along all axes",
-                "give one number",
-            );
-        }
-        if acts && !given && payload.shape.is_some() {
-            at(
-                &["shape"],
-                "gives a drag area and an added mass for each axis, and a point of a system has the same along all",
-                "give `drag_area_m2` and `added_mass_kg` as one number each",
-            );
-            break;
-        }
-    }
-    if payload.wet_mass_kg.is_none() && payload.volume_m3.is_none() {
-        at(
-            &["shape"],
-            "gives the volume, which a system wants as a number",
-            "give `volume_m3`",
-        );
-    }
-    if payload.wet_mass_kg.is_some() {
-        found.extend(source.fault_of_expression(&["payload", "wet_mass_kg"]));
-        found.extend(source.fault_of_expression(&["payload", "dry_mass_kg"]));
-        let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
-        if in_air && payload.wet_mass_kg != Some(payload.dry_mass_kg) {
-            let problem = "differs from the dry mass where there is no water";
-            found.push(source.fault(
-                &["payload", "wet_mass_kg"],
-                problem,
-                "give the density of the water, or the dry mass",
-            ));
-        }
-    }
-    found
 }
 
 /// Clumps whose coefficients go by axes, or that bear on the bed otherwise than a cube does.
@@ -239,6 +172,7 @@ fn under(source: &LineSource<'_>, table: &str, name: &str) -> Vec<Fault> {
         keys.into_iter()
             .filter_map(|key| source.fault_of_expression(&["materials", name, key])),
     );
+    found.extend(source.fault_of_expression(&DENSITY));
     found
 }
 

@@ -9,6 +9,9 @@ use crate::import::fault::Fault;
 /// The name of the line in the system.
 pub(super) const LINE: &str = "line";
 
+/// The key of the density of the water, which volumes and materials with floats follow from.
+pub(super) const DENSITY: [&str; 2] = ["environment", "water_density_kg_per_m3"];
+
 /// A case with its text.
 pub(super) struct LineSource<'t> {
     /// Its text.
