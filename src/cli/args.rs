@@ -151,9 +151,10 @@ pub(super) enum CliCommand {
     ///
     /// Each value says from which line of the file it comes, and conventions that the file does not speak of are put down as assumed.
     /// `seacable run`, `modes`, `study` and the workbench take such files as they are. What is not modelled is refused, all at once, with line
-    /// and column; `--without NAME` leaves it out.
+    /// and column; `--without NAME` leaves it out. Of a case of a line it writes the system of that line, which `export` and `study seek` take
+    /// as it is too; what a system cannot state is refused with its key.
     Import(ImportCommandArgs),
-    /// Write a system as a file of another program: MoorDyn 2 or MAP++.
+    /// Write a system as a file of another program: MoorDyn 2 or MAP++. A case of a line is written as the system of it.
     ///
     /// What that program cannot say and would change results is refused, all at once. A file that was written, read and written again is the
     /// same text.

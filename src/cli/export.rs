@@ -18,7 +18,7 @@ use seacable_systems::system::SystemFile;
 #[derive(Debug, clap::Args)]
 #[command(group = clap::ArgGroup::new("target").required(true).args(["moordyn", "map"]))]
 pub(super) struct ExportArgs {
-    /// The case of a system, or the file of another program.
+    /// The case of a system or of a line, or the file of another program.
     #[arg(value_name = "CASE")]
     pub(super) file: PathBuf,
 

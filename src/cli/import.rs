@@ -1,4 +1,4 @@
-//! `seacable import`: the case that a file of another program is.
+//! `seacable import`: the case that a file of another program is, or the system that a case of a line is.
 
 use seacable_base::visible;
 use std::{
@@ -54,7 +54,7 @@ impl ImportArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ImportCommandArgs {
-    /// The file of another program.
+    /// The file of another program, or the case of a line.
     #[arg(value_name = "FILE")]
     pub(super) file: PathBuf,
 
@@ -86,14 +86,14 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
     let unreadable =
         |error| CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)));
     let file = FileBytes::read(path).readable().map_err(unreadable)?;
-    if !file.is_foreign() {
+    let opened = OpenedFile::of::<SystemFile>(file, options).map_err(CommandError::Invalid)?;
+    if !opened.is_foreign() {
         let what = format!(
-            "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, which have rows of dashes between their tables, nor a design in YAML.",
+            "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, which have rows of dashes between their tables, nor a design in YAML, nor a case of a line.",
             visible::path(path)
         );
         return Err(CommandError::Usage(what));
     }
-    let opened = OpenedFile::of::<SystemFile>(file, options).map_err(CommandError::Invalid)?;
     opened.read::<SystemFile>().map_err(CommandError::Invalid)?;
     Ok(opened.text)
 }

@@ -88,7 +88,7 @@ pub(super) enum StudyArgs {
     WatchCircle(WatchArgs),
     /// Find the input of a system with which a result is as wanted: a length for a tension, a radius for a clearance.
     ///
-    /// The exit status is 1, with the reason, where no value between the bounds gives it.
+    /// A case of a line is taken as the system of it, whose keys `seacable import` prints. The exit status is 1, with the reason, where no value between the bounds gives it.
     Seek(SeekArgs),
 }
 

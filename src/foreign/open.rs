@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use crate::case::Diagnostic;
 use crate::case::file_kind::FileKind;
 use crate::case::kind::{self, LoadedFile, ReadFile};
-use crate::import::{self, ImportOptions, Imported};
+use crate::import::{self, ImportOptions, Imported, line_case};
 use crate::kinds::FileBytes;
+use crate::system::SystemFile;
 use crate::visible;
 
 /// A file with the text that is read of it.
@@ -19,7 +20,7 @@ pub struct OpenedFile {
     foreign: Option<ForeignSource>,
 }
 
-/// A file of another program, and how its case comes from it.
+/// A file of another program, or of a line, and how its case comes from it.
 #[derive(Debug, Clone)]
 struct ForeignSource {
     file: String,
@@ -28,7 +29,7 @@ struct ForeignSource {
 }
 
 impl OpenedFile {
-    /// Opens a file; what is said about a file of another program besides its text is in the options.
+    /// Opens a file: a case of a line too, as its system, where that is what is opened; what is said about a file of another program besides its text is in the options.
     ///
     /// # Errors
     ///
@@ -41,15 +42,19 @@ impl OpenedFile {
         let text = bytes
             .text(K::schema())
             .map_err(|diagnostic| vec![diagnostic])?;
-        if !import::is_foreign_file(&path, &text) {
+        let file = path.display().to_string();
+        let imported = if import::is_foreign_file(&path, &text) {
+            import::read(&text, &file, options)?
+        } else if is_system::<K>() && line_case::is_line_case(&text) {
+            without_options(&file, options)?;
+            line_case::read(&text, &path)?
+        } else {
             return Ok(Self {
                 path,
                 text,
                 foreign: None,
             });
-        }
-        let file = path.display().to_string();
-        let imported = import::read(&text, &file, options)?;
+        };
         Ok(Self {
             path,
             text: imported.text.clone(),
@@ -102,6 +107,21 @@ impl OpenedFile {
         let at_its_row = |one: &Diagnostic| imported.at_its_row(one, file, text);
         found.iter().map(at_its_row).collect()
     }
+}
+
+/// Refuses what is said besides a case of a line, which leaves nothing open.
+fn without_options(file: &str, options: &ImportOptions) -> Result<(), Vec<Diagnostic>> {
+    if options.is_empty() {
+        return Ok(());
+    }
+    let problem = "is a case of a line, which says all that files of other programs leave open";
+    let remedy = "leave --without, --depth, --density, --gravity and --motion out; set its keys";
+    Err(vec![Diagnostic::whole_file(file, problem, remedy)])
+}
+
+/// Whether a kind of file is the system.
+fn is_system<K: FileKind>() -> bool {
+    std::ptr::eq(K::schema(), SystemFile::schema())
 }
 
 /// Reads, checks and computes a file.

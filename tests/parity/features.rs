@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use toml::{Table, Value};
+
 /// The scenes: a line, lines that meet at a point, a body on lines, a file of MoorDyn.
 const SCENES: [&str; 4] = ["line.toml", "points.toml", "body.toml", "moordyn.txt"];
 
@@ -62,6 +64,41 @@ impl Trial {
         output.status.success().then_some(text)
     }
 
+    /// The scene as a system, converted where it is none, with something edited in it; its path.
+    fn as_system(&self, mut edit: impl FnMut(&mut Table)) -> Option<String> {
+        let scene = self.scene.display().to_string();
+        let text = match fs::read_to_string(&self.scene).unwrap() {
+            text if text.contains("[system]") => text,
+            _ => {
+                let output = self.command(&["import", &scene]);
+                output.status.success().then_some(())?;
+                String::from_utf8(output.stdout).unwrap()
+            }
+        };
+        let mut table: Table = text.parse().unwrap();
+        let solver = "duration_s = 4.0\nerror_estimate = false\n"
+            .parse()
+            .unwrap();
+        table.insert("solver".to_owned(), Value::Table(solver));
+        edit(&mut table);
+        let path = self.path("edited.toml");
+        fs::write(&path, table.to_string()).unwrap();
+        Some(path)
+    }
+
+    /// Whether the scene as a system is computed when it is edited and has these tables, and then has this in its summary.
+    fn runs_with(&self, tables: &str, edit: fn(&mut Table), shows: &str) -> bool {
+        let add = |table: &mut Table| {
+            edit(table);
+            let name = first_line(table)["name"].as_str().unwrap().to_owned();
+            let more: Table = tables.replace("LINE", &name).parse().unwrap();
+            table.extend(more);
+        };
+        let run = |path: String| self.command(&["run", &path, "--out", &self.path("run")]);
+        let ran = self.as_system(add).map(run);
+        ran.is_some_and(|output| output.status.success()) && self.summary().contains(shows)
+    }
+
     /// Leaves a second of its simulated time.
     fn shorten(&self) {
         let text = fs::read_to_string(&self.scene).unwrap();
@@ -90,6 +127,48 @@ impl Trial {
     fn summary(&self) -> String {
         fs::read_to_string(Path::new(&self.path("run")).join("summary.csv")).unwrap()
     }
+}
+
+/// The first line of a system.
+fn first_line(system: &mut Table) -> &mut Table {
+    let lines = system["lines"].as_array_mut().unwrap();
+    lines[0].as_table_mut().unwrap()
+}
+
+/// Puts the end B of the last line on a body that is held there, where there is no body.
+fn put_on_body(system: &mut Table) {
+    system.remove("solver");
+    if system.contains_key("bodies") {
+        return;
+    }
+    let end = system["lines"].as_array().unwrap().last().unwrap()["to"].as_str();
+    let end = end.unwrap().to_owned();
+    let place = system["points"][&end]["position_m"].clone();
+    let point = "kind = \"body\"\nbody = \"vessel\"\nposition_m = [0.0, 0.0, 0.0]\n";
+    system["points"][&end] = Value::Table(point.parse().unwrap());
+    let mut vessel: Table = "kind = \"held\"\n".parse().unwrap();
+    vessel.insert("position_m".to_owned(), place);
+    let bodies = Table::from_iter([("vessel".to_owned(), Value::Table(vessel))]);
+    system.insert("bodies".to_owned(), Value::Table(bodies));
+}
+
+/// Pays out the first line.
+const PAYOUT: &str = "[[payouts]]\nline = \"LINE\"\nend = \"a\"\nrate_m_per_s = 0.5\n";
+
+/// Leaves the bending stiffness of all materials out.
+fn without_stiffness(system: &mut Table) {
+    for (_, material) in system["materials"].as_table_mut().unwrap() {
+        let material = material.as_table_mut().unwrap();
+        material.remove("ei_n_m2");
+        material.remove("min_bend_radius_m");
+    }
+}
+
+/// Lets the first line break in its middle.
+fn break_line(system: &mut Table) {
+    let line = first_line(system);
+    line.insert("break_at_m".to_owned(), Value::Float(20.0));
+    line.insert("break_s".to_owned(), Value::Float(1.0));
 }
 
 const FAST: &[&str] = &["--set", "solver.error_estimate=false"];
@@ -220,7 +299,78 @@ const FEATURES: &[Feature] = &[
             let words = ["export", "--moordyn", &scene, "-o", &to];
             trial.command(&words).status.success()
         },
-        has: [No, Yes, NO_BUOYANCY, Yes],
+        has: [Yes, Yes, NO_BUOYANCY, Yes],
+    },
+    Feature {
+        name: "a quick look at seas",
+        tried: |trial| {
+            let waves = "[[waves]]\nkind = \"irregular\"\nsignificant_height_m = 0.5\npeak_period_s = 8.0\n";
+            let more: Table = waves.parse().unwrap();
+            let path = trial.as_system(|system| system.extend(more.clone()));
+            path.is_some_and(|path| {
+                let words = ["sweep", &path, "--quick", "--vary", "waves.1.seed=1,2"];
+                trial.command(&words).status.success()
+            })
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "an offset curve of a body on a line",
+        tried: |trial| {
+            let path = trial.as_system(put_on_body);
+            path.is_some_and(|path| {
+                let words = ["study", "offsets", &path, "--to", "1", "--steps", "2"];
+                trial.command(&words).status.success()
+            })
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "a length sought for a tension",
+        tried: |trial| {
+            let path = trial.scene.display().to_string();
+            let mut name = String::new();
+            trial
+                .as_system(|system| name = first_line(system)["name"].as_str().unwrap().to_owned());
+            let vary = format!("lines.{name}.length_m");
+            // One of them is within reach.
+            ["2.2e4", "4.5e4"].iter().any(|tension| {
+                let want = format!("tension_n[{name}|b]={tension}");
+                let words = ["study", "seek", &path, "--vary", &vary];
+                let words = [&words[..], &["--between", "30..120", "--want", &want]].concat();
+                trial.command(&words).status.success()
+            })
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "a line paid out",
+        tried: |trial| trial.runs_with(PAYOUT, without_stiffness, "length_m["),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "a line paid out with the stiffness that its file has",
+        tried: |trial| trial.runs_with(PAYOUT, |_| {}, "length_m["),
+        has: [No, No, No, Yes],
+    },
+    Feature {
+        name: "a line that breaks",
+        tried: |trial| {
+            let path = trial.as_system(break_line);
+            path.is_some_and(|path| {
+                let words = ["run", &path, "--out", &trial.path("run")];
+                trial.command(&words).status.success()
+            })
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "lines that age",
+        tried: |trial| {
+            let ageing = "[ageing]\nyears = 10.0\n[[ageing.growth]]\nthickness_m = [0.05]\n";
+            trial.runs_with(ageing, |_| {}, "tension_n")
+        },
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "error bars held against converged runs",

@@ -5,7 +5,9 @@
 
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
+mod case_as_system;
 mod features;
 mod friction;
+mod line_keys;
 mod nothing_lost;
 mod one_line;

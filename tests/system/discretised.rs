@@ -1,5 +1,8 @@
 //! Lines without a closed form in a system: in a current, and with bending stiffness.
 
+use seacable::case::kind;
+use seacable::system::SystemFile;
+
 use crate::{HEAD, place, solved, tensions};
 
 /// Two lines that meet at a point, with the keys of their material and the rest of the file.
@@ -61,4 +64,32 @@ fn bending_stiffness_takes_part() {
     assert!(stiff.is_discretised());
     let (e, s) = (tensions(&exact, "high")[1], tensions(&stiff, "high")[1]);
     assert!((e - s).abs() < 0.02 * e, "{e} {s}");
+}
+
+/// Sections that state their segments are divided into these, in their ratio where the line states its own.
+#[test]
+fn sections_state_their_segments() {
+    let text = |of_line: &str, [a, b]: [&str; 2]| {
+        format!(
+            "{HEAD}[current]\nspeed_m_per_s = 0.5\n[materials.chain]\ndiameter_m = 0.1\nmass_kg_per_m = 60.0\nea_n = 4e8
+[points.a]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -150.0]
+[points.b]\nkind = \"fixed\"\nposition_m = [200.0, 0.0, -20.0]
+[[lines]]\nname = \"line\"\nfrom = \"a\"\nto = \"b\"\n{of_line}
+[[lines.sections]]\nmaterial = \"chain\"\nlength_m = 100.0\n{a}
+[[lines.sections]]\nmaterial = \"chain\"\nlength_m = 160.0\n{b}"
+        )
+    };
+    let segments = |of_line, sections| -> Vec<usize> {
+        let system = solved(&text(of_line, sections));
+        let line = system.network.lines[0].discretised.clone().unwrap();
+        let sections = line.case().line.iter();
+        sections.map(|section| section.segments).collect()
+    };
+    let asked = ["segments = 3\n", "segments = 5\n"];
+    assert_eq!(segments("", asked), [3, 5]);
+    assert_eq!(segments("segments = 16\n", asked), [6, 10]);
+    assert_eq!(segments("segments = 26\n", ["", ""]), [10, 16]);
+    let some = text("", ["segments = 3\n", ""]);
+    let refused = kind::parse::<SystemFile>(&some, "x.toml").unwrap_err();
+    assert_eq!(refused[0].key, "lines.line.sections.1.segments");
 }

@@ -6,7 +6,7 @@ use crate::case::CreepModel;
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::model::{LineInputs, LineSection};
-use crate::system::parts::sections;
+use crate::system::parts::{SectionClump, sections};
 
 /// Segments of a line that does not say how many.
 const SEGMENTS: usize = 50;
@@ -39,7 +39,7 @@ pub fn write(
     sheet: &mut Sheet,
 ) {
     let sections = sections(line);
-    let counts = shared(line.segments.unwrap_or(SEGMENTS), &sections);
+    let counts = shared(line.asked_segments().unwrap_or(SEGMENTS), &sections);
     let first = sheet.lines.len();
     for ((section, segments), ends) in sections.iter().zip(counts).zip(attachments.windows(2)) {
         sheet.lines.push(LineRow {
@@ -70,14 +70,22 @@ pub fn write(
     }
 }
 
-/// Segments of each section by its length, one at least: the same for the same sum, however often they are shared out.
+/// Segments of each section by those it asks for or its length, one at least: the same for the same sum, however often they are shared out.
 fn shared(total: usize, sections: &[LineSection]) -> Vec<usize> {
+    let asked: Option<Vec<usize>> = sections.iter().map(|section| section.segments).collect();
+    if let Some(asked) = asked.filter(|asked| asked.iter().sum::<usize>() == total) {
+        return asked;
+    }
     let total = total.max(sections.len());
-    let whole: f64 = sections.iter().map(|section| section.length_m).sum();
+    let weight = |section: &LineSection| match section.segments {
+        Some(segments) => segments as f64,
+        None => section.length_m,
+    };
+    let whole: f64 = sections.iter().map(weight).sum();
     let spare = (total - sections.len()) as f64;
     let shares: Vec<f64> = sections
         .iter()
-        .map(|section| spare * section.length_m / whole)
+        .map(|section| spare * weight(section) / whole)
         .collect();
     #[expect(
         clippy::cast_possible_truncation,
@@ -119,19 +127,24 @@ fn joint(
     sheet: &mut Sheet,
 ) -> String {
     let bends = |section: &LineSection| solved.file.materials[&section.material].ei_n_m2 > 0.0;
-    let clump = before.clump_kg;
-    if target == Target::MoorDyn && clump == 0.0 && bends(before) && bends(behind) {
+    let clump = before.clump();
+    let is_bare = clump == SectionClump::default();
+    if target == Target::MoorDyn && is_bare && bends(before) && bends(behind) {
         let number = rod_without_length("Free", [place; 2], sheet);
         return format!("R{number}A");
     }
     let density = solved.file.environment.water_density_kg_per_m3;
+    let volume = clump.volume_m3(density);
     sheet.points.push(PointRow {
         hold: "Free".to_owned(),
         place,
-        mass: clump.max(0.0),
-        volume: if clump < 0.0 { -clump / density } else { 0.0 },
-        drag_area: 0.0,
-        added_mass: 0.0,
+        mass: clump.mass_kg,
+        volume,
+        drag_area: clump.drag_area_m2,
+        added_mass: match density * volume > 0.0 {
+            true => clump.added_mass_kg / (density * volume),
+            false => 0.0,
+        },
         load: [0.0; 3],
     });
     sheet.points.len().to_string()
@@ -164,7 +177,7 @@ mod tests {
         let section = |length_m| LineSection {
             material: "chain".to_owned(),
             length_m,
-            clump_kg: 0.0,
+            ..LineSection::default()
         };
         let lengths = [516.84, 400.0, 382.762, 33.498, 137.382, 41.197];
         let sections: Vec<LineSection> = lengths.into_iter().map(section).collect();

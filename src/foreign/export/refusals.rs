@@ -131,6 +131,7 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         found.add(inputs.load_n != [0.0; 3], key("load_n"), "loads on rods");
     }
     for line in &file.lines {
+        clumps(line, target, &mut found);
         of_line(line, solved, target, &mut found);
     }
     let in_words = |one: Unsayable| Unsayable {
@@ -257,6 +258,22 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
                 || differs(member.to_added_mass_end, member.added_mass_end),
             key,
             "ends of a member with drag or added mass of their own",
+        );
+    }
+}
+
+/// Added mass of bodies in a line that displace nothing.
+fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
+    for (number, section) in line.sections.iter().enumerate() {
+        let clump = section.clump();
+        found.add(
+            target == Target::MoorDyn && clump.added_mass_kg > 0.0 && clump.mass_kg <= clump.wet_kg,
+            format!(
+                "lines.{}.sections.{}.clump_added_mass_kg",
+                line.name,
+                number + 1
+            ),
+            "added mass of a point without volume",
         );
     }
 }

@@ -3,6 +3,7 @@
 use super::{beside::Beside, fault::Fault};
 use crate::case::Diagnostic;
 use std::{
+    collections::BTreeMap,
     ops::Range,
     path::{Path, PathBuf},
 };
@@ -39,6 +40,8 @@ pub struct Imported {
     pub from: Vec<Option<Range<usize>>>,
     /// A file beside it that its lines are in.
     pub beside: Option<Beside>,
+    /// Of a file with keys, their paths by the bytes where their values begin.
+    pub keys: BTreeMap<usize, String>,
 }
 
 impl Imported {
@@ -48,7 +51,8 @@ impl Imported {
         let line = found.line.max(1) as usize;
         let here = self.from.iter().take(line).rev();
         let span = here.flatten().next().cloned().unwrap_or(0..0);
-        let fault = Fault::new(span, &found.key, &found.problem, &*found.remedy);
+        let key = self.keys.get(&span.start).unwrap_or(&found.key);
+        let fault = Fault::new(span, key, &found.problem, &*found.remedy);
         if let Some(named) = self.named(found) {
             return named.diagnostic(file, source);
         }

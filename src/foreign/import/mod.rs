@@ -8,6 +8,7 @@ pub mod cable_dyn;
 pub mod fault;
 mod imported;
 pub mod index;
+pub mod line_case;
 pub mod listing;
 pub mod map_plus_plus;
 pub mod moordyn;

@@ -337,7 +337,7 @@ impl Builder<'_> {
                 length_m: part.length_m,
                 weight_n_per_m: self.wet_weight(&part.material),
                 ea_n: part.material.representative_ea_n().unwrap_or(f64::INFINITY),
-                clump_n: part.clump_kg * self.network.gravity,
+                clump_n: part.clump.wet_kg * self.network.gravity,
             })
             .collect();
         let displaced: Vec<f64> = parts

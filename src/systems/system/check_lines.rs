@@ -135,10 +135,14 @@ impl<'k, 'a> ByName<'k, 'a> {
         found.extend(line.length_m.if_given(problem, remedy));
         let sections = line.sections.iter();
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
+        found.extend(segments_of_some(line));
         if let Some((_, last)) = line.sections.last() {
             let problem = "is at the end of the line";
             let remedy = "give the mass to the point there, or to the section before";
             found.extend(last.clump_kg.if_given(problem, remedy));
+            found.extend(last.clump_mass_kg.if_given(problem, remedy));
+            found.extend(last.clump_drag_area_m2.if_given(problem, remedy));
+            found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
         }
         found
     }
@@ -205,6 +209,17 @@ impl<'k, 'a> ByName<'k, 'a> {
             material.is_some_and(|of| of.ei_n_m2.value().is_some_and(|ei| ei > 0.0))
         })
     }
+}
+
+/// Segments that some sections of a line state and others do not.
+fn segments_of_some(line: &LineKeys<'_>) -> Option<Finding> {
+    let mut keys = line.sections.iter().map(|(_, section)| &section.segments);
+    let given = keys.clone().find(|key| key.is_given())?;
+    let all = keys.all(Key::is_given);
+    (!all).then(|| {
+        let problem = "is given for some sections of the line and not for others";
+        given.finding(problem, "give every section its segments, or none")
+    })
 }
 
 fn repeats(line: &LineKeys<'_>) -> Option<Finding> {

@@ -5,8 +5,8 @@ use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
-use super::parts::{Part, is_crossed};
-use crate::case::{Case, Clump, End, Ends, Method, Seabed, Section};
+use super::parts::{Part, SectionClump, is_crossed};
+use crate::case::{Case, Clump, End, Ends, Method, OneOrMany, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
@@ -332,34 +332,46 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
             .map(|(name, file)| (name.clone(), file.clone())),
     );
     case.solver.method = Method::Static;
-    let whole: f64 = parts.iter().map(|part| part.length_m).sum();
     for (k, part) in parts.iter().enumerate() {
         let name = format!("section{}", k + 1);
         // Each section has a material of its own: parts of one material may differ.
         case.materials.insert(name.clone(), part.material.clone());
-        let wanted = line.segments.unwrap_or(SEGMENTS) as f64;
-        let fewest = FEWEST.div_ceil(part.pieces) as f64;
-        let count = (wanted * part.length_m / whole).round().max(fewest);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a count of segments, bounded by the file"
-        )]
-        let count = count as usize;
+        let count = segments_of(line, part, parts);
         case.line
             .push(Section::new(&name, &name, part.length_m, count));
-        if part.clump_kg != 0.0 {
+        if part.clump != SectionClump::default() {
             case.clumps.push(Clump {
                 name: format!("clump{}", k + 1),
                 section: name,
                 at_m: part.length_m,
-                mass_kg: part.clump_kg.abs(),
-                wet_mass_kg: part.clump_kg,
+                mass_kg: part.clump.mass_kg,
+                wet_mass_kg: part.clump.wet_kg,
+                drag_area_m2: OneOrMany::One(part.clump.drag_area_m2),
+                added_mass_kg: OneOrMany::One(part.clump.added_mass_kg),
                 ..Clump::default()
             });
         }
     }
     case
+}
+
+/// Segments of a part of a line: by what its sections ask for, or by its length.
+fn segments_of(line: &LineInputs, part: &Part, parts: &[Part]) -> usize {
+    let asked = |part: &Part| Some(part.segments? as f64 / part.pieces as f64);
+    let all: Option<f64> = parts.iter().map(asked).sum();
+    let whole: f64 = parts.iter().map(|part| part.length_m).sum();
+    let (share, fewest) = match asked(part).zip(all) {
+        Some((own, all)) => (own / all, 1),
+        None => (part.length_m / whole, FEWEST.div_ceil(part.pieces)),
+    };
+    let count = (line.wanted_segments() as f64 * share).round();
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count of segments, bounded by the file"
+    )]
+    let count = count as usize;
+    count.max(fewest)
 }
 
 fn shares(case: &Case) -> Vec<f64> {

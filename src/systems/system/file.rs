@@ -24,6 +24,15 @@ pub static SYSTEM: LazyLock<Schema> = LazyLock::new(|| {
     schema_of::<SystemFile>("system", least)
         .with_parameters()
         .with_coordinates("points.*.position_m", POSITION.0, POSITION.1)
+        .with_coordinates(
+            "points.*.amplitude_m",
+            [
+                "amplitude along x",
+                "amplitude along y",
+                "amplitude along z",
+            ],
+            "Amplitude of the prescribed motion along one axis.",
+        )
 });
 
 impl FileContent for SystemFile {

@@ -7,7 +7,7 @@ use super::bounds::Contact;
 use super::model::SystemBed;
 use super::network::{Body, FreePoint, Held, Line, Network};
 use super::solved::SolvedSystem;
-use crate::case::FrictionLaw;
+use crate::case::{Clump, FrictionLaw, OneOrMany};
 use crate::numerics::V3;
 
 /// Names that a remark lists.
@@ -112,7 +112,7 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
     let points = clumps(network).filter(|(_, point)| {
         point.buoyancy == 0.0 && point.added_mass == 0.0 && point.drag_area == 0.0
     });
-    let clumped = exposed(network).filter(|line| has_clumps(line));
+    let clumped = exposed(network).filter(|line| has_weights(line));
     [
         remark(
             "The waves do not act on",
@@ -136,15 +136,24 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             "The waves do not act on the clumps of",
             "line",
             clumped.map(|line| line.name.as_str()),
-            "clump_kg is a weight alone; a free point has a volume and a drag area",
+            "give the clumps a clump_drag_area_m2, or a clump_mass_kg beyond their weight in water",
         ),
     ]
     .into_iter()
     .flatten()
 }
 
-fn has_clumps(line: &Line) -> bool {
-    line.sections.iter().any(|section| section.clump_n != 0.0)
+/// Whether a line has a clump that is a weight alone.
+fn has_weights(line: &Line) -> bool {
+    let Some(divided) = &line.discretised else {
+        return line.sections.iter().any(|section| section.clump_n != 0.0);
+    };
+    let is_weight = |clump: &Clump| {
+        let [drag, added] = [&clump.drag_area_m2, &clump.added_mass_kg];
+        let none = OneOrMany::One(0.0);
+        clump.mass_kg <= clump.wet_mass_kg.abs() && *drag == none && *added == none
+    };
+    divided.case().clumps.iter().any(is_weight)
 }
 
 fn current_of(network: &Network) -> impl Iterator<Item = String> {

@@ -507,7 +507,7 @@ table! {
         /// The axis of the copies: x and y. Points on a body turn about the z axis of their body.
         repeat_about_m: [f64; 2] = [0.0, 0.0], "axis of repeats", range of(-1e6, 1e6);
         /// Segments of the line where it has no closed form: in a current, or with bending stiffness.
-        segments: Option<usize>, "segments", range of(2.0, 1e4), absent "100";
+        segments: Option<usize>, "segments", range of(2.0, 1e4), absent "sections or 100";
         /// Neither current nor waves act on it: as where they matter little, which is cheaper, or in a place that is sheltered.
         still_water: bool = false, "in still water";
         /// Whether the bed bears it; without, it hangs through the bed: as OMIT_CONTACT of MAP++.
@@ -553,8 +553,16 @@ table! {
         material: String, "material", kind Name;
         /// Unstretched length.
         length_m: f64, "length", range positive(1e5);
+        /// Segments that it is divided into, of all sections or of none; where the line states its own, these are in this ratio.
+        segments: Option<usize>, "segments", range of(1.0, 1e4), absent "by its length";
         /// Weight in water of a body at its end towards B, as mass; negative floats. Not on the last section.
         clump_kg: f64 = 0.0, "clump", range of(-1e10, 1e10);
+        /// Mass in air of that body.
+        clump_mass_kg: Option<f64>, "mass of the clump", range of(0.0, 1e10), absent "as its weight in water, whichever way that acts";
+        /// Drag coefficient times area of that body.
+        clump_drag_area_m2: f64 = 0.0, "drag area of the clump", range of(0.0, 1e6);
+        /// Added mass of that body.
+        clump_added_mass_kg: f64 = 0.0, "added mass of the clump", range of(0.0, 1e10);
     }
 }
 

@@ -1,5 +1,6 @@
 //! The parts of a line: its sections, each of one material, in order from its end A.
 
+use super::discretised::SEGMENTS;
 use super::model::{LineInputs, LineSection, SystemFile};
 use crate::case::{Material, WaterSurface};
 
@@ -12,10 +13,61 @@ pub struct Part {
     pub material: Material,
     /// Unstretched length \[m\].
     pub length_m: f64,
-    /// Weight in water of a body at its end towards B, as mass \[kg\]; negative floats.
-    pub clump_kg: f64,
+    /// The body at its end towards B.
+    pub clump: SectionClump,
+    /// Segments that its section asks for.
+    pub segments: Option<usize>,
     /// Pieces of equal length that its section is divided into; 1 where it is not.
     pub pieces: usize,
+}
+
+/// A body where two sections of a line meet.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct SectionClump {
+    /// Weight in water, as mass \[kg\]; negative floats.
+    pub wet_kg: f64,
+    /// Mass in air \[kg\].
+    pub mass_kg: f64,
+    /// Drag coefficient times area \[m²\].
+    pub drag_area_m2: f64,
+    /// Added mass \[kg\].
+    pub added_mass_kg: f64,
+}
+
+impl SectionClump {
+    /// Volume that it displaces in water of a density \[m³\].
+    #[must_use]
+    pub fn volume_m3(&self, density: f64) -> f64 {
+        match density > 0.0 {
+            true => (self.mass_kg - self.wet_kg) / density,
+            false => 0.0,
+        }
+    }
+}
+
+impl LineSection {
+    /// The body at its end towards B.
+    #[must_use]
+    pub fn clump(&self) -> SectionClump {
+        SectionClump {
+            wet_kg: self.clump_kg,
+            mass_kg: self.clump_mass_kg.unwrap_or(self.clump_kg.abs()),
+            drag_area_m2: self.clump_drag_area_m2,
+            added_mass_kg: self.clump_added_mass_kg,
+        }
+    }
+
+    /// The same section without that body.
+    #[must_use]
+    pub fn without_clump(self) -> Self {
+        Self {
+            clump_kg: 0.0,
+            clump_mass_kg: None,
+            clump_drag_area_m2: 0.0,
+            clump_added_mass_kg: 0.0,
+            ..self
+        }
+    }
 }
 
 /// The sections of a line, which the checks passed: a line of one material has one.
@@ -25,7 +77,7 @@ pub fn sections(line: &LineInputs) -> Vec<LineSection> {
         (Some(material), Some(length_m)) => vec![LineSection {
             material: material.clone(),
             length_m,
-            clump_kg: 0.0,
+            ..LineSection::default()
         }],
         _ => line.sections.clone(),
     }
@@ -36,12 +88,29 @@ pub fn sections(line: &LineInputs) -> Vec<LineSection> {
 pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
     let part = |section: LineSection| Part {
         material: file.materials[&section.material].clone(),
+        clump: section.clump(),
         name: section.material,
         length_m: section.length_m,
-        clump_kg: section.clump_kg,
+        segments: section.segments,
         pieces: 1,
     };
     sections(line).into_iter().map(part).collect()
+}
+
+impl LineInputs {
+    /// The segments that the line, or its sections, ask for.
+    #[must_use]
+    pub fn asked_segments(&self) -> Option<usize> {
+        let of_sections: Option<usize> = self.sections.iter().map(|one| one.segments).sum();
+        let of_sections = of_sections.filter(|count| *count > 0);
+        self.segments.or(of_sections)
+    }
+
+    /// The segments that it is divided into, but for the fewest of each section.
+    #[must_use]
+    pub fn wanted_segments(&self) -> usize {
+        self.asked_segments().unwrap_or(SEGMENTS)
+    }
 }
 
 /// Whether lines and points of a file have their weight in air above its water.

@@ -1,7 +1,10 @@
 //! Cases of every kind, lists of papers, and what is typed about them.
 
+use std::path::Path;
+
 use seacable::case::{self, Case, ChannelId, Diagnostic, QuantityId, Subject, edit, kind, shipped};
 use seacable::export::{self, ExportOptions};
+use seacable::import::line_case;
 use seacable::kinds::FileType;
 use seacable::line_types::nominal_diameter;
 use seacable::reference::papers;
@@ -22,6 +25,16 @@ pub(super) const ALL: &[Target] = &[
         name: "line_case",
         run: line_case,
         seeds: || shipped_files(FileType::Line),
+        share: 4,
+    },
+    Target {
+        name: "line_as_system",
+        run: line_as_system,
+        seeds: || {
+            let mut files = shipped_files(FileType::Line);
+            files.retain(|file| line_as_system(file));
+            files
+        },
         share: 4,
     },
     Target {
@@ -128,6 +141,28 @@ fn line_case(data: &[u8]) -> bool {
         }
         Err(faults) => shown(&faults),
     }
+}
+
+/// A case of a line, written as a system: what is written is a file, and faults of it are at rows of the case.
+fn line_as_system(data: &[u8]) -> bool {
+    let text = contained(data);
+    let name = file("case.toml");
+    let system = match line_case::read(&text, Path::new(&name)) {
+        Ok(system) => system,
+        Err(faults) => return shown(&faults),
+    };
+    assert!(
+        system.text.parse::<toml::Table>().is_ok(),
+        "{}",
+        system.text
+    );
+    let Err(faults) = kind::read::<SystemFile>(&system.text, &name) else {
+        return true;
+    };
+    for fault in faults.iter().take(4) {
+        assert!(system.at_its_row(fault, &name, &text).line >= 1);
+    }
+    shown(&faults)
 }
 
 fn system(data: &[u8]) -> bool {

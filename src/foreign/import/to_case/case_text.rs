@@ -15,7 +15,7 @@ const COMMENT_COLUMN: usize = 40;
 #[derive(Debug, Clone)]
 pub struct CaseText<'t> {
     source: LineStarts,
-    program: Program,
+    program: Option<Program>,
     beside: Option<(&'t Beside, LineStarts)>,
     /// What is written.
     pub text: String,
@@ -29,9 +29,19 @@ impl<'t> CaseText<'t> {
     pub fn of(source: &str, mooring: &'t Mooring) -> Self {
         let beside = mooring.beside.as_ref();
         Self {
-            source: LineStarts::of(source),
-            program: mooring.program,
+            program: Some(mooring.program),
             beside: beside.map(|beside| (beside, LineStarts::of(&beside.text))),
+            ..Self::of_text(source)
+        }
+    }
+
+    /// An empty case of a source whose columns are named as they are given.
+    #[must_use]
+    pub fn of_text(source: &str) -> Self {
+        Self {
+            source: LineStarts::of(source),
+            program: None,
+            beside: None,
             text: String::new(),
             from: Vec::new(),
         }
@@ -56,9 +66,9 @@ impl<'t> CaseText<'t> {
     /// A key that a column gives.
     pub fn given(&mut self, key: &str, value: &str, from: &Range<usize>, column: &str) {
         let row = self.row_of(from);
-        let column = match self.beside_of(from) {
-            Some(_) => column,
-            None => columns::name(self.program, column),
+        let column = match self.program.filter(|_| self.beside_of(from).is_none()) {
+            Some(program) => columns::name(program, column),
+            None => column,
         };
         let comment = match column {
             "" => row,

@@ -23,6 +23,8 @@ use self::sea::sea_of;
 use super::fault::Fault;
 use super::imported::{ImportOptions, Imported};
 use super::mooring::{Hold, Mooring};
+use std::collections::BTreeMap;
+
 pub use context::{Context, OnBody, is_in_air};
 
 /// The case of a mooring. `source` is the text it was read from, `file` its name.
@@ -83,6 +85,7 @@ pub fn case_of(
         text: case.text,
         from: case.from,
         beside: mooring.beside.clone(),
+        keys: BTreeMap::new(),
     })
 }
 

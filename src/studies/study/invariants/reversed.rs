@@ -67,20 +67,25 @@ fn reverse(line: &mut Table) {
     }
 }
 
+/// Keys of the body at the end of a section towards B.
+const CLUMP: [&str; 4] = [
+    "clump_kg",
+    "clump_mass_kg",
+    "clump_drag_area_m2",
+    "clump_added_mass_kg",
+];
+
 /// Puts the clump at the end of a section towards B, which is now its end towards A, to the section before.
 fn shift_clumps(sections: &mut [Value]) {
-    let mut clumps = Vec::new();
-    for section in sections.iter_mut().filter_map(Value::as_table_mut) {
-        clumps.push(section.remove("clump_kg"));
-    }
-    let moved = clumps.into_iter().skip(1);
-    for (section, clump) in sections
-        .iter_mut()
-        .filter_map(Value::as_table_mut)
-        .zip(moved)
-    {
-        if let Some(clump) = clump {
-            section.insert("clump_kg".to_owned(), clump);
+    for key in CLUMP {
+        let each = sections.iter_mut().filter_map(Value::as_table_mut);
+        let clumps: Vec<Option<Value>> = each.map(|section| section.remove(key)).collect();
+        let moved = clumps.into_iter().skip(1);
+        let each = sections.iter_mut().filter_map(Value::as_table_mut);
+        for (section, clump) in each.zip(moved) {
+            if let Some(clump) = clump {
+                section.insert(key.to_owned(), clump);
+            }
         }
     }
 }

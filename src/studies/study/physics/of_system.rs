@@ -7,7 +7,6 @@ use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{Material, WaterSurface};
 use crate::system::SystemFile;
-use crate::system::discretised::SEGMENTS;
 use crate::system::model::{BodyInputs, MotionMethod, PointInputs};
 
 impl HasMaterials for SystemFile {
@@ -215,7 +214,7 @@ fn still_body(body: &mut BodyInputs) {
 
 fn divide(system: &mut SystemFile, segments: impl Fn(usize) -> usize) {
     for line in &mut system.lines {
-        line.segments = Some(segments(line.segments.unwrap_or(SEGMENTS)));
+        line.segments = Some(segments(line.wanted_segments()));
     }
 }
 

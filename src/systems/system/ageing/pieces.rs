@@ -5,7 +5,7 @@ use crate::system::build::{AgedParts, angles, copy_name};
 use crate::system::equilibrium::Equilibrium;
 use crate::system::model::{AgeingInputs, LineInputs, SystemFile};
 use crate::system::network::Network;
-use crate::system::parts::{Part, parts};
+use crate::system::parts::{Part, SectionClump, parts};
 
 /// Places along a piece whose state varies with depth, in the middles of as many equal parts of it.
 const PLACES: usize = 8;
@@ -73,7 +73,11 @@ fn pieces<'a>(
                 places: (0..places).map(share).collect(),
                 part: Part {
                     length_m,
-                    clump_kg: if last { part.clump_kg } else { 0.0 },
+                    clump: if last {
+                        part.clump
+                    } else {
+                        SectionClump::default()
+                    },
                     pieces: count,
                     ..part.clone()
                 },

@@ -3,7 +3,6 @@
 use super::broken_names::{BETWEEN, SECOND};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
-use crate::system::discretised::SEGMENTS;
 use crate::system::freedoms::Placement;
 use crate::system::model::{LineInputs, LineSection, PointInputs, PointKind, SystemFile};
 use crate::system::network::{Held, Network};
@@ -36,16 +35,8 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         return None;
     }
     let (before, after) = cut(sections, at);
-    let segments = line.segments.unwrap_or(SEGMENTS) as f64;
-    let share = |part: f64| {
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "a count of segments, bounded by the file"
-        )]
-        let count = (segments * part / whole).round().max(2.0) as usize;
-        Some(count)
-    };
+    let segments = line.wanted_segments();
+    let share = |part: f64| Some(shared(segments, part / whole).max(2));
     let part = |name: String, sections: Vec<LineSection>, length: f64| LineInputs {
         name,
         material: None,
@@ -73,6 +64,17 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
     Some((first, second))
 }
 
+/// A share of a number of segments, one at least.
+fn shared(segments: usize, share: f64) -> usize {
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a count of segments, bounded by the file"
+    )]
+    let count = (segments as f64 * share).round() as usize;
+    count.max(1)
+}
+
 /// The sections before and after a place.
 fn cut(sections: Vec<LineSection>, at: f64) -> (Vec<LineSection>, Vec<LineSection>) {
     let (mut before, mut after) = (Vec::new(), Vec::new());
@@ -84,13 +86,15 @@ fn cut(sections: Vec<LineSection>, at: f64) -> (Vec<LineSection>, Vec<LineSectio
         } else if arc >= at {
             after.push(section);
         } else {
+            let share = (at - arc) / section.length_m;
             before.push(LineSection {
                 length_m: at - arc,
-                clump_kg: 0.0,
-                ..section.clone()
+                segments: section.segments.map(|count| shared(count, share)),
+                ..section.clone().without_clump()
             });
             after.push(LineSection {
                 length_m: end - at,
+                segments: section.segments.map(|count| shared(count, 1.0 - share)),
                 ..section
             });
         }

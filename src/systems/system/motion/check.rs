@@ -66,10 +66,12 @@ fn work(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let steps = solver.map(|solver| &solver.time_step_s);
     let steps = steps.and_then(|key| too_many_steps(key, key.value(), duration?));
     let mut found: Vec<Finding> = rows.into_iter().chain(steps).collect();
-    let counts = keys
-        .lines
-        .iter()
-        .filter_map(|(_, line)| line.segments.value());
+    let of_sections = |line: &LineKeys<'_>| -> Option<usize> {
+        let sections = line.sections.iter();
+        sections.map(|(_, section)| section.segments.value()).sum()
+    };
+    let own = |line: &LineKeys<'_>| line.segments.value().or_else(|| of_sections(line));
+    let counts = keys.lines.iter().filter_map(|(_, line)| own(line));
     let total = counts.sum::<usize>() as f64;
     if let Some((_, last)) = keys.lines.last().filter(|_| SEGMENTS.is_exceeded_by(total)) {
         let problem = format!("the lines have {total} segments in all");

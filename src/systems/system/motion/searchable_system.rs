@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::system_in_time::SystemInTime;
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::accuracy::steps::{Steps, TimeMethod};
-use crate::system::discretised::{FEWEST, SEGMENTS};
+use crate::system::discretised::FEWEST;
 use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::solved::solve;
 
@@ -55,7 +55,7 @@ impl Searchable for SystemInTime {
     fn segments(&self) -> Vec<usize> {
         let lines = self.solved.file.lines.iter().zip(self.fewest());
         lines
-            .map(|(line, fewest)| line.segments.unwrap_or(SEGMENTS).max(fewest))
+            .map(|(line, fewest)| line.wanted_segments().max(fewest))
             .collect()
     }
 

@@ -12,7 +12,6 @@ use crate::run::lines_along::LinesAlong;
 use crate::solve::{Factors, Iterated, NewtonError, Parted, StaticSearch};
 use crate::system::SolvedSystem;
 use crate::system::build::{AgedParts, build, divide};
-use crate::system::discretised::SEGMENTS;
 use crate::system::equilibrium::weight_of_bodies;
 use crate::system::freedoms::{Freedoms, Placement, UnknownBodies};
 use crate::system::line_at_rest::LineAtRest;
@@ -138,7 +137,7 @@ fn of_mesh(
 ) -> Result<(SystemFile, Network), UnsolvedSystem> {
     let mut file = solved.file.clone();
     for line in &mut file.lines {
-        let segments = line.segments.unwrap_or(SEGMENTS);
+        let segments = line.wanted_segments();
         line.segments = Some((segments as f64 / segment).ceil() as usize);
     }
     let whole = breaks::written_out(&file);

@@ -1,0 +1,80 @@
+//! Channels of a case by the names that its system gives them.
+
+use super::source::{LINE, LineSource};
+use super::stretches::Stretch;
+use crate::case::{ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, channels};
+
+/// The channel of the system that is a channel of the case; nothing where the system has none.
+pub(super) fn translated(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    id: &ChannelId,
+) -> Option<ChannelId> {
+    let spec = channels(&source.case)
+        .into_iter()
+        .find(|spec| spec.id == *id)?;
+    match spec.site {
+        ChannelLocation::Joint(joint) => Some(tension(source, line, joint)),
+        ChannelLocation::End(end) => at_end(source, id, end),
+        ChannelLocation::Section(section, end) => {
+            let within = line
+                .iter()
+                .enumerate()
+                .filter(|(_, one)| one.section == section);
+            let mut numbers = within.map(|(number, _)| number + 1);
+            let number = match end {
+                LineEnd::A => numbers.next(),
+                LineEnd::B => numbers.next_back(),
+            };
+            Some(
+                id.quantity
+                    .at(format!("{LINE}|{}.{}", number?, letter(end))),
+            )
+        }
+        ChannelLocation::Gauge => Some(id.clone()),
+        ChannelLocation::Line => {
+            (id.quantity == ChannelQuantity::OnBed).then(|| id.quantity.at(LINE))
+        }
+        ChannelLocation::Body(_) | ChannelLocation::Traveller => None,
+    }
+}
+
+const fn letter(end: LineEnd) -> &'static str {
+    match end {
+        LineEnd::A => "a",
+        LineEnd::B => "b",
+    }
+}
+
+/// The tension where two sections meet, or at an end, by its number from end A.
+fn tension(source: &LineSource<'_>, line: &[Stretch<'_>], joint: usize) -> ChannelId {
+    let place = match joint {
+        0 => "a".to_owned(),
+        joint if joint == source.case.line.len() => "b".to_owned(),
+        joint => line
+            .iter()
+            .filter(|one| one.section < joint)
+            .count()
+            .to_string(),
+    };
+    ChannelQuantity::Tension.at(format!("{LINE}|{place}"))
+}
+
+/// What is recorded at an end: of its point, while the line is at it, or of the line.
+fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<ChannelId> {
+    let given = match end {
+        LineEnd::A => &source.case.ends.a,
+        LineEnd::B => &source.case.ends.b,
+    };
+    let quantity = id.quantity;
+    if ChannelQuantity::BENDING.contains(&quantity) {
+        return Some(quantity.at(format!("{LINE}|{}", letter(end))));
+    }
+    let of_point = ChannelQuantity::POSITION.contains(&quantity)
+        || ChannelQuantity::FORCE.contains(&quantity)
+        || quantity == ChannelQuantity::Speed;
+    let payload = source.case.payload.as_ref();
+    let is_cut_off = given.kind == EndKind::Payload
+        && payload.is_some_and(|payload| payload.release_s.is_some());
+    (of_point && given.release_s.is_none() && !is_cut_off).then(|| id.clone())
+}

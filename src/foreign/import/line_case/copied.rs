@@ -1,0 +1,105 @@
+//! Tables that both kinds of file have, copied key by key with the expressions in them.
+
+use super::source::LineSource;
+use crate::case::TomlNode;
+use crate::import::to_case::case_text::{CaseText, text};
+
+/// Copies a table of the case, where it has it.
+pub(super) fn copy(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &str) {
+    if let Some(node) = source.node(&[table]) {
+        copy_table(system, source, &format!("[{table}]"), node, &[]);
+    }
+}
+
+/// Copies the bed but for its slope, which is none.
+pub(super) fn seabed(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    if let Some(node) = source.node(&["seabed"]) {
+        let slope = ["depth_at_m", "slope_deg", "slope_azimuth_deg"];
+        copy_table(system, source, "[seabed]", node, &slope);
+    }
+}
+
+/// Copies a table under a header, but for some of its keys.
+pub(super) fn copy_table(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    header: &str,
+    node: &TomlNode,
+    without: &[&str],
+) {
+    system.table(header, Some(&node.span));
+    copy_keys(system, source, node, without);
+    copy_inner(system, source, header, node);
+}
+
+/// Copies the tables in a table that has this header.
+pub(super) fn copy_inner(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    header: &str,
+    node: &TomlNode,
+) {
+    for entry in node.entries().iter().filter(|entry| entry.node.is_table()) {
+        let inner = format!("[{}.{}]", header.trim_matches(['[', ']']), bare(&entry.key));
+        copy_table(system, source, &inner, &entry.node, &[]);
+    }
+}
+
+/// Copies the keys of a table, but for its tables and for those named.
+pub(super) fn copy_keys(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    node: &TomlNode,
+    without: &[&str],
+) {
+    for entry in node.entries() {
+        if !entry.node.is_table() && !without.contains(&&*entry.key) {
+            let value = value_of(source, &entry.node);
+            system.given(&bare(&entry.key), &value, &entry.node.span, "");
+        }
+    }
+}
+
+/// A value as the case writes it, on one line.
+pub(super) fn value_of(source: &LineSource<'_>, node: &TomlNode) -> String {
+    let each = |item: &TomlNode| value_of(source, item);
+    if node.is_list() {
+        let items: Vec<String> = node.items().iter().map(each).collect();
+        return format!("[{}]", items.join(", "));
+    }
+    match node.text() {
+        Some(words) => text(words),
+        None => source.text[node.span.clone()].to_owned(),
+    }
+}
+
+/// A key as a header or a row writes it: between quotes unless it is bare.
+pub(super) fn bare(key: &str) -> String {
+    let is_bare = |letter: char| letter.is_ascii_alphanumeric() || "-_".contains(letter);
+    match !key.is_empty() && key.chars().all(is_bare) {
+        true => key.to_owned(),
+        false => text(key),
+    }
+}
+
+/// Carries the files that the system names.
+pub(super) fn files(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let case = &source.case;
+    let bed = case.seabed.iter().filter_map(|bed| bed.depth_file.as_ref());
+    let load_cases = case.load_cases.iter().filter_map(|of| of.file.as_ref());
+    let mut named: Vec<&String> = bed.chain(load_cases).collect();
+    for check in &case.checks {
+        named.extend(
+            [&check.rules, &check.curve, &check.section]
+                .into_iter()
+                .flatten(),
+        );
+    }
+    for (name, file) in &case.files {
+        let is_named = |one: &&&String| **one == name || format!("{one}.toml") == *name;
+        if named.iter().any(|one| is_named(&one)) {
+            system.table(&format!("[files.{}]", text(name)), None);
+            system.line(&format!("text = {}", text(&file.text)), None);
+        }
+    }
+}

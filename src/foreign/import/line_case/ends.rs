@@ -1,0 +1,171 @@
+//! The ends of the line as points.
+
+use super::copied::{bare, value_of};
+use super::source::LineSource;
+use crate::case::attachments::{PLACES, carried_numbers};
+use crate::case::{End, EndKind, MotionName, OneOrMany, Payload, StartShape};
+use crate::import::to_case::case_text::{CaseText, number, numbers};
+
+/// The letters of the ends.
+pub(super) const LETTERS: [&str; 2] = ["a", "b"];
+
+/// Writes the points at both ends.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let ends = &source.case.ends;
+    for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
+        let header = format!("[points.{}]", bare(&end.name));
+        system.table(&header, source.span(&["ends", letter]));
+        match end.kind {
+            EndKind::Fixed | EndKind::Anchor => held(system, source, letter, "fixed"),
+            EndKind::Moving => moved(system, source, letter, end),
+            EndKind::Free | EndKind::Payload => free(system, source, letter, end),
+        }
+    }
+}
+
+/// Copies keys of an end that points have by the same names.
+fn copy(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, keys: &[&str]) {
+    for key in keys {
+        let path = ["ends", letter, *key];
+        if let Some(node) = source.node(&path) {
+            system.given(key, &value_of(source, node), &node.span, "");
+        }
+    }
+}
+
+fn held(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, kind: &str) {
+    system.line(
+        &format!("kind = \"{kind}\""),
+        source.span(&["ends", letter, "kind"]),
+    );
+    copy(system, source, letter, &["position_m"]);
+}
+
+fn moved(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
+    held(system, source, letter, "moved");
+    match end.motion {
+        MotionName::Table => table(system, source, letter, end),
+        // Others are refused.
+        _ => copy(
+            system,
+            source,
+            letter,
+            &["amplitude_m", "period_s", "phase_deg"],
+        ),
+    }
+    copy(system, source, letter, &["ramp_s"]);
+}
+
+/// The rows of the file of a motion, columns without motion left out.
+fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
+    let Some(span) = source.span(&["ends", letter, "motion_file"]) else {
+        return;
+    };
+    let rows = rows_of(source, end);
+    let keys = ["table_time_s", "table_x_m", "table_y_m", "table_z_m"];
+    for (column, key) in keys.into_iter().enumerate() {
+        let values: Vec<f64> = rows.iter().map(|row| row[column]).collect();
+        if column == 0 || values.iter().any(|value| *value != 0.0) {
+            system.given(key, &numbers(&values), span, "motion_file");
+        }
+    }
+}
+
+/// The rows of the file that an end moves by: time \[s\], then places \[m\]. It was read with the case.
+pub(super) fn rows_of(source: &LineSource<'_>, end: &End) -> Vec<Vec<f64>> {
+    let columns = PLACES.map(str::to_owned);
+    let name = end.motion_file.as_deref().unwrap_or_default();
+    let file = source.case.files.get(name);
+    let rows = file.and_then(|file| carried_numbers(&file.text, name, &columns).ok());
+    rows.map_or_else(Vec::new, |rows| rows.to_vec())
+}
+
+fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
+    system.line("kind = \"free\"", source.span(&["ends", letter, "kind"]));
+    let place = numbers(&search_from(source, letter));
+    system.assumed("position_m", &place, "its search begins here");
+    let payload = source.case.payload.as_ref();
+    if let Some(payload) = payload.filter(|_| end.kind == EndKind::Payload) {
+        hung(system, source, payload);
+    }
+}
+
+/// The payload, a point of mass and volume.
+fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
+    let mut one = |key: &str, from: &str| {
+        if let Some(node) = source.node(&["payload", from]) {
+            system.given(key, &value_of(source, node), &node.span, from);
+        }
+    };
+    one("mass_kg", "dry_mass_kg");
+    if payload.wet_mass_kg.is_none() {
+        one("volume_m3", "volume_m3");
+    }
+    let density = source.case.environment.water_density_kg_per_m3;
+    if let Some(wet) = payload.wet_mass_kg
+        && let Some(span) = source.span(&["payload", "wet_mass_kg"])
+        && density > 0.0
+    {
+        let volume = (payload.dry_mass_kg - wet) / density;
+        system.given(
+            "volume_m3",
+            &number(volume),
+            span,
+            "dry_mass_kg less wet_mass_kg, by the density of the water",
+        );
+    }
+    for key in ["drag_area_m2", "added_mass_kg"] {
+        if let (Some(value), Some(span)) =
+            (coefficient(payload, key), source.span(&["payload", key]))
+            && value != 0.0
+        {
+            system.given(key, &number(value), span, "");
+        }
+    }
+}
+
+/// Drag area or added mass of a payload that is the same along all axes; nothing where it is not, or not given.
+pub(super) fn coefficient(payload: &Payload, key: &str) -> Option<f64> {
+    let given = match key {
+        "drag_area_m2" => payload.drag_area_m2.as_ref()?,
+        _ => payload.added_mass_kg.as_ref()?,
+    };
+    alike(given)
+}
+
+/// A number, or three that are one.
+pub(super) fn alike(value: &OneOrMany) -> Option<f64> {
+    match value {
+        OneOrMany::One(one) => Some(*one),
+        OneOrMany::Many(many) => {
+            let first = *many.first()?;
+            many.iter().all(|one| *one == first).then_some(first)
+        }
+    }
+}
+
+/// Where the search for a free end begins \[m\]: the length of the line away from the other end, downwards unless the case says where to, and
+/// not below the bed.
+fn search_from(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
+    let case = &source.case;
+    let other = if letter == "a" {
+        &case.ends.b
+    } else {
+        &case.ends.a
+    };
+    let [x, y, z] = other.position_m.unwrap_or_default();
+    let length: f64 = case.line.iter().map(|section| section.length_m).sum();
+    let (elevation, azimuth) = match (other.clamp_elevation_deg, case.start.shape) {
+        (Some(elevation), _) => (elevation, other.clamp_azimuth_deg),
+        (None, StartShape::Straight) => (case.start.elevation_deg, case.start.azimuth_deg),
+        (None, _) => (-90.0, 0.0),
+    };
+    let (sin, cos) = elevation.to_radians().sin_cos();
+    let (across, along) = azimuth.to_radians().sin_cos();
+    let bed = case
+        .seabed
+        .as_ref()
+        .map_or(f64::NEG_INFINITY, |bed| -bed.depth_m);
+    let down = (z + length * sin).max(bed);
+    [x + length * cos * along, y + length * cos * across, down]
+}

@@ -1,0 +1,122 @@
+//! The line itself: its sections, clamps and releases.
+
+use super::buoyed::name_of;
+use super::copied::value_of;
+use super::ends::{LETTERS, alike};
+use super::source::{LINE, LineSource};
+use super::stretches::{Stretch, is_one};
+use crate::case::{Clump, EndKind};
+use crate::import::to_case::case_text::{CaseText, number, text};
+
+/// Writes the line.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+    let [a, b] = [&source.case.ends.a, &source.case.ends.b];
+    system.table("[[lines]]", source.span(&["line"]));
+    system.line(&format!("name = {}", text(LINE)), None);
+    system.line(
+        &format!("from = {}", text(&a.name)),
+        source.span(&["ends", "a", "name"]),
+    );
+    system.line(
+        &format!("to = {}", text(&b.name)),
+        source.span(&["ends", "b", "name"]),
+    );
+    if is_one(line) {
+        section(system, source, line, 0);
+    }
+    held(system, source);
+    if !is_one(line) {
+        for (number, stretch) in line.iter().enumerate() {
+            let name = &source.case.line[stretch.section].name;
+            system.table("[[lines.sections]]", source.span(&["line", name]));
+            section(system, source, line, number);
+        }
+    }
+}
+
+/// Clamps of the ends, and when they are let go.
+fn held(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let ends = &source.case.ends;
+    for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
+        for key in ["clamp_elevation_deg", "clamp_azimuth_deg"] {
+            let own = key.replacen("clamp", &format!("clamp_{letter}"), 1);
+            given(system, source, &["ends", letter, key], &own);
+        }
+        if source.is_in_time() {
+            let own = format!("release_{letter}_s");
+            given(system, source, &["ends", letter, "release_s"], &own);
+            if end.kind == EndKind::Payload {
+                given(system, source, &["payload", "release_s"], &own);
+            }
+        }
+    }
+}
+
+/// A key that has another name in the case.
+fn given(system: &mut CaseText<'_>, source: &LineSource<'_>, path: &[&str], key: &str) {
+    if let Some(node) = source.node(path) {
+        system.given(key, &value_of(source, node), &node.span, &path.join("."));
+    }
+}
+
+/// A section of the line, by the number of its stretch.
+fn section(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>], of: usize) {
+    let stretch = &line[of];
+    let own = &source.case.line[stretch.section];
+    let span = |key: &str| {
+        source
+            .span(&["line", &own.name, key])
+            .cloned()
+            .unwrap_or(0..0)
+    };
+    let material = text(&name_of(source, line, of));
+    system.given("material", &material, &span("material"), "");
+    match source
+        .node(&["line", &own.name, "length_m"])
+        .filter(|_| stretch.is_whole)
+    {
+        Some(node) => system.given("length_m", &value_of(source, node), &node.span, ""),
+        None => system.given(
+            "length_m",
+            &number(stretch.length_m),
+            &span("length_m"),
+            "a part of it",
+        ),
+    }
+    match source
+        .node(&["line", &own.name, "segments"])
+        .filter(|_| stretch.is_whole)
+    {
+        Some(node) => system.given("segments", &value_of(source, node), &node.span, ""),
+        None => system.given(
+            "segments",
+            &stretch.segments.to_string(),
+            &span("segments"),
+            "a part of them",
+        ),
+    }
+    if let Some(clump) = stretch.clump {
+        hung(system, source, clump);
+    }
+}
+
+/// The body at the end of a section.
+fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
+    let mut one = |key: &str, from: &str| {
+        if let Some(node) = source.node(&["clumps", &clump.name, from]) {
+            system.given(key, &value_of(source, node), &node.span, from);
+        }
+    };
+    one("clump_kg", "wet_mass_kg");
+    one("clump_mass_kg", "mass_kg");
+    let both = [
+        ("clump_drag_area_m2", "drag_area_m2", &clump.drag_area_m2),
+        ("clump_added_mass_kg", "added_mass_kg", &clump.added_mass_kg),
+    ];
+    for (key, from, value) in both {
+        let span = source.span(&["clumps", &clump.name, from]);
+        if let (Some(value), Some(span)) = (alike(value), span) {
+            system.given(key, &number(value), span, from);
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! Key paths of a case by the paths that its system has them at.
+
+use super::source::{LINE, LineSource};
+use super::stretches::{Stretch, is_one};
+use crate::case::split;
+
+/// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
+pub(super) fn translated(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    path: &str,
+) -> Option<String> {
+    let parts = split(path)?;
+    let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
+    match parts.as_slice() {
+        ["environment", "water_density_kg_per_m3"] if is_derived_by_density(source, line) => None,
+        ["parameters" | "environment" | "current" | "statistics", ..] => Some(path.to_owned()),
+        ["seabed", ..] => Some(path.to_owned()),
+        ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
+        ["materials", name, ..] => is_bare(source, line, name).then(|| path.to_owned()),
+        ["solver", ..] => source.is_in_time().then(|| path.to_owned()),
+        ["output", "interval_s" | "shape_interval_s"] => {
+            source.is_in_time().then(|| path.to_owned())
+        }
+        ["line", section, key @ ("length_m" | "segments")] => {
+            of_section(source, line, section, key)
+        }
+        ["ends", letter @ ("a" | "b"), key, axis @ ..] => of_end(source, letter, key, axis),
+        ["payload", key] => of_payload(source, key),
+        _ => None,
+    }
+}
+
+/// Whether a number of the system was computed by the density of the water.
+fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
+    let payload = source.case.payload.as_ref();
+    payload.is_some_and(|payload| payload.wet_mass_kg.is_some())
+        || line.iter().any(|stretch| !stretch.is_bare())
+}
+
+/// Whether a material is that of the case wherever the line is of it.
+fn is_bare(source: &LineSource<'_>, line: &[Stretch<'_>], name: &str) -> bool {
+    let mut of_it = line
+        .iter()
+        .filter(|stretch| source.case.line[stretch.section].material == name);
+    of_it.all(Stretch::is_bare)
+}
+
+fn of_section(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    section: &str,
+    key: &str,
+) -> Option<String> {
+    let number = source
+        .case
+        .line
+        .iter()
+        .position(|one| one.name == section)?;
+    let at = line
+        .iter()
+        .position(|stretch| stretch.section == number && stretch.is_whole)?;
+    Some(match is_one(line) {
+        true => format!("lines.{LINE}.{key}"),
+        false => format!("lines.{LINE}.sections.{}.{key}", at + 1),
+    })
+}
+
+fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Option<String> {
+    let ends = &source.case.ends;
+    let end = if letter == "a" { &ends.a } else { &ends.b };
+    let of_point = [
+        "amplitude_m",
+        "period_s",
+        "phase_deg",
+        "ramp_s",
+        "position_m",
+    ];
+    let waves = source.case.waves.as_ref();
+    let moves_gauge = key == "position_m" && waves.is_some_and(|waves| waves.gauge_m.is_none());
+    if of_point.contains(&key) && end.kind.is_held() && !moves_gauge {
+        let path = [&["points", &*end.name, key], axis].concat();
+        return Some(path.join("."));
+    }
+    match key {
+        "release_s" => Some(format!("lines.{LINE}.release_{letter}_s")),
+        "clamp_elevation_deg" | "clamp_azimuth_deg" => Some(format!(
+            "lines.{LINE}.{}",
+            key.replacen("clamp", &format!("clamp_{letter}"), 1)
+        )),
+        _ => None,
+    }
+}
+
+/// A key of the payload; its mass where its volume does not follow from that.
+fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
+    let payload = source.case.payload.as_ref()?;
+    let own = match key {
+        "dry_mass_kg" if payload.wet_mass_kg.is_none() => "mass_kg",
+        "volume_m3" if payload.wet_mass_kg.is_none() => "volume_m3",
+        _ => return None,
+    };
+    Some(format!("points.{}.{own}", source.case.ends.b.name))
+}

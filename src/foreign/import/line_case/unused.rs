@@ -1,0 +1,100 @@
+//! What of a case is not carried over and does not act in the system, in words.
+
+use super::results;
+use super::source::LineSource;
+use super::stretches::Stretch;
+use crate::case::{End, EndKind, MotionName, StartShape};
+
+/// Tables and keys that other views of a case are of, and what a system has in their place.
+const VIEWS: [(&[&str], &str); 7] = [
+    (&["study"], "studies"),
+    (&["trend"], "trends"),
+    (&["trial"], "trials"),
+    (
+        &["modes"],
+        "the natural modes of the line, which `seacable modes` has of the case",
+    ),
+    (&["output", "energy"], "the record of the energy"),
+    (
+        &["output", "response_from_s"],
+        "root mean square displacements along the line",
+    ),
+    (
+        &["case", "beside"],
+        "runs of other cases that are listed beside it",
+    ),
+];
+
+/// Keys of what bears on a bed, without effect where there is none.
+const BEARING: [&str; 4] = [
+    "bed_area_m2",
+    "bottom_m",
+    "breakout_n",
+    "breakout_distance_m",
+];
+
+/// The remarks, a sentence each.
+pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<String> {
+    let mut left_out: Vec<String> = Vec::new();
+    for (path, what) in VIEWS {
+        if source.node(path).is_some() {
+            left_out.push((*what).to_owned());
+        }
+    }
+    let (published, all) = results::left_out(source, line);
+    if published > 0 {
+        left_out.push(format!("{published} of {all} published values and curves, which are of studies, statistics or channels that a system has none of"));
+    }
+    if bears_on_nothing(source) {
+        left_out.push("how the payload or clumps bear on a bed, as there is none".to_owned());
+    }
+    let mut remarks = Vec::new();
+    if !left_out.is_empty() {
+        remarks.push(format!("NOT CARRIED OVER: {}.", left_out.join("; ")));
+    }
+    match source.is_in_time() {
+        true => remarks.extend(jump(source)),
+        false => remarks.extend(at_rest(source)),
+    }
+    remarks
+}
+
+/// A motion that sets in at full speed.
+fn jump(source: &LineSource<'_>) -> Option<String> {
+    let ends = &source.case.ends;
+    let jumps = |end: &&End| {
+        let mut axes = end.amplitude_m.iter().zip(&end.phase_deg);
+        let swings = end.kind == EndKind::Moving && end.motion == MotionName::Harmonic;
+        let at_speed = axes.any(|(amplitude, phase)| amplitude * phase.to_radians().cos() != 0.0);
+        swings && end.ramp_s == 0.0 && at_speed
+    };
+    [&ends.a, &ends.b].iter().find(|end| jumps(end)).map(|end| {
+        format!(
+            "The motion of `{}` sets in at full speed: a jump, whose first steps differ from those of the line.",
+            end.name
+        )
+    })
+}
+
+fn bears_on_nothing(source: &LineSource<'_>) -> bool {
+    let given = |table: &[&str]| {
+        let mut keys = BEARING.iter();
+        keys.any(|key| source.node(&[table, &[*key]].concat()).is_some())
+    };
+    let mut clumps = source.case.clumps.iter();
+    source.case.seabed.is_none()
+        && (given(&["payload"]) || clumps.any(|clump| given(&["clumps", &clump.name])))
+}
+
+/// What a case at rest says of a run in time, or of how its equilibrium is found.
+fn at_rest(source: &LineSource<'_>) -> Vec<String> {
+    let mut remarks = Vec::new();
+    let start = &source.case.start;
+    if start.shape != StartShape::Equilibrium || start.arc_m.is_some() {
+        remarks.push("The search for the equilibrium begins where the system puts it, not at the start of the case.".to_owned());
+    }
+    if source.case.current.is_none() && !source.bends() {
+        remarks.push("In still water a line at rest is its closed form, on a bed that does not yield, not its segments.".to_owned());
+    }
+    remarks
+}

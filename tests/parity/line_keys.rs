@@ -1,0 +1,279 @@
+//! Keys of a case of a line by the keys of its system.
+
+use std::path::Path;
+
+use seacable::case::{Diagnostic, kind};
+use seacable::import::line_case;
+use seacable::system::SystemFile;
+
+use crate::one_line::{line_run, system_run};
+
+/// A wire with a clump and floats between a fixed and a moving end; more keys are put at its end.
+const WIRE: &str = r#"
+[case]
+title = "A wire"
+[parameters]
+long_m = 40.0
+[environment]
+water_density_kg_per_m3 = 1000.0
+[materials.wire]
+diameter_m = 0.06
+mass_kg_per_m = 20.0
+ea_n = 1e8
+drag_normal = 1.2
+axial_damping_ratio = 0.05
+[[line]]
+name = "low"
+material = "wire"
+length_m = "long_m"
+segments = 20
+[[line]]
+name = "high"
+material = "wire"
+length_m = 60.0
+segments = 30
+[[clumps]]
+name = "weight"
+section = "high"
+at_m = 20.0
+mass_kg = 900.0
+wet_mass_kg = 600.0
+drag_area_m2 = 0.8
+added_mass_kg = 200.0
+[ends.a]
+name = "anchor"
+kind = "fixed"
+position_m = [60.0, 0.0, -70.0]
+[ends.b]
+name = "ship"
+kind = "moving"
+position_m = [0.0, 0.0, -5.0]
+amplitude_m = [1.0, 0.5, 2.0]
+period_s = 8.0
+ramp_s = 2.0
+[solver]
+duration_s = 2.0
+time_step_s = 0.02
+error_estimate = false
+position_tolerance_m = 1e-10
+[output]
+interval_s = 0.1
+"#;
+
+fn converted(more: &str) -> Result<String, Vec<Diagnostic>> {
+    let text = format!("{WIRE}{more}");
+    line_case::read(&text, Path::new("wire.toml")).map(|imported| imported.text)
+}
+
+fn file(more: &str) -> SystemFile {
+    let text = converted(more).unwrap();
+    kind::read::<SystemFile>(&text, "system.toml")
+        .unwrap()
+        .content
+}
+
+/// The one fault of a case: its line, its key and what is wrong.
+fn fault(more: &str) -> (u32, String, String) {
+    let found = converted(more).unwrap_err();
+    let [one] = found.as_slice() else {
+        panic!("{found:?}");
+    };
+    (one.line, one.key.clone(), one.problem.clone())
+}
+
+/// Lines of [`WIRE`], so that what is put at its end begins there.
+fn end_of_wire() -> u32 {
+    u32::try_from(WIRE.lines().count()).unwrap()
+}
+
+#[test]
+fn a_clump_hangs_where_sections_meet() {
+    let sections = &file("").lines[0].sections;
+    let lengths: Vec<f64> = sections.iter().map(|section| section.length_m).collect();
+    let segments: Vec<Option<usize>> = sections.iter().map(|section| section.segments).collect();
+    assert_eq!(lengths, [40.0, 20.0, 40.0]);
+    assert_eq!(segments, [Some(20), Some(10), Some(20)]);
+    let clump = sections[1].clump();
+    assert_eq!((clump.wet_kg, clump.mass_kg), (600.0, 900.0));
+    assert_eq!((clump.drag_area_m2, clump.added_mass_kg), (0.8, 200.0));
+}
+
+#[test]
+fn a_clump_with_drag_and_added_mass_moves_as_on_the_line() {
+    let floats = "[[floats]]\nsection = \"low\"\nfrom_m = 4.0\nto_m = 16.0\nlift_kg = 300.0\nmass_kg = 150.0\ndrag_area_m2 = 2.0\nadded_mass_kg = 400.0\n";
+    let text = format!("{WIRE}{floats}").replace("\"long_m\"", "40.0");
+    let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
+    let system = system_run(&imported.text).history;
+    let line = line_run(text).history;
+    for (own, other) in [
+        ("tension_n[anchor|low]", "tension_n[line|a]"),
+        ("tension_n[high|ship]", "tension_n[line|b]"),
+        ("tension_n[low|high]", "tension_n[line|3]"),
+    ] {
+        let of = |history: &seacable::run::History, name: &str| {
+            history.channel(name).unwrap().values.clone()
+        };
+        let (own, other) = (of(&line, own), of(&system, other));
+        let greatest = own.iter().fold(0.0_f64, |a, b| a.max(*b));
+        let apart = own
+            .iter()
+            .zip(&other)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
+        assert!(
+            own.len() == other.len() && apart < 1e-8 * greatest,
+            "{apart} of {greatest} N"
+        );
+    }
+}
+
+#[test]
+fn expressions_stay() {
+    let text = converted("").unwrap();
+    assert!(text.contains("long_m = 40.0"), "{text}");
+    assert!(text.contains("length_m = \"long_m\""), "{text}");
+}
+
+/// A length that a system states in parts of it, and no expression of it.
+#[test]
+fn expressions_of_what_is_cut_are_refused() {
+    let text = WIRE.replace("length_m = 60.0", "length_m = \"1.5 * long_m\"");
+    let found = line_case::read(&text, Path::new("wire.toml")).unwrap_err();
+    assert_eq!(
+        (found[0].key.as_str(), found.len()),
+        ("line.high.length_m", 1)
+    );
+    let text = WIRE.replace("kg_per_m3 = 1000.0", "kg_per_m3 = \"25 * long_m\"");
+    let read = |text: &str| line_case::read(text, Path::new("wire.toml"));
+    assert!(read(&text).is_ok());
+    let floats = "[[floats]]\nsection = \"high\"\nlift_kg = 10.0\n";
+    let found = read(&format!("{text}{floats}")).unwrap_err();
+    assert_eq!(found[0].key, "environment.water_density_kg_per_m3");
+}
+
+#[test]
+fn load_cases_have_the_keys_of_the_system() {
+    let more = "[[load_cases]]\nkey = \"ends.b.amplitude_m.z\"\nvalues = [1.0, 2.0]\n[[load_cases]]\nkey = \"line.low.length_m\"\nvalues = [39.0, 41.0]\n[[load_cases]]\nkey = \"parameters.long_m\"\nvalues = [39.0]\n";
+    let keys: Vec<Option<String>> = file(more).load_cases.into_iter().map(|of| of.key).collect();
+    let wanted = [
+        "points.ship.amplitude_m.z",
+        "lines.line.sections.1.length_m",
+        "parameters.long_m",
+    ];
+    assert_eq!(keys, wanted.map(|key| Some(key.to_owned())));
+}
+
+#[test]
+fn a_published_curve_has_the_channel_of_the_system() {
+    let curve = |channel: &str| {
+        format!(
+            "[[published_curve]]\nname = \"c\"\nchannel = \"{channel}\"\ntime_s = [0.0, 1.0]\nvalue = [1.0, 2.0]\ntolerance_percent = 5.0\nsource = \"none\"\ninputs = \"assumed\"\n"
+        )
+    };
+    for (own, other) in [
+        ("tension_n[high|ship]", "tension_n[line|b]"),
+        ("tension_n[low|high]", "tension_n[line|1]"),
+        ("z_m[ship]", "z_m[ship]"),
+        ("force_z_n[ship]", "force_z_n[ship]"),
+    ] {
+        let found = file(&curve(own));
+        assert_eq!(found.published_curve[0].channel.to_string(), other);
+        assert_eq!(found.output.forces, own.starts_with("force"));
+    }
+    let left_out = file(&curve("z_m[weight]"));
+    assert!(left_out.published_curve.is_empty());
+    assert!(
+        left_out.about.notes.contains("1 of 1 published"),
+        "{}",
+        left_out.about.notes
+    );
+}
+
+#[test]
+fn what_acts_and_cannot_be_said_is_refused_at_its_key() {
+    let line = end_of_wire();
+    let cases = [
+        (
+            "[start]\nvelocity_m_per_s = [1.0, 0.0, 0.0]\n",
+            2,
+            "start.velocity_m_per_s",
+        ),
+        (
+            "[seabed]\ndepth_m = 90.0\nslope_deg = 2.0\n",
+            3,
+            "seabed.slope_deg",
+        ),
+        (
+            "[[load_cases]]\nkey = \"clumps.weight.mass_kg\"\nvalues = [1.0]\n",
+            2,
+            "load_cases.1.key",
+        ),
+        (
+            "[[floats]]\nsection = \"high\"\nfrom_m = 3.0\nlift_kg = 1.0\n",
+            3,
+            "floats.high.from_m",
+        ),
+        (
+            "[[floats]]\nsection = \"high\"\nlift_kg = \"2 * long_m\"\n",
+            3,
+            "floats.high.lift_kg",
+        ),
+        (
+            "[[clumps]]\nname = \"two\"\nsection = \"high\"\nat_m = 20.0\nmass_kg = 1.0\nwet_mass_kg = 1.0\n",
+            4,
+            "clumps.two.at_m",
+        ),
+        (
+            "[[checks]]\nkind = \"offset\"\nof = [\"weight\"]\nlimit_m = 5.0\n",
+            3,
+            "checks.1.of",
+        ),
+        (
+            "[traveller]\nname = \"car\"\nmass_kg = 1.0\nwet_mass_kg = 1.0\nspeed_m_per_s = 1.0\n",
+            1,
+            "traveller",
+        ),
+    ];
+    for (more, below, key) in cases {
+        let (at, found, problem) = fault(more);
+        assert_eq!((at, found.as_str()), (line + below, key), "{problem}");
+    }
+}
+
+#[test]
+fn what_other_views_have_is_a_remark() {
+    let more = "[modes]\ncount = 3\n[[study]]\nname = \"s\"\nkey = \"ends.b.period_s\"\nvalues = [6.0, 8.0]\n";
+    let notes = file(more).about.notes;
+    assert!(notes.starts_with("NOT CARRIED OVER: studies; "), "{notes}");
+    assert!(notes.contains("the natural modes of the line"), "{notes}");
+}
+
+/// A fault that shows in the system alone stands at the key of the case.
+#[test]
+fn faults_of_the_system_stand_at_the_keys_of_the_case() {
+    let text = WIRE.replace("[0.0, 0.0, -5.0]", "[0.0, 0.0, 5.0]");
+    let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
+    let found = kind::read::<SystemFile>(&imported.text, "system.toml").unwrap_err();
+    let here = imported.at_its_row(&found[0], "wire.toml", &text);
+    assert_eq!((here.key.as_str(), here.line), ("ends.b.position_m", 39));
+}
+
+#[test]
+fn checks_have_what_they_are_held_to() {
+    let more = "[[checks]]\nkind = \"uplift\"\nof = [\"anchor\"]\nlimit_n = 1.0\n";
+    let found = file(more);
+    assert!(found.output.uplift && found.checks.len() == 1);
+    assert!(!file("").output.uplift);
+}
+
+#[test]
+fn a_motion_that_sets_in_at_full_speed_is_a_remark() {
+    let text = WIRE.replace("ramp_s = 2.0", "ramp_s = 0.0");
+    let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
+    assert!(
+        imported
+            .text
+            .contains("The motion of `ship` sets in at full speed")
+    );
+    assert!(!converted("").unwrap().contains("full speed"));
+}
