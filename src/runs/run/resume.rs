@@ -23,6 +23,9 @@ fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
     Ok(info)
 }
 
+/// A request, and the stored run that it goes on from.
+type Resuming<C> = (Request<C>, Option<Resumed<<C as Computation>::State>>);
+
 /// The request of a stored run, up to its own end or a later one \[s\], and its checkpoint; none of a run that was stopped before it
 /// wrote one, which is computed from its start.
 ///
@@ -31,7 +34,7 @@ fn info_of_ended(dir: &Path) -> Result<RunInfo, String> {
 pub fn resume_request<C: Computation>(
     dir: &Path,
     until: Option<f64>,
-) -> Result<(Request<C>, Option<Resumed<C::State>>), String> {
+) -> Result<Resuming<C>, String> {
     let info = info_of_ended(dir)?;
     let mut text = store::case_text(dir).map_err(|e| e.to_string())?;
     let found = match store::sealed_checkpoint::<Checkpoint<C::State>>(dir) {
