@@ -18,7 +18,7 @@ use seacable_model::case::{
 };
 use seacable_runs::run::{Channel, Profile, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
-use seacable_systems::system::{SolvedSystem, SystemFile, validation};
+use seacable_systems::system::{SolvedSystem, SystemFile, validation, warnings::warnings};
 
 /// Lines of a chart.
 const LINES: usize = 16;
@@ -231,7 +231,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     );
     page.gap();
     page.paragraph(&super::tables::summary(solved));
-    let at_rest = super::tables::warnings(solved);
+    let at_rest = warnings(solved);
     let own = run.info.warnings.iter();
     let own = own.filter(|warning| !at_rest.contains(warning));
     let warnings: Vec<String> = at_rest.iter().chain(own).cloned().collect();

@@ -22,6 +22,7 @@ mod check_start;
 pub mod connected;
 mod damage;
 pub mod discretised;
+mod displaced_twice;
 pub mod equilibrium;
 pub mod errors_at_rest;
 mod file;
@@ -55,6 +56,7 @@ pub mod start;
 pub mod stiffness;
 mod unstable;
 pub mod validation;
+pub mod warnings;
 mod waterplane;
 
 pub use file::SYSTEM;
