@@ -11,7 +11,7 @@ use super::model::{
     BodyKeys, BodyKind, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
-use super::{quantities, rods};
+use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
     Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
@@ -79,7 +79,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(of_load_cases(&SYSTEM, keys.place.node, &keys.load_cases));
     found.extend(of_checks(&keys.checks));
     found.extend(published_number::check(&keys.published, |key| {
-        quantities::unknown(key, keys)
+        results_in_time::unknown(key, keys)
     }));
     found.extend(published_history::check(&keys.published_curve));
     found

@@ -48,6 +48,7 @@ pub mod pose;
 pub mod potential_flow;
 pub mod quantities;
 pub mod rest;
+pub mod results_in_time;
 pub mod rods;
 pub mod section_materials;
 pub mod solved;
