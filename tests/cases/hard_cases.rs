@@ -3,7 +3,6 @@
 use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
-use seacable::case;
 use seacable::study::hard_cases::{self, HardCase, TrialRun, TrialTask};
 use seacable::study::{TrialOutcome, TrialVerdict, tally};
 
@@ -12,7 +11,7 @@ fn compute(cases: &[HardCase], tasks: &[TrialTask]) -> Vec<Option<TrialRun>> {
         let hard = &cases[task.case];
         Some(hard_cases::compute(
             hard,
-            &hard.case.trial[task.trial],
+            &hard.trials[task.trial],
             &AtomicBool::new(false),
         ))
     };
@@ -95,9 +94,7 @@ fn small(trials: &str) -> Vec<TrialVerdict> {
         {trials}
         "#
     );
-    let case = case::parse(&text, "small.toml").unwrap();
-    let file = "small.toml".to_owned();
-    findings(&[HardCase { file, text, case }])
+    findings(&[HardCase::read(&text, "small.toml").unwrap()])
 }
 
 #[test]

@@ -14,8 +14,8 @@ use super::motion::{check as motion, check_payout};
 use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
-    used_twice,
+    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, of_trials,
+    unknown, used_twice,
 };
 use crate::published::number as published_number;
 use crate::reference::published_history;
@@ -82,7 +82,16 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         results_in_time::unknown(key, keys)
     }));
     found.extend(published_history::check(&keys.published_curve));
+    found.extend(trials(keys));
     found
+}
+
+/// Trials, which name published numbers and curves.
+fn trials(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let numbers = keys.published.iter().map(|(name, _)| name.as_str());
+    let curves = keys.published_curve.iter().map(|(name, _)| name.as_str());
+    let rows: Vec<&str> = numbers.chain(curves).collect();
+    of_trials(&SYSTEM, keys.place.node, &rows, &keys.trial)
 }
 
 /// A body by itself: mass, matrices, members, loads by heading.
