@@ -12,6 +12,8 @@ use seacable_model::case::{
 };
 use seacable_model::kinds::{FileBytes, FileType};
 use seacable_runs::run::store;
+use seacable_studies::study::hard_cases::HardCase;
+use seacable_systems::system::SystemFile;
 
 /// Where the cases that come with the program lie in its source.
 pub(super) const FOLDER: &str = "cases";
@@ -276,11 +278,22 @@ fn named(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
     }
 }
 
-/// The cases with trials among those named; without names, among those below `cases` here, or else among those that
-/// come with the program.
-pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<NamedCase>, CommandError> {
-    let mut cases = named(paths)?.lines;
-    cases.retain(|loaded| !loaded.case.trial.is_empty());
+/// The files with trials among those named, of lines and then of systems; without names, among those below `cases` here, or else among
+/// those that come with the program.
+pub(super) fn with_trials(paths: &[PathBuf]) -> Result<Vec<HardCase>, CommandError> {
+    let ValidationFiles { lines, others } = named(paths)?;
+    let of_line = |NamedCase {
+                       file, text, case, ..
+                   }: NamedCase| {
+        HardCase::new(file, case::stand_alone(&text, &case).into_owned(), &case)
+    };
+    let mut cases: Vec<HardCase> = lines.into_iter().map(of_line).collect();
+    for OtherFile { name, text, .. } in systems_of(others) {
+        let read = kind::read::<SystemFile>(&text, &name).map_err(CommandError::Invalid)?;
+        let (file, text) = (file_name(&name), read.whole_text());
+        cases.push(HardCase::new(file, text, &read.content));
+    }
+    cases.retain(|hard| !hard.trials.is_empty());
     if cases.is_empty() {
         let what = "There is no case with trials; a hard case has at least one table [[trial]].";
         return Err(CommandError::Usage(what.to_owned()));
@@ -317,9 +330,14 @@ pub(super) fn systems(paths: &[PathBuf]) -> Result<Vec<PathBuf>, CommandError> {
     if paths.is_empty() {
         return Ok(Vec::new());
     }
-    let others = named(paths)?.others.into_iter();
-    let systems = others.filter(|file| file.kind == FileType::System);
+    let systems = systems_of(named(paths)?.others);
     Ok(systems.map(|file| PathBuf::from(file.name)).collect())
+}
+
+/// The systems among files of other kinds than line cases.
+fn systems_of(others: Vec<OtherFile>) -> impl Iterator<Item = OtherFile> {
+    let others = others.into_iter();
+    others.filter(|file| file.kind == FileType::System)
 }
 
 fn shipped() -> Result<ValidationFiles, CommandError> {

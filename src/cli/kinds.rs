@@ -15,6 +15,7 @@ use seacable_systems::ship::{self, MotionAnalysis, SHIP, Ship};
 use seacable_systems::system::{
     self, SYSTEM, SolvedSystem, SystemFile,
     motion::{self, run::MotionRun},
+    results_in_time::has_published_in_time,
 };
 
 /// The tables and keys of a kind.
@@ -73,10 +74,10 @@ pub(super) fn validation(
     })
 }
 
-/// The run in time of a system that has curves to be held against it.
+/// The run in time of a system that has values or curves to be held against it.
 fn in_time(solved: &SolvedSystem, cancel: &AtomicBool) -> Result<Option<MotionRun>, CommandError> {
     let given = solved.file.solver.as_ref();
-    let Some(given) = given.filter(|_| !solved.file.published_curve.is_empty()) else {
+    let Some(given) = given.filter(|_| has_published_in_time(&solved.file)) else {
         return Ok(None);
     };
     let run = motion::run::run(solved, given, cancel, &mut |_| {});

@@ -62,8 +62,7 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
 
 fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let loaded = cases::with_trials(&args.cases)?;
-    let cases: Vec<HardCase> = loaded.into_iter().map(hard_case).collect();
+    let cases = cases::with_trials(&args.cases)?;
     let stop = StopFlag::listen()?;
     let computed = compute(&cases, &stop);
     if let Some(status) = stop.status() {
@@ -338,14 +337,6 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
     let totals = accuracy::totals(&rows).to_text(WIDTH);
     print(&table, &format!("\n{totals}"), "accuracy", &args.table)?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn hard_case(loaded: NamedCase) -> HardCase {
-    HardCase {
-        file: loaded.file,
-        text: loaded.text,
-        case: loaded.case,
-    }
 }
 
 /// Every trial on its own core.

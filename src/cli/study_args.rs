@@ -35,7 +35,7 @@ pub(super) struct EffectsArgs {
 pub(super) enum StudyArgs {
     /// Compute the hard cases by every method that applies, and compare them with closed forms.
     ///
-    /// Every trial is OK, REFUSED (with the reason) or WRONG. The exit status is 1 if one is not as expected.
+    /// Of lines, and of systems at rest and in time. Every trial is OK, REFUSED (with the reason) or WRONG. The exit status is 1 if one is not as expected.
     HardCases(HardArgs),
     /// Measure every method at several settings on one case: work against error.
     ///
@@ -120,7 +120,7 @@ pub(super) struct SpeedArgs {
 
 #[derive(Debug, clap::Args)]
 pub(super) struct HardArgs {
-    /// Case files with trials, or directories of them; by default those that come with the program.
+    /// Cases and systems with trials, or directories of them; by default those that come with the program.
     #[arg(value_name = "CASE")]
     pub(super) cases: Vec<PathBuf>,
 

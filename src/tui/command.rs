@@ -280,6 +280,10 @@ const START_SWEEP: Command = command(CommandOrder::Kind, CommandId::StartSweep, 
 #[rustfmt::skip]
 const SWEEP: Command = command(CommandOrder::Kind, CommandId::Sweep, &["C"], "load cases", "Go to the load cases: heat map, table, checks");
 
+/// Computes the trials of a line case or of a system.
+#[rustfmt::skip]
+const TRIALS: Command = command(CommandOrder::Rare, CommandId::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required");
+
 /// Of a line case.
 #[rustfmt::skip] // a table: one command a line
 pub const LINE: &[Command] = &[
@@ -288,7 +292,7 @@ pub const LINE: &[Command] = &[
     command(CommandOrder::Setup, CommandId::Method, &["M"], "solver", "Change to the next solver: static, quasi, rk4, alpha"),
     command(CommandOrder::Setup, CommandId::Study, &["S"], "study", "Run all variants of a study and overlay them"),
     command(CommandOrder::Setup, CommandId::Keep, &["K"], "keep", "Keep the live run on disk"),
-    command(CommandOrder::Rare, CommandId::Trials, &["T"], "trials", "Compute the trials of this hard case, and compare them with the results required"),
+    TRIALS,
     START_SWEEP,
     SWEEP,
     ADD_LINE_TYPE,
@@ -309,6 +313,7 @@ pub const REPORTED: &[Command] = &[
     ADD_LINE_TYPE,
     command(CommandOrder::Rare, CommandId::Write, &["w"], "write", "Write the report to a text file; from the validation pane: its table"),
     WRITE_MODEL_AS,
+    TRIALS,
     START_SWEEP,
     SWEEP,
 ];
@@ -320,6 +325,7 @@ pub const MOVING: &[Command] = &[
     REPORTED[0],
     REPORTED[1],
     WRITE_MODEL_AS,
+    TRIALS,
     START_SWEEP,
     SWEEP,
 ];

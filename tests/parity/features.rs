@@ -113,6 +113,14 @@ impl Trial {
         self.command(&words).status.success()
     }
 
+    /// Adds a trial to the file, of a step that its method refuses, and computes it.
+    fn tries_what_is_refused(&self) -> bool {
+        let mut text = fs::read_to_string(&self.scene).unwrap();
+        text.push_str(REFUSED_TRIAL);
+        fs::write(&self.scene, text).unwrap();
+        self.studies(&["hard-cases"])
+    }
+
     /// A file of the run, by its lines without the head.
     fn rows(&self, file: &str) -> usize {
         let text = fs::read_to_string(Path::new(&self.path("run")).join(file)).unwrap();
@@ -171,6 +179,13 @@ fn break_line(system: &mut Table) {
     line.insert("break_s".to_owned(), Value::Float(1.0));
 }
 
+const REFUSED_TRIAL: &str = r#"
+[[trial]]
+name = "rk4, far above its limit"
+set = ["solver.method=rk4", "solver.time_step_s=1.0"]
+refused = "above the stability limit"
+"#;
+
 const FAST: &[&str] = &["--set", "solver.error_estimate=false"];
 
 /// A line has no bending stiffness in files of this scene.
@@ -182,6 +197,9 @@ const NO_BUOYANCY: Has =
 
 /// What that file does not say, and these studies take no `--set`.
 const NO_DURATION: Has = Never("its file has no simulated time");
+
+/// What that file cannot say at all.
+const NO_TRIALS: Has = Never("a file of MoorDyn has no trials: its format has no place for them");
 
 const FEATURES: &[Feature] = &[
     Feature {
@@ -407,6 +425,11 @@ const FEATURES: &[Feature] = &[
         name: "study of the effects of inputs",
         tried: |trial| trial.studies(&["effects", "--set", "solver.duration_s=4"]),
         has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "trials of hard cases",
+        tried: Trial::tries_what_is_refused,
+        has: [Yes, Yes, Yes, NO_TRIALS],
     },
 ];
 

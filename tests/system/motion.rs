@@ -532,7 +532,7 @@ fn motion_without_a_run_in_time_is_said_to_have_no_effect() {
         [points.bottom]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -100.0]
         [[lines]]\nname = \"one\"\nfrom = \"bottom\"\nto = \"top\"\nmaterial = \"wire\"\nlength_m = 130.0\nrelease_b_s = 3.0\n"
     ));
-    let warnings = seacable::report::system::tables::warnings(&system);
+    let warnings = seacable::system::warnings::warnings(&system);
     assert!(
         warnings.iter().any(|w| w.starts_with("top does not move")),
         "{warnings:?}"

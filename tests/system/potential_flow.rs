@@ -227,7 +227,7 @@ fn files_that_do_not_fit_are_refused() {
 fn loads_by_waves_without_waves_are_said_to_have_no_effect() {
     let body = hemisphere("excitation_file = \"h.3\"", "");
     let system = solved(&format!("{HEAD}{body}{}", files()));
-    let warnings = seacable::report::system::tables::warnings(&system);
+    let warnings = seacable::system::warnings::warnings(&system);
     let said = "Body ball: excitation_file has no effect without [[waves]].";
     assert_eq!(warnings, [said]);
 }

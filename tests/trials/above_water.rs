@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use seacable::audit::audit;
 use seacable::audit::finding::Topic;
 use seacable::import::ImportOptions;
-use seacable::report::system::tables::warnings;
 use seacable::statics::catenary::{
     CatenaryLine, CrossingLine, EndOffset, RigidBed, SectionProperties, Solution,
 };
+use seacable::system::warnings::warnings;
 
 use crate::trial::{channel, imported, imported_with, moved, path, solved, tension_at_b, text};
 

@@ -7,9 +7,9 @@ use std::sync::atomic::AtomicBool;
 use seacable::case::kind;
 use seacable::export::{ExportOptions, Target, export};
 use seacable::import::ImportOptions;
-use seacable::report::system::tables::warnings;
 use seacable::system::analysis::periods::periods;
 use seacable::system::motion::run::{MotionRun, run};
+use seacable::system::warnings::warnings;
 use seacable::system::{SolvedSystem, SystemFile};
 
 const RHO: f64 = 1025.0;

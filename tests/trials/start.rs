@@ -286,7 +286,7 @@ fn a_body_and_a_rod_that_nothing_holds_fall() {
         assert_near(last(&run, name), -5.0 - 2.0 * G, 1e-6);
     }
     assert_near(last(&run, "x_m[bar-b]"), 4.0, 1e-4);
-    let page = seacable::report::system::tables::warnings(&solved(&text));
+    let page = seacable::system::warnings::warnings(&solved(&text));
     assert!(
         page.iter().any(|line| line.contains("Nothing holds box")),
         "{page:?}"

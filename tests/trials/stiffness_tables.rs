@@ -5,7 +5,7 @@ use seacable::audit::finding::Topic;
 use seacable::export::{ExportOptions, Target, export};
 use seacable::import::ImportOptions;
 use seacable::number::si;
-use seacable::report::system::tables::warnings;
+use seacable::system::warnings::warnings;
 
 use crate::trial::{channel, imported, moved, path, solved, tension_at_b, text};
 

@@ -1,10 +1,10 @@
 //! Floats that are unstable upright find the pose that they have, and say that the upright one is unstable.
 
 use seacable::numerics::V3;
-use seacable::report::system::tables::warnings;
 use seacable::system::SolvedSystem;
 use seacable::system::analysis::analyses::Analyses;
 use seacable::system::stability::Stability;
+use seacable::system::warnings::warnings;
 
 use crate::members::{file, parsed};
 

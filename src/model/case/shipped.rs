@@ -112,6 +112,20 @@ pub const ROPEWAYS: &[Shipped] = &[
 
 /// The systems of lines that come with the program, in the order of their paths.
 pub const SYSTEMS: &[Shipped] = &[
+    shipped!("hard/falling_rod.toml"),
+    shipped!("hard/heaving_buoy.toml"),
+    shipped!("hard/landing.toml"),
+    shipped!("hard/let_go.toml"),
+    shipped!("hard/payout.toml"),
+    shipped!("hard/rough_bed.toml"),
+    shipped!("hard/slack_bridle.toml"),
+    shipped!("hard/slope.toml"),
+    shipped!("hard/snapping_junction.toml"),
+    shipped!("hard/stays.toml"),
+    shipped!("hard/tether.toml"),
+    shipped!("hard/three_taut_ropes.toml"),
+    shipped!("hard/top_heavy.toml"),
+    shipped!("hard/triple_pendulum.toml"),
     shipped!("pendulous/vessel.toml"),
     shipped!("systems/aged_chains.toml"),
     shipped!("systems/bridle_and_buoy.toml"),

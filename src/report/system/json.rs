@@ -14,6 +14,7 @@ use seacable_systems::system::loads;
 use seacable_systems::system::network::Held;
 use seacable_systems::system::pose::Pose;
 use seacable_systems::system::stability::Stability;
+use seacable_systems::system::warnings::warnings;
 
 fn three(v: &V3) -> Value {
     json!([v.x, v.y, v.z])
@@ -53,7 +54,7 @@ pub fn object(solved: &SolvedSystem, analyses: &Analyses) -> Value {
         "lines": (0..solved.network.lines.len()).map(|k| line(solved, k)).collect::<Vec<_>>(),
         "points": (0..solved.network.points.len()).map(|k| point(solved, k)).collect::<Vec<_>>(),
         "bodies": (0..solved.network.bodies.len()).map(|k| body(solved, k)).collect::<Vec<_>>(),
-        "warnings": super::tables::warnings(solved),
+        "warnings": warnings(solved),
         "checks": checks(solved),
     })
 }

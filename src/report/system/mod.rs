@@ -1,7 +1,6 @@
 //! A system of lines in views: plan, side and oblique view, tables of lines, points and bodies, text report, JSON.
 
 pub mod analysis;
-mod displaced_twice;
 pub mod json;
 pub mod motion;
 pub mod tables;
@@ -15,6 +14,7 @@ use seacable_runs::reference::ValidationRow;
 use seacable_studies::study::seas::SeaQuestion;
 pub use seacable_systems::system::SolvedSystem;
 use seacable_systems::system::analysis::analyses::Analyses;
+use seacable_systems::system::warnings::warnings;
 
 /// Lines of a view.
 const LINES: usize = 20;
@@ -35,7 +35,7 @@ pub fn report(
     if let Some(ageing) = tables::ageing(solved) {
         page.paragraph(&ageing);
     }
-    for warning in tables::warnings(solved) {
+    for warning in warnings(solved) {
         page.item("! ", &warning);
     }
     let network = &solved.network;

@@ -18,7 +18,11 @@ use seacable_model::case::{
 };
 use seacable_runs::run::{Channel, Profile, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
-use seacable_systems::system::{SolvedSystem, SystemFile, validation};
+use seacable_systems::system::{
+    SolvedSystem, SystemFile,
+    validation::{self, ComparedRun},
+    warnings::warnings,
+};
 
 /// Lines of a chart.
 const LINES: usize = 16;
@@ -231,7 +235,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     );
     page.gap();
     page.paragraph(&super::tables::summary(solved));
-    let at_rest = super::tables::warnings(solved);
+    let at_rest = warnings(solved);
     let own = run.info.warnings.iter();
     let own = own.filter(|warning| !at_rest.contains(warning));
     let warnings: Vec<String> = at_rest.iter().chain(own).cloned().collect();
@@ -240,11 +244,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     inputs(&mut page, fields, !about.source.trim().is_empty());
     page.heading("Results");
     results(&mut page, run);
-    let history = match &run.info.failure {
-        Some(why) => Err(format!("The run ended early: {why}.")),
-        None => Ok(&run.history),
-    };
-    let rows = validation::rows_of(solved, &history, &[]);
+    let rows = validation::rows_of(solved, &ComparedRun::of(run));
     if !rows.is_empty() {
         page.heading("Published values");
         text::add_validation(&mut page, &rows);

@@ -20,6 +20,7 @@ pub mod speed;
 pub mod studied;
 pub mod sweep;
 pub mod timed;
+mod tried;
 pub mod varied;
 pub mod vary;
 mod verdict;

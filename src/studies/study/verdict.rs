@@ -1,9 +1,10 @@
 //! The verdict on a trial: computed within tolerance, refused with a reason, or wrong.
 
 use super::hard_cases::{HardCase, TrialRun};
-use crate::case::{Case, Trial};
-use crate::reference::{self, ValidationRow};
-use crate::run::{Run, RunState, Settings, Work};
+use super::tried::ComputedTrial;
+use crate::case::Trial;
+use crate::reference::ValidationRow;
+use crate::run::{Settings, Work};
 
 /// The outcome of a trial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,22 +96,22 @@ impl TrialVerdict {
     }
 }
 
-/// Compares a trial with its expected result; `other` is the run whose numbers it must reproduce.
+/// Compares a trial with its expected result; `other` is the one whose numbers it must reproduce.
 pub(super) fn verdict(
     hard: &HardCase,
     trial: &Trial,
     computed: &TrialRun,
-    other: Option<&Run>,
+    other: Option<&ComputedTrial>,
 ) -> TrialVerdict {
     let run = computed.as_ref().ok();
-    let done = run.filter(|run| run.info.state == RunState::Done);
+    let done = run.filter(|run| run.is_done);
     let refusal = match computed {
         Err(reason) => Some(reason.clone()),
-        Ok(run) => run.info.failure.clone(),
+        Ok(run) => run.failure.clone(),
     };
-    let numbers = done.map_or_else(Vec::new, |run| numbers(hard, trial, run, other));
+    let numbers = done.map_or_else(Vec::new, |run| numbers(trial, run, other));
     let unwarned = trial.told.as_ref().filter(|words| {
-        let warned = |run: &Run| run.info.warnings.iter().any(|w| w.contains(words.as_str()));
+        let warned = |run: &ComputedTrial| run.warnings.iter().any(|w| w.contains(words.as_str()));
         done.is_some_and(|run| !warned(run))
     });
     let (outcome, reason) = match unwarned {
@@ -121,11 +122,11 @@ pub(super) fn verdict(
         None => outcome_of(trial, refusal, done.is_some(), &numbers),
     };
     TrialVerdict {
-        case: hard.case.case.title.clone(),
+        case: hard.title.clone(),
         file: hard.file.clone(),
         trial: trial.name.clone(),
-        settings: run.map(|run| run.info.settings.clone()),
-        work: run.map_or_else(Work::default, |run| run.info.work),
+        settings: run.map(|run| run.settings.clone()),
+        work: run.map_or_else(Work::default, |run| run.work),
         outcome,
         reason,
         expect_refusal: trial.refused.is_some(),
@@ -169,30 +170,31 @@ fn outcome_of(
 }
 
 /// The expected numbers of a trial: those of the closed form, or those of another trial.
-fn numbers(hard: &HardCase, trial: &Trial, run: &Run, other: Option<&Run>) -> Vec<CheckedNumber> {
-    let of = |run: &Run| rows(&hard.case, trial, run);
-    let here = of(run);
+fn numbers(
+    trial: &Trial,
+    run: &ComputedTrial,
+    other: Option<&ComputedTrial>,
+) -> Vec<CheckedNumber> {
+    let here = rows(trial, run);
     match (&trial.same_as, other) {
-        (None, _) => here.into_iter().filter_map(by_closed_form).collect(),
+        (None, _) => here.cloned().filter_map(by_closed_form).collect(),
         (Some(name), Some(other)) => {
-            let pairs = here.into_iter().zip(of(other));
+            let pairs = here.cloned().zip(rows(trial, other));
             let share = trial.same_rel.unwrap_or(0.0);
             pairs
-                .filter_map(|(row, twin)| by_twin(row, &twin, share, name))
+                .filter_map(|(row, twin)| by_twin(row, twin, share, name))
                 .collect()
         }
         (Some(_), None) => Vec::new(),
     }
 }
 
-/// The published values that a trial names; without names, those of the case itself.
-fn rows(case: &Case, trial: &Trial, run: &Run) -> Vec<ValidationRow> {
-    let all = reference::rows(case, &|_| Some(run));
-    let wanted = |row: &ValidationRow| match &trial.rows {
+/// The published values that a trial names; without names, those of the file itself.
+fn rows<'r>(trial: &Trial, run: &'r ComputedTrial) -> impl Iterator<Item = &'r ValidationRow> {
+    run.rows.iter().filter(|row| match &trial.rows {
         Some(names) => names.contains(&row.name),
         None => row.at.is_none(),
-    };
-    all.into_iter().filter(wanted).collect()
+    })
 }
 
 fn by_closed_form(row: ValidationRow) -> Option<CheckedNumber> {

@@ -11,11 +11,11 @@ use super::model::{
     BodyKeys, BodyKind, MemberKeys, NO_LINE, PointKeys, PointKind, RodKeys, SystemKeys,
 };
 use super::motion::{check as motion, check_payout};
-use super::{quantities, rods};
+use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, unknown,
-    used_twice,
+    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, of_trials,
+    unknown, used_twice,
 };
 use crate::published::number as published_number;
 use crate::reference::published_history;
@@ -79,10 +79,19 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(of_load_cases(&SYSTEM, keys.place.node, &keys.load_cases));
     found.extend(of_checks(&keys.checks));
     found.extend(published_number::check(&keys.published, |key| {
-        quantities::unknown(key, keys)
+        results_in_time::unknown(key, keys)
     }));
     found.extend(published_history::check(&keys.published_curve));
+    found.extend(trials(keys));
     found
+}
+
+/// Trials, which name published numbers and curves.
+fn trials(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let numbers = keys.published.iter().map(|(name, _)| name.as_str());
+    let curves = keys.published_curve.iter().map(|(name, _)| name.as_str());
+    let rows: Vec<&str> = numbers.chain(curves).collect();
+    of_trials(&SYSTEM, keys.place.node, &rows, &keys.trial)
 }
 
 /// A body by itself: mass, matrices, members, loads by heading.

@@ -19,7 +19,7 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, StatisticsInputs, Waves,
+    Mark, Material, MotionInterpolation, OneOrMany, StatisticsInputs, Trial, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -88,6 +88,8 @@ table! {
         published: Vec<PublishedNumber>;
         /// A published curve over time that the run is held against.
         published_curve: Vec<PublishedHistory>;
+        /// One way in which a hard case is computed, and what must come of it.
+        trial: Vec<Trial>;
     }
 }
 

@@ -5,12 +5,13 @@ use std::sync::atomic::AtomicBool;
 
 use super::outbox::Outbox;
 use crate::background::lower_priority;
-use crate::case;
+use crate::case::Case;
 use crate::kinds::FileType;
 use crate::msg::Msg;
 use crate::state::JobNumber;
 use crate::state::trials::{TrialProgress, TrialsOf};
 use crate::study::hard_cases::{self, HardCase, TrialRun};
+use crate::system::SystemFile;
 
 /// Computes trials, on all cores but the one of the screen; reports each, and the end.
 pub(super) fn compute_trials(
@@ -20,11 +21,7 @@ pub(super) fn compute_trials(
     out: &Outbox,
 ) -> Msg {
     let cases: Vec<HardCase> = match of {
-        TrialsOf::Case { file, text } => {
-            let case = case::parse(&text, &file).ok();
-            let hard = case.map(|case| HardCase { file, text, case });
-            hard.into_iter().collect()
-        }
+        TrialsOf::Case { file, text } => HardCase::read(&text, &file).into_iter().collect(),
         TrialsOf::Files(paths) => paths.iter().filter_map(|path| hard_case(path)).collect(),
     };
     let tell = |all: &[Option<TrialRun>], done: usize, over: bool| {
@@ -54,16 +51,12 @@ pub(super) fn compute_trials(
     tell(&computed, done, true)
 }
 
-/// A case file with trials.
+/// A file with trials.
 fn hard_case(path: &Path) -> Option<HardCase> {
-    if FileType::of(path) != FileType::Line {
-        return None;
-    }
-    let loaded = case::load(path).ok()?;
-    let file = path.file_name()?.to_string_lossy().into_owned();
-    (!loaded.case.trial.is_empty()).then_some(HardCase {
-        file,
-        text: case::stand_alone(&loaded.text, &loaded.case).into_owned(),
-        case: loaded.case,
-    })
+    let hard = match FileType::of(path) {
+        FileType::Line => HardCase::load::<Case>(path),
+        FileType::System => HardCase::load::<SystemFile>(path),
+        _ => return None,
+    };
+    hard.ok().filter(|hard| !hard.trials.is_empty())
 }

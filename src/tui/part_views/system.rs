@@ -8,6 +8,7 @@ use crate::state::parts::{Part, PartView};
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::periods::NaturalModes;
 use crate::system::analysis::watch_circle::WatchCircle;
+use crate::system::warnings::warnings;
 use crate::table::Table;
 
 /// Numbers of the tabs of analyses.
@@ -42,7 +43,7 @@ fn drawn(system: &SystemView) -> PartView {
             _ => views::oblique(solved),
         }),
         table: Table {
-            title: warning(&tables::warnings(solved)),
+            title: warning(&warnings(solved)),
             ..tables::lines_beside(solved)
         },
         ..PartView::default()

@@ -8,6 +8,7 @@ use super::modes::ModesView;
 use super::runs_view::RunsView;
 use super::study_of::StudyOf;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
+use super::trials::NO_TRIALS;
 use super::value_check::{Checking, ValidationTable};
 use super::variants::VariantPlan;
 use crate::case::{Case, QuantityId, StudyPoint, TextDigest};
@@ -207,10 +208,7 @@ impl DocumentKind for LineView {
             CommandId::Sweep => when(!self.has_sweeps(), NO_LOAD_CASES),
             CommandId::StartSweep => self.sweeps.why_not_started(!case.load_cases.is_empty()),
             CommandId::Keep => self.runs_view.live.why_not_kept(),
-            CommandId::Trials => when(
-                case.trial.is_empty(),
-                "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `:trials` computes all.",
-            ),
+            CommandId::Trials => when(case.trial.is_empty(), NO_TRIALS),
             _ => None,
         }
     }

@@ -6,6 +6,7 @@ use super::document_kind::{DocumentKind, KindInfo};
 use super::parts::Part;
 use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
+use super::trials::NO_TRIALS;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::command::{Command, CommandId, MOVING, REPORTED};
@@ -158,6 +159,7 @@ impl DocumentKind for SystemView {
                 let has_load_cases = !self.solved.file.load_cases.is_empty();
                 self.sweeps.why_not_started(has_load_cases)
             }
+            CommandId::Trials => self.solved.file.trial.is_empty().then_some(NO_TRIALS),
             _ => None,
         }
     }

@@ -35,6 +35,9 @@ pub struct TrialProgress {
     pub over: bool,
 }
 
+/// Why no trials are computed of a file.
+pub(super) const NO_TRIALS: &str = "This case has no trials. A `[[trial]]` table in its file makes one; in the list of cases `:trials` computes all.";
+
 /// From this many columns on the whole table fits.
 pub const WIDE: u16 = 160;
 

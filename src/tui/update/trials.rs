@@ -2,22 +2,18 @@
 
 use super::job_lines;
 use super::notice::info;
-use crate::case;
+use crate::case::attachments::with_files;
 use crate::msg::Effect;
 use crate::state::trials::{TrialProgress, Trials, TrialsOf};
-use crate::state::{AppState, JobNumber, JobPurpose, JobState};
+use crate::state::{AppState, Document, DocumentContent, JobNumber, JobPurpose, JobState};
 use crate::study::tally;
 use crate::table_pane::TablePane;
 
 /// Shows the trials of the open case, or those of all cases listed; computes them unless they are done or running.
 pub fn show(state: &mut AppState) -> Vec<Effect> {
-    let of = match (state.line(), state.editor()) {
-        (Some(line), Some(editor)) => TrialsOf::Case {
-            file: editor.file.clone(),
-            text: case::stand_alone(&editor.text, &line.case).into_owned(),
-        },
-        _ => TrialsOf::Files(state.cases.entries.iter().map(|e| e.path.clone()).collect()),
-    };
+    let of_document = state.document.as_ref().and_then(of_document);
+    let listed = state.cases.entries.iter().map(|entry| entry.path.clone());
+    let of = of_document.unwrap_or_else(|| TrialsOf::Files(listed.collect()));
     match &mut state.trials {
         Some(known) if known.of == of && !known.stopped => {
             known.shown = true;
@@ -25,6 +21,20 @@ pub fn show(state: &mut AppState) -> Vec<Effect> {
         }
         _ => begin(state, of),
     }
+}
+
+/// Those of the open file, as edited; nothing of a kind without trials.
+fn of_document(document: &Document) -> Option<TrialsOf> {
+    let files = match &document.content {
+        DocumentContent::Line(line) => &line.case.files,
+        DocumentContent::System(system) => &system.solved.file.files,
+        _ => return None,
+    };
+    let editor = &document.editor;
+    Some(TrialsOf::Case {
+        file: editor.file.clone(),
+        text: with_files(&editor.text, files).into_owned(),
+    })
 }
 
 /// Computes trials, in the place of those before.

@@ -96,11 +96,7 @@ const FALLING: &str = include_str!("../../../cases/hard/falling.toml");
 
 /// Computes the trials of a case, telling of the first so many, then of all.
 fn trialled(first: usize) -> (TrialProgress, TrialProgress) {
-    let hard = [HardCase {
-        file: "falling.toml".to_owned(),
-        text: FALLING.to_owned(),
-        case: case::parse(FALLING, "falling.toml").unwrap(),
-    }];
+    let hard = [HardCase::read(FALLING, "falling.toml").unwrap()];
     let all = hard_cases::compute_all(&hard, &AtomicBool::new(false), &|_, _| {});
     let of = |computed: &[Option<TrialRun>], over| TrialProgress {
         findings: hard_cases::verdicts(&hard, computed),

@@ -3,36 +3,42 @@
 use super::unknown_path;
 use super::{unknown, unknown_name};
 use crate::case::diagnostic::Finding;
-use crate::case::fields::split;
-use crate::case::model::{CASE, CaseKeys, TrialKeys, field_at};
+use crate::case::fields::{Schema, split};
+use crate::case::model::{CASE, CaseKeys, TrialKeys};
 use crate::case::tree::TomlNode;
 
-/// Checks of the trials.
+/// Checks of the trials of a case.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let rows: Vec<&str> = case
-        .published
-        .iter()
-        .map(|(name, _)| name.as_str())
-        .collect();
+    let published = case.published.iter().map(|(name, _)| name.as_str());
+    let rows: Vec<&str> = published.collect();
+    of_trials(&CASE, case.place.node, &rows, &case.trial)
+}
+
+/// Checks the trials of a file with this schema and published values of these names.
+pub fn of_trials(
+    schema: &'static Schema,
+    root: &TomlNode,
+    rows: &[&str],
+    trials: &[(String, TrialKeys<'_>)],
+) -> Vec<Finding> {
     let mut found = Vec::new();
     let mut earlier: Vec<&str> = Vec::new();
-    for (_, trial) in &case.trial {
-        let root = case.place.node;
+    for (_, trial) in trials {
         let set = trial.set.get().into_iter().flatten().enumerate();
         found.extend(set.filter_map(|(index, word)| {
-            let (problem, remedy) = sets(root, word)?;
+            let (problem, remedy) = sets(schema, root, word)?;
             Some(trial.set.finding_at_item(index, problem, remedy))
         }));
         let named = trial.rows.get().into_iter().flatten().enumerate();
         found.extend(named.filter_map(|(index, word)| {
-            let (problem, remedy) = unknown_name(word, &rows, "published value", "case")?;
+            let (problem, remedy) = unknown_name(word, rows, "published value", schema.what)?;
             Some(trial.rows.finding_at_item(index, problem, remedy))
         }));
         found.extend(unknown(
             &trial.same_as,
             &earlier,
             "trial further up",
-            "case",
+            schema.what,
         ));
         found.extend(idle(trial));
         earlier.extend(trial.name.get().map(String::as_str));
@@ -68,8 +74,8 @@ fn idle(trial: &TrialKeys<'_>) -> Vec<Finding> {
     found
 }
 
-/// Problem and remedy of a word that is not `key=value` with a key that a case can have.
-fn sets(root: &TomlNode, word: &str) -> Option<(String, String)> {
+/// Problem and remedy of a word that is not `key=value` with a key that a file with this schema can have.
+fn sets(schema: &'static Schema, root: &TomlNode, word: &str) -> Option<(String, String)> {
     let Some((path, _)) = word.split_once('=') else {
         let problem = format!("`{word}` gives no value");
         return Some((
@@ -77,6 +83,6 @@ fn sets(root: &TomlNode, word: &str) -> Option<(String, String)> {
             "write key=value, as in \"solver.method=rk4\"".to_owned(),
         ));
     };
-    let known = split(path).is_some_and(|parts| field_at(&parts).is_some());
-    (!known).then(|| unknown_path(&CASE, root, path.trim()))
+    let known = split(path).is_some_and(|parts| schema.fields_at(&parts).next().is_some());
+    (!known).then(|| unknown_path(schema, root, path.trim()))
 }

@@ -348,8 +348,8 @@ table! {
     pub struct Trial => TrialKeys {
         /// What the trial is, in words.
         name: String, "name";
-        /// Keys set on top of the case, each as key=value.
-        set: Option<Vec<String>>, "set", absent "the case as it stands";
+        /// Keys set on top of the file, each as key=value.
+        set: Option<Vec<String>>, "set", absent "the file as it stands";
         /// Names of the published values the trial is held against.
         rows: Option<Vec<String>>, "rows", absent "all published values";
         /// Words of the reason for which the trial must be refused.

@@ -43,6 +43,7 @@ impl HasEffects for SystemFile {
         self.marks.clear();
         self.published.clear();
         self.published_curve.clear();
+        self.trial.clear();
         self.load_cases.clear();
         self.checks.clear();
         self.goals.clear();

@@ -3,12 +3,15 @@
 use super::foot::Foot;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::point_loads::{anchor, bears, normal_force};
+use super::point_loads::{anchor, bears, fastest_on_bed, normal_force};
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::{BodyOnBed, State};
 use crate::system::bed::Bed;
 use crate::system::network::Held;
+
+/// Step times frequency up to which Runge-Kutta of order 4 is stable, on the imaginary axis and on the real one.
+const STABLE: f64 = 2.785;
 
 impl MovingSystem {
     /// What bears on the bed by itself, by its joints; nothing without a bed.
@@ -31,6 +34,33 @@ impl MovingSystem {
             _ => return None,
         };
         bears(&foot.point).then_some(foot)
+    }
+
+    /// The stability limits of explicit steps \[s\] of what bears on the bed by itself, and what sets each.
+    pub(super) fn landing_limits(&self) -> impl Iterator<Item = (f64, String)> {
+        let heavy = self.landing().filter_map(|(joint, foot)| {
+            let mass = foot.point.moving_mass + self.mass_of_lines_at(joint);
+            (mass > 0.0).then(|| (joint, STABLE / fastest_on_bed(&foot.point, mass)))
+        });
+        heavy.map(|(joint, limit)| {
+            let at = format!("{} on the bed", self.name_of_bearing(joint));
+            (limit, at)
+        })
+    }
+
+    /// Mass of the lines that is lumped at a free point \[kg\]; none of a body, of which it is little.
+    fn mass_of_lines_at(&self, joint: usize) -> f64 {
+        let Role::Free(point) = self.joints.roles[joint] else {
+            return 0.0;
+        };
+        let lines = self.network.lines.iter().zip(&self.scenes);
+        let at_ends = lines.map(|(line, scene)| {
+            let mass = &scene.line.mass;
+            let ends = [(line.from, mass.first()), (line.to, mass.last())];
+            let here = ends.into_iter().filter(|(end, _)| *end == point);
+            here.filter_map(|(_, mass)| mass).sum::<f64>()
+        });
+        at_ends.sum()
     }
 
     /// Name of the point or body of a joint that bears on the bed.

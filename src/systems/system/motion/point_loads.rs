@@ -179,6 +179,15 @@ fn springs(point: &FreePoint) -> (f64, f64) {
     (stiffness, damping)
 }
 
+/// The fastest motion of a point with this mass \[kg\] on the bed \[rad/s\]: as an oscillator on twice the spring, which the push has as it
+/// lands, with the damper, `omega (zeta + sqrt(zeta^2 + 1))`.
+pub(super) fn fastest_on_bed(point: &FreePoint, mass: f64) -> f64 {
+    let (stiffness, damping) = springs(point);
+    let omega = (2.0 * stiffness / mass).sqrt();
+    let zeta = 0.5 * damping / (mass * omega);
+    omega * (zeta + (zeta * zeta + 1.0).sqrt())
+}
+
 /// Whether a point bears on the bed by itself.
 pub(super) fn bears(point: &FreePoint) -> bool {
     springs(point).0 > 0.0

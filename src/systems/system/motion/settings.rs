@@ -85,7 +85,7 @@ impl MotionSettings {
     /// The steps that both methods would take, where lines limit the explicit ones.
     #[must_use]
     pub fn step_lengths(given: &MotionInputs, system: &MovingSystem) -> Option<StepLengths> {
-        let (limit, at) = stability_limit(system)?;
+        let (limit, at) = stability_limit(system).filter(|_| !system.scenes.is_empty())?;
         let implicit = given.time_step_s.unwrap_or_else(|| longest_step(system));
         let chosen = || implicit.min(EXPLICIT_SHARE * explicit_limit(system));
         Some(StepLengths {
@@ -150,7 +150,7 @@ fn surface(system: &MovingSystem) -> Option<EndMotion> {
 const EXPLICIT_SHARE: f64 = 0.45;
 
 impl MotionSettings {
-    /// Why a step of an explicit method is unstable on the lines as they are divided at the start; nothing where it is not.
+    /// Why a step of an explicit method is unstable, on the lines as they are divided at the start or on the bed; nothing where it is not.
     #[must_use]
     pub fn instability(&self, system: &MovingSystem) -> Option<String> {
         let explicit = self.method == MotionMethod::Rk4;
@@ -159,10 +159,18 @@ impl MotionSettings {
     }
 }
 
-/// The stability limit of explicit steps \[s\], and the segment that sets it. The greatest frequency of a system is at most that of its
+/// The stability limit of explicit steps \[s\], and what sets it: a segment of a line, or what lands on the bed by itself.
+fn stability_limit(system: &MovingSystem) -> Option<(f64, String)> {
+    let limits = limit_of_lines(system)
+        .into_iter()
+        .chain(system.landing_limits());
+    limits.min_by(|one, other| one.0.total_cmp(&other.0))
+}
+
+/// The stability limit that lines set \[s\], and the segment that does. The greatest frequency of a system is at most that of its
 /// segments each by itself, with its own share of the masses at its ends (Fried, J. Sound Vib. 22 (1972) 407): half of that of a node
 /// within a line.
-fn stability_limit(system: &MovingSystem) -> Option<(f64, String)> {
+fn limit_of_lines(system: &MovingSystem) -> Option<(f64, String)> {
     let lines = system.network.lines.iter().zip(&system.scenes).enumerate();
     let limits = lines.map(|(number, (line, scene))| {
         let ends = [0, 1].map(|end| match scene.line.ends[end] {
@@ -224,10 +232,11 @@ fn mass_at(network: &Network, number: usize, place: &V3) -> f64 {
     1.0 / (by * mobility * by.transpose()).trace()
 }
 
-/// The longest stable step of the lines by themselves \[s\]; what is at their ends makes it longer.
+/// The longest stable step of the lines by themselves, which what is at their ends makes longer, and of what lands on the bed \[s\].
 fn explicit_limit(system: &MovingSystem) -> f64 {
-    let limits = system.scenes.iter().map(|scene| scene.explicit_limit().0);
-    let limit = limits.fold(f64::INFINITY, f64::min);
+    let lines = system.scenes.iter().map(|scene| scene.explicit_limit().0);
+    let landing = system.landing_limits().map(|(limit, _)| limit);
+    let limit = lines.chain(landing).fold(f64::INFINITY, f64::min);
     match system.paid.is_empty() {
         true => limit,
         // The segment at an end becomes shorter than those of the mesh.

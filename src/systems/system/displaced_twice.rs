@@ -1,9 +1,9 @@
 //! What a body states of its water and its members give again.
 
-use seacable_base::number::digits;
-use seacable_systems::system::SolvedSystem;
-use seacable_systems::system::body_loads::MembersInWater;
-use seacable_systems::system::network::{Body, Network};
+use super::SolvedSystem;
+use super::body_loads::MembersInWater;
+use super::network::{Body, Network};
+use crate::number::digits;
 
 /// What to do about it.
 const REMEDY: &str =
