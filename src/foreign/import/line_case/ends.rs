@@ -69,6 +69,11 @@ fn table(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: 
             system.given(key, &numbers(&values), span, "motion_file");
         }
     }
+    let interpolation = ["ends", letter, "motion_interpolation"];
+    if let Some(node) = source.node(&interpolation) {
+        let value = value_of(source, node);
+        system.given("table_interpolation", &value, &node.span, "");
+    }
 }
 
 /// The rows of the file that an end moves by: time \[s\], then places \[m\]. It was read with the case.

@@ -3,9 +3,7 @@
 use super::ends::{LETTERS, alike, rows_of};
 use super::payload;
 use super::source::{DENSITY, LineSource};
-use crate::case::{
-    DragCoefficient, DynamicStiffness, End, EndKind, MotionInterpolation, MotionName, StartShape,
-};
+use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName, StartShape};
 use crate::import::fault::Fault;
 
 /// All of it, but for what the mesh and the results show.
@@ -40,7 +38,6 @@ fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Option<Fault> {
         return None;
     }
     let at = |key, problem, remedy| Some(source.fault(&["ends", letter, key], problem, remedy));
-    let is_spline = end.motion_interpolation == MotionInterpolation::Spline;
     match end.motion {
         MotionName::Irregular => at(
             "motion",
@@ -51,11 +48,6 @@ fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Option<Fault> {
             "motion",
             "in a system a vessel is a body with a response_file of its own, and this one is not carried over",
             "import the case with a held end, and put its point on a moved body",
-        ),
-        MotionName::Table if !is_spline => at(
-            "motion_interpolation",
-            "a system goes through the rows of a table by a spline",
-            "give enough rows for a spline, and leave this out",
         ),
         MotionName::Table
             if rows_of(source, end)

@@ -410,6 +410,9 @@ impl Border {
             let motion = system.body(state, body.number);
             let jacobian = rotation_jacobian(&motion.pose.rotation, &state.joints.x[rotation]);
             let around = system.water_around(state, body.number);
+            // Without inertia neither turns of momentum count.
+            let massless = (c.mass == 0.0).then(|| body.massless());
+            let body = massless.as_ref().unwrap_or(body);
             let (residual, tangent) =
                 body.residual(&system.network, &motion, &around, &jacobian, c);
             let mut origin = Place::default();

@@ -72,7 +72,7 @@ pub(super) fn compute<'a>(
     let recorder = Recorder::new(plan(&begun, &channels, settings), events, cancel);
     let Start { system, state, .. } = begun;
     let subject = SystemUnderWay {
-        bodies: moving_bodies(&system, &state),
+        bodies: bodies(&system, &state, settings.method),
         channels,
         settings,
         releases: by_time(&system).into(),
@@ -159,6 +159,15 @@ pub(super) fn profiles(system: &MovingSystem, state: &SystemState) -> Vec<Profil
             ..step_envelope::profile(scene)
         })
         .collect()
+}
+
+/// The bodies that turn; a method without inertia reads no force of it at their pins.
+fn bodies(system: &MovingSystem, state: &SystemState, method: MotionMethod) -> Vec<MovingBody> {
+    let bodies = moving_bodies(system, state).into_iter();
+    match method {
+        MotionMethod::Quasi => bodies.map(|body| body.massless()).collect(),
+        _ => bodies.collect(),
+    }
 }
 
 impl SystemUnderWay<'_> {
