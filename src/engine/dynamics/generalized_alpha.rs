@@ -18,7 +18,7 @@
 //! step. Without the shift the method, or each change of the step, would be of first order.
 //!
 //! The balance holds at a mix of positions, where the chord of a rotating segment is shorter than before and after the step:
-//! [`MidstepBalance::correct_chord_lengths`] accounts for that in the tensions that are output.
+//! [`correct_chord_lengths`](crate::solve::MidstepBalance::correct_chord_lengths) accounts for that in the tensions that are output.
 
 use super::alpha_scheme::{AlphaScheme, ErrorLimits, mix};
 use super::{Integrator, MethodState, StepError, Stepper, TimeStep, WorkCounts};

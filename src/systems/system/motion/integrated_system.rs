@@ -77,7 +77,7 @@ impl PartedSystem for MovingSystem {
     }
 
     fn offset(&self, part: usize) -> usize {
-        self.scenes[..part].iter().map(|scene| scene.nodes()).sum()
+        self.scenes[..part].iter().map(Kinematics::nodes).sum()
     }
 
     fn scale(&self, part: usize, node: usize) -> f64 {

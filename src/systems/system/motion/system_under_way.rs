@@ -230,7 +230,9 @@ impl UnderWay for SystemUnderWay<'_> {
     }
 
     fn due(&mut self, has_come: &dyn Fn(f64) -> bool, state: &SystemState) -> Option<Change> {
-        while let Some(release) = self.releases.pop_front_if(|release| has_come(release.time)) {
+        while has_come(self.next_change())
+            && let Some(release) = self.releases.pop_front()
+        {
             if !self.system.is_released(release, state) {
                 return Some(Change::Release(release));
             }
