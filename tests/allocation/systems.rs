@@ -2,8 +2,8 @@
 
 use allocation_counter::measure;
 use seacable::case::kind;
-use seacable::dynamics::March;
 use seacable::dynamics::generalized_alpha::GeneralizedAlpha;
+use seacable::dynamics::{March, Stepper};
 use seacable::solve::{AcceptedStep, Marched, Progressing};
 use seacable::system::SystemFile;
 use seacable::system::motion::SystemState;

@@ -2,13 +2,16 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, Case, Diagnostic, End, EndKind, Method, edit, kind, shipped};
 use seacable::import::{ImportOptions, line_case};
 use seacable::kinds::FileBytes;
 use seacable::open::OpenedFile;
+use seacable::reference::Outcome;
 use seacable::run::History;
-use seacable::system::{SolvedSystem, SystemFile, quantities};
+use seacable::system::motion::run::run;
+use seacable::system::{SolvedSystem, SystemFile, quantities, validation};
 
 use crate::one_line::{line_run, system_run};
 
@@ -249,6 +252,36 @@ fn a_sample_of_shipped_lines_agrees_with_its_systems() {
         rows.len() >= 6 && differ.is_empty(),
         "{differ:?}: {rows:#?}"
     );
+}
+
+/// Published values of lines, at rest and of runs in time, hold for their systems: rows that pass, of all.
+fn published(name: &str, text: &str) -> (usize, usize) {
+    let given = case::parse(text, &path_of(name)).unwrap();
+    let system = converted(name, &case::stand_alone(text, &given)).unwrap();
+    let solved = kind::parse::<SystemFile>(&system, "system.toml").unwrap();
+    let motion = solved
+        .file
+        .solver
+        .as_ref()
+        .map(|solver| run(&solved, solver, &AtomicBool::new(false), &mut |_| {}).unwrap());
+    let rows = validation::rows(&solved, motion.as_ref());
+    let passed = rows.iter().filter(|row| row.outcome == Outcome::Pass);
+    (passed.count(), rows.len())
+}
+
+#[test]
+fn published_values_of_lines_hold_for_their_systems() {
+    let quick = [
+        "basics/hanging_line.toml",
+        "hard/buoyant.toml",
+        "hard/cut_off.toml",
+        "hard/ten_km.toml",
+        "hard/vertical.toml",
+    ];
+    let found = cases().filter(|(name, _)| quick.contains(name));
+    let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 10);
+    assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
 }
 
 /// What is refused, by its place and key.

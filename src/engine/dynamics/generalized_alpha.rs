@@ -89,19 +89,6 @@ impl<X: Parted, W> GeneralizedAlpha<X, W> {
         self
     }
 
-    /// Accelerations from positions and velocities, by the forces.
-    ///
-    /// # Errors
-    /// Where nothing has mass.
-    pub fn accelerate<S: Integrated<State = X, Work = W>>(
-        &mut self,
-        system: &S,
-        t: f64,
-        state: &mut X,
-    ) -> Result<(), NewtonError> {
-        system.accelerate(&mut self.newton.equations, t, state)
-    }
-
     /// Shifts the accelerations of the state to the point of the algorithmic acceleration in a step of h.
     fn shift_acceleration(&mut self, h: f64, state: &X) {
         let shift = self.scheme.shift(h);
@@ -261,6 +248,10 @@ impl<S: Integrated> Stepper<S> for GeneralizedAlpha<S::State, S::Work> {
         }
         self.accept(system, t, dt, state);
         Ok(error)
+    }
+
+    fn accelerate(&mut self, system: &S, t: f64, state: &mut S::State) -> Result<(), NewtonError> {
+        system.accelerate(&mut self.newton.equations, t, state)
     }
 
     /// Where nothing has mass the accelerations are zero, and the next step finds them.

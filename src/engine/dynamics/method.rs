@@ -18,23 +18,6 @@ pub enum Method<X = State, W = BandedEquations> {
 }
 
 impl<X: Parted, W: 'static> Method<X, W> {
-    /// Accelerations from positions and velocities, by the forces; without inertia there are none.
-    ///
-    /// # Errors
-    /// Where nothing has mass.
-    pub fn accelerate<S: Integrated<State = X, Work = W>>(
-        &mut self,
-        system: &S,
-        t: f64,
-        state: &mut X,
-    ) -> Result<(), NewtonError> {
-        match self {
-            Self::Alpha(method) => method.accelerate(system, t, state),
-            Self::Rk4(method) => method.accelerate(system, t, state),
-            Self::QuasiStatic(_) => Ok(()),
-        }
-    }
-
     fn integrator(&self) -> &dyn Integrator {
         match self {
             Self::Alpha(method) => method,
@@ -68,6 +51,14 @@ impl<S: Integrated> Stepper<S> for Method<S::State, S::Work> {
             Self::Alpha(method) => method.step(system, at, state),
             Self::Rk4(method) => method.step(system, at, state),
             Self::QuasiStatic(method) => method.step(system, at, state),
+        }
+    }
+
+    fn accelerate(&mut self, system: &S, t: f64, state: &mut S::State) -> Result<(), NewtonError> {
+        match self {
+            Self::Alpha(method) => method.accelerate(system, t, state),
+            Self::Rk4(method) => method.accelerate(system, t, state),
+            Self::QuasiStatic(method) => method.accelerate(system, t, state),
         }
     }
 

@@ -47,19 +47,6 @@ impl<X: Parted, W> Rk4<X, W> {
         }
     }
 
-    /// Accelerations from positions and velocities, by the forces.
-    ///
-    /// # Errors
-    /// Where nothing has mass.
-    pub fn accelerate<S: Integrated<State = X, Work = W>>(
-        &mut self,
-        system: &S,
-        t: f64,
-        state: &mut X,
-    ) -> Result<(), NewtonError> {
-        system.accelerate(&mut self.equations, t, state)
-    }
-
     /// Evaluates the stage and adds its derivative, times `weight`, to the next state.
     fn add_stage<S: Integrated<State = X, Work = W>>(
         &mut self,
@@ -171,6 +158,10 @@ impl<S: Integrated> Stepper<S> for Rk4<S::State, S::Work> {
         let ratio = self.check(system, at.dt, state)?;
         state.copy_from(&self.next);
         Ok(ratio)
+    }
+
+    fn accelerate(&mut self, system: &S, t: f64, state: &mut S::State) -> Result<(), NewtonError> {
+        system.accelerate(&mut self.equations, t, state)
     }
 
     fn restart(&mut self, system: &S, t: f64, state: &mut S::State) {

@@ -28,6 +28,19 @@ pub trait Stepper<S: Marched>: Integrator {
     /// Why the step fails at this length.
     fn step(&mut self, system: &S, at: TimeStep, state: &mut S::State) -> Result<f64, StepError>;
 
+    /// Accelerations at time t \[s\] from positions and velocities, by the forces; a method without inertia has none.
+    ///
+    /// # Errors
+    /// Where nothing has mass.
+    fn accelerate(
+        &mut self,
+        _system: &S,
+        _t: f64,
+        _state: &mut S::State,
+    ) -> Result<(), NewtonError> {
+        Ok(())
+    }
+
     /// Restarts the method at time t \[s\] where the system has changed and its forces are discontinuous.
     fn restart(&mut self, system: &S, t: f64, state: &mut S::State);
 

@@ -175,12 +175,16 @@ pub const BY_KIND: [(FileType, &[Shipped]); FileType::ALL.len()] = [
     (FileType::System, SYSTEMS),
 ];
 
-/// The shipped file that has the title of this text: what an edited copy of it was before.
+/// The shipped file of the kind and the title of this text: what an edited copy of it was before.
 #[must_use]
 pub fn of_title(text: &str) -> Option<&'static str> {
     let title = title(text)?;
-    let mut all = BY_KIND.iter().flat_map(|(_, files)| *files);
-    let (_, shipped) = all.find(|(_, shipped)| self::title(shipped) == Some(title))?;
+    let (_, files) = BY_KIND
+        .iter()
+        .find(|(kind, _)| *kind == FileType::of_text(text))?;
+    let (_, shipped) = files
+        .iter()
+        .find(|(_, shipped)| self::title(shipped) == Some(title))?;
     Some(shipped)
 }
 

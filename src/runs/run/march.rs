@@ -9,6 +9,7 @@ use super::store::{CHECKPOINT, StoreError};
 use super::under_way::{MethodOf, StateOf, UnderWay};
 use super::{RunState, Work};
 use crate::dynamics::{Integrator, March, MarchError, MarchProgress, MethodState, Stepper};
+use crate::limits::STEPS;
 use crate::solve::{AcceptedStep, Marched, Progressing, Sink};
 
 /// Least wall time between two checkpoints.
@@ -53,6 +54,18 @@ impl MarchResult {
     pub fn failed(failure: String, work: Work) -> Self {
         Self::without_steps(RunState::Failed, Some(failure), work)
     }
+}
+
+/// Why a march of so many steps is refused, and what to do: `fewer` steps, or a shorter run.
+#[must_use]
+pub fn too_many_steps(duration_s: f64, step_s: f64, fewer: &str) -> Option<(String, String)> {
+    let steps = duration_s / step_s;
+    STEPS.is_exceeded_by(steps).then(|| {
+        (
+            format!("it would take {steps:.1e} steps of {step_s:.1e} s"),
+            STEPS.remedy(fewer, steps),
+        )
+    })
 }
 
 /// The start of a march: at time zero, or at the checkpoint of an earlier run.

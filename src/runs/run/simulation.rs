@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::initial_equilibrium::find_equilibrium;
 use super::line_under_way::LineUnderWay;
-use super::march::{MarchResult, MarchStart, Marching};
+use super::march::{MarchResult, MarchStart, Marching, too_many_steps};
 use super::observer::{LineAtEnd, RunEnd, RunRecord};
 use super::recorder::Recorder;
 use super::warm_start::warm_start;
@@ -12,7 +12,6 @@ use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::March;
 use crate::dynamics::rk4::{BELOW_LIMIT, above_limit};
-use crate::limits::STEPS;
 use crate::scene::Scene;
 use crate::solve::State;
 
@@ -124,10 +123,7 @@ fn refusal(case: &Case, settings: &Settings) -> Option<String> {
         let problem = above_limit(step, limit.unwrap_or_default(), at);
         return Some(format!("{problem}; {BELOW_LIMIT}"));
     }
-    let steps = settings.duration_s / step;
-    STEPS.is_exceeded_by(steps).then(|| {
-        let fewer = "make the line less stiff, or choose the solver `alpha`";
-        let remedy = STEPS.remedy(fewer, steps);
-        format!("it would take {steps:.1e} steps of {step:.1e} s; {remedy}")
-    })
+    let fewer = "make the line less stiff, or choose the solver `alpha`";
+    let (problem, remedy) = too_many_steps(settings.duration_s, step, fewer)?;
+    Some(format!("{problem}; {remedy}"))
 }

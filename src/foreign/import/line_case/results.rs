@@ -6,7 +6,7 @@ use super::paths;
 use super::source::LineSource;
 use super::stretches::Stretch;
 use crate::case::{
-    ChannelId, ChannelQuantity, Published, PublishedCurve, Statistic, Subject, TomlNode,
+    ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Subject, TomlNode,
 };
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, numbers, text};
@@ -97,30 +97,40 @@ fn checks(source: &LineSource<'_>) -> Vec<Fault> {
     unnamed.map(fault).collect()
 }
 
-/// The quantity of a system at rest that a published value is of.
+/// Statistics that systems have of their channels.
+const OF_RUNS: [Statistic; 4] = [
+    Statistic::Mean,
+    Statistic::Max,
+    Statistic::Min,
+    Statistic::Final,
+];
+
+/// The quantity of a system that a published value is of: at rest, or of its run in time.
 fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> Option<String> {
     let is_single = row.at.is_none() && row.change_from.is_none() && row.ratio_to.is_none();
-    let of_value = [
-        Statistic::Mean,
-        Statistic::Max,
-        Statistic::Min,
-        Statistic::Final,
-    ];
-    let Subject::Channel(id) = &row.channel else {
-        return None;
-    };
-    if source.is_in_time() || !is_single || !of_value.contains(&row.statistic) {
-        return None;
+    let is_of_run = row.window_s.is_none() && OF_RUNS.contains(&row.statistic);
+    let id = channel_of(row).filter(|_| is_single && is_of_run)?;
+    let found = channels::translated(source, line, id)?;
+    if source.is_in_time() {
+        let of = Subject::Channel(found);
+        return Some(QuantityId::new(of, row.statistic, None).to_string());
     }
     // At rest the tension of a system is the force on the end, with the shear of a line that bends.
     if id.quantity == ChannelQuantity::Tension && source.bends() {
         return None;
     }
-    let found = channels::translated(source, line, id)?;
     let at_rest = [ChannelQuantity::Tension, ChannelQuantity::OnBed];
     let is_known =
         at_rest.contains(&found.quantity) || ChannelQuantity::POSITION.contains(&found.quantity);
     is_known.then(|| found.to_string())
+}
+
+/// The channel that a published value is of.
+fn channel_of(row: &Published) -> Option<&ChannelId> {
+    match &row.channel {
+        Subject::Channel(id) => Some(id),
+        _ => None,
+    }
 }
 
 /// The channel of a system in time that a published curve is of.
@@ -134,11 +144,14 @@ fn channel(
     found.filter(|_| is_plain && source.is_in_time())
 }
 
-/// Whether a curve is of a force on an end.
+/// Whether a published curve or value is of a force on an end.
 pub(super) fn reads_forces(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
-    let curves = source.case.published_curve.iter();
-    let mut read = curves.filter_map(|curve| channel(source, line, curve));
-    read.any(|id| ChannelQuantity::FORCE.contains(&id.quantity))
+    let is_force = |id: &ChannelId| ChannelQuantity::FORCE.contains(&id.quantity);
+    let case = &source.case;
+    let curves = case.published_curve.iter();
+    let mut curves = curves.filter_map(|curve| channel(source, line, curve));
+    let mut values = case.published.iter().filter_map(channel_of);
+    curves.any(|id| is_force(&id)) || values.any(is_force)
 }
 
 /// How many published values and curves the system cannot state, of how many.

@@ -36,6 +36,7 @@ pub mod job;
 pub mod job_request;
 mod joint_place;
 pub mod joints;
+mod kinks;
 mod landing;
 mod let_go;
 mod mesh_of_ends;

@@ -16,10 +16,10 @@ use super::system_under_way::compute;
 use crate::case::fields::Schema;
 use crate::case::{Attachment, kind};
 use crate::dynamics::rk4::BELOW_LIMIT;
-use crate::limits::STEPS;
 use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
+use crate::run::march::too_many_steps;
 use crate::run::outlook::StepLengths;
 use crate::run::refinable::Refinable;
 use crate::scene::Scene;
@@ -207,14 +207,10 @@ pub(super) fn check_steps(settings: &MotionSettings, begun: &Start) -> Result<()
         line: None,
         part: None,
     };
-    let steps = settings.duration_s / settings.time_step_s;
-    if STEPS.is_exceeded_by(steps) {
-        let problem = format!(
-            "it would take {steps:.1e} steps of {:.1e} s",
-            settings.time_step_s
-        );
-        let fewer = "make the lines less stiff, or choose the method `alpha`";
-        return Err(refusal(problem, STEPS.remedy(fewer, steps)));
+    let fewer = "make the lines less stiff, or choose the method `alpha`";
+    let (duration, step) = (settings.duration_s, settings.time_step_s);
+    if let Some((problem, remedy)) = too_many_steps(duration, step, fewer) {
+        return Err(refusal(problem, remedy));
     }
     match settings.instability(&begun.system) {
         Some(problem) => Err(refusal(problem, BELOW_LIMIT.to_owned())),
