@@ -29,6 +29,8 @@ table! {
         note: Option<String>, "note", absent "no note";
         /// Why the tolerance is what it is.
         tolerance_reason: Option<String>, "reason of the tolerance", absent "the one that the file states for all";
+        /// It is of the trials that name it, with other inputs or another method than the file: they alone hold it.
+        of_trials: bool = false, "of trials";
         /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "within reach";
     }
@@ -44,6 +46,7 @@ impl PublishedNumber {
             tolerance: Some(tolerance),
             inputs: Some(self.inputs),
             kind: self.kind.into(),
+            of_trials: self.of_trials,
             note: self.note.clone(),
             tolerance_reason: self.tolerance_reason.clone(),
             ..ValidationRow::not_run(&self.name, &self.source, unit.to_owned())
@@ -52,13 +55,23 @@ impl PublishedNumber {
     }
 }
 
-/// Checks of published numbers: a known quantity, as `unknown` says, and a tolerance.
+/// Checks of published numbers: a known quantity, as `unknown` says, a tolerance, and trials where it is of those; `named` are the rows
+/// that trials name.
 pub fn check(
     list: &[(String, PublishedNumberKeys<'_>)],
     unknown: impl Fn(&Key<'_, String>) -> Option<Finding>,
+    named: &[String],
 ) -> Vec<Finding> {
     let mut found = Vec::new();
-    for (_, printed) in list {
+    for (name, printed) in list {
+        if printed.of_trials.is(&true) && !named.contains(name) {
+            let remedy = "name it in the `rows` of a trial, or leave this out";
+            found.extend(
+                printed
+                    .of_trials
+                    .if_given("leaves it to trials, and none names it", remedy),
+            );
+        }
         found.extend(unknown(&printed.quantity));
         if !printed.tolerance_rel.is_given() && !printed.tolerance_abs.is_given() {
             let remedy = "add `tolerance_rel` or `tolerance_abs`";

@@ -41,6 +41,8 @@ pub struct ValidationRow {
     pub tolerance_reason: Option<String>,
     /// How far an agreement is evidence; absent where no input was calibrated.
     pub basis: Option<CalibrationBasis>,
+    /// Whether it is of trials of its file alone.
+    pub of_trials: bool,
     /// Why it differs or was not run; and what else the reader must know.
     pub reason: Option<String>,
     /// For a trend: what is expected and the numbers along the study.

@@ -38,6 +38,7 @@ pub(super) fn check(section: &SectionKeys<'_>) -> Vec<Finding> {
     found.extend(published_number::check(
         &section.published,
         unknown_quantity,
+        &[],
     ));
     let file = section.place.node;
     if let (Some(about), None, None) = (&section.about, file.get("centre"), file.get("layer")) {

@@ -134,11 +134,11 @@ impl Tried for SystemFile {
         let request = motion::job::request(Arc::clone(&solved), &text, String::new(), Vec::new());
         let Some(request) = request.filter(|_| !is_of_rest(&solved.file, trial)) else {
             let no_run = Err("The trial has no run in time.".to_owned());
-            let rows = validation::rows_of(&solved, &no_run);
+            let rows = validation::rows_of_trials(&solved, &no_run);
             return Ok(ComputedTrial::at_rest(&solved, rows));
         };
         let run = job::execute(&request, cancel, &mut |_| {});
-        let rows = validation::rows_of(&solved, &ComparedRun::of(&run));
+        let rows = validation::rows_of_trials(&solved, &ComparedRun::of(&run));
         Ok(ComputedTrial::of_run(run.info, rows))
     }
 }

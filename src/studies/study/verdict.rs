@@ -193,7 +193,7 @@ fn numbers(
 fn rows<'r>(trial: &Trial, run: &'r ComputedTrial) -> impl Iterator<Item = &'r ValidationRow> {
     run.rows.iter().filter(|row| match &trial.rows {
         Some(names) => names.contains(&row.name),
-        None => row.at.is_none(),
+        None => row.at.is_none() && !row.of_trials,
     })
 }
 

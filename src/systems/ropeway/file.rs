@@ -30,7 +30,11 @@ impl FileKind for Ropeway {
     fn check(keys: &RopewayKeys<'_>) -> Vec<Finding> {
         let mut found = Vec::from_iter(steep(keys));
         found.extend(missing_setting(keys));
-        found.extend(published_number::check(&keys.published, unknown_quantity));
+        found.extend(published_number::check(
+            &keys.published,
+            unknown_quantity,
+            &[],
+        ));
         let trends = keys.trend.iter();
         found.extend(trends.filter_map(|(_, trend)| unknown_quantity(&trend.quantity)));
         found

@@ -29,7 +29,11 @@ pub(super) fn check(ship: &ShipKeys<'_>) -> Vec<Finding> {
         found.extend(coupled(ship, settings));
     }
     found.extend(ship.rope.as_ref().and_then(|keys| rope(ship, keys)));
-    found.extend(published_number::check(&ship.published, unknown_quantity));
+    found.extend(published_number::check(
+        &ship.published,
+        unknown_quantity,
+        &[],
+    ));
     found
 }
 

@@ -78,12 +78,18 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(ageing(keys));
     found.extend(of_load_cases(&SYSTEM, keys.place.node, &keys.load_cases));
     found.extend(of_checks(&keys.checks));
-    found.extend(published_number::check(&keys.published, |key| {
-        results_in_time::unknown(key, keys)
-    }));
+    let unknown = |key: &Key<'_, String>| results_in_time::unknown(key, keys);
+    let named = rows_of_trials(keys);
+    found.extend(published_number::check(&keys.published, unknown, &named));
     found.extend(published_history::check(&keys.published_curve));
     found.extend(trials(keys));
     found
+}
+
+/// The published values that trials name.
+fn rows_of_trials(keys: &SystemKeys<'_>) -> Vec<String> {
+    let named = keys.trial.iter().filter_map(|(_, trial)| trial.rows.get());
+    named.flatten().cloned().collect()
 }
 
 /// Trials, which name published numbers and curves.

@@ -72,6 +72,17 @@ pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow
 /// The same for a run, or why there is none.
 #[must_use]
 pub fn rows_of(solved: &SolvedSystem, run: &Result<ComparedRun<'_>, String>) -> Vec<ValidationRow> {
+    let mut rows = rows_of_trials(solved, run);
+    rows.retain(|row| !row.of_trials);
+    rows
+}
+
+/// The same with the rows that only trials hold.
+#[must_use]
+pub fn rows_of_trials(
+    solved: &SolvedSystem,
+    run: &Result<ComparedRun<'_>, String>,
+) -> Vec<ValidationRow> {
     let file = &solved.file;
     let numbers = file.published.iter();
     let numbers = numbers.map(|printed| match id_in_time(&printed.quantity) {
