@@ -33,6 +33,7 @@ mod potential_flow;
 mod published;
 mod random;
 mod refusals;
+mod statistics;
 mod stiffness;
 mod turning;
 mod waves;

@@ -2,7 +2,9 @@
 
 use super::Subject;
 use super::line_statistics;
-use crate::case::{Case, ChannelQuantity, ChannelSpec, LineQuantity, Method, Statistic};
+use crate::case::{
+    Case, ChannelQuantity, ChannelSpec, LineQuantity, Method, QuantityId, Statistic,
+};
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,42 +40,59 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
     let window = case.statistics.settled_window(case.solver.duration_s);
     let quantities = channels.iter().map(|channel| channel.id.quantity);
     list.extend(settled(quantities, window.filter(|_| moves)));
-    let published = case
-        .published
-        .iter()
-        .map(|p| (&p.channel, p.statistic, p.within(), p.nth));
-    let trends = case
-        .trend
-        .iter()
-        .map(|t| (&t.channel, t.statistic, t.within(), t.nth));
+    let published = case.published.iter();
+    let published = published
+        .map(|p| QuantityId::new(p.channel.clone(), p.statistic, p.within()).numbered(p.nth));
+    let trends = case.trend.iter();
+    let trends =
+        trends.map(|t| QuantityId::new(t.channel.clone(), t.statistic, t.within()).numbered(t.nth));
     let others = case.published.iter();
     let others = others.filter_map(|p| {
         let stretch = Some(p.by_stretch_m?);
-        Some((&p.channel, p.statistic, stretch, p.nth))
+        Some(QuantityId::new(p.channel.clone(), p.statistic, stretch).numbered(p.nth))
     });
-    for (subject, statistic, window, nth) in published.chain(others).chain(trends) {
-        let of = match subject {
-            Subject::Channel(id) => {
-                let index = channels.iter().position(|channel| channel.id == *id);
-                index.map(StatisticSource::Channel)
-            }
-            Subject::Line(quantity) => Some(StatisticSource::Line(0, *quantity)),
-            _ => None,
+    let all: Vec<QuantityId> = published.chain(others).chain(trends).collect();
+    let source = |subject: &Subject| match subject {
+        Subject::Channel(id) => {
+            let index = channels.iter().position(|channel| channel.id == *id);
+            index.map(StatisticSource::Channel)
+        }
+        Subject::Line(quantity) => Some(StatisticSource::Line(0, *quantity)),
+        _ => None,
+    };
+    add_stated(&mut list, &all, source);
+    list
+}
+
+/// Adds the statistics that published values and trends of a file are of; what `source` knows no part of the run for is left out.
+pub fn add_stated(
+    list: &mut Vec<RequestedStatistic>,
+    stated: &[QuantityId],
+    source: impl Fn(&Subject) -> Option<StatisticSource>,
+) {
+    for id in stated {
+        let QuantityId::Statistic {
+            of,
+            statistic,
+            within,
+            nth,
+        } = id
+        else {
+            continue;
         };
-        let Some(of) = of else {
+        let Some(of) = source(of) else {
             continue;
         };
         let item = RequestedStatistic {
             of,
-            statistic,
-            window,
-            nth,
+            statistic: *statistic,
+            window: *within,
+            nth: *nth,
         };
         if !list.contains(&item) {
             list.push(item);
         }
     }
-    list
 }
 
 /// The greatest, smallest, mean and last value of so many channels over the whole run.

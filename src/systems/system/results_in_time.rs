@@ -1,9 +1,10 @@
 //! Which published values of a system are of its run in time: those by the names that its summary has, `tension_n[LINE|b].max`.
 
 use super::model::{SystemFile, SystemKeys};
+use super::motion::channels::GAUGE;
 use super::quantities;
 use crate::case::schema::Key;
-use crate::case::{Finding, QuantityId};
+use crate::case::{Finding, QuantityId, Subject, of_result, unknown_name};
 
 /// The single number of a run that has this name; nothing for a result at rest, which has no statistic.
 #[must_use]
@@ -20,13 +21,53 @@ pub fn has_published_in_time(file: &SystemFile) -> bool {
     has_numbers || !file.published_curve.is_empty()
 }
 
+/// The results of its run in time that a file states published values of.
+#[must_use]
+pub fn stated(file: &SystemFile) -> Vec<QuantityId> {
+    let numbers = file.published.iter();
+    let ids = numbers.filter_map(|printed| id_in_time(&printed.quantity));
+    ids.collect()
+}
+
 /// A result that exists neither at rest nor in time.
 pub(super) fn unknown(key: &Key<'_, String>, keys: &SystemKeys<'_>) -> Option<Finding> {
-    if id_in_time(key.get()?).is_some() {
-        return None;
+    if let Some(id) = id_in_time(key.get()?) {
+        return of_result(key, &id).or_else(|| unknown_part(key, &id, keys));
     }
     let mut found = quantities::unknown(key, keys)?;
     let in_time = "; of a run in time name it as in its summary, such as tension_n[...|b].max";
     found.remedy.push_str(in_time);
     Some(found)
+}
+
+/// A result of a part that the system does not have. Copies and halves of a part begin with its name.
+fn unknown_part(key: &Key<'_, String>, id: &QuantityId, keys: &SystemKeys<'_>) -> Option<Finding> {
+    let (subject, _) = id.parts();
+    let part = match &subject {
+        Subject::Channel(channel) => channel.place.split('|').next()?,
+        Subject::Along(_, line) => line,
+        Subject::Line(quantity) => {
+            let name = quantity.name();
+            let problem = format!("`{name}` does not say of which line");
+            return Some(key.finding(problem, format!("name it: `{name}[along LINE]`")));
+        }
+        _ => return None,
+    };
+    let known = parts(keys);
+    if known.iter().any(|name| part.starts_with(name)) {
+        return None;
+    }
+    let (problem, remedy) = unknown_name(part, &known, "line, point, body or rod", "system")?;
+    Some(key.finding(problem, remedy))
+}
+
+/// The names of what a system has channels of.
+fn parts<'k>(keys: &'k SystemKeys<'_>) -> Vec<&'k str> {
+    let lines = keys.lines.iter().filter_map(|(_, line)| line.name.get());
+    let lines = lines.map(String::as_str);
+    let points = keys.points.iter().map(|(name, _)| name.as_str());
+    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
+    let rods = keys.rods.iter().map(|(name, _)| name.as_str());
+    let all = lines.chain(points).chain(bodies).chain(rods);
+    all.chain([GAUGE]).collect()
 }

@@ -3,7 +3,7 @@
 use super::channels;
 use super::copied::{copy, copy_keys, value_of};
 use super::paths;
-use super::source::LineSource;
+use super::source::{LINE, LineSource};
 use super::stretches::Stretch;
 use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Subject, TomlNode,
@@ -97,8 +97,8 @@ fn checks(source: &LineSource<'_>) -> Vec<Fault> {
     unnamed.map(fault).collect()
 }
 
-/// Statistics that systems have of their channels.
-const OF_RUNS: [Statistic; 4] = [
+/// Statistics that are the value itself of a single state.
+const ONE_STATE: [Statistic; 4] = [
     Statistic::Mean,
     Statistic::Max,
     Statistic::Min,
@@ -107,14 +107,24 @@ const OF_RUNS: [Statistic; 4] = [
 
 /// The quantity of a system that a published value is of: at rest, or of its run in time.
 fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> Option<String> {
-    let is_single = row.at.is_none() && row.change_from.is_none() && row.ratio_to.is_none();
-    let is_of_run = row.window_s.is_none() && OF_RUNS.contains(&row.statistic);
-    let id = channel_of(row).filter(|_| is_single && is_of_run)?;
-    let found = channels::translated(source, line, id)?;
-    if source.is_in_time() {
-        let of = Subject::Channel(found);
-        return Some(QuantityId::new(of, row.statistic, None).to_string());
+    let by_other =
+        row.change_from.is_some() || row.ratio_to.is_some() || row.by_stretch_m.is_some();
+    if row.at.is_some() || by_other {
+        return None;
     }
+    if source.is_in_time() {
+        let of = match &row.channel {
+            Subject::Channel(id) => Subject::Channel(channels::translated(source, line, id)?),
+            Subject::Line(quantity) => Subject::along(*quantity, LINE),
+            of @ Subject::Energy(_) => of.clone(),
+            _ => return None,
+        };
+        let id = QuantityId::new(of, row.statistic, row.within()).numbered(row.nth);
+        return Some(id.to_string());
+    }
+    let is_last = row.window_s.is_none() && ONE_STATE.contains(&row.statistic);
+    let id = channel_of(row).filter(|_| is_last)?;
+    let found = channels::translated(source, line, id)?;
     // At rest the tension of a system is the force on the end, with the shear of a line that bends.
     if id.quantity == ChannelQuantity::Tension && source.bends() {
         return None;

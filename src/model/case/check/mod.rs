@@ -33,6 +33,7 @@ pub(crate) use seacable_keys::check::{
     used_twice,
 };
 pub use solver::{of_companions, of_longest_step};
+pub use taken::of_result;
 pub use trials::of_trials;
 
 /// Errors of the keys of a case against each other.

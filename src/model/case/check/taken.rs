@@ -4,11 +4,46 @@ use crate::case::diagnostic::Finding;
 use crate::case::fields::{either, quantity};
 use crate::case::model::Statistic;
 use crate::case::schema::Key;
-use crate::case::{LineQuantity, Subject};
+use crate::case::{LineQuantity, QuantityId, Subject};
+
+/// What is wrong with a part of a result, and what would be right.
+type Misfit = (String, String);
+
+/// A statistic that suits what it is taken of.
+pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) -> Option<Finding> {
+    let (problem, remedy) = unsuited(statistic.value()?, channel.get()?)?;
+    Some(statistic.finding(problem, remedy))
+}
+
+/// Checks of a result by its whole name, `tension_n[mooring|b].max(0..20)`.
+#[must_use]
+pub fn of_result(key: &Key<'_, String>, id: &QuantityId) -> Option<Finding> {
+    let QuantityId::Statistic {
+        of,
+        statistic,
+        within,
+        nth,
+    } = id
+    else {
+        return None;
+    };
+    let window = within.and_then(|within| match of.line_quantity() {
+        Some(_) => backward(within),
+        None => empty(within),
+    });
+    let number = match (statistic.is_numbered(), nth) {
+        (true, None) => Some(unnumbered(
+            *statistic,
+            &format!("end its name in a number: `{}_1`", statistic.name()),
+        )),
+        _ => None,
+    };
+    let (problem, remedy) = unsuited(*statistic, of).or(window).or(number)?;
+    Some(key.finding(problem, remedy))
+}
 
 /// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
-pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) -> Option<Finding> {
-    let (taken, channel) = (statistic.value()?, channel.get()?);
+fn unsuited(taken: Statistic, channel: &Subject) -> Option<Misfit> {
     let along = channel.line_quantity().is_some();
     let fits = if along {
         Statistic::along_line
@@ -21,7 +56,7 @@ pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) 
     let word = taken.name();
     let fitting = Statistic::ALL.into_iter().filter(|s| fits(*s));
     let words: Vec<&str> = fitting.map(Statistic::name).collect();
-    let (problem, remedy) = if along {
+    Some(if along {
         (
             format!("`{word}` goes over time, and `{channel}` over the length of the line"),
             format!("take {}", either(&words)),
@@ -35,8 +70,7 @@ pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) 
                 either(&LineQuantity::ALL.map(LineQuantity::name))
             ),
         )
-    };
-    Some(statistic.finding(problem, remedy))
+    })
 }
 
 /// A window runs forward. One that ends after the run is no fault: whoever shortens a run for a
@@ -47,14 +81,15 @@ pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> O
         let problem = format!("`{name}` of the whole line is taken over the whole run");
         return window.if_given(problem, "leave the window out");
     }
-    let [from, to] = window.value()?;
+    let (problem, remedy) = empty(window.value()?)?;
+    Some(window.finding(problem, remedy))
+}
+
+fn empty([from, to]: [f64; 2]) -> Option<Misfit> {
     (from >= to).then(|| {
-        let problem = format!(
-            "the window is empty: it begins at {} and ends at {}",
-            quantity(from, "s"),
-            quantity(to, "s")
-        );
-        window.finding(problem, "let it begin before it ends")
+        let (from, to) = (quantity(from, "s"), quantity(to, "s"));
+        let problem = format!("the window is empty: it begins at {from} and ends at {to}");
+        (problem, "let it begin before it ends".to_owned())
     })
 }
 
@@ -66,17 +101,16 @@ pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -
         let remedy = "leave the stretch out, or name a quantity of the whole line";
         return stretch.if_given(problem, remedy);
     }
-    let [from, to] = stretch.value()?;
+    let (problem, remedy) = backward(stretch.value()?)?;
+    Some(stretch.finding(problem, remedy))
+}
+
+fn backward([from, to]: [f64; 2]) -> Option<Misfit> {
     (from > to).then(|| {
-        let problem = format!(
-            "the stretch runs backward: from {} to {}",
-            quantity(from, "m"),
-            quantity(to, "m")
-        );
-        stretch.finding(
-            problem,
-            "let it begin before it ends; both the same for one place",
-        )
+        let (from, to) = (quantity(from, "m"), quantity(to, "m"));
+        let problem = format!("the stretch runs backward: from {from} to {to}");
+        let remedy = "let it begin before it ends; both the same for one place";
+        (problem, remedy.to_owned())
     })
 }
 
@@ -89,10 +123,13 @@ pub(super) fn number(nth: &Key<'_, usize>, statistic: &Key<'_, Statistic>) -> Op
         return nth.if_given(problem, "leave `nth` out, or take `peak` or `valley`");
     }
     (!nth.is_given()).then(|| {
-        let problem = format!("which {word} is meant is not stated");
-        statistic.finding(
-            problem,
-            "add `nth = 1` for the first from end A, 2 for the next",
-        )
+        let remedy = "add `nth = 1` for the first from end A, 2 for the next";
+        let (problem, remedy) = unnumbered(taken, remedy);
+        statistic.finding(problem, remedy)
     })
+}
+
+fn unnumbered(taken: Statistic, remedy: &str) -> Misfit {
+    let problem = format!("which {} is meant is not stated", taken.name());
+    (problem, remedy.to_owned())
 }

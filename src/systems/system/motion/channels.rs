@@ -13,6 +13,9 @@ use crate::system::SolvedSystem;
 use crate::system::network::{Body, Held, Line, Network};
 use crate::system::parts::parts as parts_of;
 
+/// Place of the channel of the height of the waves.
+pub(in crate::system) const GAUGE: &str = "gauge";
+
 /// What a channel reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Source {
@@ -91,7 +94,7 @@ impl Channels {
         channels.bearing(system);
         channels.on_bed(system);
         if system.network.sea.is_some() {
-            let id = ChannelQuantity::WaveElevation.at("gauge");
+            let id = ChannelQuantity::WaveElevation.at(GAUGE);
             channels.add(id, Source::Elevation);
         }
         for (number, paid) in system.paid.iter().enumerate() {
@@ -122,7 +125,7 @@ impl Channels {
             channels.place(&point.name, joint);
         }
         if system.network.sea.is_some() {
-            let id = ChannelQuantity::WaveElevation.at("gauge");
+            let id = ChannelQuantity::WaveElevation.at(GAUGE);
             channels.add(id, Source::Elevation);
         }
         channels

@@ -67,6 +67,7 @@ impl Refinable for RefinableSystem<'_> {
             time_step_s: longer * place.step * own.time_step_s,
             step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
             settled_from_s: self.settings.settled_from_s,
+            stated: self.settings.stated.clone(),
             ..own
         };
         match settings.instability(&begun.system) {

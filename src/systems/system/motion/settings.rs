@@ -7,6 +7,7 @@ use nalgebra::{Matrix6, SMatrix};
 use super::body_equation::MovingBody;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
+use crate::case::QuantityId;
 use crate::dynamics::ErrorLimits;
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::dynamics::rk4::above_limit;
@@ -52,6 +53,8 @@ pub struct MotionSettings {
     pub shape_interval_s: Option<f64>,
     /// From when on extremes are kept apart from those of the start \[s\]; nothing where they are not.
     pub settled_from_s: Option<f64>,
+    /// The results that the file holds against published values.
+    pub stated: Vec<QuantityId>,
 }
 
 impl MotionSettings {
@@ -79,6 +82,7 @@ impl MotionSettings {
             interval_s,
             shape_interval_s: None,
             settled_from_s: None,
+            stated: Vec::new(),
         }
     }
 

@@ -26,6 +26,7 @@ use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::rest::UnsolvedSystem;
+use crate::system::results_in_time::stated;
 use crate::system::{SYSTEM, SolvedSystem, SystemFile};
 
 /// A system in time.
@@ -92,6 +93,7 @@ impl SystemInTime {
         let window = file.statistics.settled_window(given.duration_s);
         MotionSettings {
             settled_from_s: window.map(|[from, _]| from),
+            stated: stated(file),
             shape_interval_s: Some(file.output.shape_interval_s),
             ..MotionSettings::new(given, file.output.interval_s, &begun.system)
         }

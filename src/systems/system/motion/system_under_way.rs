@@ -18,6 +18,7 @@ use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
+use crate::case::Subject;
 use crate::dynamics::{March, MethodState};
 use crate::run::compute::Computed;
 use crate::run::event::Listener;
@@ -27,7 +28,7 @@ use crate::run::observers::{ObservedRun, of_lines};
 use crate::run::output_times::OutputTimes;
 use crate::run::recorded::Recorded;
 use crate::run::recorder::{Recorder, RecorderPlan};
-use crate::run::requested_statistics::{self, of_channels, settled};
+use crate::run::requested_statistics::{self, StatisticSource, add_stated, of_channels, settled};
 use crate::run::under_way::{UnderWay, halved};
 use crate::run::{Cost, Profile, Work, step_envelope};
 use crate::scene::Scene;
@@ -126,9 +127,13 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
     let quantities = channels.ids.iter().map(|id| id.quantity);
     let lines = begun.system.lines(&begun.state).map(|(scene, _)| scene);
     let scenes: Vec<&Scene> = lines.collect();
-    let statistics = of_channels(channels.ids.len())
+    let mut statistics: Vec<_> = of_channels(channels.ids.len())
         .chain(requested_statistics::of_lines(scenes.len()))
-        .chain(settled(quantities, window));
+        .chain(settled(quantities, window))
+        .collect();
+    add_stated(&mut statistics, &settings.stated, |of| {
+        source_of(of, begun, channels)
+    });
     let observers = of_lines(ObservedRun {
         channels: channels.ids.clone(),
         scenes: &scenes,
@@ -136,7 +141,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         balances,
         duration,
         rows: output_times.rows(),
-        statistics: statistics.collect(),
+        statistics,
     });
     RecorderPlan {
         channels: channels.ids.clone(),
@@ -146,6 +151,21 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         output_times,
         shape_interval: settings.shape_interval_s,
         duration,
+    }
+}
+
+/// What a statistic is taken of; nothing of what the run has no channel or line for.
+fn source_of(of: &Subject, begun: &Start, channels: &Channels) -> Option<StatisticSource> {
+    match of {
+        Subject::Channel(id) => {
+            let index = channels.ids.iter().position(|known| known == id);
+            index.map(StatisticSource::Channel)
+        }
+        Subject::Along(quantity, line) => {
+            let number = begun.system.network.line(line)?;
+            Some(StatisticSource::Line(number, *quantity))
+        }
+        _ => None,
     }
 }
 
