@@ -23,7 +23,9 @@ mod time_histories;
 
 pub use profiles::{curvature_profile, moment_profile, stiffness_profile, tension_profile};
 pub use published::published_curves;
-pub use registry::{FIGURES, Figure, FigureAxis, FigureData, FigureId, report_figures};
+pub use registry::{
+    FIGURES, Figure, FigureAxis, FigureData, FigureId, SystemContents, report_figures,
+};
 pub use response::{ResponseMapKind, response_map, rms_profile, wave_amplitudes, wavelengths};
 pub use shapes::{line_from_above, line_from_ahead, line_shape, trajectory};
 pub use study::along_studies;

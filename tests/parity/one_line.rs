@@ -170,3 +170,31 @@ fn moved_by_tables_with_kinks() {
     assert_agree_by_table("linear", &solver("rk4", "time_step_s = 5e-4"));
     assert_agree_by_table("linear", &solver("quasi", "time_step_s = 0.05"));
 }
+
+/// Root mean squares along the line, both waves at the period of the heave, and from when on they are steady.
+#[test]
+fn the_response_along_the_line() {
+    let solver = "[solver]\nduration_s = 40.0\ntime_step_s = 0.02\nerror_estimate = false\n[output]\ninterval_s = 0.1\n\
+                  shape_interval_s = 0.5\nresponse_from_s = 16.0\n";
+    let start = "[start]\nshape = \"equilibrium\"\n";
+    let line = line_run(format!("{LINE}{COMMON}{start}{solver}"));
+    let system = system_run(&format!("{SYSTEM}{COMMON}{solver}"));
+    let (own, other) = (line.profile(), system.profile());
+    let pairs = [
+        (&own.rms, &other.rms),
+        (&own.rms_vertical, &other.rms_vertical),
+        (&own.wave_cos, &other.wave_cos),
+        (&own.wave_sin, &other.wave_sin),
+        (&own.wkb_number, &other.wkb_number),
+    ];
+    for (own, other) in pairs {
+        assert!(own.len() == 51 && other.len() == 51);
+        assert!(own.iter().any(|value| value.abs() > 1e-2), "{own:?}");
+        for (own, other) in own.iter().zip(other) {
+            assert!((own - other).abs() < 1e-8, "{own} {other}");
+        }
+    }
+    let steady = |run: &Run| run.quantity("response_steady_s.final").map(|q| q.value);
+    assert!(steady(&line).is_some());
+    assert_eq!(steady(&line), steady(&system));
+}

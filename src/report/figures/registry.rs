@@ -158,6 +158,19 @@ enum InSystems {
     WithLines,
     /// Where lines bend.
     WithBending,
+    /// Where it records the response of its lines.
+    WithResponse,
+}
+
+/// What decides which figures runs of a system have.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SystemContents {
+    /// The quantities of its channels.
+    pub recorded: Vec<ChannelQuantity>,
+    /// Whether its lines bend.
+    pub bends: bool,
+    /// Whether the response of its lines is recorded.
+    pub responds: bool,
 }
 
 /// A figure.
@@ -288,11 +301,11 @@ pub const FIGURES: [Figure; 31] = [
     figure(Id::Map, "Map", Time, map)
         .when(response).curves(CurveNames::Variants(map_names)).in_report(22),
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
-        .when(response).in_report(19),
+        .when(response).also_along_lines(InSystems::WithResponse).in_report(19),
     figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(driven)
-        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).in_report(20),
+        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).also_along_lines(InSystems::WithResponse).in_report(20),
     figure(Id::Wavelengths, "Wavelength", Other, |d| wavelengths(d.runs))
-        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).in_report(21),
+        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).also_along_lines(InSystems::WithResponse).in_report(21),
     figure(Id::Study, "Study", Other, study)
         .when(studied).curves(CurveNames::Variants(study_names)),
     figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
@@ -335,15 +348,17 @@ impl FigureId {
         available.map(|figure| figure.id).collect()
     }
 
-    /// The figures of runs of a system that record these quantities, and whether its lines bend.
+    /// The figures of runs of a system.
     #[must_use]
-    pub fn of_system(recorded: &[ChannelQuantity], bends: bool) -> Vec<Self> {
+    pub fn of_system(contents: &SystemContents) -> Vec<Self> {
+        let recorded = &contents.recorded;
         let has_lines = recorded.contains(&ChannelQuantity::Tension);
         let records = |figure: &&Figure| match figure.in_systems {
             InSystems::Never => false,
             InSystems::Recording(quantity) => recorded.contains(&quantity),
             InSystems::WithLines => has_lines,
-            InSystems::WithBending => bends,
+            InSystems::WithBending => contents.bends,
+            InSystems::WithResponse => contents.responds,
         };
         let available = FIGURES.iter().filter(records);
         available.map(|figure| figure.id).collect()

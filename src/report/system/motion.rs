@@ -7,7 +7,8 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use crate::document::Report;
-use crate::figures::{FigureData, FigureId, PlottedRun, against_time_at};
+use crate::figures::{FigureData, FigureId, PlottedRun, SystemContents, against_time_at};
+use crate::response;
 use crate::text::{self, WIDTH, inputs};
 use seacable_base::number::{si, with_error};
 use seacable_display::chart::{Chart, Glyphs};
@@ -181,6 +182,10 @@ fn results(page: &mut Report, run: &Run) {
         page.table(along_lines(run));
         page.gap();
     }
+    for line in run.profiles.iter().filter(|line| !line.rms.is_empty()) {
+        let title = format!("Peaks and valleys of the response of {}", line.line);
+        page.section(&title, response::peaks(line));
+    }
     if let Some(energy) = energy(run) {
         page.paragraph(&energy);
     }
@@ -207,8 +212,12 @@ fn charts(run: &Run) -> Vec<Chart> {
         }
     });
     let recorded = run.history.channels.iter().map(|c| c.id.quantity);
-    let bends = run.profiles.iter().any(Profile::bends);
-    let others = FigureId::of_system(&recorded.collect::<Vec<_>>(), bends).into_iter();
+    let contents = SystemContents {
+        recorded: recorded.collect(),
+        bends: run.profiles.iter().any(Profile::bends),
+        responds: run.profiles.iter().any(|line| !line.rms.is_empty()),
+    };
+    let others = FigureId::of_system(&contents).into_iter();
     let others = others.filter(|id| *id != FigureId::Tensions);
     let others = others.map(|id| id.figure().draw(&FigureData::of_system(&runs)));
     let all = tension.into_iter().chain(others);

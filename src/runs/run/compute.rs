@@ -9,6 +9,7 @@ use super::line_under_way::{LineUnderWay, phases, plan};
 use super::march::MarchResult;
 use super::observer::RunRecord;
 use super::recorder::Recorder;
+use super::response::AskedResponse;
 use super::settings::{damped_modes_warning, set_numerical_damping, settings};
 use super::simulation::simulate;
 use super::{Cost, Profile, Quantity, ResumedRun, RunState, Settings, Work};
@@ -163,7 +164,7 @@ fn evaluate(case: &Case, scene: &Scene, mut computed: Computed) -> Computed {
         steps,
         &frequencies,
     ));
-    let steady = steady_state::settling_quantity(case, &record.shapes);
+    let steady = steady_state::settling_quantity(AskedResponse::of(case), &record.shapes);
     computed.modes.extend(steady);
     computed.curves = published_curve::differences(case, &record.history);
     computed

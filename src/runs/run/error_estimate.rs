@@ -8,7 +8,7 @@ use super::compute::Computed;
 use super::refinable::Refinable;
 use super::requested_statistics::{RequestedStatistic, StatisticSource};
 use super::unsettled_range::unsettled_range;
-use super::{History, Quantity, QuantityId, Subject, energy_balance, line_statistics};
+use super::{History, Profile, Quantity, QuantityId, Subject, energy_balance, line_statistics};
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity, Statistic};
 use crate::numerics::interpolation::linear_clamped;
 use crate::numerics::richardson::{self, OBSERVED, PRESUMED, UNLIKE};
@@ -18,8 +18,8 @@ use crate::numerics::richardson::{self, OBSERVED, PRESUMED, UNLIKE};
 pub struct ErrorEstimates {
     /// The single numbers; errors are absent where they are not estimated.
     pub summary: Vec<Quantity>,
-    /// Error of the root mean square displacements, node by node \[m\], time and mesh together.
-    pub rms: Vec<f64>,
+    /// Errors of the root mean square displacements, line by line and node by node \[m\], time and mesh together.
+    pub rms: Vec<Vec<f64>>,
     /// How the errors are estimated, in words.
     pub method: String,
     /// The pairs of runs by which errors of curves are told.
@@ -125,9 +125,12 @@ fn estimates_by(
         energy(growth),
     ];
     warnings.extend(energy_balance::growth_warning(growth));
+    let lines = run.record.profiles.iter().enumerate();
     ErrorEstimates {
         summary: lists.concat(),
-        rms: rms_error(run, evidence, growth),
+        rms: lines
+            .map(|line| rms_error(line, evidence, growth))
+            .collect(),
         method: describe(case, time, mesh),
         curves: evidence
             .into_iter()
@@ -336,12 +339,20 @@ fn limit_resolution(list: &mut [Quantity], case: &dyn Refinable, run: &Computed)
     }
 }
 
-/// Errors of the root mean square displacements: sums of the differences in the nearest pairs, each times its factor.
-fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) -> Vec<f64> {
-    let profile = run.record.profile();
+/// Errors of the root mean square displacements of a line by its number: sums of the differences in the nearest pairs, each times its
+/// factor.
+fn rms_error(
+    (line, profile): (usize, &Profile),
+    evidence: [Option<&Evidence<'_>>; 2],
+    growth: f64,
+) -> Vec<f64> {
     let recorded = |evidence: &&Evidence<'_>| {
-        let mut profiles = evidence.near.iter().map(|run| run.record.profile());
-        profiles.all(|profile| profile.rms.len() == profile.arc.len() && profile.arc.len() > 1)
+        let mut profiles = evidence
+            .near
+            .iter()
+            .map(|run| run.record.profiles.get(line));
+        profiles
+            .all(|profile| profile.is_some_and(|p| p.rms.len() == p.arc.len() && p.arc.len() > 1))
     };
     let evidence = evidence.into_iter().zip([growth, 1.0]);
     let evidence = evidence.filter_map(|(by, growth)| Some((by.filter(recorded)?, growth)));
@@ -352,7 +363,7 @@ fn rms_error(run: &Computed, evidence: [Option<&Evidence<'_>>; 2], growth: f64) 
     let error = |s: &f64| {
         let each = evidence.iter().map(|(by, growth)| {
             let [fine, coarse] = by.near.map(|run| {
-                let profile = run.record.profile();
+                let profile = &run.record.profiles[line];
                 linear_clamped(&profile.arc, &profile.rms, *s)
             });
             growth * by.presumed((fine - coarse).abs())

@@ -170,8 +170,9 @@ pub fn with_estimates<C: Computation>(
         &estimates.summary,
         computed.record.balance.as_ref(),
     ));
-    if let Some(profile) = computed.record.profiles.first_mut() {
-        profile.rms_error = std::mem::take(&mut estimates.rms);
+    let errors = std::mem::take(&mut estimates.rms);
+    for (profile, errors) in computed.record.profiles.iter_mut().zip(errors) {
+        profile.rms_error = errors;
     }
     computed.cost.companions_wall_s = clock.elapsed().as_secs_f64();
     computed.settings.error_method = std::mem::take(&mut estimates.method);

@@ -47,7 +47,7 @@ mod search_progress;
 pub mod settings;
 mod simulation;
 mod spill_buffer;
-mod steady_state;
+pub mod steady_state;
 pub mod step_envelope;
 pub mod step_interval;
 pub mod store;

@@ -9,7 +9,6 @@ use super::recorder_state::RecorderState;
 use super::requested_statistics::RequestedStatistic;
 use super::step_interval::StepInterval;
 use super::{History, LineShape, Profile, Quantity};
-use crate::case::Case;
 use crate::numerics::V3;
 use crate::scene::{EnergyRates, Scene};
 use crate::solve::State;
@@ -61,8 +60,6 @@ pub struct RecordRow<'a> {
 /// A run that is over.
 #[derive(Clone, Copy)]
 pub struct RunEnd<'a> {
-    /// The case of a line by itself, and the line at the start.
-    pub single_line: Option<(&'a Case, &'a Scene)>,
     /// The lines.
     pub lines: &'a [LineAtEnd<'a>],
 }

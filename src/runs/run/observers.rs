@@ -9,13 +9,15 @@ use super::observer::{LineStep, NodeChange, Observer, OutputSample, RecordRow, R
 use super::output_times::OutputTimes;
 use super::recorder_state::RecorderState;
 use super::requested_statistics::{RequestedStatistic, requested};
-use super::response::ResponseSums;
+use super::response::{AskedResponse, ResponseSums};
 use super::step_envelope::{self, StepEnvelope};
 use super::step_interval::StepInterval;
 use super::touchdown_speed::TouchdownSpeed;
-use super::{Profile, energy_balance, wave_decomposition};
+use super::wave_decomposition::{at_rest, decompose_response};
+use super::{Profile, energy_balance};
 use crate::case::{Case, ChannelId, ChannelSpec, Method};
 use crate::fatigue::spot::SpotCounter;
+use crate::modes::WkbMedium;
 use crate::scene::{EnergyRates, Scene};
 
 /// The observers of a line by itself.
@@ -28,7 +30,14 @@ pub(super) fn observers(
         Method::Static => 1,
         _ => OutputTimes::new(case.solver.duration_s, case.output.interval_s).rows(),
     };
-    let mut all = of_lines(ObservedRun {
+    let response = AskedResponse::of(case).map(|asked| RecordedResponse {
+        asked,
+        at_rest: match asked.period {
+            Some(_) => vec![at_rest(scene)],
+            None => Vec::new(),
+        },
+    });
+    of_lines(ObservedRun {
         channels: channels.iter().map(|channel| channel.id.clone()).collect(),
         scenes: &[scene],
         along: LinesAlong::of_case(case, scene),
@@ -36,13 +45,16 @@ pub(super) fn observers(
         duration: case.solver.duration_s,
         rows,
         statistics: requested(case, channels),
-    });
-    let response: [Box<dyn Observer>; 2] = [
-        Box::new(ResponseSums::of(case)),
-        Box::new(WaveDecomposition),
-    ];
-    all.splice(AFTER_STEPS..AFTER_STEPS, response);
-    all
+        response,
+    })
+}
+
+/// The response that is recorded of the lines of a run.
+pub struct RecordedResponse {
+    /// What is asked for.
+    pub asked: AskedResponse,
+    /// The lines at rest, where one period drives them; `None` of one that waves do not run along.
+    pub at_rest: Vec<Option<WkbMedium>>,
 }
 
 /// What the observers of a run are made for.
@@ -61,21 +73,25 @@ pub struct ObservedRun<'a> {
     pub rows: usize,
     /// The statistics that it asks for.
     pub statistics: Vec<RequestedStatistic>,
+    /// The response, where it is asked for.
+    pub response: Option<RecordedResponse>,
 }
 
-/// How many of the observers complete the profiles by the last state, before any other reads them.
-const AFTER_STEPS: usize = 3;
-
-/// The observers of every run, in the order in which they complete the record: statistics come last, of what the others recorded.
+/// The observers of every run, in the order in which they complete the record: the first complete the profiles by the last state,
+/// before any other reads them, and statistics come last, of what the others recorded.
 #[must_use]
 pub fn of_lines(run: ObservedRun<'_>) -> Vec<Box<dyn Observer>> {
     let scenes = run.scenes.iter().copied();
     let touchdown: Vec<TouchdownSpeed> = scenes.map(TouchdownSpeed::of).collect();
     let late = LateSamples::of(run.duration, run.channels.len());
+    let sums = run.response.as_ref();
+    let sums = sums.map(|response| ResponseSums::new(response.asked));
     vec![
         Box::new(StepEnvelope),
         Box::new(touchdown),
         Box::new(run.along),
+        Box::new(sums),
+        Box::new(WaveDecomposition(run.response)),
         Box::new(run.balances.then(EnergyBalance::default)),
         Box::new(late),
         Box::new(DecimatedRecord::new(run.channels).with_room_for(run.rows)),
@@ -183,14 +199,17 @@ impl Observer for Option<ResponseSums> {
     }
 
     fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        let (Some(response), Some(line)) = (*self, end.lines.first()) else {
+        let Some(response) = *self else {
             return;
         };
-        let segments = &line.scene.line.segments;
-        let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
-        if let Some(profile) = record.profiles.first_mut() {
+        let mut first = 0;
+        for (line, profile) in end.lines.iter().zip(&mut record.profiles) {
+            let segments = &line.scene.line.segments;
+            let diameter = |i: usize| segments[i.min(segments.len() - 1)].diameter;
+            let nodes = first..first + line.scene.line_nodes();
             let diameters: Vec<f64> = (0..profile.arc.len()).map(diameter).collect();
-            response.finish(&diameters, profile);
+            first = nodes.end;
+            response.finish(nodes, &diameters, profile);
         }
     }
 }
@@ -242,13 +261,20 @@ impl Observer for LateSamples {
 }
 
 /// The two waves of opposite direction in the response.
-struct WaveDecomposition;
+struct WaveDecomposition(Option<RecordedResponse>);
 
 impl Observer for WaveDecomposition {
-    fn finish(self: Box<Self>, end: &RunEnd<'_>, record: &mut RunRecord) {
-        if let (Some((case, scene)), Some(profile)) = (end.single_line, record.profiles.first_mut())
-        {
-            wave_decomposition::decompose_response(case, scene, profile);
+    fn finish(self: Box<Self>, _: &RunEnd<'_>, record: &mut RunRecord) {
+        let Some(response) = self.0 else {
+            return;
+        };
+        let Some(period) = response.asked.period else {
+            return;
+        };
+        for (medium, profile) in response.at_rest.iter().zip(&mut record.profiles) {
+            if let Some(medium) = medium {
+                decompose_response(medium, period, profile);
+            }
         }
     }
 }

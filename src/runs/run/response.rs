@@ -6,6 +6,7 @@
 //! has `a ~ e^(-iks)`, one towards end A `a ~ e^(iks)`, a standing one the same phase all along but for its sign.
 
 use std::f64::consts::TAU;
+use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +14,26 @@ use super::Profile;
 use crate::case::{Case, EndKind};
 use crate::modes::LinePlane;
 use crate::numerics::V3;
+
+/// What is asked for of the response.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AskedResponse {
+    /// Time from which on it is taken \[s\].
+    pub from: f64,
+    /// The one period at which the lines are driven \[s\]; nothing where there is none, or several.
+    pub period: Option<f64>,
+}
+
+impl AskedResponse {
+    /// By a case; nothing where it does not ask.
+    #[must_use]
+    pub fn of(case: &Case) -> Option<Self> {
+        Some(Self {
+            from: case.output.response_from_s?,
+            period: period(case),
+        })
+    }
+}
 
 /// Sums over the output times from a given one on.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -34,13 +55,13 @@ pub struct ResponseSums {
 }
 
 impl ResponseSums {
-    /// For a case that asks for it.
-    pub(super) fn of(case: &Case) -> Option<Self> {
-        Some(Self {
-            from: case.output.response_from_s?,
-            omega: period(case).map(|period| TAU / period),
+    /// Before the first of these times.
+    pub(super) fn new(asked: AskedResponse) -> Self {
+        Self {
+            from: asked.from,
+            omega: asked.period.map(|period| TAU / period),
             ..Self::default()
-        })
+        }
     }
 
     /// Whether nothing was to be taken in up to this time.
@@ -86,21 +107,25 @@ impl ResponseSums {
         }
     }
 
-    /// Writes the outcome into the profile; `diameters` are those of the nodes \[m\].
-    pub(super) fn finish(self, diameters: &[f64], profile: &mut Profile) {
-        if self.count < 2.0 {
+    /// Writes the outcome of the nodes of a line into its profile; `diameters` are those of the nodes \[m\].
+    pub(super) fn finish(&self, nodes: Range<usize>, diameters: &[f64], profile: &mut Profile) {
+        if self.count < 2.0 || self.sum.len() < nodes.end {
             return;
         }
-        let mean: Vec<V3> = self.sum.iter().map(|s| s / self.count).collect();
+        let mean: Vec<V3> = self.sum[nodes.clone()]
+            .iter()
+            .map(|s| s / self.count)
+            .collect();
         profile.rms = mean
             .iter()
-            .zip(&self.squares)
+            .zip(&self.squares[nodes.clone()])
             .map(|(m, s)| (s / self.count - m.norm_squared()).max(0.0).sqrt())
             .collect();
         let by_diameter = profile.rms.iter().zip(diameters);
         profile.rms_diameters = by_diameter.map(|(rms, d)| rms / d).collect();
         let by_plane = |plane: usize, of_mean: fn(&V3) -> f64| -> Vec<f64> {
-            let sums = mean.iter().zip(&self.squares_by_plane).zip(diameters);
+            let squares = &self.squares_by_plane[nodes.clone()];
+            let sums = mean.iter().zip(squares).zip(diameters);
             let rms = |((m, s), d): ((&V3, &[f64; 2]), &f64)| {
                 (s[plane] / self.count - of_mean(m)).max(0.0).sqrt() / d
             };
@@ -108,7 +133,8 @@ impl ResponseSums {
         };
         profile.rms_horizontal = by_plane(0, |m| m.xy().norm_squared());
         profile.rms_vertical = by_plane(1, |m| m.z * m.z);
-        let places: Vec<V3> = mean.iter().zip(&self.origin).map(|(m, o)| m + o).collect();
+        let origin = &self.origin[nodes.clone()];
+        let places: Vec<V3> = mean.iter().zip(origin).map(|(m, o)| m + o).collect();
         let across = LinePlane::of(&places).across(&places);
         let share = 2.0 / self.count;
         let demodulated = |sums: &[V3], turn: f64| -> Vec<f64> {
@@ -117,8 +143,8 @@ impl ResponseSums {
                 .collect()
         };
         if self.omega.is_some() {
-            profile.wave_cos = demodulated(&self.cos, self.turns.0);
-            let sin = demodulated(&self.sin, self.turns.1);
+            profile.wave_cos = demodulated(&self.cos[nodes.clone()], self.turns.0);
+            let sin = demodulated(&self.sin[nodes], self.turns.1);
             // e^(-i omega t): the imaginary part is minus the sine's.
             profile.wave_sin = sin.into_iter().map(|s| -s).collect();
         } else {
@@ -227,7 +253,7 @@ mod tests {
             response.add(t, &nodes);
         }
         let mut profile = Profile::default();
-        response.finish(&vec![0.5; arc.len()], &mut profile);
+        response.finish(0..arc.len(), &vec![0.5; arc.len()], &mut profile);
         (arc, profile)
     }
 
@@ -249,7 +275,7 @@ mod tests {
             response.add(f64::from(n), &[turning + V3::new(1.0, 2.0, 3.0), V3::x()]);
         }
         let mut profile = Profile::default();
-        response.finish(&[0.5, 0.5], &mut profile);
+        response.finish(0..2, &[0.5, 0.5], &mut profile);
         let root = 0.5_f64.sqrt() / 0.5;
         assert!((profile.rms_horizontal[0] - 5.0 * root).abs() < 1e-9);
         assert!((profile.rms_vertical[0] - 2.0 * root).abs() < 1e-9);

@@ -53,10 +53,7 @@ pub(super) fn simulate<'a>(
         scene: line.scene(),
         state: recorder.fault().is_none().then_some(&state),
     };
-    let record = recorder.finish(&RunEnd {
-        single_line: Some((case, &phases[0])),
-        lines: &[end],
-    });
+    let record = recorder.finish(&RunEnd { lines: &[end] });
     (result, record)
 }
 

@@ -1,8 +1,7 @@
 //! The time from which on a response is steady.
 
-use super::response::period;
+use super::response::AskedResponse;
 use super::{LineShape, Quantity, QuantityId, Subject};
-use crate::case::Case;
 use crate::numerics::V3;
 
 /// A period counts as steady when its root mean square is this near to that of the last one.
@@ -12,19 +11,27 @@ const STILL: f64 = 1e-6;
 
 /// Time \[s\] from which on every period of the driving moves the line as far as the last one does, to a twentieth:
 /// root mean squares over all nodes about their mean places, each by its own root mean square of the recorded window, so
-/// that a place counts however little it moves. Nothing where nothing drives the line at one
+/// that a place counts however little it moves; of several lines the last to. Nothing where nothing drives the lines at one
 /// period, or fewer than four shapes a period are stored.
-pub(super) fn settling_quantity(case: &Case, shapes: &[LineShape]) -> Option<Quantity> {
-    let (period, from) = (period(case)?, case.output.response_from_s?);
-    let value = steady_from(shapes, period, from)?;
+#[must_use]
+pub fn settling_quantity(asked: Option<AskedResponse>, shapes: &[LineShape]) -> Option<Quantity> {
+    let AskedResponse { from, period } = asked?;
+    let period = period?;
+    let lines = shapes.iter().map(|shape| shape.line).max()? + 1;
+    let mut value = f64::NEG_INFINITY;
+    for line in 0..lines {
+        let own: Vec<&LineShape> = shapes.iter().filter(|shape| shape.line == line).collect();
+        value = value.max(steady_from(&own, period, from)?);
+    }
     let id = QuantityId::single(Subject::SteadyTime);
     Some(Quantity::new(id, value))
 }
 
-fn steady_from(shapes: &[LineShape], period: f64, from: f64) -> Option<f64> {
+fn steady_from(shapes: &[&LineShape], period: f64, from: f64) -> Option<f64> {
     let first = shapes.first()?;
     let nodes = first.nodes.len();
-    let whole: Vec<&LineShape> = shapes.iter().filter(|s| s.nodes.len() == nodes).collect();
+    let of_whole = shapes.iter().filter(|s| s.nodes.len() == nodes);
+    let whole: Vec<&LineShape> = of_whole.copied().collect();
     let recorded: Vec<&&LineShape> = whole.iter().filter(|s| s.time >= from).collect();
     let count = recorded.len() as f64;
     let mean: Vec<V3> = (0..nodes)
@@ -82,6 +89,7 @@ mod tests {
             }
         };
         let shapes: Vec<LineShape> = (0..=400).map(shape).collect();
+        let shapes: Vec<&LineShape> = shapes.iter().collect();
         let from = steady_from(&shapes, 10.0, 100.0).unwrap();
         assert!((32.0..=40.0).contains(&from), "{from}");
         assert!(steady_from(&shapes, 1.0, 100.0).is_none());

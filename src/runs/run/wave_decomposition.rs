@@ -12,8 +12,6 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::Complex;
 
 use super::Profile;
-use super::response::period;
-use crate::case::Case;
 use crate::modes::{WkbMedium, WkbWave};
 use crate::scene::Scene;
 use crate::statics::equilibrium::EquilibriumSearch;
@@ -30,22 +28,20 @@ pub(super) struct OpposingWaves {
     pub(super) number: f64,
 }
 
-/// Writes into the profile WKB wave number and amplitude of the line at rest at the driving period, and both waves. Changes
-/// nothing where no single period drives the line, the response was not recorded, or the line has no equilibrium.
-pub(super) fn decompose_response(case: &Case, scene: &Scene, profile: &mut Profile) {
-    let Some(period) = period(case).filter(|_| !profile.wave_cos.is_empty()) else {
-        return;
-    };
+/// A line by itself at rest; none where it has no equilibrium, or is slack somewhere.
+pub(super) fn at_rest(scene: &Scene) -> Option<WkbMedium> {
     let mut rest = scene.initial_state();
-    if EquilibriumSearch::default()
-        .run(scene, 0.0, &mut rest)
-        .is_err()
-    {
+    let found = EquilibriumSearch::default().run(scene, 0.0, &mut rest);
+    found.ok()?;
+    WkbMedium::of(scene, &rest)
+}
+
+/// Writes into the profile WKB wave number and amplitude of the line at rest at the driving period \[s\], and both waves. Changes
+/// nothing where the response was not recorded.
+pub(super) fn decompose_response(medium: &WkbMedium, period: f64, profile: &mut Profile) {
+    if profile.wave_cos.is_empty() {
         return;
     }
-    let Some(medium) = WkbMedium::of(scene, &rest) else {
-        return;
-    };
     let wave = medium.wave(TAU / period);
     if let Some(found) = decompose(&medium.arc, &profile.wave_cos, &profile.wave_sin, &wave) {
         profile.towards_a = found.iter().map(|o| o.towards_a).collect();

@@ -12,7 +12,7 @@ use crate::case::EditedKey;
 use crate::command::{Command, CommandId, MOVING, REPORTED};
 use crate::facade::FieldRow;
 use crate::pane::PaneId;
-use crate::report::figures::FigureId;
+use crate::report::figures::{FigureId, SystemContents};
 use crate::report::subject::ReportSubject;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
@@ -97,7 +97,11 @@ const SWEPT_AT_REST: [PaneId; 6] = [
 
 /// The charts of the runs of a system.
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
-    FigureId::of_system(&quantities(solved), solved.network.bends())
+    FigureId::of_system(&SystemContents {
+        recorded: quantities(solved),
+        bends: solved.network.bends(),
+        responds: solved.file.output.response_from_s.is_some(),
+    })
 }
 
 impl SystemView {

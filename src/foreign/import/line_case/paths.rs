@@ -19,9 +19,10 @@ pub(super) fn translated(
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
         ["materials", name, ..] => is_bare(source, line, name).then(|| path.to_owned()),
         ["solver", ..] => source.is_in_time().then(|| path.to_owned()),
-        ["output", "interval_s" | "shape_interval_s"] => {
-            source.is_in_time().then(|| path.to_owned())
-        }
+        [
+            "output",
+            "interval_s" | "shape_interval_s" | "response_from_s",
+        ] => source.is_in_time().then(|| path.to_owned()),
         ["line", section, key @ ("length_m" | "segments")] => {
             of_section(source, line, section, key)
         }

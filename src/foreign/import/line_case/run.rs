@@ -42,7 +42,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         return;
     }
     system.table("[output]", output.map(|node| &node.span));
-    for key in ["interval_s", "shape_interval_s"] {
+    for key in ["interval_s", "shape_interval_s", "response_from_s"] {
         if let Some(node) = source.node(&["output", key]) {
             system.given(key, &value_of(source, node), &node.span, "");
         }

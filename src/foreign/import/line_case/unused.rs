@@ -6,7 +6,7 @@ use super::stretches::Stretch;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
-const VIEWS: [(&[&str], &str); 7] = [
+const VIEWS: [(&[&str], &str); 6] = [
     (&["study"], "studies"),
     (&["trend"], "trends"),
     (&["trial"], "trials"),
@@ -15,10 +15,6 @@ const VIEWS: [(&[&str], &str); 7] = [
         "the natural modes of the line, which `seacable modes` has of the case",
     ),
     (&["output", "energy"], "the record of the energy"),
-    (
-        &["output", "response_from_s"],
-        "root mean square displacements along the line",
-    ),
     (
         &["case", "beside"],
         "runs of other cases that are listed beside it",

@@ -88,6 +88,8 @@ table! {
         uplift: bool = false, "uplift of anchors";
         /// Whether the force of the lines on fixed points and on those that are moved is recorded, as force_x_n, force_y_n, force_z_n.
         forces: bool = false, "forces on held points";
+        /// From this time on root mean square displacements along the lines are taken, about the mean.
+        response_from_s: Option<f64>, "response from", range of(0.0, 1e6), absent "not used";
     }
 }
 

@@ -11,6 +11,16 @@ use crate::system::model::{
 pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
     let names: Vec<&str> = line_names(keys);
+    let response = keys.output.as_ref().map(|output| &output.response_from_s);
+    found.extend(
+        response
+            .filter(|_| !keys.payouts.is_empty())
+            .and_then(|key| {
+                let problem =
+                    "is of nodes that stay, and those of lines that are paid out come and go";
+                key.if_given(problem, "leave it out, or the payouts")
+            }),
+    );
     for (number, (_, payout)) in keys.payouts.iter().enumerate() {
         let lost = unknown(&payout.line, &names, "line", "system");
         let known = lost.is_none();

@@ -25,6 +25,7 @@ pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;
 pub mod checkpoint;
 mod chosen_method;
+mod driving_period;
 pub mod energy;
 mod explicit_decay;
 mod flow_load;

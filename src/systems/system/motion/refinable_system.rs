@@ -68,6 +68,11 @@ impl Refinable for RefinableSystem<'_> {
             step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
             settled_from_s: self.settings.settled_from_s,
             stated: self.settings.stated.clone(),
+            response: self.settings.response,
+            shape_interval_s: self
+                .settings
+                .shape_interval_s
+                .filter(|_| self.settings.response.is_some()),
             ..own
         };
         match settings.instability(&begun.system) {

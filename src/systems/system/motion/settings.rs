@@ -17,6 +17,7 @@ use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
 use crate::run::Settings;
 use crate::run::outlook::StepLengths;
+use crate::run::response::AskedResponse;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -55,6 +56,8 @@ pub struct MotionSettings {
     pub settled_from_s: Option<f64>,
     /// The results that the file holds against published values.
     pub stated: Vec<QuantityId>,
+    /// The response of the lines, where it is asked for.
+    pub response: Option<AskedResponse>,
 }
 
 impl MotionSettings {
@@ -83,6 +86,7 @@ impl MotionSettings {
             shape_interval_s: None,
             settled_from_s: None,
             stated: Vec::new(),
+            response: None,
         }
     }
 

@@ -8,6 +8,7 @@ use super::along::counted_along;
 use super::channels::Channels;
 use super::checkpoint::ResumedSystem;
 use super::chosen_method::chosen;
+use super::driving_period::asked_response;
 use super::refinable_system::RefinableSystem;
 use super::settings::MotionSettings;
 use super::start::{Start, start};
@@ -22,6 +23,7 @@ use crate::run::event::{JobEvent, Listener};
 use crate::run::march::too_many_steps;
 use crate::run::outlook::StepLengths;
 use crate::run::refinable::Refinable;
+use crate::run::response::AskedResponse;
 use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::model::{MotionInputs, MotionMethod};
@@ -94,6 +96,7 @@ impl SystemInTime {
         MotionSettings {
             settled_from_s: window.map(|[from, _]| from),
             stated: stated(file),
+            response: asked_response(file),
             shape_interval_s: Some(file.output.shape_interval_s),
             ..MotionSettings::new(given, file.output.interval_s, &begun.system)
         }
@@ -226,9 +229,24 @@ fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec
     if settings.method == MotionMethod::Quasi {
         notes.push(INERTIA_LEFT_OUT.to_owned());
     }
+    notes.extend(
+        settings
+            .response
+            .and_then(|asked| late_response(asked, settings)),
+    );
     notes.extend(turned_from_loads(begun));
     notes.extend(loads_without_effect(solved));
     notes
+}
+
+/// That the response would be taken after the end of the run alone.
+fn late_response(asked: AskedResponse, settings: &MotionSettings) -> Option<String> {
+    let (from, end) = (asked.from, settings.duration_s);
+    (from >= end).then(|| {
+        format!(
+            "`output.response_from_s` has no effect: the run ends at {end} s, before displacements along the lines are taken at {from} s"
+        )
+    })
 }
 
 /// Difference of the damping transformed back, by its greatest value, above which a warning says so.

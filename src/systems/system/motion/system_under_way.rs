@@ -20,15 +20,18 @@ use super::system_state::SystemState;
 use crate::background::cpu_time;
 use crate::case::Subject;
 use crate::dynamics::{March, MethodState};
+use crate::modes::WkbMedium;
 use crate::run::compute::Computed;
 use crate::run::event::Listener;
 use crate::run::march::{MarchStart, Marching};
 use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
-use crate::run::observers::{ObservedRun, of_lines};
+use crate::run::observers::{ObservedRun, RecordedResponse, of_lines};
 use crate::run::output_times::OutputTimes;
 use crate::run::recorded::Recorded;
 use crate::run::recorder::{Recorder, RecorderPlan};
 use crate::run::requested_statistics::{self, StatisticSource, add_stated, of_channels, settled};
+use crate::run::response::AskedResponse;
+use crate::run::steady_state::settling_quantity;
 use crate::run::under_way::{UnderWay, halved};
 use crate::run::{Cost, Profile, Work, step_envelope};
 use crate::scene::Scene;
@@ -101,17 +104,14 @@ pub(super) fn compute<'a>(
             state: ends.then_some(state),
         })
         .collect();
-    let record = recorder.finish(&RunEnd {
-        single_line: None,
-        lines: &lines,
-    });
+    let record = recorder.finish(&RunEnd { lines: &lines });
     Computed {
         warnings: Vec::new(),
         settings: settings.of_run(&subject.system, &outcome.lengths),
         outcome,
         cost,
+        modes: Vec::from_iter(settling_quantity(settings.response, &record.shapes)),
         record,
-        modes: Vec::new(),
         curves: Vec::new(),
         happened: subject.happened,
     }
@@ -142,6 +142,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         duration,
         rows: output_times.rows(),
         statistics,
+        response: settings.response.map(|asked| response(asked, begun)),
     });
     RecorderPlan {
         channels: channels.ids.clone(),
@@ -151,6 +152,16 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         output_times,
         shape_interval: settings.shape_interval_s,
         duration,
+    }
+}
+
+/// The response of the lines, and each of them where the system rests.
+fn response(asked: AskedResponse, begun: &Start) -> RecordedResponse {
+    let lines = begun.system.lines(&begun.state);
+    let at_rest = lines.map(|(scene, state)| WkbMedium::of(scene, state));
+    RecordedResponse {
+        asked,
+        at_rest: at_rest.collect(),
     }
 }
 
