@@ -100,6 +100,13 @@ const OF_MESH: Apart = Apart {
 /// Cases whose systems come to no equilibrium: a clamped line with nothing at its free end.
 const NOT_AT_REST: [&str; 1] = ["benchmarks/beam_cantilevered.toml"];
 
+/// Cases whose line snaps from slack to taut at steps that the Newton iterations of lines and of systems end apart, after which no two
+/// runs are alike: their published values hold.
+const SNAPPING: [&str; 2] = ["hard/stop.toml", "hard/whip.toml"];
+
+/// Tensions below this are rounding, as of a line that falls freely \[N\].
+const NO_TENSION: f64 = 1e-6;
+
 /// What of both is compared: names of channels of the line, whose squares are summed, and that of the system.
 fn pairs(case: &Case) -> Vec<(Vec<String>, String)> {
     let sections = [case.line.first(), case.line.last()].map(|section| &section.unwrap().name);
@@ -149,7 +156,11 @@ impl Values {
 
     fn named(&self, name: &str) -> Vec<f64> {
         match self {
-            Self::Over(history) => history.channel(name).unwrap().values.clone(),
+            Self::Over(history) => {
+                let channel = history.channel(name);
+                let channel = channel.unwrap_or_else(|| panic!("no channel {name}"));
+                channel.values.clone()
+            }
             Self::AtRest(solved) => vec![quantities::value(solved, name).unwrap()],
         }
     }
@@ -192,14 +203,14 @@ fn apart(name: &str, text: &str) -> Apart {
             apart.place_m = apart.place_m.max(difference);
         }
     }
-    apart.tension /= greatest;
+    apart.tension /= greatest.max(NO_TENSION / ALIKE.tension);
     apart
 }
 
 /// A row for each case, and those that differ by more than they may.
 fn compared<'a>(cases: impl Iterator<Item = &'a Shipped>) -> (Vec<String>, Vec<&'static str>) {
     let (mut rows, mut differ) = (Vec::new(), Vec::new());
-    for (name, text) in cases {
+    for (name, text) in cases.filter(|(name, _)| !SNAPPING.contains(name)) {
         let found = apart(name, text);
         let case = case::parse(text, &path_of(name)).unwrap();
         let allowed = match case.solver.method {
@@ -246,7 +257,7 @@ fn a_sample_of_shipped_lines_agrees_with_its_systems() {
     let seed = std::env::var("SEACABLE_SEED").ok();
     let seed = seed.and_then(|seed| seed.parse().ok()).unwrap_or(1_usize);
     let all: Vec<Shipped> = cases().filter(|(name, _)| is_system(name)).collect();
-    assert!(all.len() >= 37, "{}", all.len());
+    assert!(all.len() >= 50, "{}", all.len());
     let (rows, differ) = compared(all.iter().skip(seed % 6).step_by(6));
     assert!(
         rows.len() >= 6 && differ.is_empty(),
@@ -276,12 +287,16 @@ fn published_values_of_lines_hold_for_their_systems() {
         "double_stepped/regular_wave.toml",
         "hard/buoyant.toml",
         "hard/cut_off.toml",
+        "hard/falling.toml",
+        "hard/free_fall.toml",
+        "hard/stop.toml",
         "hard/ten_km.toml",
         "hard/vertical.toml",
+        "hard/whip.toml",
     ];
     let found = cases().filter(|(name, _)| quick.contains(name));
     let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
-    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 15);
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 24);
     assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
 }
 

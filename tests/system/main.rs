@@ -25,6 +25,7 @@ mod frequency_domain;
 mod friction;
 mod grid_bed;
 mod hauled;
+mod line_start;
 mod motion;
 mod on_bed;
 mod payout;

@@ -46,6 +46,26 @@ pub struct LineEquilibrium {
 }
 
 impl LineEquilibrium {
+    /// A line that bears on nothing, where it is.
+    pub(super) fn unloaded(state: &State) -> Self {
+        Self {
+            force_a_n: V3::zeros(),
+            force_b_n: V3::zeros(),
+            bed_reaction_n: [V3::zeros(); 2],
+            bed_reaction_turning_n_per_m: [M3::zeros(); 2],
+            stiffness_n_per_m: [[M3::zeros(); 2]; 2],
+            position_m: state.x.clone(),
+            tension_n: vec![0.0; state.x.len()],
+            on_bed_m: 0.0,
+            min_bend_radius_m: None,
+            residual_n: 0.0,
+            iterations: 0,
+            unstable_directions: 0,
+            friction_released: false,
+            laid_from: LaidFrom::default(),
+        }
+    }
+
     pub(super) fn new(
         scene: &Scene,
         state: &State,

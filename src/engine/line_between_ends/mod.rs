@@ -44,7 +44,7 @@ pub use mesh_error::{MeshOrder, mesh_error};
 
 use crate::case::{Case, End, EndKind};
 use crate::numerics::{BlockBand, Condensation, EndBlocks, M3, V3};
-use crate::scene::{self, LaidFrom, Scene};
+use crate::scene::{self, LaidFrom, Scene, straight_between};
 use crate::solve::{Kinematics, Newton, Residual, State, StaticSearch};
 use crate::statics::equilibrium::{Equilibrium, EquilibriumSearch};
 
@@ -172,6 +172,14 @@ impl LineBetweenEnds {
         found.iterations += tried;
         let blocks = self.condense()?;
         Ok(self.accept(found, &blocks))
+    }
+
+    /// The line straight between its ends and without forces, as a run may begin in the place of an equilibrium that it does not have.
+    pub fn unloaded(&mut self, a: V3, b: V3) -> LineEquilibrium {
+        self.unstable = None;
+        self.scene.hold_ends(a, b);
+        self.last = State::at_rest(straight_between(a, b, &self.scene.line.arc));
+        LineEquilibrium::unloaded(&self.last)
     }
 
     /// Lays the line on the bed anew for its next solution: friction of the bed then acts as on a line laid straight from the end on

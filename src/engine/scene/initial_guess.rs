@@ -354,7 +354,7 @@ impl Scene {
 }
 
 /// Nodes on the straight line between two ends, spaced by arc length.
-pub(super) fn between(from: V3, to: V3, arc: &[f64]) -> Vec<V3> {
+pub fn between(from: V3, to: V3, arc: &[f64]) -> Vec<V3> {
     let whole = arc[arc.len() - 1];
     arc.iter()
         .map(|s| from + (to - from) * (s / whole))

@@ -77,6 +77,16 @@ fn start_axis(payload: &Payload) -> V3 {
     direction(azimuth, rotation.start_tilt_deg.to_radians() - FRAC_PI_2)
 }
 
+/// The shape of a line between two places \[m\] that does not begin at rest, at these arc lengths: straight, or as given by coordinates.
+#[must_use]
+pub fn shape_between(start: &Start, (from, to): (V3, V3), arc: &[f64]) -> Option<Vec<V3>> {
+    match start.shape {
+        StartShape::Equilibrium => None,
+        StartShape::Straight => Some(between(from, to, arc)),
+        StartShape::Given => given(start, arc),
+    }
+}
+
 /// The shape given by coordinates, interpolated at the arc lengths of the nodes.
 fn given(start: &Start, arc: &[f64]) -> Option<Vec<V3>> {
     if start.shape == StartShape::Straight {

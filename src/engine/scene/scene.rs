@@ -57,6 +57,14 @@ impl Scene {
         state
     }
 
+    /// The state of a line that begins in this shape, node by node \[m\], at rest for an instant and with the friction of the bed unloaded.
+    #[must_use]
+    pub fn state_in_shape(&self, nodes: Vec<V3>) -> State {
+        let mut state = State::at_rest(nodes);
+        state.memory.grips = self.grips_at(&state.x);
+        state
+    }
+
     /// Sets the start velocity of a line at rest; prescribed ends keep theirs.
     pub fn apply_start_velocity(&self, state: &mut State) {
         if self.start.velocity != V3::zeros() {

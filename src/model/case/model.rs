@@ -44,10 +44,11 @@ pub use sea::{
     DecayName, DragLength, SpectrumName, StretchingName, WaterSurface, WaveKind, WaveLoadName,
     Waves,
 };
+pub(crate) use settings::SeabedKeys;
 pub use settings::{
-    BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartShape,
+    BedInterpolation, FrictionLaw, Method, Modes, Output, Seabed, Solver, Start, StartKeys,
+    StartShape,
 };
-pub(crate) use settings::{SeabedKeys, StartKeys};
 pub(crate) use validation_data::{
     AtKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, TrendKeys, TrialKeys,
 };

@@ -227,6 +227,7 @@ impl Maker<'_> {
             friction,
             friction_lateral: friction,
             releases: Default::default(),
+            start: None,
             discretised: None,
         });
     }

@@ -66,7 +66,11 @@ pub fn line_at_rest(
             if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
         {
             let from = laid_from(network, placement, index).unwrap_or_default();
-            element.solve((a, b), from, near)
+            let solved = element.solve((a, b), from, near);
+            solved.or_else(|why| match line.begins_in_shape() {
+                true => element.unloaded((a, b)),
+                false => Err(why),
+            })
         }
         element => {
             let laid = laid_from(network, placement, index);

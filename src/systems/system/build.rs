@@ -378,6 +378,7 @@ impl Builder<'_> {
                     tension: line.release_b_n,
                 },
             ],
+            start: line.start.clone(),
             discretised: None,
             closed_where_known: false,
             displaced_reversed: displaced.iter().rev().copied().collect(),

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 
 use super::check_bed::friction_of_line;
+use super::check_start;
 use super::model::{BodyKeys, BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
 use super::motion::check as motion;
 use super::rods;
@@ -59,6 +60,7 @@ impl<'k, 'a> ByName<'k, 'a> {
             found.extend(self.make_up(line));
             found.extend(repeats(line));
             found.extend(self.clamps(line));
+            found.extend(check_start::of_line(self.keys, line));
             found.extend(motion::breaks(self.keys, line));
             found.extend(friction_of_line(self.keys, line));
         }

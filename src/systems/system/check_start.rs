@@ -1,8 +1,8 @@
 //! Checks of where a run in time begins: of what is free, and by its name.
 
-use super::model::{BodyKeys, BodyKind, PointKind, RodKeys, StartPlacement, SystemKeys};
+use super::model::{BodyKeys, BodyKind, LineKeys, PointKind, RodKeys, StartPlacement, SystemKeys};
 use crate::case::schema::Key;
-use crate::case::{Finding, nearest};
+use crate::case::{Finding, nearest, of_line_start};
 
 /// Keys of the start of a part.
 pub(super) type StartKeys<'k, 'n> = [&'k Key<'n, [f64; 3]>; 4];
@@ -72,4 +72,35 @@ fn unknowns<'a>(keys: &'a SystemKeys<'_>) -> Vec<&'a str> {
     let rods = rods.map(|(name, _)| name.as_str());
     let points = points.map(|(name, _)| name.as_str());
     bodies.chain(rods).chain(points).collect()
+}
+
+/// How a line begins; one that may break, is paid out or has copies begins at rest.
+pub(super) fn of_line(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Vec<Finding> {
+    let Some(start) = &line.start else {
+        return Vec::new();
+    };
+    let mut found = of_line_start(start, length(line));
+    let names = |key: &Key<'_, String>| line.name.get().is_some_and(|name| key.is(name));
+    let of_break = line.break_at_m.is_given().then_some("may break");
+    let mut payouts = keys.payouts.iter();
+    let is_paid = payouts.any(|(_, payout)| names(&payout.line));
+    let of_payout = is_paid.then_some("is paid out or hauled in");
+    let of_copies = line.repeat_at_deg.is_given().then_some("has copies");
+    for what in [of_break, of_payout, of_copies].into_iter().flatten() {
+        let problem = format!("a line that {what} begins at rest");
+        found.push(start.place.finding(problem, "leave its start out"));
+    }
+    found
+}
+
+/// Unstretched length of a line \[m\], where that of every section is known.
+fn length(line: &LineKeys<'_>) -> Option<f64> {
+    match line.sections.is_empty() {
+        true => line.length_m.value(),
+        false => line
+            .sections
+            .iter()
+            .map(|(_, part)| part.length_m.value())
+            .sum(),
+    }
 }

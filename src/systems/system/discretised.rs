@@ -238,14 +238,36 @@ impl DiscretisedLine {
         let left_out = !grips.is_empty() && grips.iter().all(|grip| grip.stiffness == 0.0);
         let without_friction = left_out && found.on_bed_m > 0.0;
         Ok(LineAtRest {
+            note: without_friction.then_some(LineNote::WithoutFriction),
+            ..self.at_rest(*a, element, found)
+        })
+    }
+
+    /// The line straight between two places and without forces, which it begins a run from in the place of an equilibrium.
+    ///
+    /// # Errors
+    /// Why it has no element.
+    pub fn unloaded(self: &Arc<Self>, (a, b): (&V3, &V3)) -> Result<LineAtRest, Unsolved> {
+        let mut element = self.element().map_err(|why| Unsolved::of(&why))?.clone();
+        let found = element.unloaded(*a, *b);
+        Ok(self.at_rest(*a, element, found))
+    }
+
+    fn at_rest(
+        self: &Arc<Self>,
+        a: V3,
+        element: LineBetweenEnds,
+        found: LineEquilibrium,
+    ) -> LineAtRest {
+        LineAtRest {
             force_a: found.force_a_n,
             force_b: found.force_b_n,
             by_ends: found.stiffness_n_per_m,
             solution: None,
             from_b: false,
-            origin: *a,
+            origin: a,
             along: V3::x(),
-            note: without_friction.then_some(LineNote::WithoutFriction),
+            note: None,
             replaced: None,
             added_weight: 0.0,
             discretised: Some(Box::new(DiscretisedRest {
@@ -253,7 +275,7 @@ impl DiscretisedLine {
                 found,
                 shares: Arc::clone(self),
             })),
-        })
+        }
     }
 }
 

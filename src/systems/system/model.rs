@@ -19,7 +19,7 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, StatisticsInputs, Trial, Waves,
+    Mark, Material, MotionInterpolation, OneOrMany, Start, StatisticsInputs, Trial, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -544,6 +544,8 @@ table! {
     tables {
         /// The sections of the line, from its end A to its end B.
         sections: Vec<LineSection>;
+        /// How the line lies between its ends at time zero of a run in time, where it does not begin at rest, and its velocity.
+        start: Option<Start>;
     }
 }
 

@@ -11,6 +11,7 @@ use super::motion::PoseMotion;
 use super::motion::payout::Payout;
 use super::pose::Pose;
 use super::potential_flow::PotentialFlow;
+use crate::case::{Start, StartShape};
 use crate::numerics::{M3, V3};
 use crate::physics::current::CurrentProfile;
 use crate::physics::sea::Sea;
@@ -277,6 +278,8 @@ pub struct Line {
     pub bed_contact: bool,
     /// When its ends are let go in motion, A first.
     pub releases: [ReleaseCondition; 2],
+    /// How it begins a run in time, where that is not at rest.
+    pub start: Option<Start>,
     /// The line divided into segments, where it has no closed form.
     pub discretised: Option<Arc<DiscretisedLine>>,
     /// Whether it has a closed form where the bed below it is flat and it does not float at the surface.
@@ -292,6 +295,13 @@ impl Line {
     #[must_use]
     pub fn length(&self) -> f64 {
         self.sections.iter().map(|section| section.length_m).sum()
+    }
+
+    /// Whether it begins a run in time in a shape of its own, which needs no equilibrium between its ends.
+    #[must_use]
+    pub fn begins_in_shape(&self) -> bool {
+        let start = self.start.as_ref();
+        start.is_some_and(|start| start.shape != StartShape::Equilibrium)
     }
 
     /// Whether the bed has friction under it, along or across.

@@ -2,6 +2,7 @@
 
 use super::copied::{bare, value_of};
 use super::source::LineSource;
+use super::start;
 use crate::case::attachments::{PLACES, carried_numbers};
 use crate::case::{End, EndKind, MotionName, OneOrMany, Payload, StartShape};
 use crate::import::to_case::case_text::{CaseText, number, numbers};
@@ -87,8 +88,17 @@ pub(super) fn rows_of(source: &LineSource<'_>, end: &End) -> Vec<Vec<f64>> {
 
 fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &End) {
     system.line("kind = \"free\"", source.span(&["ends", letter, "kind"]));
-    let place = numbers(&search_from(source, letter));
-    system.assumed("position_m", &place, "its search begins here");
+    let (place, why) = match start::is_in_shape(source) {
+        true => (start::place(source, letter), "where it begins"),
+        false => (search_from(source, letter), "its search begins here"),
+    };
+    system.assumed("position_m", &numbers(&place), why);
+    if start::is_moving(source)
+        && let Some(node) = source.node(&["start", "velocity_m_per_s"])
+    {
+        let value = value_of(source, node);
+        system.given("start_velocity_m_per_s", &value, &node.span, "");
+    }
     let payload = source.case.payload.as_ref();
     if let Some(payload) = payload.filter(|_| end.kind == EndKind::Payload) {
         hung(system, source, payload);

@@ -4,6 +4,7 @@ use super::buoyed::name_of;
 use super::copied::value_of;
 use super::ends::{LETTERS, alike};
 use super::source::{LINE, LineSource};
+use super::start;
 use super::stretches::{Stretch, is_one};
 use crate::case::{Clump, EndKind};
 use crate::import::to_case::case_text::{CaseText, number, text};
@@ -32,6 +33,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
             section(system, source, line, number);
         }
     }
+    start::of_line(system, source);
 }
 
 /// Clamps of the ends, and when they are let go.

@@ -15,6 +15,7 @@ mod refused;
 mod results;
 mod run;
 mod source;
+mod start;
 mod stretches;
 mod unused;
 
@@ -72,6 +73,7 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     buoyed::write_materials(&mut system, source, &line);
     ends::write(&mut system, source);
     line::write(&mut system, source, &line);
+    start::of_ends(&mut system, source);
     run::write(&mut system, source, &line);
     results::write(&mut system, source, &line);
     copied::files(&mut system, source);

@@ -3,7 +3,7 @@
 use super::ends::{LETTERS, alike, rows_of};
 use super::payload;
 use super::source::{DENSITY, LineSource};
-use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName, StartShape};
+use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
 use crate::import::fault::Fault;
 
 /// All of it, but for what the mesh and the results show.
@@ -202,10 +202,7 @@ fn slope(source: &LineSource<'_>) -> Option<Fault> {
 fn start(source: &LineSource<'_>) -> Vec<Fault> {
     let start = &source.case.start;
     let mut found = Vec::new();
-    if source.is_in_time() && start.shape != StartShape::Equilibrium {
-        let problem = "a system begins at rest, or with free points where they are placed, not on a line that is given";
-        found.push(source.fault(&["start", "shape"], problem, "start in equilibrium"));
-    } else if source.bends() && start.arc_m.is_some() {
+    if source.bends() && start.arc_m.is_some() && !super::start::is_in_shape(source) {
         let problem = "says which of several equilibria of a line that bends is meant, and a system searches its own";
         found.push(source.fault(
             &["start", "arc_m"],
@@ -216,10 +213,6 @@ fn start(source: &LineSource<'_>) -> Vec<Fault> {
     if start.from_run.is_some() {
         let problem = "a system begins at no stored run of a line";
         found.push(source.fault(&["start", "from_run"], problem, "start in equilibrium"));
-    }
-    if source.is_in_time() && start.velocity_m_per_s != [0.0; 3] {
-        let problem = "a system has velocities of its free points and bodies, not of a whole line";
-        found.push(source.fault(&["start", "velocity_m_per_s"], problem, "leave it out"));
     }
     found
 }

@@ -33,6 +33,7 @@ pub(crate) use seacable_keys::check::{
     used_twice,
 };
 pub use solver::{of_companions, of_longest_step};
+pub use start::of_line_start;
 pub use taken::of_result;
 pub use trials::of_trials;
 

@@ -18,6 +18,35 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     if start.from_run.is_given() {
         return beside_a_run(start);
     }
+    let whole = length(case).filter(|_| !case.line.is_empty());
+    of_shape(start, whole)
+}
+
+/// Checks of the start of a line between two points of a system, of this length \[m\] where that is known.
+#[must_use]
+pub fn of_line_start(start: &StartKeys<'_>, whole: Option<f64>) -> Vec<Finding> {
+    let by_ends = "has no effect: the line goes from one of its points to the other";
+    let by_itself = "is of a line by itself";
+    let (place, shape) = ("leave it out, and place its points", "give its shape");
+    let mut found: Vec<Finding> = [
+        start.azimuth_deg.if_given(by_ends, place),
+        start.elevation_deg.if_given(by_ends, place),
+        start.from_run.if_given(by_itself, shape),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    if start.arc_m.is_given() && !start.shape.is(&StartShape::Given) {
+        let problem = "has no effect: the line of a system searches its own equilibrium";
+        found.push(start.arc_m.finding(problem, "let the shape be \"given\""));
+        return found;
+    }
+    found.extend(of_shape(start, whole));
+    found
+}
+
+/// A shape given by coordinates, of a line of this length \[m\] where that is known.
+fn of_shape(start: &StartKeys<'_>, whole: Option<f64>) -> Vec<Finding> {
     if !start.arc_m.is_given() {
         return without_arc_lengths(start);
     }
@@ -35,7 +64,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found = lists(start, lengths.len());
     let remedy = "list the places from end A to end B, each once";
     found.extend(increasing(&start.arc_m, "arc lengths", remedy));
-    found.extend(covers(case, start, lengths));
+    found.extend(whole.and_then(|whole| covers(start, lengths, whole)));
     if found.is_empty() {
         found.extend(coincide(start, lengths));
     }
@@ -92,11 +121,10 @@ fn lists(start: &StartKeys<'_>, count: usize) -> Vec<Finding> {
 }
 
 /// From 0 to the whole line.
-fn covers(case: &CaseKeys<'_>, start: &StartKeys<'_>, lengths: &[f64]) -> Option<Finding> {
-    let whole = length(case)?;
+fn covers(start: &StartKeys<'_>, lengths: &[f64], whole: f64) -> Option<Finding> {
     let (first, last) = (*lengths.first()?, *lengths.last()?);
     let right = first == 0.0 && last >= whole * (1.0 - SLOP);
-    (!right && !case.line.is_empty()).then(|| {
+    (!right).then(|| {
         let problem = format!(
             "the shape goes from {} to {}, and the line is {} long",
             quantity(first, "m"),

@@ -40,6 +40,7 @@ pub mod joints;
 mod kinks;
 mod landing;
 mod let_go;
+mod line_start;
 mod mesh_of_ends;
 mod method;
 pub mod moving_system;

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use nalgebra::{Matrix6, SMatrix};
 
 use super::body_equation::MovingBody;
+use super::line_start;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
 use crate::case::QuantityId;
@@ -346,7 +347,7 @@ fn motion_scale(system: &MovingSystem) -> (f64, f64) {
     let length = lengths.fold(1.0, f64::max);
     let speed = (network.gravity * length).sqrt();
     let has_release = |line: &Line| line.releases.iter().any(ReleaseCondition::is_given);
-    if network.lines.iter().any(has_release) {
+    if line_start::is_off_rest(network) || network.lines.iter().any(has_release) {
         return (length, speed);
     }
     let scale = |motion: &EndMotion, arm: f64| {

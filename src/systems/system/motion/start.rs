@@ -3,6 +3,7 @@
 use super::border::Border;
 use super::breaks;
 use super::let_go::{held, let_go, measure};
+use super::line_start;
 use super::moving_system::{MovingSystem, turn_bases};
 use super::payout_border::holding;
 use super::system_state::SystemState;
@@ -80,6 +81,7 @@ pub fn start(solved: &SolvedSystem, segment: f64) -> Result<Start, UnsolvedSyste
             payout.holding = held.holding;
         }
     }
+    line_start::begin(&system, &mut state);
     system.release_current(&mut state);
     Ok(Start {
         system,

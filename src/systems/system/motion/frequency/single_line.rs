@@ -75,6 +75,7 @@ fn network(scene: &Scene) -> Network {
             still_water: water.is_none(),
             bed_contact: true,
             releases: Default::default(),
+            start: None,
             discretised: None,
             closed_where_known: false,
             displaced: Vec::new(),
