@@ -5,7 +5,7 @@ use nalgebra::Matrix6;
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
 use super::bounds::Contact;
-use super::build::{AgedParts, build};
+use super::build::{AgedParts, build, divide};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
@@ -93,6 +93,18 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
+    let solved = solve_without_errors(file)?;
+    Ok(SolvedSystem {
+        errors: ErrorsAtRest::of(&solved.network, &solved.rest),
+        ..solved
+    })
+}
+
+/// The same without its companion: no error is known.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_without_errors(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let file = without_lost_line(file);
     let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
     let (new, dropped) = held_until_dropped(new, file.ageing.is_some());
@@ -111,7 +123,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let stiffness = of_bodies(&network, &rest);
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
     Ok(SolvedSystem {
-        errors: ErrorsAtRest::of(&network, &rest),
+        errors: ErrorsAtRest::unknown(&network),
         file,
         stability,
         stiffness,
@@ -120,4 +132,24 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
         dropped,
         age,
     })
+}
+
+impl SolvedSystem {
+    /// The same with every line divided into segments, those of closed form too, found from a cold start.
+    ///
+    /// # Errors
+    /// As [`solve`].
+    pub fn divided(&self) -> Result<Self, UnsolvedSystem> {
+        let none = AgedParts::new();
+        let parts = self.age.as_ref().map_or(&none, |age| &age.parts);
+        let mut network = self.network.clone();
+        divide(&mut network, &self.file, parts).map_err(not_divided)?;
+        let rest = rest(&network)?;
+        Ok(Self {
+            stability: stability(&network, &rest),
+            rest,
+            network,
+            ..self.clone()
+        })
+    }
 }
