@@ -21,14 +21,17 @@ use super::{
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::Case;
+use seacable_model::case::{Case, Method};
 use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::run_json as study_json;
 use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
-    speed::{self, SpeedError},
+    speed::{
+        self, SpeedError,
+        at_rest::{self, AtRest},
+    },
     tally,
     timed::Timed,
     varied,
@@ -138,10 +141,18 @@ fn system_of(
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
-    match scene_of(&args.case)? {
-        (name, StudiedScene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &*case),
-        (name, StudiedScene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
-        (name, StudiedScene::AtRest(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
+    let (name, scene) = scene_of(&args.case)?;
+    match scene {
+        StudiedScene::Line(case) if args.at_rest || case.solver.method == Method::Static => {
+            speed_at_rest(args, file.as_ref(), &name, &*case)
+        }
+        StudiedScene::Line(case) => speed_of_scene(args, file.as_ref(), &name, &*case),
+        StudiedScene::System(system) if args.at_rest => {
+            let at_rest = SystemAtRest::new(system.solved.file.clone());
+            speed_at_rest(args, file.as_ref(), &name, &at_rest)
+        }
+        StudiedScene::System(system) => speed_of_scene(args, file.as_ref(), &name, &system),
+        StudiedScene::AtRest(system) => speed_at_rest(args, file.as_ref(), &name, &system),
     }
 }
 
@@ -175,6 +186,35 @@ fn speed_of_scene<C: Timed>(
     let chart = draw(&speed::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
     let mesh = speed::mesh_table(&study).to_text(WIDTH);
     print(&table, &format!("\n{chart}\n{mesh}"), "speed", &args.table)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Closed form and segments of a scene at rest, and what is recommended for each accuracy.
+fn speed_at_rest<S: AtRest>(
+    args: &SpeedArgs,
+    file: Option<&OutputFile<'_>>,
+    name: &str,
+    scene: &S,
+) -> Result<ExitCode, CommandError> {
+    let stop = StopFlag::listen()?;
+    let mut line = progress::ProgressLine::new();
+    let mut report_progress = |begun: usize, of: usize, what: &str| {
+        line.show(&format!("{begun} of {of}: {what}"));
+    };
+    let computed = at_rest::compute(scene, args.repeats, stop.cancel(), &mut report_progress);
+    drop(line);
+    let study = match computed {
+        Ok(study) => study,
+        Err(why) => return stopped(&stop, CommandError::Usage(format!("{name}: {why}."))),
+    };
+    let table = at_rest::table(&study);
+    write_csv(&table, file)?;
+    let glyphs = output::glyphs(args.table.ascii);
+    let chart = draw(&at_rest::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
+    let recommended = at_rest::recommended_table(&study, &args.accuracy).to_text(WIDTH);
+    let results = at_rest::results_table(&study, &args.accuracy).to_text(WIDTH);
+    let below = format!("\n{recommended}\n{chart}\n{results}");
+    print(&table, &below, "speed", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -282,6 +282,12 @@ impl DiscretisedRest {
         self.element.scene_and_state()
     }
 
+    /// Unstretched arc lengths of its nodes from A over the whole length, 0 to 1.
+    #[must_use]
+    pub fn shares(&self) -> &[f64] {
+        &self.shares.shares
+    }
+
     /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
     #[must_use]
     pub fn at(&self, share: f64) -> (V3, f64) {

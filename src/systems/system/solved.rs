@@ -17,6 +17,15 @@ use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
 use super::stability::{Stability, stability};
 use super::stiffness::of_bodies;
 
+/// How the lines of a system at rest take part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineForms {
+    /// By their closed forms where these are known, else divided into segments.
+    ClosedWhereKnown,
+    /// All divided into segments.
+    Divided,
+}
+
 /// A system worked out.
 #[derive(Debug, Clone)]
 pub struct SolvedSystem {
@@ -93,26 +102,39 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
-    let solved = solve_without_errors(file)?;
+    let solved = solve_without_errors(file, LineForms::ClosedWhereKnown)?;
     Ok(SolvedSystem {
         errors: ErrorsAtRest::of(&solved.network, &solved.rest),
         ..solved
     })
 }
 
-/// The same without its companion: no error is known.
+/// The same without its companion, its lines in these forms: no error is known.
 ///
 /// # Errors
 /// As [`solve`].
-pub fn solve_without_errors(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
+pub fn solve_without_errors(
+    file: SystemFile,
+    forms: LineForms,
+) -> Result<SolvedSystem, UnsolvedSystem> {
     let file = without_lost_line(file);
-    let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let mut new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let divides = forms == LineForms::Divided;
+    if divides && file.ageing.is_none() {
+        divide(&mut new, &file, &AgedParts::new()).map_err(not_divided)?;
+    }
     let (new, dropped) = held_until_dropped(new, file.ageing.is_some());
     if let Some(buried) = below_bed(&new) {
         return Err(buried);
     }
     let rest_as_new = rest(&new)?;
     let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
+        // Lines age as those of closed form: what they are then is divided.
+        Some((mut network, _, age)) if divides => {
+            divide(&mut network, &file, &age.parts).map_err(not_divided)?;
+            let found = rest(&network)?;
+            (network, found, Some(age))
+        }
         Some((network, mut rest, age)) => {
             rest.left = rest.left.or(rest_as_new.left);
             (network, rest, Some(age))
@@ -132,24 +154,4 @@ pub fn solve_without_errors(file: SystemFile) -> Result<SolvedSystem, UnsolvedSy
         dropped,
         age,
     })
-}
-
-impl SolvedSystem {
-    /// The same with every line divided into segments, those of closed form too, found from a cold start.
-    ///
-    /// # Errors
-    /// As [`solve`].
-    pub fn divided(&self) -> Result<Self, UnsolvedSystem> {
-        let none = AgedParts::new();
-        let parts = self.age.as_ref().map_or(&none, |age| &age.parts);
-        let mut network = self.network.clone();
-        divide(&mut network, &self.file, parts).map_err(not_divided)?;
-        let rest = rest(&network)?;
-        Ok(Self {
-            stability: stability(&network, &rest),
-            rest,
-            network,
-            ..self.clone()
-        })
-    }
 }

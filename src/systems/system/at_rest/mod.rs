@@ -9,5 +9,6 @@ mod results;
 mod searchable_rest;
 mod system_at_rest;
 
+pub use record::readings;
 pub use results::{main_results, named_result};
-pub use system_at_rest::{LineForms, SystemAtRest};
+pub use system_at_rest::SystemAtRest;

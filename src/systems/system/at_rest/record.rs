@@ -41,7 +41,8 @@ fn channel((id, value): (ChannelId, f64)) -> Channel {
 
 /// Tensions at both ends of every line and where its sections meet, lengths on the bed, places of free points, poses of the bodies that turn, forces
 /// of pins: each by the name that it has in time.
-pub(super) fn readings(solved: &SolvedSystem) -> Vec<(ChannelId, f64)> {
+#[must_use]
+pub fn readings(solved: &SolvedSystem) -> Vec<(ChannelId, f64)> {
     let mut ids = Vec::new();
     for line in &solved.network.lines {
         let meetings = (1..line.sections.len()).map(|meeting| meeting.to_string());

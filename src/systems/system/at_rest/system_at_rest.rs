@@ -21,20 +21,11 @@ use crate::system::discretised::LineForm;
 use crate::system::model::LineInputs;
 use crate::system::parts::parts;
 use crate::system::rest::UnsolvedSystem;
-use crate::system::solved::{solve, solve_without_errors};
+use crate::system::solved::{LineForms, solve_without_errors};
 use crate::system::{SYSTEM, SolvedSystem, SystemFile};
 
 /// The word for its method.
 pub(super) const STATIC: &str = "static";
-
-/// How the lines of a system at rest take part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LineForms {
-    /// By their closed forms where these are known, else divided into segments.
-    ClosedWhereKnown,
-    /// All divided into segments.
-    Divided,
-}
 
 /// A system at rest.
 #[derive(Debug, Clone)]
@@ -115,19 +106,7 @@ impl SystemAtRest {
     /// # Errors
     /// [`UnsolvedSystem`], as of a file.
     pub fn solve(&self) -> Result<SolvedSystem, UnsolvedSystem> {
-        let solved = solve_without_errors(SystemFile::clone(&self.file))?;
-        match self.forms {
-            LineForms::ClosedWhereKnown => Ok(solved),
-            LineForms::Divided => solved.divided(),
-        }
-    }
-
-    /// Works the system out with its errors, as its file is.
-    ///
-    /// # Errors
-    /// [`UnsolvedSystem`], as of a file.
-    pub fn solve_with_errors(&self) -> Result<SolvedSystem, UnsolvedSystem> {
-        solve(SystemFile::clone(&self.file))
+        solve_without_errors(SystemFile::clone(&self.file), self.forms)
     }
 
     /// Where it rests; nothing before it was computed.
