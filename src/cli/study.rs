@@ -16,25 +16,29 @@ use super::{
     physics, progress, random_systems,
     signals::StopFlag,
     study_args::{AccuracyArgs, BarsArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
-    study_page::AT_REST,
     system_study, vary,
 };
 use seacable_display::chart::draw;
 use seacable_display::table::Table;
 use seacable_foreign::import::ImportOptions;
-use seacable_model::case::Case;
+use seacable_model::case::{Case, Method};
 use seacable_model::kinds::{FileBytes, FileType};
 use seacable_report::run_json as study_json;
 use seacable_studies::study::{
     accuracy::{self, AccuracyTrial},
     bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
-    speed::{self, SpeedError},
+    speed::{
+        self, SpeedError,
+        at_rest::{self, AtRest},
+    },
     tally,
     timed::Timed,
     varied,
 };
-use seacable_systems::system::{SystemFile, motion::system_in_time::SystemInTime};
+use seacable_systems::system::{
+    SystemFile, at_rest::SystemAtRest, motion::system_in_time::SystemInTime,
+};
 
 /// Columns of the page.
 const WIDTH: usize = 160;
@@ -99,47 +103,56 @@ fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), Command
     file.write(&text, FileFormat::Text)
 }
 
-/// A scene in time.
-enum TimedScene {
+/// A scene in time or at rest.
+enum StudiedScene {
     Line(Box<Case>),
     System(SystemInTime),
+    AtRest(SystemAtRest),
 }
 
 /// The scene of a file with what is set on top of it, and its name.
-fn scene_of(args: &CaseArgs) -> Result<(String, TimedScene), CommandError> {
+fn scene_of(args: &CaseArgs) -> Result<(String, StudiedScene), CommandError> {
     let file = FileBytes::read(&args.file);
     let name = file.path().display().to_string();
     if file.kind() != FileType::System {
         let loaded = cases::load_set(file, &args.set)?;
-        return Ok((loaded.name, TimedScene::Line(Box::new(loaded.case))));
+        return Ok((loaded.name, StudiedScene::Line(Box::new(loaded.case))));
     }
-    let system = system_of(file, &args.set, &args.import.options())?;
-    let at_rest = || CommandError::Usage(format!("{name}: {AT_REST}"));
-    let (system, _) = system.ok_or_else(at_rest)?;
-    Ok((name, TimedScene::System(system)))
+    let (system, _) = system_of(file, &args.set, &args.import.options())?;
+    Ok((name, system))
 }
 
-/// The system of a file in time, and its text; nothing of one at rest.
+/// The system of a file, in time where it has a table `[solver]`, and its text.
 fn system_of(
     file: FileBytes,
     set: &[String],
     options: &ImportOptions,
-) -> Result<Option<(SystemInTime, String)>, CommandError> {
+) -> Result<(StudiedScene, String), CommandError> {
     let file = EditedFile::<SystemFile>::read(file, set, options)?;
-    let Some(motion) = file.content().solver.clone() else {
-        return Ok(None);
-    };
     let text = file.whole_text();
     let solved = file.compute()?.computed;
-    Ok(Some((SystemInTime::new(Arc::new(solved), motion), text)))
+    let scene = match solved.file.solver.clone() {
+        Some(motion) => StudiedScene::System(SystemInTime::new(Arc::new(solved), motion)),
+        None => StudiedScene::AtRest(SystemAtRest::new(solved.file)),
+    };
+    Ok((scene, text))
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
-    match scene_of(&args.case)? {
-        (name, TimedScene::Line(case)) => speed_of_scene(args, file.as_ref(), &name, &*case),
-        (name, TimedScene::System(system)) => speed_of_scene(args, file.as_ref(), &name, &system),
+    let (name, scene) = scene_of(&args.case)?;
+    match scene {
+        StudiedScene::Line(case) if args.at_rest || case.solver.method == Method::Static => {
+            speed_at_rest(args, file.as_ref(), &name, &*case)
+        }
+        StudiedScene::Line(case) => speed_of_scene(args, file.as_ref(), &name, &*case),
+        StudiedScene::System(system) if args.at_rest => {
+            let at_rest = SystemAtRest::new(system.solved.file.clone());
+            speed_at_rest(args, file.as_ref(), &name, &at_rest)
+        }
+        StudiedScene::System(system) => speed_of_scene(args, file.as_ref(), &name, &system),
+        StudiedScene::AtRest(system) => speed_at_rest(args, file.as_ref(), &name, &system),
     }
 }
 
@@ -176,6 +189,35 @@ fn speed_of_scene<C: Timed>(
     Ok(ExitCode::SUCCESS)
 }
 
+/// Closed form and segments of a scene at rest, and what is recommended for each accuracy.
+fn speed_at_rest<S: AtRest>(
+    args: &SpeedArgs,
+    file: Option<&OutputFile<'_>>,
+    name: &str,
+    scene: &S,
+) -> Result<ExitCode, CommandError> {
+    let stop = StopFlag::listen()?;
+    let mut line = progress::ProgressLine::new();
+    let mut report_progress = |begun: usize, of: usize, what: &str| {
+        line.show(&format!("{begun} of {of}: {what}"));
+    };
+    let computed = at_rest::compute(scene, args.repeats, stop.cancel(), &mut report_progress);
+    drop(line);
+    let study = match computed {
+        Ok(study) => study,
+        Err(why) => return stopped(&stop, CommandError::Usage(format!("{name}: {why}."))),
+    };
+    let table = at_rest::table(&study);
+    write_csv(&table, file)?;
+    let glyphs = output::glyphs(args.table.ascii);
+    let chart = draw(&at_rest::chart(&study), PLOT.0, PLOT.1, glyphs).to_text();
+    let recommended = at_rest::recommended_table(&study, &args.accuracy).to_text(WIDTH);
+    let results = at_rest::results_table(&study, &args.accuracy).to_text(WIDTH);
+    let below = format!("\n{recommended}\n{chart}\n{results}");
+    print(&table, &below, "speed", &args.table)?;
+    Ok(ExitCode::SUCCESS)
+}
+
 /// How a study ends that did not come to its end: stopped by a signal, or in failure.
 fn stopped(stop: &StopFlag, failure: CommandError) -> Result<ExitCode, CommandError> {
     let status = stop.status().ok_or(failure)?;
@@ -187,8 +229,9 @@ fn steps_of(args: &StepsArgs) -> Result<ExitCode, CommandError> {
     let inputs = [args.case.file.clone()];
     let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &inputs)?;
     match scene_of(&args.case)? {
-        (name, TimedScene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &*case),
-        (name, TimedScene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
+        (name, StudiedScene::Line(case)) => steps_of_scene(args, file.as_ref(), &name, &*case),
+        (name, StudiedScene::System(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
+        (name, StudiedScene::AtRest(system)) => steps_of_scene(args, file.as_ref(), &name, &system),
     }
 }
 
@@ -228,8 +271,9 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     };
     let stop = StopFlag::listen()?;
     let of_scene = |named: &NamedScene| match &named.scene {
-        TimedScene::Line(case) => bars::settings(&named.name, &**case),
-        TimedScene::System(system) => bars::settings(&named.name, system),
+        StudiedScene::Line(case) => bars::settings(&named.name, &**case),
+        StudiedScene::System(system) => bars::settings(&named.name, system),
+        StudiedScene::AtRest(system) => bars::settings(&named.name, system),
     };
     let of_drawn = |named: &NamedCase| {
         let count = varied.unwrap_or_default();
@@ -268,14 +312,14 @@ fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// A scene in time of a file that is named.
+/// A scene of a file that is named.
 struct NamedScene {
     name: String,
     text: String,
-    scene: TimedScene,
+    scene: StudiedScene,
 }
 
-/// The scenes named, systems in time among them; without names, the cases of lines as [`cases::of_lines`].
+/// The scenes named, systems among them; without names, the cases of lines as [`cases::of_lines`].
 fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
     let systems = cases::systems(paths)?;
     let lines = match systems.is_empty() {
@@ -285,22 +329,14 @@ fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
     let of_line = |named: NamedCase| NamedScene {
         name: named.name,
         text: named.text,
-        scene: TimedScene::Line(Box::new(named.case)),
+        scene: StudiedScene::Line(Box::new(named.case)),
     };
     let mut scenes: Vec<NamedScene> = lines.into_iter().map(of_line).collect();
     for path in &systems {
         let file = FileBytes::read(path);
         let name = path.display().to_string();
-        match system_of(file, &[], &ImportOptions::default())? {
-            Some((system, text)) => scenes.push(NamedScene {
-                name,
-                text,
-                scene: TimedScene::System(system),
-            }),
-            // In a directory it is passed over, as what is of other kinds.
-            None if !paths.contains(path) => {}
-            None => return Err(CommandError::Usage(format!("{name}: {AT_REST}"))),
-        }
+        let (scene, text) = system_of(file, &[], &ImportOptions::default())?;
+        scenes.push(NamedScene { name, text, scene });
     }
     Ok(scenes)
 }
@@ -321,8 +357,13 @@ fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
                 budget_s: args.budget,
             };
             let found = match scene {
-                TimedScene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
-                TimedScene::System(system) => accuracy::check(&trial, system, text, stop.cancel()),
+                StudiedScene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
+                StudiedScene::System(system) => {
+                    accuracy::check(&trial, system, text, stop.cancel())
+                }
+                StudiedScene::AtRest(system) => {
+                    accuracy::check(&trial, system, text, stop.cancel())
+                }
             };
             if let Some(status) = stop.status() {
                 output::message("Stopped before all searches were computed; nothing was judged.");

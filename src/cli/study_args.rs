@@ -40,7 +40,8 @@ pub(super) enum StudyArgs {
     /// Measure every method at several settings on one case: work against error.
     ///
     /// Errors are those of the time step, against a reference by another method in much finer steps, whose
-    /// own error is given; the mesh has a table of its own. Takes as long as the reference: up to some minutes.
+    /// own error is given; the mesh has a table of its own. Takes as long as the reference: up to some minutes. At rest the ways are the closed
+    /// form and lines in segments: their errors are those of mesh and form against a much finer mesh, with the setting that each accuracy needs.
     Speed(SpeedArgs),
     /// Compare error-controlled steps with the constant step of equal error.
     ///
@@ -113,6 +114,14 @@ pub(super) struct SpeedArgs {
     /// Runs of every point; the table holds the cheapest.
     #[arg(long, value_name = "N", default_value = "3", value_parser = count)]
     pub(super) repeats: usize,
+
+    /// Measure the equilibrium of a scene in time.
+    #[arg(long)]
+    pub(super) at_rest: bool,
+
+    /// At rest, accuracies for which a setting is recommended, as shares of the range.
+    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_values_t = [1e-2, 1e-3, 1e-4])]
+    pub(super) accuracy: Vec<f64>,
 
     #[command(flatten)]
     pub(super) table: TableArgs,

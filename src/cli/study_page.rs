@@ -18,11 +18,7 @@ use seacable_report::run_json;
 use seacable_report::seas::SeasView;
 use seacable_studies::study::points::{BaseCase, PointProgress};
 use seacable_studies::study::sweep::SweepResults;
-use seacable_systems::system::SystemFile;
-
-/// What is said of a system at rest.
-pub(super) const AT_REST: &str =
-    "this study is of a run in time: add a table `[solver]` with its `duration_s`.";
+use seacable_systems::system::{SolvedSystem, SystemFile, at_rest};
 
 /// Rows of a chart, and its columns at most.
 const CHART: (usize, usize) = (18, 100);
@@ -31,7 +27,7 @@ const CHART: (usize, usize) = (18, 100);
 pub(super) enum StudiedFile {
     /// A case of a line.
     Line(BaseCase, Vec<QuantityId>),
-    /// A system of lines in time.
+    /// A system of lines, in time or at rest.
     System(BaseCase, Vec<QuantityId>),
 }
 
@@ -69,19 +65,28 @@ fn of_system(
 ) -> Result<StudiedFile, CommandError> {
     let path = file.path().display().to_string();
     let file = EditedFile::<SystemFile>::read(file, &args.set, &args.import.options())?;
-    if file.content().solver.is_none() {
-        return Err(CommandError::Usage(format!("{path}: {AT_REST}")));
-    }
     let text = file.whole_text();
     let solved = file.compute()?.computed;
-    let ids = SweepResults::of_system(&solved, names).map_err(|why| no_result(&why))?;
+    let ids = results_of_system(&solved, names).map_err(|why| no_result(&why))?;
     let base = BaseCase {
         text,
         path,
         overrides: args.set.clone(),
         files: solved.file.files,
     };
-    Ok(StudiedFile::System(base, ids.ids()))
+    Ok(StudiedFile::System(base, ids))
+}
+
+/// The results of a system that are named, or the main ones.
+fn results_of_system(solved: &SolvedSystem, names: &[String]) -> Result<Vec<QuantityId>, String> {
+    if solved.file.solver.is_some() {
+        return Ok(SweepResults::of_system(solved, names)?.ids());
+    }
+    if names.is_empty() {
+        return Ok(at_rest::main_results(solved));
+    }
+    let named = names.iter().map(|name| at_rest::named_result(solved, name));
+    named.collect()
 }
 
 fn no_result(why: &str) -> CommandError {

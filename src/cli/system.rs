@@ -9,6 +9,7 @@ use super::{
     args::RunArgs,
     cases::EditedFile,
     jobs, output,
+    progress::ProgressLine,
     run::{StoredRun, accuracy, case_of, search, status, stored},
     signals::StopFlag,
     verdict,
@@ -20,12 +21,14 @@ use seacable_report::{
     text::WIDTH,
     verdict::RunVerdict,
 };
-use seacable_runs::run::job::execute_from;
-use seacable_runs::run::resume_request;
+use seacable_runs::run::accuracy::searchable::Asked;
+use seacable_runs::run::job::{JobEvent, Request, execute, execute_from};
+use seacable_runs::run::{Run, RunState, resume_request};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_systems::system::{
     SystemFile,
     analysis::analyses::Analyses,
+    at_rest::SystemAtRest,
     motion::checkpoint::ResumedSystem,
     motion::job::{self, SystemRequest},
     validation,
@@ -42,11 +45,6 @@ pub(super) fn system(
         let file = file.with(&search)?;
         return in_motion(args, file, [&set[..], &search].concat(), stop);
     }
-    if !search.is_empty() {
-        return Err(CommandError::Usage(
-            "Systems of lines at rest do not take --accuracy and --budget: a line has its closed form there, or states the error of its mesh, which more `segments` make smaller; a table `[solver]` makes a run in time.".to_owned(),
-        ));
-    }
     if args.detach {
         return Err(CommandError::Usage(
             "Systems of lines at rest do not take --detach: they are printed, not kept; a table `[solver]` makes a run in time.".to_owned(),
@@ -57,7 +55,9 @@ pub(super) fn system(
             "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
         ));
     }
-    let file = file.compute()?;
+    let searched = searched(args, &file, stop)?;
+    let found = searched.as_ref().map(|run| run.info.overrides.as_slice());
+    let file = file.with(found.unwrap_or_default())?.compute()?;
     let solved = &file.computed;
     let analyses = match args.json {
         true => Analyses::of_object(solved),
@@ -66,17 +66,62 @@ pub(super) fn system(
     if let Some(stopped) = stop.status() {
         return Ok(stopped);
     }
+    let reached = searched.as_ref();
     if args.json {
-        output::object(&json::object(solved, &analyses))?;
-        return Ok(ExitCode::SUCCESS);
+        let mut object = json::object(solved, &analyses);
+        if let Some(run) = reached {
+            object["accuracy"] = json!(run.info.settings.accuracy);
+        }
+        output::object(&object)?;
+        return Ok(reached.map_or(ExitCode::SUCCESS, |run| status(run, stop)));
     }
     let question = verdict::checks(SeaQuestion::of_system(solved))?;
     let found = RunVerdict::of_equilibrium(&question, solved);
     let rows = validation::rows(solved, None);
     let report = views::report(solved, &analyses, &rows, &file.fields());
     let text = report.to_text(WIDTH, output::glyphs(args.ascii));
+    let text = format!("{text}{}", reached.map_or_else(String::new, accuracy));
     output::results(&text, args.ascii)?;
-    Ok(verdict::status(found.as_ref(), ExitCode::SUCCESS))
+    let status = reached.map_or(ExitCode::SUCCESS, |run| status(run, stop));
+    Ok(verdict::status(found.as_ref(), status))
+}
+
+/// Accuracies that may be asked, as by `solver.accuracy`.
+const ACCURACIES: [f64; 2] = [1e-7, 0.5];
+
+/// The search for the accuracy that is asked of a system at rest, whose overrides are the segments that it found; none where none is asked, or
+/// where nothing comes to rest, which the file says better.
+fn searched(
+    args: &RunArgs,
+    file: &EditedFile<'_, SystemFile>,
+    stop: &StopFlag,
+) -> Result<Option<Run>, CommandError> {
+    let Some(accuracy) = args.accuracy else {
+        return Ok(None);
+    };
+    let [least, greatest] = ACCURACIES;
+    if !(least..=greatest).contains(&accuracy) {
+        let problem = format!("--accuracy {accuracy}: give a share from {least:e} to {greatest}.");
+        return Err(CommandError::Usage(problem));
+    }
+    let asked = Asked {
+        accuracy,
+        budget_s: args.budget,
+    };
+    let request = Request {
+        case: SystemAtRest::new(file.content().clone()).asking(Some(asked), true),
+        text: file.whole_text(),
+        file: String::new(),
+        overrides: Vec::new(),
+        id: String::new(),
+    };
+    let mut line = ProgressLine::new();
+    let run = execute(&request, stop.cancel(), &mut |event| {
+        if let JobEvent::Searching(search) = event {
+            line.show(&search.to_string());
+        }
+    });
+    Ok((run.info.state == RunState::Done).then_some(run))
 }
 
 /// The run in time, stored as it is computed: its results or JSON on standard output.

@@ -1,6 +1,6 @@
 //! Studies of cases, and runs compared.
 
-use seacable_base::{files, limits, number, seal, strays, visible};
+use seacable_base::{background, files, limits, number, seal, strays, visible};
 use seacable_display::{chart, table};
 use seacable_engine::{scene, statics};
 use seacable_model::{case, checks, kinds};

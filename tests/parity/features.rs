@@ -113,6 +113,17 @@ impl Trial {
         self.command(&words).status.success()
     }
 
+    /// A study of the scene at rest, as quick as it can be.
+    fn studies_at_rest(&self, words: &[&str]) -> bool {
+        self.at_rest(&[&["study", words[0]], &words[1..]].concat())
+    }
+
+    /// Whether a command takes the scene as a system at rest.
+    fn at_rest(&self, words: &[&str]) -> bool {
+        let path = self.as_system(|system| drop(system.remove("solver")));
+        path.is_some_and(|path| self.command(&[words, &[&path]].concat()).status.success())
+    }
+
     /// Adds a trial to the file, of a step that its method refuses, and computes it.
     fn tries_what_is_refused(&self) -> bool {
         let mut text = fs::read_to_string(&self.scene).unwrap();
@@ -195,8 +206,8 @@ const NO_STIFFNESS: Has = Never("its file has no bending stiffness");
 const NO_BUOYANCY: Has =
     Never("a file of MoorDyn has no centre of buoyancy apart from that of gravity");
 
-/// What that file does not say, and these studies take no `--set`.
-const NO_DURATION: Has = Never("its file has no simulated time");
+/// What nothing at rest has.
+const NO_STEPS: Has = Never("nothing is marched at rest");
 
 /// What that file cannot say at all.
 const NO_TRIALS: Has = Never("a file of MoorDyn has no trials: its format has no place for them");
@@ -396,7 +407,7 @@ const FEATURES: &[Feature] = &[
             trial.shorten();
             trial.studies(&["bars"])
         },
-        has: [Yes, Yes, Yes, NO_DURATION],
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "accuracies held against converged runs",
@@ -404,7 +415,7 @@ const FEATURES: &[Feature] = &[
             trial.shorten();
             trial.studies(&["accuracy", "--accuracy", "0.05", "--budget", "5s"])
         },
-        has: [Yes, Yes, Yes, NO_DURATION],
+        has: [Yes, Yes, Yes, Yes],
     },
     Feature {
         name: "study of speed against error",
@@ -425,6 +436,46 @@ const FEATURES: &[Feature] = &[
         name: "study of the effects of inputs",
         tried: |trial| trial.studies(&["effects", "--set", "solver.duration_s=4"]),
         has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: speed against error",
+        tried: |trial| trial.studies_at_rest(&["speed", "--repeats", "1"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "speed against error of the equilibrium of a scene in time",
+        tried: |trial| trial.studies(&["speed", "--at-rest", "--repeats", "1"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: effects left out",
+        tried: |trial| trial.studies_at_rest(&["physics"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: effects of inputs",
+        tried: |trial| trial.studies_at_rest(&["effects"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: error bars held against converged runs",
+        tried: |trial| trial.studies_at_rest(&["bars"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: accuracies held against converged runs",
+        tried: |trial| trial.studies_at_rest(&["accuracy", "--accuracy", "0.05", "--budget", "5s"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: the mesh for an accuracy asked",
+        tried: |trial| trial.at_rest(&["run", "--accuracy", "0.01"]),
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
+        name: "at rest: study of steps",
+        tried: |trial| trial.studies_at_rest(&["steps", "--variants", "1"]),
+        has: [NO_STEPS; SCENES.len()],
     },
     Feature {
         name: "trials of hard cases",

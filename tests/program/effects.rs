@@ -302,9 +302,11 @@ fn what_a_system_needs_is_told() {
         assert!(text.contains(word), "{word} is missing in\n{text}");
     }
     let at_rest = SWUNG.split("[solver]").next().unwrap();
-    self::study(at_rest, &["physics"])
+    let text = printed(self::study(at_rest, &["physics", "--ascii"]));
+    assert!(text.contains("R1 tension_n[rope|"), "{text}");
+    self::study(at_rest, &["steps"])
         .code(2)
-        .stderr(contains("add a table `[solver]`"));
+        .stderr(contains("no steps to compare"));
     self::study(SWUNG, &["effects", "--result", "tension_n[rope|a].mx"])
         .code(2)
         .stderr(contains("did you mean `tension_n[rope|a].max`"));

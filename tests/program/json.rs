@@ -188,7 +188,6 @@ fn options_that_have_no_effect_on_a_system_are_refused() {
     let dir = folder();
     for words in [
         &["run", "oc3.toml", "--out", "kept"][..],
-        &["run", "oc3.toml", "--accuracy", "1e-3"],
         &["modes", "oc3.toml", "--count", "3"],
         &["modes", "oc3.toml", "--shape", "1"],
     ] {

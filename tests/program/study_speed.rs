@@ -157,3 +157,13 @@ fn varying_steps_are_compared_with_constant_ones_of_the_same_error() {
     let refused = speed::compare(&case, 1, &cancel, &mut |_, _, _| {});
     assert_eq!(refused.err(), Some(SpeedError::Static));
 }
+
+#[test]
+fn a_case_without_inertia_is_measured_by_quasi_static_steps() {
+    let mut case = pendulum();
+    case.solver.method = Method::Quasi;
+    let plan = speed::plan(&case).unwrap();
+    assert!(plan.points.iter().all(|point| point.name.solver == "quasi"));
+    assert_eq!(plan.reference.case.solver.method, Method::Quasi);
+    assert!(plan.left_out[0].contains("leaves inertia out"));
+}

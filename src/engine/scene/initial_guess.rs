@@ -17,6 +17,37 @@ pub(super) struct InitialGuess {
     pub(super) tension: Vec<f64>,
 }
 
+/// The closed form of a line at rest, at the nodes of its mesh.
+#[derive(Debug, Clone)]
+pub struct ClosedForm {
+    /// Positions \[m\].
+    pub nodes: Vec<V3>,
+    /// Effective tensions \[N\]; where a body hangs, on its side towards A.
+    pub tension: Vec<f64>,
+}
+
+/// A catenary in space.
+struct PlacedCatenary {
+    solution: Solution,
+    /// Where it begins, the horizontal direction to its other end, and up.
+    first: V3,
+    along: V3,
+    up: V3,
+    /// Unstretched length \[m\], and whether the catenary begins at end B.
+    whole: f64,
+    reversed: bool,
+}
+
+impl PlacedCatenary {
+    /// Position \[m\] and tension \[N\] at an unstretched arc length from A \[m\].
+    fn at(&self, s: f64) -> (V3, f64) {
+        let s = if self.reversed { self.whole - s } else { s };
+        let point = self.solution.at(s);
+        let place = self.first + self.along * point.x_m + self.up * point.z_m;
+        (place, point.tension_n)
+    }
+}
+
 /// Iterations between the drag on a shape and the shape in that drag.
 const ROUNDS: usize = 2;
 /// The same if the stiffness of ropes depends on tension.
@@ -85,8 +116,46 @@ impl Scene {
         (0..self.line.segments.len()).map(on).collect()
     }
 
-    /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
-    /// in still water.
+    /// The closed form of the line at rest between prescribed ends, on a bed that does not yield.
+    ///
+    /// # Errors
+    /// Why it has none, in words: it bends, stretches by a law, or something else than weight loads it.
+    pub fn closed_form(&self) -> Result<ClosedForm, String> {
+        let (EndCondition::Prescribed(from), EndCondition::Prescribed(to)) =
+            (&self.line.ends[0], &self.line.ends[1])
+        else {
+            return Err("an end of the line is free".to_owned());
+        };
+        let elements = &self.elements;
+        let still =
+            (self.drag_on(&self.initial_state().x).iter()).all(|force| *force == V3::zeros());
+        let reasons = [
+            (elements.flexure.is_some(), "the line bends"),
+            (
+                !self.line.laws.is_empty(),
+                "the line has a tension-strain table",
+            ),
+            (!still, "a current acts on the line"),
+            (
+                elements.traveller.is_some(),
+                "a body travels along the line",
+            ),
+            (
+                self.line.water.is_some(),
+                "the line may cross the surface of the water",
+            ),
+        ];
+        if let Some((_, why)) = reasons.iter().find(|(is_so, _)| *is_so) {
+            return Err((*why).to_owned());
+        }
+        let calm = vec![V3::zeros(); self.line.segments.len()];
+        let found = self.placed_catenary(from.at(0.0).0, to.at(0.0).0, &calm, &[]);
+        let found = found.map_err(|why| why.to_string())?;
+        let (nodes, tension) = self.line.arc.iter().map(|s| found.at(*s)).unzip();
+        Ok(ClosedForm { nodes, tension })
+    }
+
+    /// The guess by [`Scene::placed_catenary`].
     fn catenary(
         &self,
         from: V3,
@@ -94,6 +163,24 @@ impl Scene {
         drag: &[V3],
         of_laws: &[f64],
     ) -> Result<InitialGuess, CatenaryError> {
+        let found = self.placed_catenary(from, to, drag, of_laws)?;
+        let arc = &self.line.arc;
+        let middle = |ends: &[f64]| found.at(0.5 * (ends[0] + ends[1])).1;
+        Ok(InitialGuess {
+            nodes: arc.iter().map(|s| found.at(*s).0).collect(),
+            tension: arc.windows(2).map(middle).collect(),
+        })
+    }
+
+    /// The catenary in the resultant of weight and the mean of this drag, in the plane of that and both ends; with a bed,
+    /// in still water.
+    fn placed_catenary(
+        &self,
+        from: V3,
+        to: V3,
+        drag: &[V3],
+        of_laws: &[f64],
+    ) -> Result<PlacedCatenary, CatenaryError> {
         let whole = self.line.arc[self.line.arc.len() - 1];
         let (down, mean) = if self.seabed().is_some() {
             (-V3::z(), V3::zeros())
@@ -133,18 +220,13 @@ impl Scene {
         } else {
             across(&up)
         };
-        let solution = self.solve_over_bed(bed, (first, along), ends, &sections)?;
-        let place = |s: &f64| {
-            let point = solution.at(if reversed { whole - s } else { *s });
-            first + along * point.x_m + up * point.z_m
-        };
-        let middle = |ends: &[f64]| {
-            let s = 0.5 * (ends[0] + ends[1]);
-            solution.at(if reversed { whole - s } else { s }).tension_n
-        };
-        Ok(InitialGuess {
-            nodes: self.line.arc.iter().map(place).collect(),
-            tension: self.line.arc.windows(2).map(middle).collect(),
+        Ok(PlacedCatenary {
+            solution: self.solve_over_bed(bed, (first, along), ends, &sections)?,
+            first,
+            along,
+            up,
+            whole,
+            reversed,
         })
     }
 

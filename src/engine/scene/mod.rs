@@ -61,7 +61,7 @@ pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;
 pub use event::{SceneChange, SceneEvent};
 pub use initial_bed_friction::LaidFrom;
-pub use initial_guess::between as straight_between;
+pub use initial_guess::{ClosedForm, between as straight_between};
 pub use irregular_record::IrregularRecord;
 pub use labels::{Joint, Labels};
 pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};

@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use toml_edit::Value as Toml;
 
-use super::channel_id::{ChannelId, ChannelNameError};
+use super::channel_id::{ChannelId, ChannelNameError, ChannelQuantity};
 use super::fields::ValueType;
 use super::line_quantity::{EnergyQuantity, LineQuantity, STEADY};
 use super::schema::KeyValue;
@@ -76,6 +76,12 @@ impl Subject {
             "" => Self::Line(quantity),
             name => Self::Along(quantity, name.to_owned()),
         }
+    }
+
+    /// Whether it is how much of a line lies on the bed.
+    #[must_use]
+    pub fn is_length_on_bed(&self) -> bool {
+        matches!(self, Self::Channel(id) if id.quantity == ChannelQuantity::OnBed)
     }
 
     /// The quantity along a line that it is, and the name of the line, which is empty of a line by itself.

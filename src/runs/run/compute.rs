@@ -47,7 +47,8 @@ impl Computed {
     }
 
     /// A computation that was stopped before it began.
-    pub(super) fn stopped() -> Self {
+    #[must_use]
+    pub fn stopped() -> Self {
         Self::without_record(MarchResult::stopped(Work::default()))
     }
 

@@ -335,7 +335,12 @@ fn limit_resolution(list: &mut [Quantity], case: &dyn Refinable, run: &Computed)
                 least = case.segment_weight(line_of(of));
             }
         }
-        quantity.mesh_error = quantity.mesh_error.map(|error| error.max(least));
+        let floor = case.least_error(quantity);
+        let shown = quantity.mesh_error.map(|error| error.max(least));
+        quantity.mesh_error = match (shown, floor) {
+            (Some(shown), Some(floor)) => Some(shown.max(floor)),
+            (shown, floor) => shown.or(floor),
+        };
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use super::Quantity;
 use super::channel_statistics::reads_twice;
 use super::companions::Place;
 use super::compute::{Computed, Resolution, compute};
@@ -36,6 +37,12 @@ pub trait Refinable: Sync {
 
     /// The least submerged weight of a segment of a line, by its name \[N\].
     fn segment_weight(&self, line: &str) -> f64;
+
+    /// What a result errs by at least, whatever its companions say, in its unit: of a closed form, which has no companions, by rounding.
+    /// Nothing where companions alone tell.
+    fn least_error(&self, _: &Quantity) -> Option<f64> {
+        None
+    }
 }
 
 impl Refinable for Case {

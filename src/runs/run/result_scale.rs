@@ -42,6 +42,8 @@ impl Scales<'_> {
             }
             // A place is known to a segment, whatever the forces are.
             Statistic::ArcOfMax | Statistic::ArcOfMin => return None,
+            // Nor at rest how much of a line lies on the bed.
+            _ if self.duration_s == 0.0 && of.is_length_on_bed() => return None,
             _ => {}
         }
         let unit = q.unit();

@@ -12,7 +12,7 @@ use rustix::time::{ClockId, clock_gettime};
 use super::timed::Timed;
 use crate::numerics::statistics::median;
 use crate::run::accuracy::searchable::Asked;
-use crate::run::accuracy::steps::Steps;
+use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, result_scales};
 use crate::table::{NumberFormat, Table};
@@ -63,15 +63,19 @@ pub struct AccuracyFinding {
 pub struct Setting {
     /// Segments by those of the case.
     pub segments: f64,
-    /// Steps by those of the case.
-    pub steps: f64,
+    /// Steps by those of the case; none at rest.
+    pub steps: Option<f64>,
     /// CPU time of its run \[s\].
     pub cpu_s: f64,
 }
 
 impl Setting {
     fn words(self) -> String {
-        format!("{} x segments, {} x steps", self.segments, self.steps)
+        let segments = format!("{} x segments", self.segments);
+        match self.steps {
+            Some(steps) => format!("{segments}, {steps} x steps"),
+            None => segments,
+        }
     }
 }
 
@@ -176,10 +180,14 @@ impl Judge<'_> {
 
 /// The settings that are as accurate as asked, the cheapest first; without error bars.
 fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
+    let steps = match case.steps().method {
+        TimeMethod::Static => vec![None],
+        _ => STEPS.map(Some).to_vec(),
+    };
     let settings = MESHES
         .iter()
-        .flat_map(|mesh| STEPS.map(|steps| (*mesh, steps)));
-    let settings: Vec<(f64, f64)> = settings.collect();
+        .flat_map(|mesh| steps.iter().map(|steps| (*mesh, *steps)));
+    let settings: Vec<(f64, Option<f64>)> = settings.collect();
     let met = settings.into_par_iter().filter_map(|(segments, steps)| {
         let begun = cpu(ClockId::ThreadCPUTime);
         let run = run(with(case, segments, steps).ok()?, "", cancel).ok()?;
@@ -243,11 +251,11 @@ fn finer<C: Timed>(own: &C, found: &C) -> Result<C, String> {
 }
 
 /// The scene with these segments and steps by its own, without a search or bars.
-fn with<C: Timed>(scene: &C, mesh: f64, steps: f64) -> Result<C, String> {
+fn with<C: Timed>(scene: &C, mesh: f64, steps: Option<f64>) -> Result<C, String> {
     let own = scene.segments().into_iter().zip(scene.fewest());
     let segments = own.map(|(own, fewest)| ((own as f64 * mesh).ceil() as usize).max(fewest));
     let scene = scene.with_segments(&segments.collect::<Vec<_>>())?;
-    let steps = shorter(scene.steps(), steps);
+    let steps = shorter(scene.steps(), steps.unwrap_or(1.0));
     Ok(scene.stepped(steps).estimating(false))
 }
 

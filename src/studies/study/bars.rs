@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
+use super::study_job::StudyJob;
 use super::timed::{Timed, divided};
 use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
-use crate::system::motion::job_request::JobRequest;
 use crate::table::{Columns, NumberFormat, Table};
 
 /// A case by one method at one accuracy.
@@ -22,9 +22,9 @@ pub struct BarSetting {
     /// Method and accuracy, in words.
     pub setting: String,
     /// Its run, with error estimates.
-    run: JobRequest,
+    run: StudyJob,
     /// The converged run, or why there is none.
-    converged: Result<JobRequest, String>,
+    converged: Result<StudyJob, String>,
 }
 
 /// A result, its bar and its true error.
@@ -110,7 +110,7 @@ impl BarResult {
 #[must_use]
 pub fn settings<C: Timed>(name: &str, case: &C) -> Vec<BarSetting>
 where
-    JobRequest: From<Request<C>>,
+    StudyJob: From<Request<C>>,
 {
     let own = case.steps();
     let by = |method| Steps { method, ..own };
@@ -141,7 +141,7 @@ where
 /// A scene by one method, with its converged run.
 fn setting<C: Timed>((name, words): (&str, &str), case: &C, steps: Steps) -> BarSetting
 where
-    JobRequest: From<Request<C>>,
+    StudyJob: From<Request<C>>,
 {
     let finer = Steps {
         tolerance: FINER_TOLERANCE * steps.tolerance,
@@ -159,11 +159,11 @@ where
 }
 
 /// The job of a scene that is not stored.
-fn job<C>(case: C) -> JobRequest
+fn job<C>(case: C) -> StudyJob
 where
-    JobRequest: From<Request<C>>,
+    StudyJob: From<Request<C>>,
 {
-    JobRequest::from(Request {
+    StudyJob::from(Request {
         case,
         text: String::new(),
         file: String::new(),
@@ -220,8 +220,8 @@ fn results(setting: &BarSetting, cancel: &AtomicBool) -> Result<Vec<BarResult>, 
     Ok(run.summary.iter().filter_map(result).collect())
 }
 
-fn run(job: &JobRequest, cancel: &AtomicBool) -> Result<Run, String> {
-    let run = job.execute(cancel, &mut |_| {});
+fn run(job: &StudyJob, cancel: &AtomicBool) -> Result<Run, String> {
+    let run = job.execute(cancel);
     match run.info.state {
         RunState::Done => Ok(run),
         _ => Err(run.info.failure.unwrap_or_else(|| "stopped".to_owned())),

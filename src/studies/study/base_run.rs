@@ -4,10 +4,11 @@ use std::sync::atomic::AtomicBool;
 
 use super::points::{BaseCase, PointRun, reasons};
 use super::studied::Studied;
+use super::study_job::StudyJob;
 use crate::case::{edit, kind};
 use crate::run::Run;
 
-/// The run of a case or of a system in time, with error bars, and the file as its variants are computed: by the same method on the same mesh,
+/// The run of a case or of a system, with error bars, and the file as its variants are computed: by the same method on the same mesh,
 /// without companion runs, since the error of a variant is about that of the case itself.
 #[derive(Debug, Clone)]
 pub struct BaseRun {
@@ -23,11 +24,13 @@ impl BaseRun {
     /// # Errors
     /// The run did not come to its end, and why.
     pub fn compute<K: Studied>(base: &BaseCase, cancel: &AtomicBool) -> Result<Self, String> {
-        let text = kind::put::<K>(&base.text, "solver.error_estimate", "true");
-        let text = text.map_err(|all| reasons(&all))?;
-        let job = K::of_text(base, text, base.overrides.clone())?;
-        let run = job.execute(cancel, &mut |_| {});
-        let text = of_variants::<K>(&run)?;
+        let job = K::with_errors(base)?;
+        let run = job.execute(cancel);
+        let text = match job {
+            StudyJob::Run(_) => of_variants::<K>(&run)?,
+            // It has neither method nor steps.
+            StudyJob::AtRest(_) => base.text.clone(),
+        };
         let run = PointRun {
             info: run.info,
             summary: run.summary,

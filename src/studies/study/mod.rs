@@ -18,6 +18,7 @@ pub mod results;
 pub mod seas;
 pub mod speed;
 pub mod studied;
+pub mod study_job;
 pub mod sweep;
 pub mod timed;
 mod tried;

@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
+use super::study_job::StudyJob;
 use crate::case::fields::number;
 use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit};
 use crate::run::job::Request;
@@ -177,7 +178,7 @@ pub struct PointProgress<'a> {
 /// Computes points side by side on the threads of the caller's pool, one at a time on each, and stores nothing; points whose runs are
 /// stored are a [sweep](super::sweep). A point that fails stops no other. Once `cancel` is set no further one begins; a point that did not
 /// begin has no outcome.
-pub fn compute<J: Into<JobRequest> + Send>(
+pub fn compute<J: Into<StudyJob> + Send>(
     requests: Vec<Result<J, String>>,
     cancel: &AtomicBool,
     progress: &(dyn Fn(PointProgress<'_>) + Sync),
@@ -219,15 +220,10 @@ pub(super) fn side_by_side<R: Send, T: Send>(
     points.map(one).collect()
 }
 
-/// Computes a point, and stores its run where a place is given.
-pub(super) fn outcome(
-    mut job: JobRequest,
-    store: Option<&Path>,
-    cancel: &AtomicBool,
-) -> PointOutcome {
-    let (run, dir) = match store {
-        None => (job.execute(cancel, &mut |_| {}), None),
-        Some(place) => {
+/// Computes a point, and stores its run where a place is given; a system at rest leaves none.
+pub(super) fn outcome(job: StudyJob, store: Option<&Path>, cancel: &AtomicBool) -> PointOutcome {
+    let (run, dir) = match (job, store) {
+        (StudyJob::Run(mut job), Some(place)) => {
             let stored = execute_stored(&mut job, place, cancel).map_err(|error| {
                 // Nor can those of the other points.
                 cancel.store(true, Ordering::Relaxed);
@@ -236,6 +232,7 @@ pub(super) fn outcome(
             let (run, dir) = stored?;
             (run, Some(dir))
         }
+        (job, _) => (job.execute(cancel), None),
     };
     let Run { info, summary, .. } = run;
     Ok(PointRun { info, summary, dir })

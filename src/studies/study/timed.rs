@@ -1,4 +1,4 @@
-//! What studies compute in other steps and on other meshes: a case of a line, or a system of lines in time.
+//! What studies compute in other steps and on other meshes: a case of a line, or a system of lines in time or at rest.
 
 use std::sync::Arc;
 
@@ -6,6 +6,7 @@ use crate::case::{Case, Method};
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::outlook::StepLengths;
 use crate::scene;
+use crate::system::at_rest::SystemAtRest;
 use crate::system::model::MotionInputs;
 use crate::system::motion::system_in_time::SystemInTime;
 use crate::system::solved::solve;
@@ -120,6 +121,30 @@ impl Timed for SystemInTime {
         file.environment.gravity_m_per_s2 *= by;
         let solved = solve(file).map_err(|why| why.problem)?;
         Ok(Self::new(Arc::new(solved), self.motion.clone()))
+    }
+}
+
+impl Timed for SystemAtRest {
+    /// Nothing is marched, and nothing bounds a step.
+    fn bounds(&self) -> Result<StepBounds, String> {
+        Ok(StepBounds {
+            explicit: f64::INFINITY,
+            explicit_step: f64::INFINITY,
+            longest: f64::INFINITY,
+            nodes: self.segments().into_iter().sum(),
+        })
+    }
+
+    fn estimating(&self, errors: bool) -> Self {
+        Self::asking(self, None, errors)
+    }
+
+    fn asking(&self, asked: Asked) -> Self {
+        Self::asking(self, Some(asked), true)
+    }
+
+    fn heavier(&self, by: f64) -> Result<Self, String> {
+        Ok(self.with_file(|file| file.environment.gravity_m_per_s2 *= by))
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemFile};
-use super::parts::{Part, SectionClump, is_crossed};
+use super::parts::{Part, SectionClump, is_crossed, parts};
 use crate::case::{Case, Clump, End, Ends, Method, OneOrMany, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
@@ -304,6 +304,12 @@ impl DiscretisedRest {
         self.element.scene_and_state()
     }
 
+    /// Unstretched arc lengths of its nodes from A over the whole length, 0 to 1.
+    #[must_use]
+    pub fn shares(&self) -> &[f64] {
+        &self.shares.shares
+    }
+
     /// A place of the line \[m\] and the tension there \[N\], at a share of its unstretched length from A.
     #[must_use]
     pub fn at(&self, share: f64) -> (V3, f64) {
@@ -394,6 +400,14 @@ fn segments_of(line: &LineInputs, part: &Part, parts: &[Part]) -> usize {
     )]
     let count = count as usize;
     count.max(fewest)
+}
+
+/// Segments that a line of a file is divided into.
+#[must_use]
+pub fn segments(file: &SystemFile, line: &LineInputs) -> usize {
+    let parts = parts(file, line);
+    let each = parts.iter().map(|part| segments_of(line, part, &parts));
+    each.sum()
 }
 
 fn shares(case: &Case) -> Vec<f64> {

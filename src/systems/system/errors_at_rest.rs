@@ -44,16 +44,47 @@ pub struct FinerSystem {
 }
 
 impl ErrorsAtRest {
+    /// Those of a system of which none are known.
+    #[must_use]
+    pub fn unknown(network: &Network) -> Self {
+        Self {
+            lines: vec![None; network.lines.len()],
+            points: vec![None; network.points.len()],
+            bodies: vec![None; network.bodies.len()],
+            companion: None,
+        }
+    }
+
+    /// The errors that its search and its rounding leave, those of meshes left out.
+    #[must_use]
+    pub fn by_rounding(network: &Network, rest: &Equilibrium) -> Self {
+        let (here, balanced) = (&rest.placement, balanced(network, rest));
+        let distance = |here: &V3, balanced: &V3| {
+            PRESUMED * (here - balanced).norm() + f64::EPSILON * here.norm()
+        };
+        let points = here.points.iter().zip(&balanced.points);
+        let bodies = here.bodies.iter().zip(&balanced.bodies);
+        let bodies = bodies.map(|(here, balanced)| {
+            let turn = PRESUMED * here.rotation.angle_to(&balanced.rotation) + f64::EPSILON;
+            Some([distance(&here.origin, &balanced.origin), turn])
+        });
+        let lines = network.lines.iter().enumerate().map(|(k, line)| {
+            let own = rest.balance.lines[k].rounding();
+            Some(own + PRESUMED * greatest(pulled(line, k, rest, &balanced)))
+        });
+        Self {
+            lines: lines.collect(),
+            points: points.map(|(a, b)| Some(distance(a, b))).collect(),
+            bodies: bodies.collect(),
+            companion: None,
+        }
+    }
+
     /// The errors of a system at rest.
     #[must_use]
     pub fn of(network: &Network, rest: &Equilibrium) -> Self {
         let lines = &rest.balance.lines;
-        let unknown = Self {
-            lines: vec![None; lines.len()],
-            points: vec![None; network.points.len()],
-            bodies: vec![None; network.bodies.len()],
-            companion: None,
-        };
+        let unknown = Self::unknown(network);
         if lines.iter().all(|line| line.discretised.is_none()) {
             return Self {
                 lines: lines.iter().map(|line| Some(line.rounding())).collect(),

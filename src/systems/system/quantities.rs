@@ -234,7 +234,7 @@ pub fn error(solved: &SolvedSystem, name: &str) -> Option<f64> {
 }
 
 /// To what the length on the bed of a divided line that touches it is known \[m\]: half its longest segment.
-fn bed_resolution(solved: &SolvedSystem, line: usize) -> f64 {
+pub(super) fn bed_resolution(solved: &SolvedSystem, line: usize) -> f64 {
     let at_rest = &solved.rest.balance.lines[line];
     let divided = at_rest.discretised.as_ref();
     let touches = divided.filter(|_| at_rest.on_bed() > 0.0);

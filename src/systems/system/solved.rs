@@ -5,7 +5,7 @@ use nalgebra::Matrix6;
 use super::ageing::SettledAge;
 use super::ageing::settled::settle;
 use super::bounds::Contact;
-use super::build::{AgedParts, build};
+use super::build::{AgedParts, build, divide};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
 use super::equilibrium::{Equilibrium, SystemError};
@@ -16,6 +16,15 @@ use super::network::{Held, Network};
 use super::rest::{UnsolvedSystem, below_bed, not_divided, refused, rest};
 use super::stability::{Stability, stability};
 use super::stiffness::of_bodies;
+
+/// How the lines of a system at rest take part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineForms {
+    /// By their closed forms where these are known, else divided into segments.
+    ClosedWhereKnown,
+    /// All divided into segments.
+    Divided,
+}
 
 /// A system worked out.
 #[derive(Debug, Clone)]
@@ -93,14 +102,39 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
+    let solved = solve_without_errors(file, LineForms::ClosedWhereKnown)?;
+    Ok(SolvedSystem {
+        errors: ErrorsAtRest::of(&solved.network, &solved.rest),
+        ..solved
+    })
+}
+
+/// The same without its companion, its lines in these forms: no error is known.
+///
+/// # Errors
+/// As [`solve`].
+pub fn solve_without_errors(
+    file: SystemFile,
+    forms: LineForms,
+) -> Result<SolvedSystem, UnsolvedSystem> {
     let file = without_lost_line(file);
-    let new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let mut new = build(&file, &AgedParts::new()).map_err(not_divided)?;
+    let divides = forms == LineForms::Divided;
+    if divides && file.ageing.is_none() {
+        divide(&mut new, &file, &AgedParts::new()).map_err(not_divided)?;
+    }
     let (new, dropped) = held_until_dropped(new, file.ageing.is_some());
     if let Some(buried) = below_bed(&new) {
         return Err(buried);
     }
     let rest_as_new = rest(&new)?;
     let (network, rest, age) = match settle(&file, &new, &rest_as_new)? {
+        // Lines age as those of closed form: what they are then is divided.
+        Some((mut network, _, age)) if divides => {
+            divide(&mut network, &file, &age.parts).map_err(not_divided)?;
+            let found = rest(&network)?;
+            (network, found, Some(age))
+        }
         Some((network, mut rest, age)) => {
             rest.left = rest.left.or(rest_as_new.left);
             (network, rest, Some(age))
@@ -111,7 +145,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let stiffness = of_bodies(&network, &rest);
     let stiffness = stiffness.map_err(|error| refused(&network, &SystemError::Line(error)))?;
     Ok(SolvedSystem {
-        errors: ErrorsAtRest::of(&network, &rest),
+        errors: ErrorsAtRest::unknown(&network),
         file,
         stability,
         stiffness,

@@ -65,6 +65,7 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
         Departure::To(Box::new(Equilibrium {
             steps: rest.steps + next.steps,
             evaluations: rest.evaluations + next.evaluations,
+            work: rest.work + next.work,
             ..next
         }))
     })

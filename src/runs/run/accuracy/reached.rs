@@ -41,11 +41,15 @@ pub(super) fn reached<C: Searchable>(
     let count = best.shares.all.len();
     let keys = own.found_keys(&best.found);
     let list: Vec<String> = keys.iter().map(as_override).collect();
+    // Of a system at rest whose lines all have closed forms.
+    let settings = match list.is_empty() {
+        true => "as its file is".to_owned(),
+        false => list.join(", "),
+    };
     let words = format!(
-        "{accuracy} asked; {:.2e} reached by 95 % of {count} results, {} of them are within; {} ({cost})",
+        "{accuracy} asked; {:.2e} reached by 95 % of {count} results, {} of them are within; {settings} ({cost})",
         share * accuracy,
         count - missed.len(),
-        list.join(", "),
     );
     let failure = (share > 1.0).then(|| {
         let few: Vec<&str> = missed.iter().take(3).map(String::as_str).collect();

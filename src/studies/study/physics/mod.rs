@@ -11,10 +11,10 @@ use std::sync::atomic::AtomicBool;
 
 use super::base_run::BaseRun;
 use super::points::{self, BaseCase, PointOutcome, PointProgress, PointRun};
+use super::study_job::StudyJob;
 use crate::case::QuantityId;
 use crate::comparison::is_beyond_error;
 use crate::run::Quantity;
-use crate::system::motion::job_request::JobRequest;
 
 /// A case without each of its effects.
 #[derive(Debug, Clone)]
@@ -75,7 +75,7 @@ pub fn compute<K: HasEffects>(
         scene.forget_what_it_says_of_itself();
         scene.of_content(&base.base, part.name)
     });
-    let jobs: Vec<Result<JobRequest, String>> = jobs.collect();
+    let jobs: Vec<Result<StudyJob, String>> = jobs.collect();
     let outcomes = points::compute(jobs, cancel, progress);
     let variants = parts.into_iter().zip(outcomes);
     let variants = variants.map(|(part, outcome)| PhysicsVariant { part, outcome });

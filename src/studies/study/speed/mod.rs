@@ -5,6 +5,7 @@
 //! CPU time, the least of several repeats on one thread, and counts of work that no machine changes (Hairer and Wanner
 //! 1996 call the picture of both a work-precision diagram).
 
+pub mod at_rest;
 mod equal_error;
 mod error;
 mod view;
@@ -82,7 +83,8 @@ pub struct SpeedStudy {
 pub enum SpeedError {
     /// Nothing moves.
     #[error(
-        "the case is static: nothing is marched through time; choose a method with --set solver.method=alpha"
+        "nothing is marched at rest, so that there are no steps to compare; choose a method for a case with --set solver.method=alpha, add a \
+         table `[solver]` with its `duration_s` to a system"
     )]
     Static,
     /// The line cannot be made.
@@ -101,6 +103,11 @@ pub enum SpeedError {
     Stopped,
 }
 
+/// Steps of a reference that is not explicit by the longest that suits the scene.
+const FINEST: f64 = 1.0 / 64.0;
+/// Why a scene without inertia is measured by one method.
+const HAS_INERTIA: &str = "alpha, rk4: the case leaves inertia out, so that their distance is one of models and not of time steps; choose \
+     one with --set solver.method=alpha";
 /// Evaluations of the force at all nodes that the reference may cost; about a minute.
 const DEAREST: f64 = 1e9;
 
@@ -140,18 +147,28 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
         };
         let solver = match method {
             TimeMethod::Rk4 => "rk4",
+            TimeMethod::Quasi => "quasi",
             _ => "alpha",
         };
         setting(case, solver, format!("step {step:.2e} s"), steps)
     };
     let longest = bounds.longest;
+    if own.method == TimeMethod::Quasi {
+        let by = |share: f64| constant(TimeMethod::Quasi, rounded(longest * share));
+        return Ok(SpeedPlan {
+            points: STEPS.map(by).into(),
+            reference: by(FINEST),
+            coarser: by(2.0 * FINEST),
+            left_out: vec![HAS_INERTIA.to_owned()],
+        });
+    }
     let implicit = STEPS.map(|share| constant(TimeMethod::Alpha, rounded(longest * share)));
     let explicit = EXPLICIT.map(|share| rounded(bounds.explicit * share));
     let evaluations = |step: f64| 4.0 * case.duration_s() / step * bounds.nodes as f64;
     let affordable = |step: &f64| step.is_finite() && evaluations(*step) <= DEAREST;
     let (fine, method) = match rounded(bounds.explicit / 16.0) {
         step if affordable(&step) => (step, TimeMethod::Rk4),
-        _ => (rounded(longest / 64.0), TimeMethod::Alpha),
+        _ => (rounded(longest * FINEST), TimeMethod::Alpha),
     };
     let dearest = evaluations(bounds.explicit / 16.0) / bounds.nodes.max(1) as f64;
     let affordable: Vec<f64> = explicit.into_iter().filter(affordable).collect();

@@ -30,12 +30,12 @@ pub use snapshot::{SnapshotOutcomes, SweepEntry, SweepSnapshot, stored_sweeps};
 
 use super::points::{self, PointOutcome, Setting, side_by_side};
 use super::studied::Studied;
+use super::study_job::StudyJob;
 use super::vary::Variation;
 use super::vary::system::{self, SystemOutcome};
 use crate::case::{Case, QuantityId};
 use crate::run::store;
 use crate::system::SystemFile;
-use crate::system::motion::job_request::JobRequest;
 
 /// What is computed: the load cases, and which results are shown.
 #[derive(Debug, Clone)]
@@ -150,7 +150,7 @@ impl Sweep {
     }
 
     /// The run of a load case.
-    fn job(&self, index: usize) -> Result<JobRequest, String> {
+    fn job(&self, index: usize) -> Result<StudyJob, String> {
         let settings = &self.variation.points[index].settings;
         match &self.results {
             SweepResults::InTime(_) => SystemFile::variant(&self.variation.base, settings),

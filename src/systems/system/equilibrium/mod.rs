@@ -42,6 +42,8 @@ pub struct Equilibrium {
     pub steps: usize,
     /// See `steps`.
     pub evaluations: usize,
+    /// Newton iterations of the divided lines, each by its segments.
+    pub work: u64,
     /// The unstable one that the search came to first, and left.
     pub left: Option<Box<Equilibrium>>,
 }
@@ -382,6 +384,7 @@ impl<'a> Search<'a> {
             contacts,
             steps: self.steps,
             evaluations: self.evaluations.get(),
+            work: self.work.borrow().iter().sum(),
             left: None,
             placement: self.placement,
             freedoms: self.freedoms,
