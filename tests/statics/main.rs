@@ -21,5 +21,6 @@ mod random_lines;
 mod reconfiguration;
 mod sections;
 mod slender_rod;
+mod turning_clamps;
 mod umbilical;
 mod warnings;
