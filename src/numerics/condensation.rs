@@ -26,6 +26,21 @@ pub struct CondensedBeside<T: Pivot = f64> {
     pub left: [Vector3<T>; 4],
 }
 
+impl<T: Pivot> CondensedBeside<T> {
+    /// Of a line with nothing beside its ends.
+    fn without(ends: &EndBlocks<T>, of_ends: &[Vector3<T>; 2]) -> Self {
+        let mut condensed = Self {
+            blocks: [[none(); 4]; 4],
+            left: [unloaded(); 4],
+        };
+        for i in 0..2 {
+            condensed.left[i] = of_ends[i];
+            condensed.blocks[i][..2].copy_from_slice(&ends[i]);
+        }
+        condensed
+    }
+}
+
 /// A condensation with its storage: allocates in [`Condensation::new`] only.
 #[derive(Debug, Clone)]
 pub struct Condensation<T: Pivot = f64> {
@@ -107,8 +122,8 @@ impl<T: Pivot> Condensation<T> {
         self.condense_any::<true, false>(matrix, loads, None)
     }
 
-    /// The same of a line that is coupled to an unknown beside each end, for storage [`with_sides`](Self::with_sides): see
-    /// [`side_front`](super::side_front). Their own rows have no load.
+    /// The same of a line that may be coupled to an unknown beside each end, then with storage for them ([`with_sides`](Self::with_sides)): see
+    /// [`SideCouplings`]. Their own rows have no load; where there are none, they are zero.
     ///
     /// # Errors
     /// As [`Condensation::condense`].
@@ -116,8 +131,12 @@ impl<T: Pivot> Condensation<T> {
         &mut self,
         matrix: &impl Banded<T>,
         loads: &[Vector3<T>],
-        couplings: &SideCouplings<T>,
+        couplings: Option<&SideCouplings<T>>,
     ) -> Result<CondensedBeside<T>, SingularBlock> {
+        let Some(couplings) = couplings else {
+            let (ends, of_ends) = self.condense_loaded(matrix, loads)?;
+            return Ok(CondensedBeside::without(&ends, &of_ends));
+        };
         let (nodes, beyond) = (matrix.nodes(), if matrix.is_wide() { 3 } else { 2 });
         let mut sides = SideFront::new(couplings, nodes, beyond);
         let (ends, of_ends) = self.condense_any::<true, true>(matrix, loads, Some(&mut sides))?;
@@ -215,14 +234,20 @@ impl<T: Pivot> Condensation<T> {
         self.respond_as::<false, false>(x, None);
     }
 
-    /// As [`Condensation::respond`], for displacements of the unknowns beside the ends too.
-    pub fn respond_beside(&self, x: &mut [Vector3<T>], sides: &[Vector3<T>; 2]) {
-        self.respond_as::<true, true>(x, Some(sides));
+    /// As [`Condensation::respond`], for displacements of the unknowns beside the ends too, if there are any.
+    pub fn respond_beside(&self, x: &mut [Vector3<T>], sides: Option<&[Vector3<T>; 2]>) {
+        match sides {
+            Some(_) => self.respond_as::<true, true>(x, sides),
+            None => self.respond(x),
+        }
     }
 
     /// The same without the loads.
-    pub fn respond_beside_unloaded(&self, x: &mut [Vector3<T>], sides: &[Vector3<T>; 2]) {
-        self.respond_as::<false, true>(x, Some(sides));
+    pub fn respond_beside_unloaded(&self, x: &mut [Vector3<T>], sides: Option<&[Vector3<T>; 2]>) {
+        match sides {
+            Some(_) => self.respond_as::<false, true>(x, sides),
+            None => self.respond_unloaded(x),
+        }
     }
 
     fn respond_as<const LOADED: bool, const BESIDE: bool>(
@@ -448,7 +473,7 @@ mod tests {
             let left = right(&kept) - take(&kept, &inner) * &by_load;
             let mut condensation = Condensation::new(n).with_sides();
             let found = condensation
-                .condense_beside(&m, &loads, &couplings.map(Some))
+                .condense_beside(&m, &loads, Some(&couplings.map(Some)))
                 .unwrap();
             for r in 0..12 {
                 assert!((found.left[r / 3][r % 3] - left[r]).abs() < 1e-12);
@@ -463,7 +488,7 @@ mod tests {
             let expected = by_load - by_kept * column;
             let mut x = vec![V3::zeros(); n];
             (x[0], x[n - 1]) = (moved[0], moved[1]);
-            condensation.respond_beside(&mut x, &sides);
+            condensation.respond_beside(&mut x, Some(&sides));
             for (k, value) in expected.iter().enumerate() {
                 assert!((x[1 + k / 3][k % 3] - value).abs() < 1e-12);
             }

@@ -50,7 +50,7 @@ impl Turning {
             return Ok(CondensedLine { ends, beside });
         }
         let CondensedBeside { blocks, .. } =
-            condensation.condense_beside(tangent, &[], &couplings)?;
+            condensation.condense_beside(tangent, &[], Some(&couplings))?;
         let turns = couplings.map(|coupling| coupling.is_some());
         Ok(CondensedLine {
             ends: [0, 1].map(|i| [blocks[i][0], blocks[i][1]]),
@@ -67,7 +67,7 @@ impl Turning {
             (Some(last), Some(now)) => last - now,
             _ => V3::zeros(),
         };
-        condensation.respond_beside(x, &[turned(0), turned(1)]);
+        condensation.respond_beside(x, Some(&[turned(0), turned(1)]));
     }
 
     /// Notes that there is a solution for the directions now.

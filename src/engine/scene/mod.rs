@@ -71,5 +71,6 @@ pub use step_reading::EnergyRates;
 pub use submergence::{LostBuoyancy, lost_buoyancy};
 pub use turning_clamps::ClampLoad;
 pub use unused_inputs::loads_without_effect;
+pub use vectors::direction;
 pub use water::Water;
 pub use waves::{records, sea, steep_waves};

@@ -1,5 +1,6 @@
 //! What the lines of a system at rest do to points and bodies, and how near they are to breaking.
 
+use super::clamps;
 use super::equilibrium::Equilibrium;
 use super::network::{Held, Network};
 use crate::numerics::V3;
@@ -30,7 +31,7 @@ pub fn pulls(network: &Network, rest: &Equilibrium) -> Vec<V3> {
 #[must_use]
 pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
     let (placement, pulls) = (&rest.placement, pulls(network, rest));
-    let (mut force, mut moment) = (V3::zeros(), V3::zeros());
+    let (mut force, mut moment) = (V3::zeros(), clamps::moment_on(network, rest, body));
     for (index, point) in network.points.iter().enumerate() {
         if matches!(point.held, Held::On(on, _) if on == body) {
             let here = pulls[index];
