@@ -130,6 +130,29 @@ fn in_time_it_swings_at_them() {
     assert!((found / period - 1.0).abs() < 0.02, "{found} {period}");
 }
 
+/// A rod spins freely about a clamp along its axis, and not about one across it.
+#[test]
+fn a_clamp_across_a_rod_holds_its_spin() {
+    let rod = |to: &str, azimuth: f64| {
+        at_rest(&format!(
+            "[materials.cable]\nmass_kg_per_m = 10.0\ndiameter_m = 0.05\nea_n = 1e6\nei_n_m2 = 1e4
+            [points.wall]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -20.0]
+            [rods.rod]\nkind = \"free\"\nend_a_m = [5.0, 0.0, -20.0]\nend_b_m = {to}\nmass_kg = 200.0\ndiameter_m = 0.5
+            [[lines]]\nname = \"cable\"\nfrom = \"wall\"\nto = \"rod-a\"\nmaterial = \"cable\"\nlength_m = 5.0\nsegments = 10
+            clamp_a_elevation_deg = -60.0\nclamp_b_elevation_deg = 0.0\nclamp_b_azimuth_deg = {azimuth:?}\n"
+        ))
+    };
+    let along = rod("[6.0, 0.0, -20.0]", 0.0);
+    assert!(along.network.bodies[0].spins_about.is_some());
+    let across = rod("[5.0, 1.0, -20.0]", 0.0);
+    assert_eq!(across.network.bodies[0].spins_about, None);
+    let periods = |system: &SolvedSystem| {
+        let modes = seacable::system::analysis::periods::periods(&system.network, &system.rest);
+        modes.unwrap().modes.len()
+    };
+    assert_eq!([periods(&along), periods(&across)], [5, 6]);
+}
+
 /// An umbilical from the bed to a body that is tilted, clamped at both ends, beside a mooring line to hold it.
 fn umbilical(body: &str) -> String {
     format!(

@@ -1,11 +1,15 @@
 //! Files of MoorDyn whose rods hold lines that bend: on bodies, free, pinned, and as modules on a cable.
 
+use seacable::audit::lumped::equilibrium::at_rest;
 use seacable::case::kind;
 use seacable::export::{ExportOptions, Target, export};
 use seacable::import::{self, ImportOptions};
 use seacable::numerics::V3;
 use seacable::system::quantities::value;
 use seacable::system::{SolvedSystem, SystemFile};
+
+use crate::audit::model_of;
+use crate::motion::{channel, moved};
 
 /// A power cable clamped at its hang-off by a rod without length on a body, between three mooring lines, all in own numbers.
 const HANG_OFF: &str = "\
@@ -84,6 +88,15 @@ fn a_rod_on_a_body_clamps_a_cable() {
         let [one, other] = [&system, &alone].map(|system| value(system, name).unwrap());
         assert_near(one, other, 1e-9);
     }
+}
+
+/// MoorDyn 2.7.2 has 10,676 and 2,022 N in the middle of the end segments.
+#[test]
+fn lumped_masses_are_clamped_as_in_moordyn() {
+    let model = model_of(HANG_OFF, 1);
+    let rest = at_rest(&model, &model.start).unwrap();
+    assert_near(model.end_tension(0, &rest), 10_676.0, 5e-3);
+    assert_near(model.tension(0, 0, &rest), 2_022.0, 2e-2);
 }
 
 /// Turned and shifted with its body, the rod is where it was.
@@ -198,6 +211,43 @@ fn a_module_on_a_cable_is_a_stiff_section_of_it() {
         (moments[0] + moments[1]).norm() < 1e-4 * moments[0].norm(),
         "{moments:?}"
     );
+}
+
+#[test]
+fn a_module_moves_as_a_stiff_section() {
+    let run = |middle: &str, pieces: [&str; 2]| {
+        let case = read(&module(middle, pieces));
+        let (_, case) = case.split_once("[system]").unwrap();
+        let (head, tail) = case.split_once("[points.p2]").unwrap();
+        let tail = tail.replacen(
+            "kind = \"fixed\"",
+            "kind = \"moved\"\namplitude_m = [0.3, 0.2, 0.5]\nperiod_s = 4.0\nramp_s = 4.0",
+            1,
+        );
+        let (_, head) = head.split_once("title").unwrap();
+        let (_, head) = head.split_once('\n').unwrap();
+        moved(&format!(
+            "{head}[points.p2]{tail}\n[solver]\nduration_s = 10.0\ntime_step_s = 0.02\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+        ))
+    };
+    let rod = run("1 module Free 14 0 -26 16 0 -26 4 -", ["R1A", "R1B"]);
+    let section = run(
+        "1 joint Free 14 0 -26 14 0 -26 0 -\n2 joint Free 16 0 -26 16 0 -26 0 -",
+        ["R1A", "R2B"],
+    );
+    let (one, other) = (
+        channel(&rod, "tension_n[line1|a]"),
+        channel(&section, "tension_n[line1|a]"),
+    );
+    let swing = one
+        .iter()
+        .fold(0.0_f64, |most, v| most.max((v - one[0]).abs()));
+    for (one, other) in one.iter().zip(other) {
+        assert!(
+            (one - other).abs() < 0.05 * swing,
+            "{one} {other} of {swing}"
+        );
+    }
 }
 
 #[test]

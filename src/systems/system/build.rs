@@ -261,7 +261,7 @@ impl Builder<'_> {
             let discretised = DiscretisedLine::where_needed(self.file, &turned, parts);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
-            let clamps = clamps::on_bodies(&self.network, line, angle, [from, to]);
+            let clamps = clamps::on_bodies(&self.network, (line, parts), angle, [from, to]);
             let form = LineForm::of(self.file, &turned, parts);
             self.network.lines.push(Line {
                 discretised,

@@ -6,29 +6,32 @@ use std::array::from_fn;
 
 use nalgebra::{Rotation3, SMatrix};
 
-use super::equilibrium::Equilibrium;
 use super::freedoms::{Follower, Freedoms, Placement};
 use super::model::LineInputs;
 use super::network::{Held, Line, Network};
+use super::parts::Part;
 use super::pose::cross;
 use crate::numerics::V3;
 use crate::scene::direction;
 
-/// The directions of the clamps of a copy of a line, turned by this angle \[deg\], in the frames of the bodies at its ends; its points are
-/// those of the system. Like the points on a body, a copy turns about the z axis of the body.
+/// The directions of the clamps of a copy of a line of these parts, turned by this angle \[deg\], in the frames of the bodies at its ends; its
+/// points are those of the system. Like the points on a body, a copy turns about the z axis of the body. Nothing where the line does not
+/// bend at that end.
 #[must_use]
 pub fn on_bodies(
     network: &Network,
-    line: &LineInputs,
+    (line, parts): (&LineInputs, &[Part]),
     angle: f64,
     points: [usize; 2],
 ) -> [Option<V3>; 2] {
+    let at_ends = [parts.first(), parts.last()];
     let given = [
         (line.clamp_a_elevation_deg, line.clamp_a_azimuth_deg),
         (line.clamp_b_elevation_deg, line.clamp_b_azimuth_deg),
     ];
     from_fn(|end| {
         let (elevation, azimuth) = given[end];
+        at_ends[end].filter(|part| part.material.ei_n_m2 > 0.0)?;
         let Held::On(body, _) = network.points[points[end]].held else {
             return None;
         };
@@ -42,16 +45,16 @@ pub fn on_bodies(
 /// The directions of the clamps of a line on bodies in these poses, from A to B.
 #[must_use]
 pub fn directions(network: &Network, line: &Line, placement: &Placement) -> [Option<V3>; 2] {
-    let points = [line.from, line.to];
     from_fn(|end| {
-        let (body, own) = clamp_on(network, line, points[end], end)?;
+        let (body, own) = clamp_on(network, line, end)?;
         Some(placement.bodies[body].arm(&own))
     })
 }
 
-/// The body that holds the clamp of a line at an end, and its direction there.
-fn clamp_on(network: &Network, line: &Line, point: usize, end: usize) -> Option<(usize, V3)> {
-    match network.points[point].held {
+/// The body that holds the clamp of a line at an end, and the direction of that in its frame.
+#[must_use]
+pub fn clamp_on(network: &Network, line: &Line, end: usize) -> Option<(usize, V3)> {
+    match network.points[[line.from, line.to][end]].held {
         Held::On(body, _) => Some((body, line.clamps[end]?)),
         Held::At(_) | Held::Free(_) => None,
     }
@@ -65,7 +68,7 @@ pub fn follower(
     placement: &Placement,
     (line, end): (&Line, usize),
 ) -> Option<Follower> {
-    let (body, own) = clamp_on(network, line, [line.from, line.to][end], end)?;
+    let (body, own) = clamp_on(network, line, end)?;
     let first = freedoms.bodies[body]?;
     let arm = placement.bodies[body].arm(&own);
     let mut by = SMatrix::<f64, 3, 6>::zeros();
@@ -78,26 +81,6 @@ pub fn follower(
     })
 }
 
-/// Moment of all clamps on a body \[N m\]: `d x F` of each.
-#[must_use]
-pub fn moment_on(network: &Network, rest: &Equilibrium, body: usize) -> V3 {
-    let mut moment = V3::zeros();
-    for (line, at_rest) in network.lines.iter().zip(&rest.balance.lines) {
-        let Some(clamped) = at_rest.clamped() else {
-            continue;
-        };
-        for (end, point) in [line.from, line.to].into_iter().enumerate() {
-            if let Some((on, own)) = clamp_on(network, line, point, end)
-                && on == body
-            {
-                let along = rest.placement.bodies[body].arm(&own);
-                moment += along.cross(&clamped.force_n_m[end]);
-            }
-        }
-    }
-    moment
-}
-
 /// Whether any line is clamped on a body that turns.
 #[must_use]
 pub fn any_on_what_turns(network: &Network) -> bool {
@@ -106,10 +89,8 @@ pub fn any_on_what_turns(network: &Network) -> bool {
 
 /// The bodies that hold clamps, and the directions of these there.
 fn on_which(network: &Network) -> impl Iterator<Item = (usize, V3)> {
-    network.lines.iter().flat_map(move |line| {
-        let ends = [(0, line.from), (1, line.to)].into_iter();
-        ends.filter_map(move |(end, point)| clamp_on(network, line, point, end))
-    })
+    let lines = network.lines.iter();
+    lines.flat_map(move |line| (0..2).filter_map(move |end| clamp_on(network, line, end)))
 }
 
 /// Sine of the angle between a clamp and the axis of its rod below which the rod spins freely.

@@ -210,7 +210,7 @@ fn add_line(
     Ok(())
 }
 
-/// A line that bends and ends at a rod with length goes on in the direction of the rod: a node close behind its end holds it.
+/// A line that bends and ends at a rod goes on in the direction of the rod, but for joints that turn: a node close behind its end holds it.
 fn clamp(
     model: &mut LumpedModel,
     mooring: &Mooring,
@@ -227,11 +227,11 @@ fn clamp(
         0 => (nodes[0], nodes[1]),
         _ => (nodes[last], nodes[last - 1]),
     };
-    if rod.is_joint() {
+    let mut axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
+    // Rods with length that turn are held here.
+    if axis == V3::zeros() || rod.is_joint() && rod.hold.value.turns() {
         return;
     }
-    // Those that turn are held here.
-    let mut axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
     if let Hold::Body(body) = rod.hold.value.base() {
         axis = pose_of(mooring, *body).arm(&axis);
     }

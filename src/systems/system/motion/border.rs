@@ -264,8 +264,9 @@ impl Border {
             let own = [r[0], r[r.len() - 1]];
             let ends = LineEnds::of(system, state, line);
             let [a, b] = ends.residuals();
-            for (place, own) in ends.places.iter().zip(&[own[0], own[1], a, b]) {
-                self.turn_arms(place, own, c.stiffness);
+            let own = [own[0], own[1], a, b];
+            for (k, place) in ends.places() {
+                self.turn_arms(place, &own[k], c.stiffness);
             }
             // The residuals of the nodes are left to them; clamps have none.
             ends.add(&[V3::zeros(), V3::zeros(), a, b], &mut self.rows);
@@ -343,11 +344,11 @@ impl Border {
             *left += residual;
         }
         let own = [own[0], own[1], clamps[0], clamps[1]];
-        for (i, on) in ends.places.iter().enumerate() {
+        for (i, on) in ends.places() {
             on.add(&left[i], &mut self.rows);
             on.add(&own[i], &mut self.own);
             self.turn_arms(on, &own[i], stiffness);
-            for (j, by) in ends.places.iter().enumerate() {
+            for (j, by) in ends.places() {
                 self.couple(on, by, &blocks[i][j]);
             }
         }

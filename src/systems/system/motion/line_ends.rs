@@ -12,37 +12,42 @@ use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
 use crate::numerics::{Condensation, SideCouplings, V3};
 use crate::scene::ClampLoad;
-use crate::system::network::Held;
+use crate::system::clamps::clamp_on;
 
-/// The ends A and B of a line, then the clamps there; a clamp that does not turn has no unknowns.
-#[derive(Default)]
+/// The ends A and B of a line, and the clamps there that turn.
 pub(super) struct LineEnds {
-    pub(super) places: [Place; 4],
-    /// What the clamps that turn do.
-    clamps: [Option<ClampLoad>; 2],
+    ends: [Place; 2],
+    clamps: [Option<TurningClamp>; 2],
+}
+
+/// A clamp on a body that turns: how its direction moves, and what it does.
+struct TurningClamp {
+    place: Place,
+    load: ClampLoad,
 }
 
 impl LineEnds {
     /// Those of a line in a state.
     pub(super) fn of(system: &MovingSystem, state: &SystemState, line: usize) -> Self {
-        let [a, b] = state.attached[line].map(|joint| place(system, state, joint));
-        let mut ends = Self {
-            places: [a, b, Place::default(), Place::default()],
-            clamps: [None; 2],
-        };
-        for end in 0..2 {
-            if let Some((place, load)) = turning_clamp(system, state, line, end) {
-                ends.places[2 + end] = place;
-                ends.clamps[end] = Some(load);
-            }
+        Self {
+            ends: state.attached[line].map(|joint| place(system, state, joint)),
+            clamps: from_fn(|end| turning_clamp(system, state, line, end)),
         }
-        ends
+    }
+
+    /// The places of the ends, numbers 0 and 1, and those of the directions of the clamps, 2 and 3.
+    pub(super) fn places(&self) -> impl Iterator<Item = (usize, &Place)> {
+        let clamps = self.clamps.iter().map(|clamp| Some(&clamp.as_ref()?.place));
+        let all = self.ends.iter().map(Some).chain(clamps);
+        all.enumerate().filter_map(|(k, place)| Some((k, place?)))
     }
 
     /// Residuals of the directions of its clamps \[N m\].
     pub(super) fn residuals(&self) -> [V3; 2] {
+        let of = |clamp: &Option<TurningClamp>| clamp.as_ref().map(|clamp| clamp.load.residual);
         self.clamps
-            .map(|clamp| clamp.map_or_else(V3::zeros, |load| load.residual))
+            .each_ref()
+            .map(|clamp| of(clamp).unwrap_or_default())
     }
 
     /// Whether any of its clamps turns.
@@ -52,16 +57,15 @@ impl LineEnds {
 
     /// Couplings of its clamps to its nodes, by a share of the stiffness; nothing where none turns.
     pub(super) fn couplings(&self, stiffness: f64) -> Option<SideCouplings> {
-        self.turn().then(|| {
-            self.clamps
-                .map(|clamp| clamp.map(|load| load.coupling * stiffness))
-        })
+        let of = |clamp: &TurningClamp| clamp.load.coupling * stiffness;
+        let all = self.clamps.each_ref();
+        self.turn().then(|| all.map(|clamp| clamp.as_ref().map(of)))
     }
 
     /// Adds what is on the ends and clamps to the rows of what they are at.
     pub(super) fn add(&self, left: &[V3; 4], rows: &mut [V3]) {
-        for (place, left) in self.places.iter().zip(left) {
-            place.add(left, rows);
+        for (k, place) in self.places() {
+            place.add(&left[k], rows);
         }
     }
 
@@ -73,7 +77,10 @@ impl LineEnds {
         x: &mut [V3],
         loaded: bool,
     ) {
-        let moved: [V3; 4] = from_fn(|k| self.places[k].displacement(rows));
+        let mut moved = [V3::zeros(); 4];
+        for (k, place) in self.places() {
+            moved[k] = place.displacement(rows);
+        }
         let last = x.len() - 1;
         (x[0], x[last]) = (moved[0], moved[1]);
         let turned = self.turn().then_some([moved[2], moved[3]]);
@@ -84,13 +91,13 @@ impl LineEnds {
     }
 }
 
-/// The clamp at an end of a line on a body that turns: how its direction moves, and what it does.
+/// The clamp at an end of a line, if it is on a body that turns.
 fn turning_clamp(
     system: &MovingSystem,
     state: &SystemState,
     line: usize,
     end: usize,
-) -> Option<(Place, ClampLoad)> {
+) -> Option<TurningClamp> {
     let (body, _) = system.clamp_on(line, end)?;
     let rotation = system.joints.rotations[body];
     let row = system.joints.row(rotation)?;
@@ -104,18 +111,13 @@ fn turning_clamp(
         arm: cross(&load.direction),
         jacobian: rotation_jacobian(&pose.rotation, &state.joints.x[rotation]),
     });
-    Some((place, load))
+    Some(TurningClamp { place, load })
 }
 
 impl MovingSystem {
     /// The body that an end of a line is clamped on, and the direction of the clamp in its frame.
     pub(super) fn clamp_on(&self, line: usize, end: usize) -> Option<(usize, V3)> {
-        let line = &self.network.lines[line];
-        let point = [line.from, line.to][end];
-        match self.network.points[point].held {
-            Held::On(body, _) => Some((body, line.clamps[end]?)),
-            Held::At(_) | Held::Free(_) => None,
-        }
+        clamp_on(&self.network, &self.network.lines[line], end)
     }
 
     /// The clamps of all lines on bodies that turn, or on those that do not: line, end, body and direction in its frame.

@@ -225,11 +225,11 @@ impl<'a> LinearSystem<'a> {
     /// Adds a condensed line to the rows of its ends and clamps.
     fn join(&mut self, line: usize, condensed: &CondensedBeside<Complex>) {
         let CondensedBeside { blocks, left } = condensed;
-        for (i, on) in self.ends[line].places.iter().enumerate() {
+        for (i, on) in self.ends[line].places() {
             for (row, lever) in on.parts() {
                 let lever = lever.map(|lever| complex(&lever).transpose());
                 self.rows[*row] += lever.map_or(left[i], |lever| lever * left[i]);
-                for (j, by) in self.ends[line].places.iter().enumerate() {
+                for (j, by) in self.ends[line].places() {
                     for (column, moved) in by.parts() {
                         let mut block = blocks[i][j];
                         if let Some(lever) = lever {
@@ -252,9 +252,12 @@ impl<'a> LinearSystem<'a> {
         let lines = self.ends.iter().enumerate().map(|(line, ends)| {
             let nodes = self.mean.lines[line].x.len();
             let mut x = vec![Amplitude::zeros(); nodes];
-            let [a, b, at_a, at_b] = ends.places.each_ref().map(|place| self.moved(place));
-            (x[0], x[nodes - 1]) = (a, b);
-            let turned = ends.turn().then_some([at_a, at_b]);
+            let mut moved = [Amplitude::zeros(); 4];
+            for (k, place) in ends.places() {
+                moved[k] = self.moved(place);
+            }
+            (x[0], x[nodes - 1]) = (moved[0], moved[1]);
+            let turned = ends.turn().then_some([moved[2], moved[3]]);
             self.condensations[line].respond_beside(&mut x, turned.as_ref());
             // What is prescribed of the ends is in the loads of the other nodes already.
             for (node, joint) in [0, nodes - 1].into_iter().zip(self.mean.attached[line]) {
