@@ -378,6 +378,57 @@ fn explicit_steps_agree_with_implicit_ones() {
     }
 }
 
+/// Written from its other end, or mirrored with all that moves it, it moves alike.
+#[test]
+fn a_clamped_cable_moves_alike_reversed_and_mirrored() {
+    let text = hung(
+        "duration_s = 3.0\ntime_step_s = 0.05\nposition_tolerance_m = 1e-10\nerror_estimate = false\n[output]\ninterval_s = 0.25\n",
+    );
+    let exchanged = |pairs: &[(&str, &str)]| {
+        let with = |text: String, (from, to): &(&str, &str)| {
+            assert!(text.contains(from), "{from}");
+            text.replace(from, to)
+        };
+        pairs.iter().fold(text.clone(), with)
+    };
+    let reversed = moved(&exchanged(&[
+        (
+            "from = \"hang_off\"\nto = \"eye\"",
+            "from = \"eye\"\nto = \"hang_off\"",
+        ),
+        (
+            "clamp_a_elevation_deg = -70.0\nclamp_b_elevation_deg = -85.0\nclamp_b_azimuth_deg = 40.0",
+            "clamp_a_elevation_deg = 85.0\nclamp_a_azimuth_deg = 220.0\nclamp_b_elevation_deg = 70.0\nclamp_b_azimuth_deg = 180.0",
+        ),
+    ]));
+    let mirrored = moved(&exchanged(&[
+        (
+            "position_m = [2.0, 1.0, -1.0]",
+            "position_m = [2.0, -1.0, -1.0]",
+        ),
+        ("[0.5, 0.2, 1.0]", "[0.5, -0.2, 1.0]"),
+        ("[6.0, 9.0, 3.0]", "[-6.0, 9.0, -3.0]"),
+        ("[1.7, 1.0, -13.0]", "[1.7, -1.0, -13.0]"),
+        ("clamp_b_azimuth_deg = 40.0", "clamp_b_azimuth_deg = -40.0"),
+    ]));
+    let given = moved(&text);
+    for (name, other) in [
+        ("tension_n[cable|b]", "tension_n[cable|a]"),
+        ("moment_nm[cable|a]", "moment_nm[cable|b]"),
+        ("moment_nm[cable|b]", "moment_nm[cable|a]"),
+    ] {
+        let given = channel(&given, name);
+        for same in [channel(&reversed, other), channel(&mirrored, name)] {
+            for (one, other) in given.iter().zip(same) {
+                assert!(
+                    (one - other).abs() < 1e-8 * one.abs(),
+                    "{name}: {one} {other}"
+                );
+            }
+        }
+    }
+}
+
 /// Newton's residuals of an implicit step fall by their squares: the tangent is exact.
 #[test]
 fn newton_converges_quadratically_on_turned_clamps() {
