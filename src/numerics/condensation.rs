@@ -140,7 +140,7 @@ impl<T: Pivot> Condensation<T> {
         let (nodes, beyond) = (matrix.nodes(), if matrix.is_wide() { 3 } else { 2 });
         let mut sides = SideFront::new(couplings, nodes, beyond);
         let (ends, of_ends) = self.condense_any::<true, true>(matrix, loads, Some(&mut sides))?;
-        let (by_sides, of_sides) = sides.left();
+        let (by_sides, of_sides) = (sides.by_sides(), sides.of_sides());
         let blocks = [0, 1, 2, 3].map(|i| {
             [0, 1, 2, 3].map(|j| match (i, j) {
                 (0..2, 0..2) => ends[i][j],

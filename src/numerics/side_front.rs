@@ -6,7 +6,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::condensation::{FRONT, NEXT};
+use super::condensation::{EndBlocks, FRONT, NEXT};
 use super::lanes::Pivot;
 use super::lu::{Lu, minus_applied, minus_product};
 
@@ -97,10 +97,13 @@ impl<T: Pivot> SideFront<T> {
         self.enter(beyond, entering);
     }
 
-    /// What is left between the first and last nodes and both unknowns: that of the nodes by the unknowns, and the other way.
-    pub(super) fn left(&self) -> ([[Matrix3<T>; 2]; 2], [[Matrix3<T>; 2]; 2]) {
-        let columns = [self.columns[0], self.columns[NEXT]];
-        let rows = [0, 1].map(|end| [self.rows[0][end], self.rows[NEXT][end]]);
-        (columns, rows)
+    /// What is left of the first and last nodes by the unknowns.
+    pub(super) fn by_sides(&self) -> EndBlocks<T> {
+        [self.columns[0], self.columns[NEXT]]
+    }
+
+    /// What is left of the unknowns by the first and last nodes.
+    pub(super) fn of_sides(&self) -> EndBlocks<T> {
+        [0, 1].map(|end| [self.rows[0][end], self.rows[NEXT][end]])
     }
 }

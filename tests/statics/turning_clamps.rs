@@ -24,7 +24,7 @@ fn umbilical(current: bool) -> LineBetweenEnds {
     };
     case.materials.insert("m".into(), material);
     case.line = vec![Section::new("line", "m", 18.0, 24)];
-    case.current = current.then(|| Current {
+    case.current = current.then_some(Current {
         speed_m_per_s: Some(OneOrMany::One(0.8)),
         direction_deg: OneOrMany::One(70.0),
         depth_m: None,
@@ -64,13 +64,15 @@ fn the_stiffness_of_clamps_is_that_of_central_differences() {
         let (ends, directions) = ([A.into(), B.into()], directions());
         let here = solve(&mut line, ends, directions);
         let stiffness = clamped(&here).stiffness;
-        for i in 0..2 {
-            for j in 0..2 {
-                assert_eq!(stiffness[i][j], here.stiffness_n_per_m[i][j]);
-            }
+        for (with, row) in stiffness.iter().zip(&here.stiffness_n_per_m) {
+            assert_eq!(with[..2], row[..]);
         }
-        let scale = [0, 1, 2, 3]
-            .map(|row: usize| stiffness[row].iter().map(|b| b.amax()).fold(0.0, f64::max));
+        let scale = [0, 1, 2, 3].map(|row: usize| {
+            stiffness[row]
+                .iter()
+                .map(nalgebra::Matrix::amax)
+                .fold(0.0, f64::max)
+        });
         for j in 0..4 {
             for k in 0..3 {
                 let h = 1e-5;

@@ -19,8 +19,14 @@ pub struct ClampedEquilibrium {
 #[derive(Debug, Clone)]
 pub(super) struct CondensedLine {
     pub(super) ends: EndBlocks,
-    /// Which clamps turn, and the blocks with theirs.
-    beside: Option<Box<([bool; 2], [[M3; 4]; 4])>>,
+    beside: Option<Box<CondensedClamps>>,
+}
+
+/// Which clamps turn, and the blocks of the ends and of them.
+#[derive(Debug, Clone)]
+struct CondensedClamps {
+    turns: [bool; 2],
+    blocks: [[M3; 4]; 4],
 }
 
 /// The directions of clamps that turn.
@@ -54,7 +60,7 @@ impl Turning {
         let turns = couplings.map(|coupling| coupling.is_some());
         Ok(CondensedLine {
             ends: [0, 1].map(|i| [blocks[i][0], blocks[i][1]]),
-            beside: Some(Box::new((turns, blocks))),
+            beside: Some(Box::new(CondensedClamps { turns, blocks })),
         })
     }
 
@@ -79,7 +85,7 @@ impl Turning {
 impl ClampedEquilibrium {
     /// Of a line condensed at its equilibrium; nothing where no clamp turns.
     pub(super) fn of(scene: &Scene, state: &State, condensed: &CondensedLine) -> Option<Box<Self>> {
-        let (turns, blocks) = condensed.beside.as_deref()?;
+        let CondensedClamps { turns, blocks } = condensed.beside.as_deref()?;
         let force = |end: usize| {
             let load = turns[end].then(|| scene.clamp_load(end, state)).flatten();
             load.map_or_else(V3::zeros, |load| -load.residual)
