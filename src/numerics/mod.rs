@@ -36,13 +36,15 @@ pub mod random;
 pub mod richardson;
 pub mod root_isolation;
 pub mod roots;
+mod side_front;
 pub mod spline;
 pub mod statistics;
 
 pub use block_band::{Banded, BlockBand, SingularBlock};
 pub use block_envelope::BlockEnvelope;
-pub use condensation::{Condensation, EndBlocks};
+pub use condensation::{Condensation, CondensedBeside, EndBlocks};
 pub use depth_grid::{DepthAt, DepthGrid, DepthGridError, DepthInterpolation};
+pub use side_front::SideCouplings;
 
 /// A vector of three numbers.
 pub type V3 = nalgebra::Vector3<f64>;

@@ -120,6 +120,13 @@ fn a_step_of_ropes_that_creep_allocates_nothing() {
 }
 
 #[test]
+fn a_step_of_lines_clamped_on_a_body_allocates_nothing() {
+    let bending = SYSTEM.replace("ea_n = 2e8", "ea_n = 2e8\nei_n_m2 = 2e4");
+    let clamp = "length_m = 65.0\nclamp_b_elevation_deg = 45.0\nclamp_b_azimuth_deg = 180.0";
+    allocates_nothing(&bending.replacen("length_m = 65.0", clamp, 1), 4.0);
+}
+
+#[test]
 fn a_step_of_lines_paid_out_allocates_nothing() {
     // Shorter than to where the mesh of an end changes.
     allocates_nothing(PAID_OUT, 1.0);

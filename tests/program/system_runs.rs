@@ -263,8 +263,19 @@ fn a_stopped_run_resumes_to_the_same_bits() {
             "initial_mean_tension_n = 2e5\nslow_damping_n_s",
         )
         .replace("interval_s = 60.0", "interval_s = 0.2");
+    // Its wire bends, and is clamped on a ship that pitches.
+    let clamped = BRIDLE
+        .replace("ea_n = 1e8", "ea_n = 1e8\nei_n_m2 = 1e5")
+        .replace(
+            "[points.top]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]",
+            "[points.top]\nkind = \"body\"\nbody = \"ship\"\nposition_m = [1.0, 0.0, 0.0]\n\
+             [bodies.ship]\nkind = \"moved\"\nposition_m = [-1.0, 0.0, 0.0]\namplitude_deg = [0.0, 5.0, 0.0]",
+        )
+        .replace("period_s = 8.0", "period_s = [8.0]")
+        .replace("length_m = 120.0", "length_m = 120.0\nclamp_b_elevation_deg = 90.0");
     for (text, solver, stop) in [
         (PLATFORM, "duration_s = 8.0\ntime_step_s = 0.1", 4.0),
+        (&clamped, "duration_s = 4.0", 2.0),
         (BRIDLE, "duration_s = 2.0\nmethod = \"rk4\"", 1.0),
         (CARGO, "duration_s = 12.0", 9.0),
         (BRIDLE, "duration_s = 2.0\nmethod = \"auto\"", 1.0),

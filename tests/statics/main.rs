@@ -22,5 +22,6 @@ mod reconfiguration;
 mod sections;
 mod slender_rod;
 mod speed_at_rest;
+mod turning_clamps;
 mod umbilical;
 mod warnings;

@@ -108,7 +108,7 @@ fn of(text: &str) -> Audit {
     audit(text, "file.dat", &ImportOptions::default()).unwrap()
 }
 
-fn model_of(text: &str, finer: usize) -> LumpedModel {
+pub(crate) fn model_of(text: &str, finer: usize) -> LumpedModel {
     let mooring = moordyn::read(text, Path::new("")).unwrap();
     let sea = sea_of(&mooring, &ImportOptions::default()).unwrap();
     build::lumped(&mooring, &sea, finer).unwrap()

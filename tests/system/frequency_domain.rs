@@ -255,3 +255,33 @@ fn what_has_no_steady_motion_is_refused_with_the_reason() {
         why.problem
     );
 }
+
+/// A box on a cable clamped on it and on a ship that turns and heaves by little.
+#[test]
+fn clamps_on_what_turns_are_linear_ones() {
+    let period = 5.0;
+    let text = format!(
+        "[environment]\nwater_density_kg_per_m3 = 1025.0
+        [materials.cable]\nmass_kg_per_m = 20.0\ndiameter_m = 0.08\nea_n = 2e6\nei_n_m2 = 2e4\naxial_damping_n_s = 2e5\nadded_mass_normal = 1.0\ndrag_normal = 0.0
+        [points.hang_off]\nkind = \"body\"\nbody = \"ship\"\nposition_m = [2.0, 0.0, -1.0]
+        [points.eye]\nkind = \"body\"\nbody = \"box\"\nposition_m = [0.0, 0.0, 1.0]
+        [bodies.ship]\nkind = \"moved\"\nposition_m = [0.0, 0.0, 0.0]\namplitude_m = [0.0, 0.0, 0.01]\namplitude_deg = [0.0, 0.2, 0.0]\nperiod_s = [{period:?}]\nramp_s = 40.0
+        [bodies.box]\nkind = \"free\"\nposition_m = [3.7, 0.0, -13.0]\nmass_kg = 3e3\nvolume_m3 = 1.0\ninertia_kg_m2 = [3e3, 3e3, 2e3]
+        added_mass = [1e3, 1e3, 1e3, 5e2, 5e2, 5e2]\ndamping = [1e3, 1e3, 1e3, 2e3, 2e3, 1e3]
+        [[lines]]\nname = \"cable\"\nfrom = \"hang_off\"\nto = \"eye\"\nmaterial = \"cable\"\nlength_m = 11.0\nsegments = 11
+        clamp_a_elevation_deg = -70.0\nclamp_b_elevation_deg = -85.0
+        {}",
+        solver(200.0, 0.05, 0.05)
+    );
+    differs(
+        &text,
+        period,
+        &[
+            "x_m[box]",
+            "z_m[box]",
+            "pitch_deg[box]",
+            "tension_n[cable|a]",
+            "moment_nm[cable|a]",
+        ],
+    );
+}

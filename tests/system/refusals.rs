@@ -279,14 +279,14 @@ fn keys_of_friction_need_friction_and_their_law() {
 }
 
 #[test]
-fn clamps_need_a_line_that_bends_and_a_point_that_does_not_turn() {
+fn clamps_need_a_line_that_bends_and_something_that_holds_them() {
     for (key, line, words) in [
         ("clamp_a_elevation_deg = 10.0", 33, "does not bend"),
         ("clamp_a_azimuth_deg = 10.0", 33, "hinged"),
         (
             "clamp_b_elevation_deg = 10.0",
             33,
-            "free or on a body that turns",
+            "a free point has no directions",
         ),
     ] {
         let from = "length_m = 200.0";

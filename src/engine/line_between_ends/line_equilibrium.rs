@@ -1,5 +1,6 @@
 //! What is known of a line at rest between two ends.
 
+use super::turning_clamps::{ClampedEquilibrium, CondensedLine};
 use crate::numerics::{EndBlocks, M3, V3};
 use crate::scene::{LaidFrom, Scene};
 use crate::solve::State;
@@ -25,6 +26,8 @@ pub struct LineEquilibrium {
     /// For an end held on the bed those of an end that stays on it: raised, it has the line's weight to carry at once. Where
     /// line lies slack in a heap, its shape is known no better than its residual, and so is the stiffness there.
     pub stiffness_n_per_m: EndBlocks,
+    /// What its clamps that turn do to what holds them; nothing without any.
+    pub clamped: Option<Box<ClampedEquilibrium>>,
     /// Positions of the nodes from A to B \[m\].
     pub position_m: Vec<V3>,
     /// Effective tensions at the nodes \[N\].
@@ -54,6 +57,7 @@ impl LineEquilibrium {
             bed_reaction_n: [V3::zeros(); 2],
             bed_reaction_turning_n_per_m: [M3::zeros(); 2],
             stiffness_n_per_m: [[M3::zeros(); 2]; 2],
+            clamped: None,
             position_m: state.x.clone(),
             tension_n: vec![0.0; state.x.len()],
             on_bed_m: 0.0,
@@ -70,7 +74,7 @@ impl LineEquilibrium {
         scene: &Scene,
         state: &State,
         found: &Equilibrium,
-        (blocks, unstable_directions): (&EndBlocks, usize),
+        (condensed, unstable_directions): (&CondensedLine, usize),
     ) -> Self {
         let last = scene.line_nodes() - 1;
         Self {
@@ -79,7 +83,8 @@ impl LineEquilibrium {
             bed_reaction_n: [0, last].map(|node| scene.bed_reaction_on_end(node, state)),
             bed_reaction_turning_n_per_m: [0, last]
                 .map(|node| scene.bed_reaction_turning(node, state)),
-            stiffness_n_per_m: blocks.map(|row| row.map(|block: M3| -block)),
+            stiffness_n_per_m: condensed.ends.map(|row| row.map(|block: M3| -block)),
+            clamped: ClampedEquilibrium::of(scene, state, condensed),
             position_m: state.x.clone(),
             tension_n: scene.tensions(state),
             on_bed_m: scene.length_touching_bed(state),

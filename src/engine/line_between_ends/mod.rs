@@ -37,16 +37,19 @@
 mod error;
 mod line_equilibrium;
 mod mesh_error;
+mod turning_clamps;
 
 pub use error::LineError;
 pub use line_equilibrium::LineEquilibrium;
 pub use mesh_error::{MeshOrder, mesh_error};
+pub use turning_clamps::ClampedEquilibrium;
 
 use crate::case::{Case, End, EndKind};
-use crate::numerics::{BlockBand, Condensation, EndBlocks, M3, V3};
+use crate::numerics::{BlockBand, Condensation, M3, SingularBlock, V3};
 use crate::scene::{self, LaidFrom, Scene, straight_between};
 use crate::solve::{Kinematics, Newton, Residual, State, StaticSearch};
 use crate::statics::equilibrium::{Equilibrium, EquilibriumSearch};
+use turning_clamps::{CondensedLine, Turning};
 
 /// Newton iterations of a warm start.
 const WARM_ITERATIONS: usize = 15;
@@ -73,6 +76,8 @@ pub struct LineBetweenEnds {
     unstable: Option<usize>,
     /// Whether the friction springs are attached.
     laid: bool,
+    /// The clamps that turn.
+    turning: Turning,
     trial: State,
     residual: Vec<V3>,
     tangent: BlockBand,
@@ -98,6 +103,7 @@ impl LineBetweenEnds {
             newton: Newton::new(0, 0.0, 0),
             unstable: None,
             laid: false,
+            turning: Turning::default(),
             trial: State::at_rest(Vec::new()),
             last: scene.initial_state(),
             residual: Vec::new(),
@@ -124,6 +130,9 @@ impl LineBetweenEnds {
         self.trial = self.last.clone();
         self.residual = vec![V3::zeros(); nodes];
         self.condensation = Condensation::new(nodes);
+        if (0..2).any(|end| self.scene.is_clamped(end)) {
+            self.condensation = Condensation::new(nodes).with_sides();
+        }
         self.displacement = vec![V3::zeros(); nodes];
     }
 
@@ -162,16 +171,23 @@ impl LineBetweenEnds {
         self.unstable = None;
         // More unstable directions: Newton has left the branch of the last equilibrium.
         if let Some(found) = warm
-            && let Ok(blocks) = self.condense()
+            && let Ok(condensed) = self.condense()
             && Some(self.condensation.negative_pivots()) <= before
         {
-            return Ok(self.accept(found, &blocks));
+            return Ok(self.accept(found, &condensed));
         }
         let tried = self.newton.iterations;
         let mut found = self.cold_start(a, b)?;
         found.iterations += tried;
-        let blocks = self.condense()?;
-        Ok(self.accept(found, &blocks))
+        let condensed = self.condense()?;
+        Ok(self.accept(found, &condensed))
+    }
+
+    /// Turns the clamps at ends A and B into these directions of the line, from A to B, for its next solution, which then says what they do to
+    /// what holds them: see [`ClampedEquilibrium`]. A hinge stays one.
+    pub fn turn_clamps(&mut self, directions: &[Option<V3>; 2]) {
+        self.scene.turn_clamps(directions);
+        self.turning.now = [0, 1].map(|end| directions[end].filter(|_| self.scene.is_clamped(end)));
     }
 
     /// The line straight between its ends and without forces, as a run may begin in the place of an equilibrium that it does not have.
@@ -217,7 +233,8 @@ impl LineBetweenEnds {
         }
         self.scene.hold_ends(a, b);
         (self.displacement[0], self.displacement[end]) = (from_a, from_b);
-        self.condensation.respond(&mut self.displacement);
+        self.turning
+            .respond(&self.condensation, &mut self.displacement);
         // First with extrapolated tensions, which suit a taut line, then without, which suits a slack one.
         let found = [true, false]
             .into_iter()
@@ -280,27 +297,35 @@ impl LineBetweenEnds {
 
     /// The tangent of `trial` condensed onto the ends. Line that nothing holds, slack on a smooth bed, is given a little stiffness: it
     /// has no force, whatever its shape.
-    fn condense(&mut self) -> Result<EndBlocks, LineError> {
+    fn condense(&mut self) -> Result<CondensedLine, LineError> {
         let (r, tangent) = (&mut self.residual, &mut self.tangent);
         self.scene.linearise_with_ends(0.0, &self.trial, r, tangent);
-        if let Ok(blocks) = self.condensation.condense(tangent) {
-            return Ok(blocks);
+        if let Ok(condensed) = self.condense_tangent() {
+            return Ok(condensed);
         }
+        let tangent = &mut self.tangent;
         let stiffest = tangent.diag.iter().map(M3::amax).fold(0.0, f64::max);
         for i in self.scene.free() {
             for k in 0..3 {
                 tangent.diag[i][(k, k)] += LEAST_STIFFNESS * stiffest;
             }
         }
-        Ok(self.condensation.condense(tangent)?)
+        Ok(self.condense_tangent()?)
+    }
+
+    fn condense_tangent(&mut self) -> Result<CondensedLine, SingularBlock> {
+        let at = (&self.scene, &self.trial);
+        self.turning
+            .condense(at, &self.tangent, &mut self.condensation)
     }
 
     /// Makes `trial` the last equilibrium.
-    fn accept(&mut self, found: Equilibrium, blocks: &EndBlocks) -> LineEquilibrium {
+    fn accept(&mut self, found: Equilibrium, condensed: &CondensedLine) -> LineEquilibrium {
         std::mem::swap(&mut self.last, &mut self.trial);
+        self.turning.accept();
         let unstable = self.condensation.negative_pivots();
         self.unstable = Some(unstable);
-        LineEquilibrium::new(&self.scene, &self.last, &found, (blocks, unstable))
+        LineEquilibrium::new(&self.scene, &self.last, &found, (condensed, unstable))
     }
 }
 

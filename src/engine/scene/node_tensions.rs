@@ -35,7 +35,7 @@ impl Scene {
     fn tension_beside(&self, i: usize, node: usize, state: &State) -> f64 {
         let own = self.tension_along(i, node, state);
         let flexure = self.elements.flexure.as_ref();
-        let Some(flexure) = flexure.filter(|flexure| flexure.clamp_at(node).is_none()) else {
+        let Some(flexure) = flexure.filter(|flexure| !flexure.is_clamped(node)) else {
             return own;
         };
         let by_shear = |at: usize| {
@@ -98,7 +98,7 @@ impl Scene {
             return force.norm();
         };
         // With bending the force at a node has a shear part; tension is the part along the line.
-        match flexure.clamp_at(node) {
+        match flexure.clamp_at(node, state) {
             Some(along) => (force + flexure.end_force(line, node, state)).dot(&along) * sign,
             None => force.dot(&chord.tangent) * sign,
         }
@@ -154,9 +154,9 @@ impl BothSides {
         }
         tensions[i] = near - part * length;
         // Of the last node; at others the next segment has its own.
-        let free = flexure.clamp_at(i + 1).is_none();
+        let free = !flexure.is_clamped(i + 1);
         tensions[i + 1] = if free { far + part * length } else { far };
         self.before = (far, length);
-        self.known = shear.is_some() || flexure.clamp_at(i).is_some();
+        self.known = shear.is_some() || flexure.is_clamped(i);
     }
 }

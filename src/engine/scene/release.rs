@@ -10,9 +10,7 @@ impl Scene {
         match change {
             SceneChange::ReleaseEnd(end) => {
                 scene.line.ends[end] = EndCondition::Free;
-                if let Some(flexure) = &mut scene.elements.flexure {
-                    flexure.clamps[end] = None;
-                }
+                scene.unclamp(end);
             }
             SceneChange::ReleasePayload => {
                 // The payload is the last of the bodies, at the last node.

@@ -4,7 +4,8 @@ use crate::case::OneOrMany;
 use crate::numerics::V3;
 
 /// Unit vector of an azimuth from +x towards +y and an elevation \[rad\].
-pub(super) fn direction(azimuth: f64, elevation: f64) -> V3 {
+#[must_use]
+pub fn direction(azimuth: f64, elevation: f64) -> V3 {
     V3::new(
         azimuth.cos() * elevation.cos(),
         azimuth.sin() * elevation.cos(),

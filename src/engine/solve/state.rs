@@ -153,6 +153,9 @@ pub struct State {
     /// empty: mean strains are then solved for with the tensions.
     #[serde(skip)]
     pub creep_rates: Vec<f64>,
+    /// Directions of the line at clamped ends A and B whose clamps turn with a body, from A to B; nothing where the line has its own.
+    #[serde(skip)]
+    pub clamps: [Option<V3>; 2],
     /// History variables.
     pub memory: HistoryVariables,
 }
@@ -172,6 +175,7 @@ impl State {
             extrapolated_tension: Vec::new(),
             chord_correction: Vec::new(),
             creep_rates: Vec::new(),
+            clamps: [None; 2],
         }
     }
 
@@ -186,6 +190,7 @@ impl State {
             .clone_from(&other.extrapolated_tension);
         self.chord_correction.clone_from(&other.chord_correction);
         self.creep_rates.clone_from(&other.creep_rates);
+        self.clamps = other.clamps;
     }
 
     /// Prepares for a method that integrates the mean strains of ropes that creep. Allocates at the first call only.

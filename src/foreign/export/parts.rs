@@ -258,12 +258,18 @@ impl Writer<'_> {
         attachment
     }
 
-    /// What an end of a line is attached to: where it is clamped at a held point, a rod of no segments in the direction of the clamp.
-    fn end(&mut self, line: &LineInputs, end: usize, number: usize) -> String {
+    /// What an end of a line is attached to: where it is clamped at a held point or on a body, a rod of no segments in the direction of the
+    /// clamp. `index` is the number of the line in the network.
+    fn end(&mut self, (line, index): (&LineInputs, usize), end: usize) -> String {
+        let built = &self.solved.network.lines[index];
+        let number = [built.from, built.to][end];
         let elevation = [line.clamp_a_elevation_deg, line.clamp_b_elevation_deg][end];
         let Some(elevation) = elevation.filter(|_| self.target == Target::MoorDyn) else {
             return self.attachment(number);
         };
+        if let Some(end) = self.clamp_on_body(index, end, number) {
+            return end;
+        }
         let point = &self.solved.network.points[number];
         let (Held::At(place), Some(inputs)) =
             (&point.held, self.solved.file.points.get(&point.name))
@@ -278,9 +284,34 @@ impl Writer<'_> {
             _ => "Fixed",
         };
         let ends = [*place, place + along].map(Into::into);
+        self.clamp(hold, ends, end)
+    }
+
+    /// A rod of no segments that holds the direction of a line at its end.
+    fn clamp(&mut self, hold: &str, ends: [[f64; 3]; 2], end: usize) -> String {
         let rod = lines::rod_without_length(hold, ends, self.sheet);
         // The line leaves the rod at its end B, and enters it at its end A.
         format!("R{rod}{}", ["B", "A"][end])
+    }
+
+    /// The same on a body: in the frame of one that is written, else where that body has it. Rods hold the lines at their ends themselves.
+    fn clamp_on_body(&mut self, index: usize, end: usize, number: usize) -> Option<String> {
+        let network = &self.solved.network;
+        let Held::On(body, place) = &network.points[number].held else {
+            return None;
+        };
+        let along = network.lines[index].clamps[end]?;
+        if self.rod_end(number).is_some() {
+            return None;
+        }
+        if let Some(written) = self.bodies.get(body) {
+            let ends = [*place, place + along].map(Into::into);
+            return Some(self.clamp(&format!("Body{written}"), ends, end));
+        }
+        let pose = &self.solved.rest.placement.bodies[*body];
+        let there = pose.origin + pose.arm(place);
+        let ends = [there, there + pose.arm(&along)].map(Into::into);
+        Some(self.clamp("Coupled", ends, end))
     }
 
     /// A point at the end of a rod: `R1A`.
@@ -463,11 +494,10 @@ impl Writer<'_> {
         let mut index = 0;
         for line in &self.solved.file.lines {
             for _ in angles(&line.repeat_at_deg) {
-                let built = &self.solved.network.lines[index];
-                let mut attachments = vec![self.end(line, 0, built.from)];
+                let mut attachments = vec![self.end((line, index), 0)];
                 let of = (self.solved, index, line);
                 attachments.extend(lines::joints(of, self.target, self.sheet));
-                attachments.push(self.end(line, 1, built.to));
+                attachments.push(self.end((line, index), 1));
                 let friction = self.friction(line);
                 let all = &self.types;
                 let type_of = |material: &str| {

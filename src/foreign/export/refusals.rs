@@ -333,7 +333,7 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         let axis = rod_axis(solved, at);
         let is_of_rod = match (clamp, axis) {
             (None, axis) => axis.is_none() || !bends,
-            (Some(_), None) => is_held_point(solved, at) && line.repeat_at_deg.is_empty(),
+            (Some(_), None) => is_on_body(solved, at) || line.repeat_at_deg.is_empty(),
             (Some(elevation), Some(outwards)) => {
                 let azimuth = [line.clamp_a_azimuth_deg, line.clamp_b_azimuth_deg][end];
                 let (up, turn) = (elevation.to_radians(), azimuth.to_radians());
@@ -344,9 +344,7 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         };
         let what = match (clamp, axis) {
             (None, _) => "hinges of lines that bend at rods",
-            (Some(_), None) => {
-                "clamped ends of lines that are repeated, or at free points and bodies"
-            }
+            (Some(_), None) => "clamped ends of lines that are repeated",
             (Some(_), Some(_)) => "clamped ends at rods in another direction than that of the rod",
         };
         found.add(!is_of_rod && target == Target::MoorDyn, key(name), what);
@@ -364,24 +362,25 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
     );
 }
 
-/// Whether a point is held or moved by itself.
-fn is_held_point(solved: &SolvedSystem, name: &str) -> bool {
+/// Whether a point is on a body.
+fn is_on_body(solved: &SolvedSystem, name: &str) -> bool {
     let point = solved.file.points.get(name);
-    point.is_some_and(|point| matches!(point.kind, PointKind::Fixed | PointKind::Moved))
+    point.is_some_and(|point| point.kind == PointKind::Body)
 }
 
 /// Directions that differ by less are the same \[rad\].
 const SAME: f64 = 1e-6;
 
-/// The direction out of the end of a rod that a point is.
+/// The direction out of the end of a rod that a point is, where the file puts the rod.
 fn rod_axis(solved: &SolvedSystem, point: &str) -> Option<V3> {
-    let rods = solved.file.rods.iter();
-    rods.filter_map(|(name, rod)| {
-        let axis = (V3::from(rod.end_b_m) - V3::from(rod.end_a_m)).try_normalize(0.0)?;
+    let mut rods = solved.file.rods.keys();
+    rods.find_map(|name| {
+        let body = &solved.network.bodies[solved.network.body(name)?];
+        // The body of a rod has its x axis from end A to end B.
+        let axis = body.pose.arm(&V3::x());
         if point == format!("{name}-b") {
             return Some(axis);
         }
         (point == format!("{name}-a")).then_some(-axis)
     })
-    .next()
 }

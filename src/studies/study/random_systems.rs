@@ -222,6 +222,7 @@ impl Maker<'_> {
             added_weight: 0.0,
             break_loads: vec![None; sections.len()],
             sections,
+            clamps: [None; 2],
             still_water: false,
             bed_contact: true,
             friction,

@@ -7,11 +7,13 @@
 //! d(r x F) = [F]x [r]x dt + [r]x dF
 //! ```
 //!
-//! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included.
+//! The first part turns the arm under the force: with it the stiffness of a body is exact, loads that hold still included. The direction of a
+//! clamp on a body moves like a point at the arm of that direction, but for `du`.
 
 use nalgebra::{DVector, SMatrix};
 
 use super::body_loads::body_loads;
+use super::clamps;
 use super::discretised::Unsolved;
 use super::freedoms::{Follower, Freedoms, Placement, follower};
 use super::laid::laid_from;
@@ -20,6 +22,7 @@ use super::line_physics::LinePhysics;
 use super::line_solver::{has_closed_form, solve};
 use super::network::{Held, Network};
 use super::pose::cross;
+use crate::line_between_ends::ClampedEquilibrium;
 use crate::numerics::V3;
 use crate::numerics::envelope::EnvelopeMatrix;
 use crate::statics::catenary::CatenaryError;
@@ -61,12 +64,13 @@ pub fn line_at_rest(
 ) -> Result<LineAtRest, UnsolvedLine> {
     let line = &network.lines[index];
     let [a, b] = [line.from, line.to].map(|point| &placement.points[point]);
+    let clamps = &clamps::directions(network, line, placement);
     let solved = match &line.discretised {
         Some(element)
             if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
         {
             let from = laid_from(network, placement, index).unwrap_or_default();
-            let solved = element.solve((a, b), from, near);
+            let solved = element.solve((a, b), clamps, from, near);
             solved.or_else(|why| match line.begins_in_shape() {
                 true => element.unloaded((a, b)),
                 false => Err(why),
@@ -78,7 +82,7 @@ pub fn line_at_rest(
             match solve(network, line, (a, b), (physics, from), near) {
                 // It floats, or is dry between wet parts.
                 Err(CatenaryError::AtSurface(why)) => match element {
-                    Some(element) => element.solve((a, b), laid.unwrap_or_default(), near),
+                    Some(element) => element.solve((a, b), clamps, laid.unwrap_or_default(), near),
                     None => Err(Unsolved::of(why)),
                 },
                 found => found.map_err(|error| Unsolved::of(&error)),
@@ -116,6 +120,11 @@ pub fn balance(
         let ends = [line.from, line.to];
         let followers = ends.map(|point| follower(network, freedoms, placement, point));
         out.line(&at_rest, &followers);
+        if let Some(clamped) = at_rest.clamped() {
+            let of_clamp = |end| clamps::follower(network, freedoms, placement, (line, end));
+            let [a, b] = followers;
+            out.clamps(clamped, &[a, b, of_clamp(0), of_clamp(1)]);
+        }
         out.tension = at_rest.tensions().into_iter().fold(out.tension, f64::max);
         out.lines.push(at_rest);
     }
@@ -192,6 +201,29 @@ impl Balance {
             for (j, by) in followers.iter().enumerate() {
                 let Some(by) = by else { continue };
                 let block = on.by.transpose() * -slopes[i][j] * by.by;
+                let block = block.view((0, 0), (on.size, by.size));
+                self.stiffness.add_block(on.first, by.first, &block);
+            }
+        }
+    }
+
+    /// Adds the clamps of a line: followers of its ends, and of the directions of its clamps.
+    fn clamps(&mut self, line: &ClampedEquilibrium, followers: &[Option<Follower>; 4]) {
+        for (i, on) in followers.iter().enumerate() {
+            let Some(on) = on else { continue };
+            if i >= 2 {
+                let force = &line.force_n_m[i - 2];
+                let load = on.by.transpose() * force;
+                let mut rows = self.force.fixed_rows_mut::<6>(on.first);
+                rows += load;
+                let turning = -(cross(force) * cross(&on.arm));
+                let turns = on.first + 3;
+                self.stiffness.add_block(turns, turns, &turning);
+            }
+            // Those between both ends are of the line.
+            for (j, by) in followers.iter().enumerate().filter(|(j, _)| i.max(*j) >= 2) {
+                let Some(by) = by else { continue };
+                let block = on.by.transpose() * -line.stiffness[i][j] * by.by;
                 let block = block.view((0, 0), (on.size, by.size));
                 self.stiffness.add_block(on.first, by.first, &block);
             }

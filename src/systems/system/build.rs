@@ -6,6 +6,7 @@ use std::sync::Arc;
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
 use super::bed::Bed;
+use super::clamps;
 use super::discretised::{DiscretisedLine, LineForm};
 use super::initial::{BodyInitial, PointInitial};
 use super::model::{
@@ -85,6 +86,7 @@ pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, S
         builder.point(name, 0.0, V3::zeros());
     }
     let mut network = builder.network;
+    clamps::keep_from_spinning(&mut network);
     network.payouts = payouts(file, &network);
     Ok(network)
 }
@@ -259,9 +261,11 @@ impl Builder<'_> {
             let discretised = DiscretisedLine::where_needed(self.file, &turned, parts);
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
+            let clamps = clamps::on_bodies(&self.network, (line, parts), angle, [from, to]);
             let form = LineForm::of(self.file, &turned, parts);
             self.network.lines.push(Line {
                 discretised,
+                clamps,
                 closed_where_known: form == LineForm::ClosedWhereKnown,
                 ..built
             });
@@ -380,6 +384,7 @@ impl Builder<'_> {
             ],
             start: line.start.clone(),
             discretised: None,
+            clamps: [None; 2],
             closed_where_known: false,
             displaced_reversed: displaced.iter().rev().copied().collect(),
             displaced,

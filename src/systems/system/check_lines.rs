@@ -1,10 +1,10 @@
 //! Checks of the lines of a system: what they end at, what they are made of, their clamps.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use super::check_bed::friction_of_line;
 use super::check_start;
-use super::model::{BodyKeys, BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
+use super::model::{BodyKeys, LineKeys, PointKeys, PointKind, SystemKeys};
 use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
@@ -17,8 +17,8 @@ pub(super) struct ByName<'k, 'a> {
     points: HashMap<&'k str, &'k PointKeys<'a>>,
     bodies: HashMap<&'k str, &'k BodyKeys<'a>>,
     materials: HashMap<&'k str, &'k MaterialKeys<'a>>,
-    /// What holds rods, by the names of the points at their ends.
-    rod_ends: HashMap<String, &'k Key<'a, BodyKind>>,
+    /// The names of the points at the ends of rods.
+    rod_ends: HashSet<String>,
     /// Lines by the points that they end at.
     lines_at: HashMap<&'k str, Vec<&'k LineKeys<'a>>>,
 }
@@ -40,8 +40,7 @@ impl<'k, 'a> ByName<'k, 'a> {
                 }
             }
         }
-        let rods = keys.rods.iter();
-        let rod_ends = rods.flat_map(|(name, rod)| rods::ends(name).map(|end| (end, &rod.kind)));
+        let rod_ends = keys.rods.iter().flat_map(|(name, _)| rods::ends(name));
         Self {
             keys,
             points: by_name(&keys.points),
@@ -69,7 +68,7 @@ impl<'k, 'a> ByName<'k, 'a> {
 
     /// Whether this is the name of a body or rod.
     pub(super) fn is_body(&self, name: &str) -> bool {
-        self.bodies.contains_key(name) || self.rod_ends.contains_key(&rods::ends(name)[0])
+        self.bodies.contains_key(name) || self.rod_ends.contains(&rods::ends(name)[0])
     }
 
     /// Whether lines end at a point, and all of them are without weight.
@@ -98,7 +97,7 @@ impl<'k, 'a> ByName<'k, 'a> {
     /// An end of a line that is neither a point nor the end of a rod.
     fn unknown_point(&self, end: &Key<'_, String>) -> Option<Finding> {
         let name = end.get()?;
-        if self.points.contains_key(name.as_str()) || self.rod_ends.contains_key(name) {
+        if self.points.contains_key(name.as_str()) || self.rod_ends.contains(name) {
             return None;
         }
         let rods = self.keys.rods.iter();
@@ -149,7 +148,7 @@ impl<'k, 'a> ByName<'k, 'a> {
         found
     }
 
-    /// Clamps hold the direction of a line that bends, at a point that does not turn.
+    /// Clamps hold the direction of a line that bends: in space at a point, with the body at a point on one.
     fn clamps(&self, line: &LineKeys<'_>) -> Vec<Finding> {
         let mut found = Vec::new();
         for (elevation, azimuth, point) in [
@@ -170,9 +169,9 @@ impl<'k, 'a> ByName<'k, 'a> {
                 found.extend(azimuth.if_given(problem, remedy));
                 continue;
             }
-            if !self.does_not_turn(point.get()) {
-                let problem = "is not covered at a point that is free or on a body that turns";
-                let remedy = "clamp the line at a fixed or moved point, or remove the clamp";
+            if !self.holds_directions(point.get()) {
+                let problem = "has nothing that holds it: a free point has no directions";
+                let remedy = "clamp the line at a fixed or moved point or on a body or rod, or remove the clamp";
                 found.extend(elevation.if_given(problem, remedy));
             } else if !self.bends(line) {
                 let problem = "has no effect: the line does not bend";
@@ -183,23 +182,11 @@ impl<'k, 'a> ByName<'k, 'a> {
         found
     }
 
-    /// Whether a point keeps its directions: held or moved, or on a body that is held.
-    fn does_not_turn(&self, name: Option<&String>) -> bool {
-        let Some(name) = name else { return false };
-        let Some(point) = self.points.get(name.as_str()) else {
-            // Ends of rods turn with them; a name that is not known has a finding of its own.
-            let kind = self.rod_ends.get(name);
-            return kind.is_some_and(|kind| kind.is(&BodyKind::Held));
-        };
-        match point.kind.get() {
-            Some(PointKind::Free) => false,
-            Some(PointKind::Body) => {
-                let body = point.body.get();
-                let body = body.and_then(|name| self.bodies.get(name.as_str()));
-                body.is_some_and(|body| body.kind.is(&BodyKind::Held))
-            }
-            _ => true,
-        }
+    /// Whether a point holds directions: it is held or moved, or on a body; ends of rods are.
+    fn holds_directions(&self, name: Option<&String>) -> bool {
+        let point = name.and_then(|name| self.points.get(name.as_str()));
+        // A name that is not known has a finding of its own.
+        point.is_none_or(|point| point.kind.get() != Some(&PointKind::Free))
     }
 
     /// Whether a line has a material with bending stiffness.

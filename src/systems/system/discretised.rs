@@ -216,13 +216,14 @@ impl DiscretisedLine {
         &self.case
     }
 
-    /// The line at rest between two places, from the solution before if there is one.
+    /// The line at rest between two places, from the solution before if there is one; its clamps in `directions`, where these are on bodies.
     ///
     /// # Errors
     /// Why it has no equilibrium.
     pub fn solve(
         self: &Arc<Self>,
         (a, b): (&V3, &V3),
+        directions: &[Option<V3>; 2],
         laid_from: LaidFrom,
         before: Option<&LineAtRest>,
     ) -> Result<LineAtRest, Unsolved> {
@@ -232,6 +233,7 @@ impl DiscretisedLine {
             None => self.element().map_err(|why| Unsolved::of(&why))?.clone(),
         };
         element.lay_from(laid_from);
+        element.turn_clamps(directions);
         let found = element.solve(*a, *b)?;
         // Springs without stiffness: neither end lies, and nothing says how it was laid.
         let grips = &element.scene_and_state().0.start.grips;

@@ -1,5 +1,6 @@
 //! A line between two places: its forces on both ends and their stiffness.
 
+use crate::line_between_ends::ClampedEquilibrium;
 use crate::numerics::{M3, V3};
 use crate::statics::catenary::{CatenaryError, Solution};
 
@@ -71,6 +72,13 @@ impl LineAtRest {
             }
         }
         by_ends
+    }
+
+    /// What its clamps do to the bodies that hold them, if any does.
+    #[must_use]
+    pub fn clamped(&self) -> Option<&ClampedEquilibrium> {
+        let line = self.discretised.as_ref()?;
+        line.found.clamped.as_deref()
     }
 
     /// Unstretched length on the bed, or against the surface \[m\].

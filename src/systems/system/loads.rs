@@ -1,5 +1,6 @@
 //! What the lines of a system at rest do to points and bodies, and how near they are to breaking.
 
+use super::clamps::clamp_on;
 use super::equilibrium::Equilibrium;
 use super::network::{Held, Network};
 use crate::numerics::V3;
@@ -30,7 +31,7 @@ pub fn pulls(network: &Network, rest: &Equilibrium) -> Vec<V3> {
 #[must_use]
 pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
     let (placement, pulls) = (&rest.placement, pulls(network, rest));
-    let (mut force, mut moment) = (V3::zeros(), V3::zeros());
+    let (mut force, mut moment) = (V3::zeros(), of_clamps(network, rest, body));
     for (index, point) in network.points.iter().enumerate() {
         if matches!(point.held, Held::On(on, _) if on == body) {
             let here = pulls[index];
@@ -39,6 +40,21 @@ pub fn on_body(network: &Network, rest: &Equilibrium, body: usize) -> (V3, V3) {
         }
     }
     (force, moment)
+}
+
+/// Moment of all clamps on a body \[N m\]: `d x F` of each.
+fn of_clamps(network: &Network, rest: &Equilibrium, body: usize) -> V3 {
+    let pose = &rest.placement.bodies[body];
+    let lines = network.lines.iter().zip(&rest.balance.lines);
+    let moments = lines.flat_map(|(line, at_rest)| {
+        let forces = at_rest.clamped().map(|clamped| clamped.force_n_m);
+        let ends = forces.into_iter().flatten().enumerate();
+        ends.filter_map(|(end, force)| {
+            let (on, own) = clamp_on(network, line, end)?;
+            (on == body).then(|| pose.arm(&own).cross(&force))
+        })
+    });
+    moments.sum()
 }
 
 /// Force of its pin on a body \[N\]: what balances all else; nothing for a body that is not pinned.

@@ -20,6 +20,7 @@ mod check_bed;
 mod check_lines;
 mod check_matrix;
 mod check_start;
+pub mod clamps;
 pub mod connected;
 mod damage;
 pub mod discretised;

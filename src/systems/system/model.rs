@@ -514,11 +514,11 @@ table! {
         still_water: bool = false, "in still water";
         /// Whether the bed bears it; without, it hangs through the bed: as OMIT_CONTACT of MAP++.
         bed_contact: bool = true, "contact with the bed";
-        /// Angle above the horizontal of the line at its end A, towards B, where that end is clamped and the line bends.
+        /// Angle above the horizontal of the line at its end A, towards B, where that end is clamped and the line bends; on a body as the file puts it, turning with it.
         clamp_a_elevation_deg: Option<f64>, "clamp elevation of end A", range of(-90.0, 90.0), absent "hinged";
         /// Direction of the clamped line at its end A, from +x towards +y.
         clamp_a_azimuth_deg: f64 = 0.0, "clamp azimuth of end A", range of(-360.0, 360.0);
-        /// Angle above the horizontal of the line at its end B, as it comes from A, where that end is clamped and the line bends.
+        /// Angle above the horizontal of the line at its end B, as it comes from A, where that end is clamped and the line bends; on a body as the file puts it, turning with it.
         clamp_b_elevation_deg: Option<f64>, "clamp elevation of end B", range of(-90.0, 90.0), absent "hinged";
         /// Direction of the clamped line at its end B, from +x towards +y.
         clamp_b_azimuth_deg: f64 = 0.0, "clamp azimuth of end B", range of(-360.0, 360.0);

@@ -272,6 +272,8 @@ pub struct Line {
     pub friction: f64,
     /// Friction across it at rest \[-\].
     pub friction_lateral: f64,
+    /// Directions in the frames of the bodies that its ends A and B are on, where these are clamped, from A to B; nothing elsewhere.
+    pub clamps: [Option<V3>; 2],
     /// Whether current and waves leave it alone.
     pub still_water: bool,
     /// Whether the bed bears it.

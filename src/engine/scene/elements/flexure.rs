@@ -155,7 +155,8 @@ impl Flexure {
         let last = line.segments.len();
         let ends = [(0, 0), (1, last - 1)];
         ends.map(|(end, i)| {
-            self.clamps[end].map(|(direction, k)| (i, line.chord(i, state), direction, k))
+            self.clamp(end, state)
+                .map(|(direction, k)| (i, line.chord(i, state), direction, k))
         })
         .into_iter()
         .flatten()
@@ -170,9 +171,11 @@ impl Flexure {
             (1, last - 1, -1.0)
         };
         let chord = line.chord(i, state);
-        let mut force = self.clamps[end].map_or_else(V3::zeros, |(direction, k)| {
-            clamped(k, &direction, &chord) * sign
-        });
+        let mut force = self
+            .clamp(end, state)
+            .map_or_else(V3::zeros, |(direction, k)| {
+                clamped(k, &direction, &chord) * sign
+            });
         if last > 1 {
             let (joint, other) = if node == 0 {
                 (1, 1)
@@ -191,7 +194,7 @@ impl Flexure {
     fn curvature_by_segments(&self, i: usize, line: &LumpedLine, state: &State) -> V3 {
         let last = line.segments.len();
         let tangent = |i: usize| line.chord(i, state).tangent;
-        let [first, second] = match (i, self.clamp_at(i)) {
+        let [first, second] = match (i, self.clamp_at(i, state)) {
             (i, None) if i > 0 && i < last && self.joints[i] > 0.0 => [tangent(i - 1), tangent(i)],
             (0, Some(clamp)) => [clamp, tangent(0)],
             (_, Some(clamp)) => [tangent(last - 1), clamp],
@@ -207,8 +210,8 @@ impl Flexure {
         let last = line.segments.len();
         let curvature = |i: usize| self.curvature_by_segments(i, line, state);
         let (beside, segments) = match i {
-            0 if last > 1 && self.clamp_at(0).is_some() => (curvature(1), [0, 0]),
-            i if i == last && last > 1 && self.clamp_at(last).is_some() => {
+            0 if last > 1 && self.is_clamped(0) => (curvature(1), [0, 0]),
+            i if i == last && last > 1 && self.is_clamped(last) => {
                 (curvature(last - 1), [last - 1; 2])
             }
             i if self.turns_at_body(i, line) => {
@@ -232,14 +235,31 @@ impl Flexure {
             && line.segments[i - 1].ei == line.segments[i].ei
     }
 
-    /// The direction of the line at a clamped end, from A to B.
-    pub(in crate::scene) fn clamp_at(&self, node: usize) -> Option<V3> {
-        let end = match node {
-            0 => 0,
-            node if node + 1 == self.joints.len() => 1,
-            _ => return None,
-        };
-        self.clamps[end].map(|(direction, _)| direction)
+    /// The direction of the line at a clamped end, from A to B, and the stiffness of the bend \[N m\].
+    pub(in crate::scene) fn clamp(&self, end: usize, state: &State) -> Option<(V3, f64)> {
+        let (direction, k) = self.clamps[end]?;
+        Some((state.clamps[end].unwrap_or(direction), k))
+    }
+
+    /// The direction of the line at a node, if that is a clamped end, from A to B.
+    pub(in crate::scene) fn clamp_at(&self, node: usize, state: &State) -> Option<V3> {
+        let (direction, _) = self.clamp(self.end_of(node)?, state)?;
+        Some(direction)
+    }
+
+    /// Whether a node is a clamped end.
+    pub(in crate::scene) fn is_clamped(&self, node: usize) -> bool {
+        self.end_of(node)
+            .is_some_and(|end| self.clamps[end].is_some())
+    }
+
+    /// The end that a node is.
+    fn end_of(&self, node: usize) -> Option<usize> {
+        match node {
+            0 => Some(0),
+            node if node + 1 == self.joints.len() => Some(1),
+            _ => None,
+        }
     }
 
     /// Curvature \[1/m\] at every node in two planes of a frame that does not twist along the line; at rest the first is nearly vertical,
@@ -249,7 +269,7 @@ impl Flexure {
     pub fn curvatures(&self, line: &LumpedLine, state: &State, out: &mut [[f64; 2]]) {
         let last = line.segments.len();
         let mut before = line.chord(0, state).tangent;
-        let clamped = |end: usize| self.clamps[end].map(|(direction, _)| direction);
+        let clamped = |end: usize| self.clamp(end, state).map(|(direction, _)| direction);
         let mut axis = across(&clamped(0).unwrap_or(before));
         for (i, out) in out.iter_mut().enumerate() {
             let [first, second] = match i {
@@ -298,7 +318,8 @@ impl Flexure {
         let chord = |i: usize| state.x[i + 1] - state.x[i];
         let last = line.segments.len();
         let back = |direction: &V3, i: usize| direction.dot(&chord(i)) <= 0.0;
-        let at_end = |end: usize, i: usize| self.clamps[end].is_some_and(|(d, _)| back(&d, i));
+        let at_end =
+            |end: usize, i: usize| self.clamp(end, state).is_some_and(|(d, _)| back(&d, i));
         if at_end(0, 0) {
             return Some(0);
         }
@@ -349,10 +370,13 @@ impl Flexure {
         let inner: f64 = (1..last)
             .map(|i| self.joints[i] * (1.0 - tangent(i - 1).dot(&tangent(i))))
             .sum();
-        let ends = [0, last - 1].into_iter().zip(&self.clamps);
+        let ends = [(0, 0), (1, last - 1)].into_iter();
         inner
             + ends
-                .filter_map(|(i, c)| c.map(|(d, k)| k * (1.0 - d.dot(&tangent(i)))))
+                .filter_map(|(end, i)| {
+                    let (d, k) = self.clamp(end, state)?;
+                    Some(k * (1.0 - d.dot(&tangent(i))))
+                })
                 .sum::<f64>()
     }
 }

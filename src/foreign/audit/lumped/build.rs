@@ -96,17 +96,22 @@ impl EndNodes {
 fn add(model: &mut LumpedModel, mooring: &Mooring, hold: &Hold, place: V3) -> usize {
     let place = match hold {
         Hold::Body(body) => {
-            let body = &mooring.bodies[*body];
-            let origin = V3::from(body.place.each_ref().map(|given| given.value));
-            let angles = body.angles.each_ref().map(|given| given.value.to_radians());
-            let pose = Pose::of_roll_first(origin, angles);
-            origin + pose.arm(&place)
+            let pose = pose_of(mooring, *body);
+            pose.origin + pose.arm(&place)
         }
         _ => place,
     };
     model.start.push(place);
     model.free.push(*hold == Hold::Free);
     model.start.len() - 1
+}
+
+/// Where the file puts a body.
+fn pose_of(mooring: &Mooring, body: usize) -> Pose {
+    let body = &mooring.bodies[body];
+    let origin = V3::from(body.place.each_ref().map(|given| given.value));
+    let angles = body.angles.each_ref().map(|given| given.value.to_radians());
+    Pose::of_roll_first(origin, angles)
 }
 
 /// The nodes of the ends of a rod: one of a joint without length.
@@ -205,7 +210,7 @@ fn add_line(
     Ok(())
 }
 
-/// A line that bends and ends at a rod with length goes on in the direction of the rod: a node close behind its end holds it.
+/// A line that bends and ends at a rod goes on in the direction of the rod, but for joints that turn: a node close behind its end holds it.
 fn clamp(
     model: &mut LumpedModel,
     mooring: &Mooring,
@@ -222,10 +227,14 @@ fn clamp(
         0 => (nodes[0], nodes[1]),
         _ => (nodes[last], nodes[last - 1]),
     };
-    if rod.is_joint() || matches!(rod.hold.value, Hold::Free | Hold::Pinned(_) | Hold::Body(_)) {
+    let mut axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
+    // Rods with length that turn are held here.
+    if axis == V3::zeros() || rod.is_joint() && rod.hold.value.turns() {
         return;
     }
-    let axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
+    if let Hold::Body(body) = rod.hold.value.base() {
+        axis = pose_of(mooring, *body).arm(&axis);
+    }
     let outwards = if rod_end == 1 { axis } else { -axis }.normalize();
     let close = CLOSE * (model.start[next] - model.start[own]).norm();
     model.start.push(model.start[own] - outwards * close);

@@ -8,8 +8,9 @@ use super::joints::{Chain, chains};
 use super::materials;
 use super::materials::Pasts;
 use super::points::name_of;
-use crate::import::mooring::{Attachment, Hold, Mooring};
+use crate::import::mooring::{Attachment, Hold, Mooring, Rod};
 use crate::numerics::V3;
+use crate::system::pose::Pose;
 
 /// The fewest segments of a line here.
 const FEWEST: usize = 2;
@@ -109,7 +110,7 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, ways:
     }
 }
 
-/// Directions of lines that bend, at rods that are held.
+/// Directions of lines that bend, at the rods that hold them.
 fn clamps(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
     let mooring = context.mooring;
     for (end, letter) in ["a", "b"].iter().enumerate() {
@@ -126,9 +127,10 @@ fn clamps(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
             mooring.line_types[of_type].bending.value > 0.0
         });
         let rod = &mooring.rods[rod];
-        let axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
-        let is_held = matches!(rod.hold.value, Hold::Fixed | Hold::Coupled);
-        if !bends || !is_held || axis.norm() == 0.0 || context.motion.is_of_one_body() {
+        // A joint that turns has no directions of its own.
+        let holds = !(rod.is_joint() && rod.hold.value.turns());
+        let axis = axis_of(mooring, rod);
+        if !bends || !holds || axis.norm() == 0.0 {
             continue;
         }
         // The line goes on where the rod ends: out of its end at A, into it at B.
@@ -152,6 +154,17 @@ fn clamps(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain) {
             );
         }
     }
+}
+
+/// The axis of a rod in space, from its end A to its end B \[m\]: of one on a body, in the frame of that, where the file puts the body.
+fn axis_of(mooring: &Mooring, rod: &Rod) -> V3 {
+    let axis = V3::from(rod.end(1)) - V3::from(rod.end(0));
+    let Hold::Body(body) = rod.hold.value.base() else {
+        return axis;
+    };
+    let angles = mooring.bodies[*body].angles.each_ref();
+    let angles = angles.map(|angle| angle.value.to_radians());
+    Pose::of_roll_first(V3::zeros(), angles).arm(&axis)
 }
 
 fn sections(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, pasts: &Pasts) {

@@ -46,6 +46,7 @@ pub fn leave_out(
     all.extend(loads(context));
     all.extend(failures(context));
     all.extend(clamps(context));
+    all.extend(moved_joints(context));
     all.extend(body_loads(context));
     all.extend(rod_loads(context));
     all.extend(negative_friction(context));
@@ -274,7 +275,7 @@ fn failures(context: &Context<'_>) -> Vec<Unmodelled> {
         .collect()
 }
 
-/// Lines that bend and end at rods, which hold their direction.
+/// Lines that bend and end at a rod that holds their direction and is no body here: a pinned one without length, which joins several.
 fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
     let mooring = context.mooring;
     let mut found = Vec::new();
@@ -284,24 +285,38 @@ fn clamps(context: &Context<'_>) -> Vec<Unmodelled> {
             let Attachment::Rod(rod, _) = end.value else {
                 continue;
             };
-            let hold = &mooring.rods[rod].hold.value;
-            let holds = !hold.turns() && !matches!(hold, Hold::Body(_));
-            if context.joints.is_inside(mooring, rod)
-                || is_hinge(context, rod)
-                || holds && !context.motion.is_of_one_body()
-            {
+            let joint = &mooring.rods[rod];
+            let joins = joint.is_joint() && joint.hold.value.turns();
+            if !joins || context.joints.is_inside(mooring, rod) || is_hinge(context, rod) {
                 continue;
             }
             found.push(Unmodelled {
                 name: "clamps",
                 span: end.span.clone(),
                 key: "LINES, Attach".to_owned(),
-                what: "a rod that turns and holds the direction of a line that bends (a hinge without it)"
+                what: "a pinned rod without length that joins lines that bend (a hinge without it)"
                     .to_owned(),
             });
         }
     }
     found
+}
+
+/// Rods without length that lines end at and that follow a motion of their own: they are points here, which do not turn.
+fn moved_joints(context: &Context<'_>) -> Vec<Unmodelled> {
+    let rods = context.mooring.rods.iter().enumerate();
+    let moved = rods.filter(|(number, rod)| {
+        let moves = context.motion.is_of_each() && rod.hold.value == Hold::Coupled;
+        moves && rod.is_joint() && context.is_used_rod(*number)
+    });
+    moved
+        .map(|(_, rod)| Unmodelled {
+            name: "",
+            span: rod.hold.span.clone(),
+            key: "RODS, Attachment".to_owned(),
+            what: "a rod without length that follows a motion of its own".to_owned(),
+        })
+        .collect()
 }
 
 /// A joint at which a line ends that nothing but other lines hold the direction of: a free one, or a pinned one of a single line.

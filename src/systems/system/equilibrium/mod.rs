@@ -21,6 +21,7 @@ use super::along_bed::{OnSlope, force_along, on_slope};
 use super::balance::{Balance, UnsolvedLine, balance};
 use super::bed::Bed;
 use super::bounds::{Bounds, Contact};
+use super::clamps;
 use super::freedoms::{Freedoms, Placement, UnknownBodies};
 use super::line_physics::LinePhysics;
 use super::network::{Body, Held, Line, Network};
@@ -219,23 +220,43 @@ impl<'a> Search<'a> {
     }
 
     /// Steps by closed forms over level beds, then with all physics, where there is more.
+    ///
+    /// What is clamped may be held by bending alone, and have no equilibrium without: the search goes on from where that without ends or, if
+    /// that leads nowhere, from where it began.
     fn run_from_level(&mut self, most_steps: usize, relaxed: bool) -> Result<(), SystemError> {
         let lines = &self.network.lines;
         let bed = self.network.bed.as_ref();
+        let clamped = clamps::any_on_what_turns(self.network);
+        let began = clamped.then(|| self.placement.clone());
         let rough = lines.iter().any(Line::is_rough) && bed.is_some();
         let discretised = lines.iter().any(|line| line.discretised.is_some());
         let near = self.run(most_steps);
         // Closed forms over level beds lead near the equilibrium over another one, and need not end anywhere.
         let level = bed.is_none_or(Bed::is_level);
-        if level {
+        if level && !clamped {
             near?;
         }
         if rough || !level || discretised || self.network.flows() {
             self.physics = LinePhysics::Full;
-            self.here = self.evaluate(&self.placement)?;
-            self.run_in_full(most_steps, relaxed)?;
+            let found = self.run_in_full_from_here(most_steps, relaxed);
+            match began.filter(|_| found.is_err()) {
+                Some(began) => {
+                    self.placement = began;
+                    self.run_in_full_from_here(most_steps, relaxed)?;
+                }
+                None => found?,
+            }
         }
         Ok(())
+    }
+
+    fn run_in_full_from_here(
+        &mut self,
+        most_steps: usize,
+        relaxed: bool,
+    ) -> Result<(), SystemError> {
+        self.here = self.evaluate(&self.placement)?;
+        self.run_in_full(most_steps, relaxed)
     }
 
     /// Steps until the forces balance.

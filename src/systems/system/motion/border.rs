@@ -6,13 +6,14 @@
 use std::collections::HashMap;
 
 use super::body_equation::{MovingBody, rotation_jacobian};
-use super::joint_place::{Place, add_parts, place, set_ends};
+use super::joint_place::{Place, add_parts};
 use super::joints::Role;
+use super::line_ends::LineEnds;
 use super::moving_system::MovingSystem;
 use super::payout_border::{self, BorderedLines, DrivenPayout, driven};
 use super::point_loads::{Around, point_load};
 use super::system_state::SystemState;
-use crate::numerics::{BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, V3};
+use crate::numerics::{BlockBand, BlockEnvelope, Condensation, CondensedBeside, M3, V3};
 use crate::solve::{Factors, NewtonError, Parted, PartedSystem, Residual, State};
 use crate::system::network::Held;
 use crate::system::pose::cross;
@@ -149,7 +150,7 @@ impl Border {
             lines: nodes().map(|n| vec![V3::zeros(); n]).collect(),
             // Lengths that are unknowns are solved for with the bands of all lines.
             tangents: Tangents::new(system, nodes(), !driven.is_empty()),
-            condensations: nodes().map(Condensation::new).collect(),
+            condensations: condensations(system, state),
             bodies: moving_bodies(system, state),
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),
             rows: vec![V3::zeros(); unknowns],
@@ -261,9 +262,14 @@ impl Border {
                 .scene(line, state)
                 .linearise(t, &state.lines[line], c, r, tangent);
             let own = [r[0], r[r.len() - 1]];
-            for (joint, own) in state.attached[line].into_iter().zip(&own) {
-                self.turn_arms(&place(system, state, joint), own, c.stiffness);
+            let ends = LineEnds::of(system, state, line);
+            let [a, b] = ends.residuals();
+            let own = [own[0], own[1], a, b];
+            for (k, place) in ends.places() {
+                self.turn_arms(place, &own[k], c.stiffness);
             }
+            // The residuals of the nodes are left to them; clamps have none.
+            ends.add(&[V3::zeros(), V3::zeros(), a, b], &mut self.rows);
         }
         self.points(system, state, c);
         self.free_bodies(system, state, c);
@@ -317,26 +323,32 @@ impl Border {
             return tangent.solve(1..last, r).map_err(|singular| singular.node);
         }
         let own = [r[0], r[last]];
-        let condensed = self.condensations[line].condense_loaded(tangent, r);
-        let (blocks, left) = condensed.map_err(|singular| singular.node)?;
-        let ends = state.attached[line].map(|joint| place(system, state, joint));
-        self.join(&ends, &blocks, (&left, &own), c.stiffness);
+        let ends = LineEnds::of(system, state, line);
+        let couplings = ends.couplings(c.stiffness);
+        let condensed = self.condensations[line].condense_beside(tangent, r, couplings.as_ref());
+        let condensed = condensed.map_err(|singular| singular.node)?;
+        self.join(&ends, condensed, &own, c.stiffness);
         Ok(())
     }
 
-    /// Adds the condensed line to the rows of its ends; `own` are the residuals of the end nodes themselves.
+    /// Adds the condensed line to the rows of its ends and clamps; `own` are the residuals of the end nodes themselves.
     fn join(
         &mut self,
-        ends: &[Place; 2],
-        blocks: &EndBlocks,
-        (left, own): (&[V3; 2], &[V3; 2]),
+        ends: &LineEnds,
+        CondensedBeside { blocks, mut left }: CondensedBeside,
+        own: &[V3; 2],
         stiffness: f64,
     ) {
-        for (i, on) in ends.iter().enumerate() {
+        let clamps = ends.residuals();
+        for (left, residual) in left[2..].iter_mut().zip(&clamps) {
+            *left += residual;
+        }
+        let own = [own[0], own[1], clamps[0], clamps[1]];
+        for (i, on) in ends.places() {
             on.add(&left[i], &mut self.rows);
             on.add(&own[i], &mut self.own);
             self.turn_arms(on, &own[i], stiffness);
-            for (j, by) in ends.iter().enumerate() {
+            for (j, by) in ends.places() {
                 self.couple(on, by, &blocks[i][j]);
             }
         }
@@ -438,6 +450,19 @@ impl Border {
     }
 }
 
+/// Storage for condensing the lines.
+fn condensations(system: &MovingSystem, state: &SystemState) -> Vec<Condensation> {
+    let lines = state.lines.iter().enumerate();
+    let condensations = lines.map(|(number, line)| {
+        let plain = Condensation::new(line.x.len());
+        match system.has_turning_clamps(number) {
+            true => plain.with_sides(),
+            false => plain,
+        }
+    });
+    condensations.collect()
+}
+
 /// From the unknowns to the displacements of all nodes: of the joints, and of the lines that border on unknowns.
 fn back(
     (system, state): (&MovingSystem, &SystemState),
@@ -453,8 +478,7 @@ fn back(
         if system.is_plain(state, line) {
             continue;
         }
-        set_ends((system, state), rows, line, x);
-        condensations[line].respond(x);
+        LineEnds::of(system, state, line).respond(rows, &condensations[line], x, true);
     }
 }
 

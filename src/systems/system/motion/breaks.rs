@@ -51,12 +51,14 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
     let middle = format!("{}{BETWEEN}", line.name);
     let first = LineInputs {
         to: middle.clone(),
+        clamp_b_elevation_deg: None,
         release_b_s: line.break_s,
         release_b_n: line.break_n,
         ..part(line.name.clone(), before, at)
     };
     let second = LineInputs {
         from: middle,
+        clamp_a_elevation_deg: None,
         release_a_s: None,
         release_a_n: None,
         ..part(format!("{}{SECOND}", line.name), after, whole - at)

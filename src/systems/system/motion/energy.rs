@@ -40,6 +40,7 @@ pub fn add_beside_lines(
     let remeshed = system.surplus_power(state);
     sum.remeshed += remeshed;
     sum.supplied -= remeshed;
+    sum.supplied += system.power_on_clamps(state);
     for drive in drives(system, t, state) {
         sum.add(&drive);
     }

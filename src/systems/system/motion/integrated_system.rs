@@ -201,6 +201,8 @@ impl Integrated for MovingSystem {
             &before.joints.a[held.clone()],
             &mut between.joints.a[held],
         );
+        // Places mix as those of unknowns do; rotations of bodies that are moved begin anew with every state.
+        self.turn_clamps_between(fraction, (before, end), between);
     }
 
     fn accelerate(

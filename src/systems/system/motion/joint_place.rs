@@ -7,31 +7,6 @@ use super::{
 };
 use crate::numerics::{M3, V3};
 
-/// The displacements of the ends of a line.
-pub(super) fn set_ends(
-    (system, state): (&MovingSystem, &SystemState),
-    rows: &[V3],
-    line: usize,
-    x: &mut [V3],
-) {
-    let last = x.len() - 1;
-    for (node, joint) in [0, last].into_iter().zip(state.attached[line]) {
-        x[node] = place(system, state, joint).displacement(rows);
-    }
-}
-
-/// Adds forces on the ends of a line to the rows of what they are at.
-pub(super) fn add_to_rows(
-    (system, state): (&MovingSystem, &SystemState),
-    line: usize,
-    left: &[V3; 2],
-    rows: &mut [V3],
-) {
-    for (left, joint) in left.iter().zip(state.attached[line]) {
-        place(system, state, joint).add(left, rows);
-    }
-}
-
 /// How a place moves with the unknowns: rows, each with the displacement of the place by it; as itself where that is nothing. A force there is
 /// on each row that force by the transpose. A place on a body that is pinned to another has four.
 #[derive(Default)]
@@ -59,7 +34,7 @@ impl Place {
     }
 
     /// Adds the rotation of a body that the place is on.
-    fn turn(&mut self, arm: Arm) {
+    pub(super) fn turn(&mut self, arm: Arm) {
         self.push(arm.rotation, Some(-arm.arm * arm.jacobian));
         if let Some(free) = self.arms.iter_mut().find(|known| known.is_none()) {
             *free = Some(arm);

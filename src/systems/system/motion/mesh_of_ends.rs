@@ -66,6 +66,9 @@ impl MovingSystem {
             .clone_from(&self.scenes[paid.line].line.ends);
         let line = &self.network.lines[paid.line];
         put_into_water(&self.network, self.water.as_ref(), line, &mut scene);
+        for end in (0..2).filter(|end| !self.scenes[paid.line].is_clamped(*end)) {
+            scene.unclamp(end);
+        }
         for end in (0..2).filter(|end| paid.ends[*end].is_some()) {
             scene.feed(end);
         }

@@ -251,7 +251,7 @@ impl MovingSystem {
         self.prescribe_payouts(t, state);
     }
 
-    /// Sets what follows bodies that are prescribed: pins and points on them.
+    /// Sets what follows bodies that are prescribed: pins, points and clamps on them.
     pub(super) fn follow_prescribed(&self, state: &mut SystemState) {
         self.carry(state, false);
         for joint in 0..self.joints.free.start {
@@ -262,6 +262,7 @@ impl MovingSystem {
                 set(&mut state.joints, joint, motion.of(&at));
             }
         }
+        self.turn_clamps(state, false);
     }
 
     /// Sets the lengths that are prescribed, after the ends whose heave they may follow.
@@ -304,7 +305,7 @@ impl MovingSystem {
         }
     }
 
-    /// Sets what follows the unknowns: points and pins on bodies that turn, and the ends of the lines.
+    /// Sets what follows the unknowns: points, pins and clamps on bodies that turn, and the ends of the lines.
     pub fn follow(&self, state: &mut SystemState) {
         self.carry(state, true);
         for joint in 0..self.joints.free.start {
@@ -315,6 +316,7 @@ impl MovingSystem {
                 set(&mut state.joints, joint, motion.of(&at));
             }
         }
+        self.turn_clamps(state, true);
         for (line, [a, b]) in state.lines.iter_mut().zip(&state.attached) {
             let last = line.x.len() - 1;
             for (node, joint) in [(0, *a), (last, *b)] {

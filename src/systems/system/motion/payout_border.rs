@@ -3,8 +3,8 @@
 //! With the system without them factored, `M y = r` and the column `M Y = b` of each, the lengths are those of
 //! `(s - c' Y) p = r_p - c' y`, and what is left `y - Y p`.
 
-use super::joint_place::{add_to_rows, set_ends};
 use super::joints::Role;
+use super::line_ends::LineEnds;
 use super::moving_system::MovingSystem;
 use super::payout::{Drive, Friction, PaidEnd, Payout};
 use super::system_state::SystemState;
@@ -104,7 +104,7 @@ pub(super) fn solve(
     }
     for one in driven.iter_mut() {
         one.equation = Equation::of(at, one.number, (t, c));
-        one.respond(at, &mut work);
+        one.respond(at, c.stiffness, &mut work);
     }
     for k in 0..driven.len() {
         for l in 0..driven.len() {
@@ -325,7 +325,12 @@ impl DrivenPayout {
     }
 
     /// What the lines and joints make of a unit of this length.
-    fn respond(&mut self, at: (&MovingSystem, &SystemState), work: &mut BorderedLines<'_>) {
+    fn respond(
+        &mut self,
+        at: (&MovingSystem, &SystemState),
+        stiffness: f64,
+        work: &mut BorderedLines<'_>,
+    ) {
         let (system, state) = at;
         let payout = &system.network.payouts[self.number];
         work.rows.fill(V3::zeros());
@@ -343,9 +348,13 @@ impl DrivenPayout {
         let own = |line: usize| payout.ends.iter().any(|paid| paid.line == line);
         for (line, load) in self.lines.iter().enumerate().filter(|(line, _)| own(*line)) {
             // It was condensed a moment ago, with another load.
-            let condensed = work.condensations[line].condense_loaded(&work.tangents[line], load);
-            if let Ok((_, left)) = condensed {
-                add_to_rows(at, line, &left, work.rows);
+            let ends = LineEnds::of(system, state, line);
+            let couplings = ends.couplings(stiffness);
+            let band = &work.tangents[line];
+            let condensed =
+                work.condensations[line].condense_beside(band, load, couplings.as_ref());
+            if let Ok(condensed) = condensed {
+                ends.add(&condensed.left, work.rows);
             }
         }
         work.matrix.solve_again(work.rows);
@@ -358,11 +367,8 @@ impl DrivenPayout {
             if system.is_plain(state, line) {
                 continue;
             }
-            set_ends(at, work.rows, line, x);
-            match own(line) {
-                true => work.condensations[line].respond(x),
-                false => work.condensations[line].respond_unloaded(x),
-            }
+            let ends = LineEnds::of(system, state, line);
+            ends.respond(work.rows, &work.condensations[line], x, own(line));
         }
     }
 

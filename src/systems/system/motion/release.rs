@@ -74,9 +74,11 @@ impl MovingSystem {
     /// An end that nothing prescribes any more.
     fn free_end(&mut self, line: usize, end: usize, state: &mut SystemState) {
         self.scenes[line].line.ends[end] = EndCondition::Free;
+        self.scenes[line].unclamp(end);
         let paid = self.paid.iter().position(|paid| paid.line == line);
         if let Some(scene) = paid.and_then(|number| state.paid.get_mut(number)) {
             scene.line.ends[end] = EndCondition::Free;
+            scene.unclamp(end);
         }
     }
 

@@ -155,6 +155,8 @@ fn surface(system: &MovingSystem) -> Option<EndMotion> {
     })
 }
 
+/// Stability limit of RK4 on the imaginary axis, by the frequency.
+const RK4_LIMIT: f64 = 2.785;
 /// Share of the stability limit of explicit methods that a step is chosen by.
 const EXPLICIT_SHARE: f64 = 0.45;
 
@@ -170,10 +172,21 @@ impl MotionSettings {
 
 /// The stability limit of explicit steps \[s\], and what sets it: a segment of a line, or what lands on the bed by itself.
 fn stability_limit(system: &MovingSystem) -> Option<(f64, String)> {
-    let limits = limit_of_lines(system)
+    let of_lines = limit_of_lines(system);
+    let limits = of_lines
+        .map(|(limit, at)| (with_clamps(system, limit), at))
         .into_iter()
         .chain(system.landing_limits());
     limits.min_by(|one, other| one.0.total_cmp(&other.0))
+}
+
+/// A stability limit \[s\] of lines with that of their clamps on bodies that turn: the squares of the frequencies add up at most.
+fn with_clamps(system: &MovingSystem, limit: f64) -> f64 {
+    let square = system.frequency_squared_of_clamps();
+    match square > 0.0 {
+        true => (limit.powi(-2) + square / RK4_LIMIT.powi(2)).powf(-0.5),
+        false => limit,
+    }
 }
 
 /// The stability limit that lines set \[s\], and the segment that does. The greatest frequency of a system is at most that of its
@@ -246,6 +259,7 @@ fn explicit_limit(system: &MovingSystem) -> f64 {
     let lines = system.scenes.iter().map(|scene| scene.explicit_limit().0);
     let landing = system.landing_limits().map(|(limit, _)| limit);
     let limit = lines.chain(landing).fold(f64::INFINITY, f64::min);
+    let limit = with_clamps(system, limit);
     match system.paid.is_empty() {
         true => limit,
         // The segment at an end becomes shorter than those of the mesh.

@@ -311,6 +311,9 @@ impl UnderWay for SystemUnderWay<'_> {
         }
         check(from, state, channels, &profiles(&self.system, state))?;
         state.restore(&from.state);
+        for that_turn in [false, true] {
+            self.system.turn_clamps(state, that_turn);
+        }
         self.system.free_released_ends(state);
         self.system.pay_out(state);
         let gone = |release: &Release| {

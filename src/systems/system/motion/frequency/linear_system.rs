@@ -2,11 +2,12 @@
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
-use super::super::joint_place::{Place, place};
+use super::super::joint_place::Place;
+use super::super::line_ends::LineEnds;
 use super::spread::damped_axes;
 use super::{Amplitude, Complex};
 use crate::numerics::{
-    Banded, BlockBand, BlockEnvelope, Condensation, EndBlocks, M3, SingularBlock,
+    Banded, BlockBand, BlockEnvelope, Condensation, CondensedBeside, M3, SingularBlock,
 };
 use crate::solve::Factors;
 use crate::system::motion::body_equation::rotation_jacobian;
@@ -42,7 +43,7 @@ pub(super) struct LinearSystem<'a> {
     pub(super) mass: Tangents,
     pub(super) damping: Tangents,
     pub(super) stiffness: Tangents,
-    ends: Vec<[Place; 2]>,
+    ends: Vec<LineEnds>,
     condensations: Vec<Condensation<Complex>>,
     matrix: BlockEnvelope<Complex>,
     rows: Vec<Amplitude>,
@@ -125,16 +126,21 @@ impl<'a> LinearSystem<'a> {
             damping,
             stiffness,
         };
-        let nodes = mean.lines.iter().map(|line| line.x.len());
-        let ends = mean.attached.iter();
+        let lines = 0..mean.lines.len();
+        let ends: Vec<LineEnds> = lines.map(|line| LineEnds::of(system, mean, line)).collect();
+        let condensations = mean.lines.iter().zip(&ends).map(|(line, ends)| {
+            let plain = Condensation::new(line.x.len());
+            match ends.turn() {
+                true => plain.with_sides(),
+                false => plain,
+            }
+        });
         Self {
             mass: Tangents::of(border, system, mean, c(1.0, 0.0, 0.0)),
             damping: Tangents::of(border, system, mean, c(0.0, 1.0, 0.0)),
             stiffness: Tangents::of(border, system, mean, c(0.0, 0.0, 1.0)),
-            ends: ends
-                .map(|ends| ends.map(|joint| place(system, mean, joint)))
-                .collect(),
-            condensations: nodes.map(Condensation::new).collect(),
+            condensations: condensations.collect(),
+            ends,
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),
             rows: vec![Amplitude::zeros(); system.joints.envelope.len()],
             radiators: radiators(system, mean),
@@ -183,9 +189,13 @@ impl<'a> LinearSystem<'a> {
                 parts: [&self.mass, &self.damping, &self.stiffness].map(|part| &part.lines[line]),
                 factors,
             };
-            let condensed = self.condensations[line].condense_loaded(&band, &loads.lines[line]);
-            let (blocks, left) = condensed.map_err(|singular| (line, singular))?;
-            self.join(line, &blocks, &left);
+            let couplings = self.ends[line].couplings(1.0);
+            let couplings =
+                couplings.map(|both| both.map(|coupling| coupling.as_ref().map(complex)));
+            let (loads, condensation) = (&loads.lines[line], &mut self.condensations[line]);
+            let condensed = condensation.condense_beside(&band, loads, couplings.as_ref());
+            let condensed = condensed.map_err(|singular| (line, singular))?;
+            self.join(line, &condensed);
         }
         let lines = self.ends.len();
         self.matrix
@@ -212,13 +222,14 @@ impl<'a> LinearSystem<'a> {
         }
     }
 
-    /// Adds a condensed line to the rows of its ends.
-    fn join(&mut self, line: usize, blocks: &EndBlocks<Complex>, left: &[Amplitude; 2]) {
-        for (i, on) in self.ends[line].iter().enumerate() {
+    /// Adds a condensed line to the rows of its ends and clamps.
+    fn join(&mut self, line: usize, condensed: &CondensedBeside<Complex>) {
+        let CondensedBeside { blocks, left } = condensed;
+        for (i, on) in self.ends[line].places() {
             for (row, lever) in on.parts() {
                 let lever = lever.map(|lever| complex(&lever).transpose());
                 self.rows[*row] += lever.map_or(left[i], |lever| lever * left[i]);
-                for (j, by) in self.ends[line].iter().enumerate() {
+                for (j, by) in self.ends[line].places() {
                     for (column, moved) in by.parts() {
                         let mut block = blocks[i][j];
                         if let Some(lever) = lever {
@@ -241,10 +252,13 @@ impl<'a> LinearSystem<'a> {
         let lines = self.ends.iter().enumerate().map(|(line, ends)| {
             let nodes = self.mean.lines[line].x.len();
             let mut x = vec![Amplitude::zeros(); nodes];
-            for (node, end) in [0, nodes - 1].into_iter().zip(ends) {
-                x[node] = self.moved(end);
+            let mut moved = [Amplitude::zeros(); 4];
+            for (k, place) in ends.places() {
+                moved[k] = self.moved(place);
             }
-            self.condensations[line].respond(&mut x);
+            (x[0], x[nodes - 1]) = (moved[0], moved[1]);
+            let turned = ends.turn().then_some([moved[2], moved[3]]);
+            self.condensations[line].respond_beside(&mut x, turned.as_ref());
             // What is prescribed of the ends is in the loads of the other nodes already.
             for (node, joint) in [0, nodes - 1].into_iter().zip(self.mean.attached[line]) {
                 x[node] = joints[joint];

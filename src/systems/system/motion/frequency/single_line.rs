@@ -72,6 +72,7 @@ fn network(scene: &Scene) -> Network {
             added_weight: 0.0,
             friction: 0.0,
             friction_lateral: 0.0,
+            clamps: [None; 2],
             still_water: water.is_none(),
             bed_contact: true,
             releases: Default::default(),
