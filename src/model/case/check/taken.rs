@@ -6,8 +6,8 @@ use crate::case::model::Statistic;
 use crate::case::schema::Key;
 use crate::case::{LineQuantity, QuantityId, Subject};
 
-/// What is wrong with a part of a result, and what would be right.
-type Misfit = (String, String);
+/// What is wrong, and what would be right.
+type ProblemAndRemedy = (String, String);
 
 /// A statistic that suits what it is taken of.
 pub(super) fn suits(statistic: &Key<'_, Statistic>, channel: &Key<'_, Subject>) -> Option<Finding> {
@@ -43,7 +43,7 @@ pub fn of_result(key: &Key<'_, String>, id: &QuantityId) -> Option<Finding> {
 }
 
 /// Statistics over time are taken of channels, those over arc length of quantities of the whole line.
-fn unsuited(taken: Statistic, channel: &Subject) -> Option<Misfit> {
+fn unsuited(taken: Statistic, channel: &Subject) -> Option<ProblemAndRemedy> {
     let along = channel.line_quantity().is_some();
     let fits = if along {
         Statistic::along_line
@@ -85,7 +85,7 @@ pub(super) fn window(window: &Key<'_, [f64; 2]>, channel: Option<&Subject>) -> O
     Some(window.finding(problem, remedy))
 }
 
-fn empty([from, to]: [f64; 2]) -> Option<Misfit> {
+fn empty([from, to]: [f64; 2]) -> Option<ProblemAndRemedy> {
     (from >= to).then(|| {
         let (from, to) = (quantity(from, "s"), quantity(to, "s"));
         let problem = format!("the window is empty: it begins at {from} and ends at {to}");
@@ -105,7 +105,7 @@ pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -
     Some(stretch.finding(problem, remedy))
 }
 
-fn backward([from, to]: [f64; 2]) -> Option<Misfit> {
+fn backward([from, to]: [f64; 2]) -> Option<ProblemAndRemedy> {
     (from > to).then(|| {
         let (from, to) = (quantity(from, "m"), quantity(to, "m"));
         let problem = format!("the stretch runs backward: from {from} to {to}");
@@ -129,7 +129,7 @@ pub(super) fn number(nth: &Key<'_, usize>, statistic: &Key<'_, Statistic>) -> Op
     })
 }
 
-fn unnumbered(taken: Statistic, remedy: &str) -> Misfit {
+fn unnumbered(taken: Statistic, remedy: &str) -> ProblemAndRemedy {
     let problem = format!("which {} is meant is not stated", taken.name());
     (problem, remedy.to_owned())
 }

@@ -2,9 +2,10 @@
 
 use super::moving_system::MovingSystem;
 use super::system_state::SystemState;
+use crate::case::Start;
 use crate::numerics::V3;
 use crate::scene::initial_shape::shape_between;
-use crate::system::network::{Line, Network};
+use crate::system::network::Network;
 
 /// Whether a line begins with a shape or a velocity of its own.
 #[must_use]
@@ -14,29 +15,23 @@ pub(super) fn is_off_rest(network: &Network) -> bool {
 
 /// Puts the lines of a system at rest into the shapes that they begin in, between their ends where these begin, and sets them moving.
 pub(super) fn begin(system: &MovingSystem, state: &mut SystemState) {
-    let lines = system.network.lines.iter().enumerate();
-    let Some(_) = lines
-        .filter_map(|line| begin_line(system, state, line))
-        .last()
-    else {
-        return;
-    };
-    system.follow(state);
+    for (number, line) in system.network.lines.iter().enumerate() {
+        if let Some(start) = &line.start {
+            begin_line(system, state, (number, start));
+        }
+    }
+    if is_off_rest(&system.network) {
+        system.follow(state);
+    }
 }
 
-/// The same of a line by its number; nothing where it begins at rest.
-fn begin_line(
-    system: &MovingSystem,
-    state: &mut SystemState,
-    (number, line): (usize, &Line),
-) -> Option<()> {
-    let start = line.start.as_ref()?;
-    let ends = state.attached[number].map(|joint| state.joints.x[joint]);
+/// The same of a line by its number.
+fn begin_line(system: &MovingSystem, state: &mut SystemState, (number, start): (usize, &Start)) {
+    let [from, to] = state.attached[number].map(|joint| state.joints.x[joint]);
     let scene = &system.scenes[number];
     let own = &mut state.lines[number];
-    if let Some(nodes) = shape_between(start, (ends[0], ends[1]), &scene.line.arc) {
+    if let Some(nodes) = shape_between(start, (from, to), &scene.line.arc) {
         *own = scene.state_in_shape(nodes);
     }
     own.v.fill(V3::from(start.velocity_m_per_s));
-    Some(())
 }
