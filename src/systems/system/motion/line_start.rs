@@ -5,6 +5,7 @@ use super::system_state::SystemState;
 use crate::case::Start;
 use crate::numerics::V3;
 use crate::scene::initial_shape::shape_between;
+use crate::solve::State;
 use crate::system::network::Network;
 
 /// Whether a line begins with a shape or a velocity of its own.
@@ -31,7 +32,10 @@ fn begin_line(system: &MovingSystem, state: &mut SystemState, (number, start): (
     let scene = &system.scenes[number];
     let own = &mut state.lines[number];
     if let Some(nodes) = shape_between(start, (from, to), &scene.line.arc) {
-        *own = scene.state_in_shape(nodes);
+        *own = State {
+            clamps: own.clamps,
+            ..scene.state_in_shape(nodes)
+        };
     }
     own.v.fill(V3::from(start.velocity_m_per_s));
 }
