@@ -106,14 +106,14 @@ fn a_trial_of_a_system_is_at_rest_or_in_time() {
         published = [
             { name = "rest", quantity = "tension_n[rope|b]", value = 980.665, tolerance_rel = 1e-9, source = "W", inputs = "published" },
             { name = "motion", quantity = "tension_n[rope|b].max", value = 980.665, tolerance_rel = 0.06, source = "W", inputs = "published" },
-            { name = "no such line", quantity = "tension_n[wire|b].max", value = 980.665, tolerance_rel = 1.0, source = "W", inputs = "published" },
+            { name = "no such place", quantity = "tension_n[rope|3].max", value = 980.665, tolerance_rel = 1.0, source = "W", inputs = "published" },
         ]
         trial = [
             { name = "rest", rows = ["rest"] },
             { name = "motion", set = ["solver.duration_s=0.1"], rows = ["rest", "motion"] },
             { name = "the same", set = ["solver.duration_s=0.1", "solver.method=rk4"], rows = ["motion"], same_as = "motion", same_rel = 0.01 },
             { name = "of no run", rows = ["motion"] },
-            { name = "of no line", set = ["solver.duration_s=0.1"], rows = ["no such line"] },
+            { name = "of no place", set = ["solver.duration_s=0.1"], rows = ["no such place"] },
             { name = "refused", set = ["points.weight.kind=fixed"], refused = "position" },
             { name = "heavier", set = ["points.weight.mass_kg=101.0"], rows = ["rest"] },
         ]
