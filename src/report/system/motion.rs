@@ -182,9 +182,13 @@ fn results(page: &mut Report, run: &Run) {
         page.table(along_lines(run));
         page.gap();
     }
-    for line in run.profiles.iter().filter(|line| !line.rms.is_empty()) {
-        let title = format!("Peaks and valleys of the response of {}", line.line);
-        page.section(&title, response::peaks(line));
+    for line in &run.profiles {
+        let peaks = response::peaks(line);
+        if !peaks.rows.is_empty() {
+            let title = format!("Peaks and valleys of the response of {}", line.line);
+            page.section(&title, peaks);
+            page.gap();
+        }
     }
     if let Some(energy) = energy(run) {
         page.paragraph(&energy);
