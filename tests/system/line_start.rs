@@ -2,9 +2,10 @@
 
 use seacable::case::kind;
 use seacable::system::SystemFile;
+use seacable::system::warnings::warnings;
 
-use crate::HEAD;
 use crate::motion::{channel, moved};
+use crate::{HEAD, solved};
 
 /// Two chains in air, straight between fixed points and a weight in the middle, without tension; what is thrown has this velocity.
 fn thrown(up: f64) -> String {
@@ -66,6 +67,73 @@ fn a_shape_that_is_given_is_the_straight_one_where_it_is_straight() {
         let apart = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(apart < 1e-6, "{name}: {apart}");
     }
+}
+
+/// A chain thrown across its plane in a bent shape, at a place (x, y, z) \[m\] for each of its corners.
+fn bent(place: impl Fn([f64; 3]) -> [f64; 3], is_reversed: bool) -> String {
+    let mut corners = [[0.0, 0.0, 0.0], [20.0, 5.0, -12.0], [40.0, 0.0, -10.0]].map(&place);
+    let [left, _, right] = corners;
+    let origin = place([0.0; 3]);
+    let toss = place([0.5, 1.5, 1.0]);
+    let toss = [0, 1, 2].map(|axis| toss[axis] - origin[axis]);
+    let mut arc = [0.0, 24.0, 46.0];
+    let mut ends = ["left", "right"];
+    if is_reversed {
+        corners.reverse();
+        ends.reverse();
+        arc = [0.0, 22.0, 46.0];
+    }
+    let column = |axis: usize| corners.map(|corner| corner[axis]);
+    format!(
+        "[environment]\nwater_density_kg_per_m3 = 1000.0\n[materials.chain]\nmass_kg_per_m = 100.0\ndiameter_m = 0.1\nea_n = 1e7\ndrag_normal = 1.0\n\
+         [points.left]\nkind = \"fixed\"\nposition_m = {left:?}\n[points.right]\nkind = \"fixed\"\nposition_m = {right:?}\n\
+         [[lines]]\nname = \"line\"\nfrom = \"{}\"\nto = \"{}\"\nmaterial = \"chain\"\nlength_m = 46.0\nsegments = 23\n\
+         [lines.start]\nshape = \"given\"\narc_m = {arc:?}\nx_m = {:?}\ny_m = {:?}\nz_m = {:?}\nvelocity_m_per_s = {toss:?}\n\
+         [solver]\nduration_s = 3.0\ntime_step_s = 0.005\nerror_estimate = false\n[output]\ninterval_s = 0.1\n",
+        ends[0],
+        ends[1],
+        column(0),
+        column(1),
+        column(2)
+    )
+}
+
+#[test]
+fn a_start_turned_mirrored_and_reversed_is_the_same() {
+    let own = moved(&bent(|place| place, false));
+    let turned = moved(&bent(|[x, y, z]| [7.0 - y, x - 3.0, z], false));
+    let mirrored = moved(&bent(|[x, y, z]| [x, -y, z], false));
+    let reversed = moved(&bent(|place| place, true));
+    let tension = |run, end: &str| channel(run, &format!("tension_n[line|{end}]")).to_vec();
+    for (other, ends) in [
+        (&turned, ["a", "b"]),
+        (&mirrored, ["a", "b"]),
+        (&reversed, ["b", "a"]),
+    ] {
+        for (end, same) in ["a", "b"].into_iter().zip(ends) {
+            let own = tension(&own, end);
+            let greatest = own.iter().copied().fold(0.0, f64::max);
+            assert!(greatest > 1e4, "{greatest}");
+            for (own, other) in own.iter().zip(tension(other, same)) {
+                assert!(
+                    (own - other).abs() < 1e-8 * greatest,
+                    "{end}: {own} {other}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_start_without_a_run_is_said_to_have_no_effect() {
+    let said = |text: &str| warnings(&solved(&format!("{HEAD}{text}"))).join("\n");
+    let still = thrown(0.0);
+    let (still, _) = still.split_once("[solver]").unwrap();
+    let found = said(still);
+    assert!(
+        found.contains("Line west is at rest: how it starts is of a run in time"),
+        "{found}"
+    );
 }
 
 #[test]

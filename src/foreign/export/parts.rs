@@ -52,9 +52,9 @@ pub fn sheet(
         );
     }
     if has_own_start(solved) {
-        sheet
-            .remarks
-            .push("Offsets and velocities at the start are not in the file.".to_owned());
+        sheet.remarks.push(
+            "Offsets, velocities and shapes of lines at the start are not in the file.".to_owned(),
+        );
     }
     if solved
         .file
@@ -74,12 +74,13 @@ pub fn sheet(
     sheet
 }
 
-/// Whether parts begin with an offset or a velocity, or some of them where the file puts them.
+/// Whether parts begin with an offset or a velocity, some of them where the file puts them, or lines in a shape of their own.
 fn has_own_start(solved: &SolvedSystem) -> bool {
     let network = &solved.network;
     let mut points = network.free_points();
     let mut bodies = network.initial_of_bodies();
     solved.file.start.parts.is_some()
+        || network.lines.iter().any(|line| line.start.is_some())
         || points.any(|point| point.initial.is_pushed())
         || bodies.any(|(_, initial)| initial.is_pushed())
 }

@@ -20,7 +20,7 @@ use super::laid::laid_from;
 use super::line_at_rest::LineAtRest;
 use super::line_physics::LinePhysics;
 use super::line_solver::{has_closed_form, solve};
-use super::network::{Held, Network};
+use super::network::{Held, Line, Network};
 use super::pose::cross;
 use crate::line_between_ends::ClampedEquilibrium;
 use crate::numerics::V3;
@@ -70,11 +70,7 @@ pub fn line_at_rest(
             if physics == LinePhysics::Full && !has_closed_form(network, line, (a, b)) =>
         {
             let from = laid_from(network, placement, index).unwrap_or_default();
-            let solved = element.solve((a, b), clamps, from, near);
-            solved.or_else(|why| match line.begins_in_shape() {
-                true => element.unloaded((a, b)),
-                false => Err(why),
-            })
+            element.solve((a, b), clamps, from, near)
         }
         element => {
             let laid = laid_from(network, placement, index);
@@ -89,11 +85,34 @@ pub fn line_at_rest(
             }
         }
     };
-    solved.map_err(|Unsolved { why, iterations }| UnsolvedLine {
-        line: index,
-        why,
-        iterations,
+    solved.or_else(|Unsolved { why, iterations }| {
+        let straight = ends_stay(network, line).then(|| without_rest(network, placement, index));
+        straight.flatten().ok_or(UnsolvedLine {
+            line: index,
+            why,
+            iterations,
+        })
     })
+}
+
+/// A line straight and without forces in the place of an equilibrium that it has none of, where it begins a run in a shape of its own.
+#[must_use]
+pub fn without_rest(network: &Network, placement: &Placement, index: usize) -> Option<LineAtRest> {
+    let line = &network.lines[index];
+    let element = line.discretised.as_ref();
+    let element = element.filter(|_| line.begins_in_shape())?;
+    let ends = [line.from, line.to].map(|point| &placement.points[point]);
+    element.unloaded((ends[0], ends[1])).ok()
+}
+
+/// Whether nothing that is searched for hangs on a line.
+fn ends_stay(network: &Network, line: &Line) -> bool {
+    let stays = |point: usize| match &network.points[point].held {
+        Held::At(_) => true,
+        Held::On(body, _) => !network.bodies[*body].turns(),
+        Held::Free(_) => false,
+    };
+    stays(line.from) && stays(line.to)
 }
 
 /// The forces at a placement; `before` are lines near by.

@@ -252,7 +252,10 @@ impl DiscretisedLine {
     pub fn unloaded(self: &Arc<Self>, (a, b): (&V3, &V3)) -> Result<LineAtRest, Unsolved> {
         let mut element = self.element().map_err(|why| Unsolved::of(&why))?.clone();
         let found = element.unloaded(*a, *b);
-        Ok(self.at_rest(*a, element, found))
+        Ok(LineAtRest {
+            note: Some(LineNote::NoEquilibrium),
+            ..self.at_rest(*a, element, found)
+        })
     }
 
     fn at_rest(

@@ -40,6 +40,8 @@ pub enum LineNote {
     WithoutFriction,
     /// Weightless and slack.
     ShapeUndetermined,
+    /// It has none between its ends, and begins a run in a shape of its own.
+    NoEquilibrium,
 }
 
 impl LineAtRest {

@@ -29,6 +29,10 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
                 "Line {} is weightless and slack: its shape is not determined, it pulls on nothing.",
                 line.name
             )),
+            Some(LineNote::NoEquilibrium) => found.push(format!(
+                "Line {} has no equilibrium between its ends: it bears on nothing before it begins in the shape that it starts in.",
+                line.name
+            )),
             None => {}
         }
         if let Some(share) = share_of_breaking_load(&solved.network, &solved.rest, index)
@@ -121,6 +125,10 @@ fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
             found.push(format!(
                 "{name} does not move: the file has no table [solver] with a `duration_s`."
             ));
+        }
+        for line in network.lines.iter().filter(|line| line.start.is_some()) {
+            let name = &line.name;
+            found.push(format!("Line {name} is at rest: how it starts is of a run in time, and the file has no table [solver]."));
         }
     }
     for line in &solved.file.lines {

@@ -2,7 +2,7 @@
 
 use super::{
     super::{
-        balance::{UnsolvedLine, line_at_rest},
+        balance::{UnsolvedLine, line_at_rest, without_rest},
         equilibrium::SystemError,
         freedoms::Placement,
         line_at_rest::LineAtRest,
@@ -30,7 +30,9 @@ pub(super) fn lines_at_rest(
     placement: &Placement,
 ) -> Result<Vec<LineAtRest>, UnsolvedSystem> {
     let at_rest = |index| {
-        let mut line = line_at_rest(network, placement, index, LinePhysics::Full, None)?;
+        let line = line_at_rest(network, placement, index, LinePhysics::Full, None);
+        let mut line =
+            line.or_else(|unsolved| without_rest(network, placement, index).ok_or(unsolved))?;
         if let Some(divided) = &mut line.discretised {
             divided.free_work();
         }
