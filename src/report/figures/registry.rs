@@ -160,6 +160,8 @@ enum InSystems {
     WithBending,
     /// Where it records the response of its lines.
     WithResponse,
+    /// Where that response has a period.
+    Driven,
 }
 
 /// What decides which figures runs of a system have.
@@ -171,6 +173,8 @@ pub struct SystemContents {
     pub bends: bool,
     /// Whether the response of its lines is recorded.
     pub responds: bool,
+    /// Whether that response has a period.
+    pub driven: bool,
 }
 
 /// A figure.
@@ -303,9 +307,9 @@ pub const FIGURES: [Figure; 31] = [
     figure(Id::Rms, "Rms", Other, |d| rms_profile(d.runs))
         .when(response).also_along_lines(InSystems::WithResponse).in_report(19),
     figure(Id::Amplitudes, "Waves", Other, |d| wave_amplitudes(d.runs)).when(driven)
-        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).also_along_lines(InSystems::WithResponse).in_report(20),
+        .curves(CurveNames::Fixed(&["motion", "towards A", "towards B", "WKB, no drag"])).also_along_lines(InSystems::Driven).in_report(20),
     figure(Id::Wavelengths, "Wavelength", Other, |d| wavelengths(d.runs))
-        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).also_along_lines(InSystems::WithResponse).in_report(21),
+        .when(driven).curves(CurveNames::Fixed(&["computed", "WKB"])).also_along_lines(InSystems::Driven).in_report(21),
     figure(Id::Study, "Study", Other, study)
         .when(studied).curves(CurveNames::Variants(study_names)),
     figure(Id::Stiffness, "Stiffness", Time, |d| against_time(d.runs, Quantity::Stiffness))
@@ -359,6 +363,7 @@ impl FigureId {
             InSystems::WithLines => has_lines,
             InSystems::WithBending => contents.bends,
             InSystems::WithResponse => contents.responds,
+            InSystems::Driven => contents.driven,
         };
         let available = FIGURES.iter().filter(records);
         available.map(|figure| figure.id).collect()

@@ -220,6 +220,7 @@ fn charts(run: &Run) -> Vec<Chart> {
         recorded: recorded.collect(),
         bends: run.profiles.iter().any(Profile::bends),
         responds: run.profiles.iter().any(|line| !line.rms.is_empty()),
+        driven: run.profiles.iter().any(|line| !line.towards_a.is_empty()),
     };
     let others = FigureId::of_system(&contents).into_iter();
     let others = others.filter(|id| *id != FigureId::Tensions);

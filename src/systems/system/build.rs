@@ -344,13 +344,7 @@ impl Builder<'_> {
                 clump_n: part.clump.wet_kg * self.network.gravity,
             })
             .collect();
-        let displaced: Vec<f64> = parts
-            .iter()
-            .map(|part| {
-                let in_air = part.material.mass_kg_per_m * self.network.gravity;
-                (in_air - self.wet_weight(&part.material)).max(0.0)
-            })
-            .collect();
+        let displaced: Vec<f64> = parts.iter().map(|part| self.displaced(part)).collect();
         let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
         let [friction, friction_lateral] = match &self.file.seabed {
@@ -389,6 +383,12 @@ impl Builder<'_> {
             displaced_reversed: displaced.iter().rev().copied().collect(),
             displaced,
         }
+    }
+
+    /// Weight of the water that a part displaces per unstretched length \[N/m\].
+    fn displaced(&self, part: &Part) -> f64 {
+        let in_air = part.material.mass_kg_per_m * self.network.gravity;
+        (in_air - self.wet_weight(&part.material)).max(0.0)
     }
 
     fn wet_weight(&self, material: &Material) -> f64 {

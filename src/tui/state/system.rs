@@ -16,6 +16,7 @@ use crate::report::figures::{FigureId, SystemContents};
 use crate::report::subject::ReportSubject;
 use crate::system::analysis::analyses::Analyses;
 use crate::system::motion::channels::quantities;
+use crate::system::motion::driving_period::asked_response;
 use crate::system::{SolvedSystem, validation};
 
 /// A system of lines.
@@ -97,10 +98,12 @@ const SWEPT_AT_REST: [PaneId; 6] = [
 
 /// The charts of the runs of a system.
 fn figures(solved: &SolvedSystem) -> Vec<FigureId> {
+    let response = asked_response(&solved.file);
     FigureId::of_system(&SystemContents {
         recorded: quantities(solved),
         bends: solved.network.bends(),
-        responds: solved.file.output.response_from_s.is_some(),
+        responds: response.is_some(),
+        driven: response.is_some_and(|asked| asked.period.is_some()),
     })
 }
 

@@ -128,17 +128,7 @@ const EXPLICIT: [f64; 2] = [0.9, 0.45];
 pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
     let own = moving(case)?;
     let bounds = case.bounds().map_err(SpeedError::Scene)?;
-    let by_tolerance = TOLERANCES.map(|share| {
-        let tolerance = rounded(own.tolerance * share);
-        let steps = Steps {
-            method: TimeMethod::Alpha,
-            length: None,
-            tolerance,
-            ..own
-        };
-        let name = format!("tolerance {tolerance:.1e}");
-        setting(case, "alpha, steps vary", name, steps)
-    });
+    let by_tolerance = TOLERANCES.map(|share| by_tolerance(case, own, share));
     let constant = |method, step: f64| {
         let steps = Steps {
             method,
@@ -186,6 +176,19 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
         coarser: constant(method, 2.0 * fine),
         left_out,
     })
+}
+
+/// Generalized-alpha in steps that vary, by this share of the tolerance that the case sets.
+fn by_tolerance<C: Timed>(case: &C, own: Steps, share: f64) -> SpeedSetting<C> {
+    let tolerance = rounded(own.tolerance * share);
+    let steps = Steps {
+        method: TimeMethod::Alpha,
+        length: None,
+        tolerance,
+        ..own
+    };
+    let name = format!("tolerance {tolerance:.1e}");
+    setting(case, "alpha, steps vary", name, steps)
 }
 
 /// What a plan leaves out, and why: with the method of its reference, the evaluations of the force at a node that RK4 would take as one, and

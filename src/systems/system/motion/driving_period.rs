@@ -6,7 +6,7 @@ use crate::system::SystemFile;
 
 /// What a file asks for of the response of its lines; nothing where it does not ask.
 #[must_use]
-pub(super) fn asked_response(file: &SystemFile) -> Option<AskedResponse> {
+pub fn asked_response(file: &SystemFile) -> Option<AskedResponse> {
     Some(AskedResponse {
         from: file.output.response_from_s?,
         period: driving_period(file),

@@ -25,7 +25,7 @@ pub(in crate::system) mod check;
 pub(in crate::system) mod check_payout;
 pub mod checkpoint;
 mod chosen_method;
-mod driving_period;
+pub mod driving_period;
 pub mod energy;
 mod explicit_clamps;
 mod explicit_decay;
