@@ -4,13 +4,12 @@
 
 use std::array::from_fn;
 
-use nalgebra::{Rotation3, SMatrix};
+use nalgebra::Rotation3;
 
 use super::freedoms::{Follower, Freedoms, Placement};
 use super::model::LineInputs;
 use super::network::{Held, Line, Network};
 use super::parts::Part;
-use super::pose::cross;
 use crate::numerics::V3;
 use crate::scene::direction;
 
@@ -70,15 +69,7 @@ pub fn follower(
 ) -> Option<Follower> {
     let (body, own) = clamp_on(network, line, end)?;
     let first = freedoms.bodies[body]?;
-    let arm = placement.bodies[body].arm(&own);
-    let mut by = SMatrix::<f64, 3, 6>::zeros();
-    by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
-    Some(Follower {
-        first,
-        by,
-        size: 6,
-        arm,
-    })
+    Some(Follower::turning(first, placement.bodies[body].arm(&own)))
 }
 
 /// Whether any line is clamped on a body that turns.

@@ -176,6 +176,40 @@ pub struct Follower {
     pub arm: V3,
 }
 
+impl Follower {
+    /// Of a place at this arm \[m\] on a body with these unknowns.
+    #[must_use]
+    pub fn on_body(first: usize, arm: V3) -> Self {
+        let mut follower = Self::turning(first, arm);
+        follower
+            .by
+            .fixed_view_mut::<3, 3>(0, 0)
+            .fill_with_identity();
+        follower
+    }
+
+    /// Of an arm of a body, which its displacements leave as it is.
+    #[must_use]
+    pub fn turning(first: usize, arm: V3) -> Self {
+        let mut by = SMatrix::<f64, 3, 6>::zeros();
+        by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
+        Self {
+            first,
+            by,
+            size: 6,
+            arm,
+        }
+    }
+
+    /// Of a free point.
+    fn of_point(first: usize) -> Self {
+        Self {
+            size: 3,
+            ..Self::on_body(first, V3::zeros())
+        }
+    }
+}
+
 /// How a point follows the unknowns; nothing for one that does not move.
 #[must_use]
 pub fn follower(
@@ -184,30 +218,12 @@ pub fn follower(
     placement: &Placement,
     point: usize,
 ) -> Option<Follower> {
-    let mut by = SMatrix::<f64, 3, 6>::zeros();
-    by.fixed_view_mut::<3, 3>(0, 0).fill_with_identity();
     match &network.points[point].held {
         Held::At(_) => None,
-        Held::Free(_) => {
-            let first = freedoms.points[point]?;
-            let arm = V3::zeros();
-            Some(Follower {
-                first,
-                by,
-                size: 3,
-                arm,
-            })
-        }
+        Held::Free(_) => Some(Follower::of_point(freedoms.points[point]?)),
         Held::On(body, at) => {
             let first = freedoms.bodies[*body]?;
-            let arm = placement.bodies[*body].arm(at);
-            by.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(&arm));
-            Some(Follower {
-                first,
-                by,
-                size: 6,
-                arm,
-            })
+            Some(Follower::on_body(first, placement.bodies[*body].arm(at)))
         }
     }
 }
