@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use rayon::prelude::*;
 use toml::{Table, Value};
 
 /// The scenes: a line, lines that meet at a point, a body on lines, a file of MoorDyn.
@@ -487,18 +488,18 @@ const FEATURES: &[Feature] = &[
 /// Every cell is as the table says: what has come to work is said, and what works stays.
 #[test]
 fn every_scene_has_what_the_table_says() {
-    let mut wrong = Vec::new();
-    for feature in FEATURES {
-        for (scene, has) in SCENES.iter().zip(feature.has) {
+    let cells = FEATURES.par_iter().flat_map_iter(|feature| {
+        let scenes = SCENES.iter().zip(feature.has);
+        scenes.filter_map(|(scene, has)| {
             let found = (feature.tried)(&Trial::of(scene));
-            if found != (has == Yes) {
-                let why = match has {
-                    Never(why) => why,
-                    _ => "",
-                };
-                wrong.push(format!("{scene}: {}: {found} {why}", feature.name));
-            }
-        }
-    }
+            let why = match has {
+                Never(why) => why,
+                _ => "",
+            };
+            let wrong = found != (has == Yes);
+            wrong.then(|| format!("{scene}: {}: {found} {why}", feature.name))
+        })
+    });
+    let wrong: Vec<String> = cells.collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

@@ -2,6 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
+use rayon::prelude::*;
 use seacable::physics::rope::TensionTable;
 use seacable::system::motion::run::{MotionRun, run};
 use seacable::system::motion::start::start;
@@ -98,7 +99,7 @@ fn ropes_at_rest_follow_their_curves() {
 #[test]
 fn stages_end_on_the_working_and_original_curves() {
     let original = original();
-    for shape in &SHAPES {
+    SHAPES.par_iter().for_each(|shape| {
         let run = polyester(&[(LINEAR, shape.0)]);
         let found = channel(&run, "tension_n[rope|b]");
         let (e, past) = (0.0148657, 1.3886e6);
@@ -113,7 +114,7 @@ fn stages_end_on_the_working_and_original_curves() {
             assert!(off.abs() < 1e-4, "{shape:?} {row}: {off:e}");
         }
         assert!(run.balance.relative_drift() < 1e-3, "{:?}", run.balance);
-    }
+    });
 }
 
 /// A light viscoelastic line between a fixed point and one that moves, against its equation solved by a march of its own:

@@ -309,7 +309,6 @@ impl SweepFolder {
     ///
     /// # Errors
     /// The system refuses.
-    #[cfg(feature = "parquet")]
     pub fn write_parquet(&self, table: &str, content: &[u8]) -> Result<(), SweepError> {
         self.write(&format!("{table}.parquet"), content)
     }
