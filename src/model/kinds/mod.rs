@@ -75,10 +75,17 @@ impl FileType {
     /// The kind of the file with this text.
     #[must_use]
     pub fn of_text(text: &str) -> Self {
+        let is_header = |line: &&str| line.trim_start().starts_with('[');
         let has = |kind: &Self| {
-            let header = format!("[{}]", kind.table());
-            text.lines()
-                .any(|line| line.trim_start().starts_with(&header))
+            let (table, header) = (kind.table(), format!("[{}]", kind.table()));
+            // Before the first table `system.title = "..."` says the same.
+            let is_dotted = |line: &str| {
+                let key = line.trim_start().strip_prefix(table);
+                key.is_some_and(|rest| rest.trim_start().starts_with(['.', '=']))
+            };
+            let mut of_root = text.lines().take_while(|line| !is_header(line));
+            let mut headers = text.lines().filter(is_header);
+            headers.any(|line| line.trim_start().starts_with(&header)) || of_root.any(is_dotted)
         };
         let others = Self::ALL.into_iter().filter(|kind| *kind != Self::Line);
         let foreign = || match foreign::is_foreign(text) {
