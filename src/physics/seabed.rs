@@ -48,6 +48,13 @@ impl ElasticBed {
         }
     }
 
+    /// Whether it is a level plane.
+    #[inline]
+    #[must_use]
+    pub const fn is_level(&self) -> bool {
+        self.slope.is_none() && self.grid.is_none()
+    }
+
     /// Height of a place above the bed \[m\], along the normal of a plane, vertical over a grid; negative below.
     #[inline]
     #[must_use]

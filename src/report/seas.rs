@@ -468,6 +468,7 @@ pub(super) const fn series_word(series: Series) -> &'static str {
         Series::Uplift => "uplift",
         Series::Offset => "offset",
         Series::Height => "height",
+        Series::BedClearance => "height above the bed",
     }
 }
 

@@ -19,6 +19,7 @@ mod sample;
 mod small;
 
 mod chance;
+mod clearance_checks;
 mod cli;
 mod compare;
 mod damage;

@@ -13,6 +13,8 @@ words! {
         TensionSwing = "tension_swing_n",
         /// Height above still water \[m\].
         Height = "z_m",
+        /// Height above the sea bed, normal to a plane, vertical over a grid \[m\].
+        BedClearance = "bed_clearance_m",
         /// Curvature \[1/m\].
         Curvature = "curvature_per_m",
         /// Radius of the bend, 1 / curvature \[m\].
@@ -89,6 +91,7 @@ impl LineQuantity {
         match self {
             Self::Tension | Self::TensionSwing => "N",
             Self::Height
+            | Self::BedClearance
             | Self::BendRadius
             | Self::RmsDisplacement
             | Self::Wavelength

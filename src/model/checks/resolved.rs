@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::case::{
-    Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, SectionText, nearest, rule_sets,
+    Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, LineQuantity, QuantityId,
+    SectionText, Statistic, Subject, nearest, rule_sets,
 };
 use crate::fatigue::component::Component;
 use crate::fatigue::curve_file::read_curve;
@@ -68,6 +69,22 @@ impl Check {
         of.iter().any(|known| known == name || known == stem)
     }
 
+    /// The least value along a line that it holds, by the name of the line, empty of a line by itself; nothing of other checks and lines.
+    #[must_use]
+    pub fn least_along(&self, line: &str) -> Option<QuantityId> {
+        let inputs = &self.inputs;
+        let quantity = match self.kind {
+            CheckKind::BendRadius => LineQuantity::BendRadius,
+            CheckKind::BedClearance if inputs.of.is_some() || inputs.stretch_m.is_some() => {
+                LineQuantity::BedClearance
+            }
+            _ => return None,
+        };
+        let of = Subject::along(quantity, line);
+        let id = QuantityId::new(of, Statistic::Min, inputs.stretch_m);
+        self.holds_for(line).then_some(id)
+    }
+
     /// The component of a check of fatigue: its curve with a diameter \[m\] and a breaking load \[N\], unless it states these itself.
     ///
     /// # Errors
@@ -117,6 +134,23 @@ impl Check {
             faults.collect::<Vec<_>>().join("; ")
         })
     }
+}
+
+/// The least values along these lines that the checks of a file hold. A set or a curve that cannot be read is refused where checks are resolved
+/// for a verdict.
+#[must_use]
+pub fn held_along<'a>(
+    inputs: &[CheckInputs],
+    files: &BTreeMap<String, Attachment>,
+    lines: impl IntoIterator<Item = &'a str>,
+) -> Vec<QuantityId> {
+    let checks = resolved(inputs, files).unwrap_or_default();
+    let of = |line: &'a str| {
+        checks
+            .iter()
+            .filter_map(move |check| check.least_along(line))
+    };
+    lines.into_iter().flat_map(of).collect()
 }
 
 /// The checks of a file, each rule of a set as one.

@@ -120,6 +120,9 @@ impl NodeValues {
                 Self::at_end(&swings(&ropes.stiffness_max, &ropes.stiffness_min))
             }
             LineQuantity::Height => Self::new(&heights(), &p.z_max, &p.z_min),
+            LineQuantity::BedClearance => {
+                Self::new(&p.bed_clearance, &p.bed_clearance, &p.bed_clearance_min)
+            }
             LineQuantity::Curvature => Self::new(&p.curvature, &p.curvature_max, &p.curvature),
             LineQuantity::BendRadius => {
                 let end = radii(&p.curvature);

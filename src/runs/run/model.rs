@@ -280,6 +280,12 @@ pub struct Profile {
     pub z_min: Vec<f64>,
     /// Greatest heights \[m\].
     pub z_max: Vec<f64>,
+    /// Heights above the bed, normal to a plane, vertical over a grid \[m\]; empty without a bed.
+    #[serde(default)]
+    pub bed_clearance: Vec<f64>,
+    /// Least heights above the bed \[m\]; likewise.
+    #[serde(default)]
+    pub bed_clearance_min: Vec<f64>,
     /// Curvatures \[1/m\]; empty where nothing bends, zero at hinges.
     pub curvature: Vec<f64>,
     /// Greatest curvatures \[1/m\]; likewise.
@@ -336,6 +342,7 @@ impl Profile {
                 p.tension_max.len(),
                 p.z_min.len(),
                 p.z_max.len(),
+                p.bed_clearance_min.len(),
                 p.curvature_max.len(),
                 p.moment_max.len(),
             ]

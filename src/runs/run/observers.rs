@@ -87,7 +87,7 @@ pub fn of_lines(run: ObservedRun<'_>) -> Vec<Box<dyn Observer>> {
     let sums = run.response.as_ref();
     let sums = sums.map(|response| ResponseSums::new(response.asked));
     vec![
-        Box::new(StepEnvelope),
+        Box::new(StepEnvelope::of(run.scenes)),
         Box::new(touchdown),
         Box::new(run.along),
         Box::new(sums),

@@ -5,6 +5,7 @@ use super::line_statistics;
 use crate::case::{
     Case, ChannelQuantity, ChannelSpec, LineQuantity, Method, QuantityId, Statistic,
 };
+use crate::checks::resolved::held_along;
 
 /// What a number is taken of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,7 +52,8 @@ pub fn requested(case: &Case, channels: &[ChannelSpec]) -> Vec<RequestedStatisti
         let stretch = Some(p.by_stretch_m?);
         Some(QuantityId::new(p.channel.clone(), p.statistic, stretch).numbered(p.nth))
     });
-    let all: Vec<QuantityId> = published.chain(others).chain(trends).collect();
+    let held = held_along(&case.checks, &case.files, [""]);
+    let all: Vec<QuantityId> = published.chain(others).chain(trends).chain(held).collect();
     let source = |subject: &Subject| match subject {
         Subject::Channel(id) => {
             let index = channels.iter().position(|channel| channel.id == *id);

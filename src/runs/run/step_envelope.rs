@@ -3,13 +3,25 @@
 use super::observer::NodeChange;
 use super::step_interval::StepInterval;
 use super::{Profile, RopeProfile};
+use crate::physics::seabed::ElasticBed;
 use crate::scene::Scene;
 use crate::solve::State;
 
 /// Widens the envelopes.
-pub(super) struct StepEnvelope;
+pub(super) struct StepEnvelope {
+    /// The bed of each line, where it has one.
+    beds: Vec<Option<ElasticBed>>,
+}
 
 impl StepEnvelope {
+    /// Over these lines.
+    pub(super) fn of(scenes: &[&Scene]) -> Self {
+        let beds = scenes.iter().map(|scene| scene.elements.bed.as_ref());
+        Self {
+            beds: beds.map(|bed| bed.map(|bed| bed.seabed.clone())).collect(),
+        }
+    }
+
     /// Takes in an accepted step; does not allocate.
     pub(super) fn step(&self, scene: &Scene, state: &State, profile: &mut Profile) {
         if !scene.line.laws.is_empty() {
@@ -28,7 +40,7 @@ impl StepEnvelope {
     /// Takes in what lies between two steps; does not allocate.
     pub(super) fn widen(&self, between: &StepInterval<'_>, profiles: &mut [Profile]) {
         let mut first = 0;
-        for profile in profiles {
+        for (profile, bed) in profiles.iter_mut().zip(&self.beds) {
             let count = profile.arc.len();
             for i in 0..count {
                 let ([slackest, tautest], [lowest, highest]) = (
@@ -39,9 +51,25 @@ impl StepEnvelope {
                 profile.tension_max[i] = profile.tension_max[i].max(tautest);
                 profile.z_min[i] = profile.z_min[i].min(lowest);
                 profile.z_max[i] = profile.z_max[i].max(highest);
+                if let Some(bed) = bed {
+                    let least = least_clearance(bed, between, (first + i, lowest));
+                    profile.bed_clearance_min[i] = profile.bed_clearance_min[i].min(least);
+                }
             }
             first += count;
         }
+    }
+}
+
+/// The least height of a node above the bed between two steps, whose lowest place there is known \[m\].
+fn least_clearance(
+    bed: &ElasticBed,
+    between: &StepInterval<'_>,
+    (node, lowest): (usize, f64),
+) -> f64 {
+    match bed.is_level() {
+        true => lowest - bed.z,
+        false => between.least_of_place(node, |place| bed.height(place)),
     }
 }
 
@@ -50,11 +78,9 @@ impl StepEnvelope {
 #[must_use]
 pub fn profile(scene: &Scene) -> Profile {
     let nodes = scene.line_nodes();
-    let bending = if scene.elements.flexure.is_some() {
-        nodes
-    } else {
-        0
-    };
+    let where_there_is = |is: bool| if is { nodes } else { 0 };
+    let bending = where_there_is(scene.elements.flexure.is_some());
+    let over_bed = where_there_is(scene.elements.bed.is_some());
     Profile {
         arc: scene.line.arc[..nodes].to_vec(),
         nodes: vec![[0.0; 3]; nodes],
@@ -63,6 +89,8 @@ pub fn profile(scene: &Scene) -> Profile {
         tension_max: vec![f64::MIN; nodes],
         z_min: vec![f64::MAX; nodes],
         z_max: vec![f64::MIN; nodes],
+        bed_clearance: vec![0.0; over_bed],
+        bed_clearance_min: vec![f64::MAX; over_bed],
         curvature: vec![0.0; bending],
         curvature_max: vec![0.0; bending],
         moment: vec![0.0; bending],
@@ -91,6 +119,8 @@ pub(super) fn change_node(p: &mut Profile, change: NodeChange) {
         (&mut p.tension_max, f64::MIN),
         (&mut p.z_min, f64::MAX),
         (&mut p.z_max, f64::MIN),
+        (&mut p.bed_clearance, 0.0),
+        (&mut p.bed_clearance_min, f64::MAX),
         (&mut p.curvature, 0.0),
         (&mut p.curvature_max, 0.0),
         (&mut p.moment, 0.0),
@@ -109,12 +139,13 @@ pub(super) fn change_node(p: &mut Profile, change: NodeChange) {
 type Better = fn(f64, f64) -> f64;
 
 /// The lists that every step widens, and which of two values counts.
-fn envelopes(p: &mut Profile) -> [(&mut Vec<f64>, Better); 6] {
+fn envelopes(p: &mut Profile) -> [(&mut Vec<f64>, Better); 7] {
     [
         (&mut p.tension_min, f64::min),
         (&mut p.tension_max, f64::max),
         (&mut p.z_min, f64::min),
         (&mut p.z_max, f64::max),
+        (&mut p.bed_clearance_min, f64::min),
         (&mut p.curvature_max, f64::max),
         (&mut p.moment_max, f64::max),
     ]
@@ -142,6 +173,11 @@ pub(super) fn end(scene: &Scene, state: &State, p: &mut Profile) {
         p.tension_max[i] = p.tension_max[i].max(t);
         p.z_min[i] = p.z_min[i].min(x.z);
         p.z_max[i] = p.z_max[i].max(x.z);
+        if let Some(bed) = &scene.elements.bed {
+            let height = bed.height(x);
+            p.bed_clearance[i] = height;
+            p.bed_clearance_min[i] = p.bed_clearance_min[i].min(height);
+        }
     }
     if let Some(flexure) = &scene.elements.flexure {
         let (mut curvature, mut moment) = flexure.bent(&scene.line, state);

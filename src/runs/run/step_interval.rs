@@ -260,6 +260,12 @@ impl StepInterval<'_> {
         self.range(|sample| sample.nodes[node].z, || self.coordinate(node, 2))
     }
 
+    /// Smallest value between the two steps of what depends on the place of a node alone.
+    pub(super) fn least_of_place(&self, node: usize, of: impl Fn(&V3) -> f64) -> f64 {
+        let at = |sample: &StepSample| of(&sample.nodes[node]);
+        self.range(at, || self.arc(at))[0]
+    }
+
     /// Energy and powers at both steps.
     pub(super) fn energy(&self) -> [&EnergyRates; 2] {
         [&self.from.energy, &self.to.energy]

@@ -1,5 +1,6 @@
 //! The results of a system by name: `tension_n[LINE|b]`, `z_m[POINT]`, `stiffness[BODY|11]`.
 
+use super::analysis::bed_clearance::least_height;
 use super::analysis::box_tree::BoxTree;
 use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
@@ -55,12 +56,13 @@ const fn quantity(
 
 /// All results.
 #[rustfmt::skip] // one a line
-static QUANTITIES: [Quantity; 15] = [
+static QUANTITIES: [Quantity; 16] = [
     quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
     quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
     quantity("on_bed_m", "m", Subject::Line, "unstretched length of a line on the bed"),
     quantity("clearance_m", "m", Subject::Line, "least distance of a line from another that shares no point with it"),
+    quantity("bed_clearance_m", "m", Subject::Line, "least height of a line above the bed, or of a stretch of it by arc length: bed_clearance_m[LINE|20..60]"),
     quantity("uplift_n", "N", Subject::Point, "upward pull of the lines on a point"),
     quantity("offset_m", "m", Subject::Body, "distance in plan of a free body from the place given"),
     quantity("pin_force_x_n", "N", Subject::Body, "x of the force of its pin on a body"),
@@ -141,6 +143,10 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
     match quantity.of {
         Subject::Line | Subject::LineEnd => {
             let index = network.line(subject).ok_or_else(missing)?;
+            if quantity.name == "bed_clearance_m" {
+                let stretch = stretch(place).ok_or_else(missing)?;
+                return least_height((network, rest), index, stretch);
+            }
             let line = &rest.balance.lines[index];
             if let Some(tension) =
                 between((network, rest), index, place).filter(|_| quantity.name == "tension_n")
@@ -190,6 +196,15 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
             Ok(stiffness[at])
         }
     }
+}
+
+/// A stretch of a line, `20..60`, or all of it; nothing of other words.
+fn stretch(place: &str) -> Option<Option<[f64; 2]>> {
+    if place.is_empty() {
+        return Some(None);
+    }
+    let (from, to) = place.split_once("..")?;
+    Some(Some([from.parse().ok()?, to.parse().ok()?]))
 }
 
 /// The tension where two sections of a line meet, by its number from end A.

@@ -1,5 +1,6 @@
 //! Checks against limits: each has what its kind needs, and nothing else.
 
+use super::taken;
 use crate::case::diagnostic::Finding;
 use crate::case::fields::nearest;
 use crate::case::model::{CheckKeys, CheckKind};
@@ -16,9 +17,8 @@ const fn needs(kind: CheckKind) -> &'static [&'static [&'static str]] {
         CheckKind::LeastTension => &[&["limit_n"], &["strength_share"]],
         CheckKind::BendRadius => &[&["limit_m"]],
         CheckKind::Uplift => &[&["limit_n"]],
-        CheckKind::Offset | CheckKind::BedClearance | CheckKind::SurfaceClearance => {
-            &[&["limit_m", "of"]]
-        }
+        CheckKind::Offset | CheckKind::SurfaceClearance => &[&["limit_m", "of"]],
+        CheckKind::BedClearance => &[&["limit_m", "of"], &["limit_m", "stretch_m"]],
         CheckKind::Fatigue => &[&["curve"]],
     }
 }
@@ -31,6 +31,7 @@ const fn takes(kind: CheckKind) -> &'static [&'static str] {
         }
         CheckKind::LeastTension => &["of", "break_load_n"],
         CheckKind::Uplift => &["of"],
+        CheckKind::BendRadius => &["of", "stretch_m"],
         CheckKind::Fatigue => &[
             "of",
             "factor",
@@ -164,12 +165,17 @@ fn of_kind(check: &CheckKeys<'_>) -> Vec<Finding> {
         &format!("a check of {}", kind.name()),
     ));
     found.extend(of_section(check));
+    found.extend(taken::forward(&check.stretch_m));
     if kind == CheckKind::BedClearance
         || kind == CheckKind::Offset
         || kind == CheckKind::SurfaceClearance
     {
         let none = check.of.get().is_some_and(Vec::is_empty);
-        found.extend(none.then(|| check.of.finding("names nothing", "name points or bodies")));
+        found.extend(none.then(|| {
+            check
+                .of
+                .finding("names nothing", "name points, bodies or lines")
+        }));
     }
     found
 }
@@ -202,10 +208,11 @@ fn of_section(check: &CheckKeys<'_>) -> Vec<Finding> {
 }
 
 /// The keys that only some kinds have, and whether each is given.
-fn given(check: &CheckKeys<'_>) -> [(&'static str, bool); 15] {
+fn given(check: &CheckKeys<'_>) -> [(&'static str, bool); 16] {
     [
         ("only", check.only.is_given()),
         ("of", check.of.is_given()),
+        ("stretch_m", check.stretch_m.is_given()),
         ("factor", check.factor.is_given()),
         ("mean_factor", check.mean_factor.is_given()),
         ("dynamic_factor", check.dynamic_factor.is_given()),
@@ -229,6 +236,7 @@ fn unused(check: &CheckKeys<'_>, allowed: &dyn Fn(&str) -> bool, by: &str) -> Ve
     let keys = [
         check.only.if_given(problem("only"), remedy),
         check.of.if_given(problem("of"), remedy),
+        check.stretch_m.if_given(problem("stretch_m"), remedy),
         check.factor.if_given(problem("factor"), remedy),
         check.mean_factor.if_given(problem("mean_factor"), remedy),
         check

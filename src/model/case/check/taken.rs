@@ -101,6 +101,11 @@ pub(super) fn stretch(stretch: &Key<'_, [f64; 2]>, channel: &Key<'_, Subject>) -
         let remedy = "leave the stretch out, or name a quantity of the whole line";
         return stretch.if_given(problem, remedy);
     }
+    forward(stretch)
+}
+
+/// A stretch runs from A towards B.
+pub(super) fn forward(stretch: &Key<'_, [f64; 2]>) -> Option<Finding> {
     let (problem, remedy) = backward(stretch.value()?)?;
     Some(stretch.finding(problem, remedy))
 }

@@ -65,7 +65,7 @@ words! {
         Uplift = "uplift",
         /// The horizontal distance of a point or body from its place at the start with a limit.
         Offset = "offset",
-        /// The height of a point or body above the level sea bed with the least allowed.
+        /// The height of a point or body above the level sea bed, or of a line above any bed, with the least allowed.
         BedClearance = "bed-clearance",
         /// The depth of a point or body below still water with the least allowed.
         SurfaceClearance = "surface-clearance",
@@ -134,6 +134,8 @@ table! {
         analysis: CheckAnalysis = CheckAnalysis::Any, "analysis";
         /// What is held to it: lines, points or bodies by name; a name holds for all copies NAME@ANGLE.
         of: Option<Vec<String>>, "subjects", absent "all lines, all anchors, or the whole line";
+        /// Stretch of the lines by arc length from end A: of the bend radius, and of the height above the bed.
+        stretch_m: Option<[f64; 2]>, "stretch", range of(0.0, f64::INFINITY), absent "the whole line";
         /// Factor on the greatest tension, or on the damage.
         factor: Option<f64>, "factor", unit "", range positive(1e3), absent "1";
         /// Factor on the mean tension.

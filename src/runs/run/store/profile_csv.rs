@@ -7,6 +7,10 @@ fn bends(profile: &Profile) -> bool {
     profile.bends()
 }
 
+fn has_bed(profile: &Profile) -> bool {
+    !profile.bed_clearance.is_empty()
+}
+
 fn responds(profile: &Profile) -> bool {
     !profile.rms.is_empty()
 }
@@ -49,7 +53,7 @@ const PHASE: CsvColumn<Profile> = CsvColumn {
 };
 
 /// Columns of `profile.csv`; those of bending and of the response are written where a run has them.
-pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 27] = [
+pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 29] = [
     NODE,
     column!(Profile, "arc_m", arc, required),
     coordinate::<0>("x_m"),
@@ -60,6 +64,8 @@ pub(super) const PROFILE_COLUMNS: [CsvColumn<Profile>; 27] = [
     column!(Profile, "tension_max_n", tension_max, required),
     column!(Profile, "z_min_m", z_min, required),
     column!(Profile, "z_max_m", z_max, required),
+    column!(Profile, "bed_clearance_m", bed_clearance, has_bed),
+    column!(Profile, "bed_clearance_min_m", bed_clearance_min, has_bed),
     column!(Profile, "curvature_per_m", curvature, bends),
     column!(Profile, "curvature_max_per_m", curvature_max, bends),
     column!(Profile, "moment_nm", moment, bends),

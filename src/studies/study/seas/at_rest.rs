@@ -1,5 +1,6 @@
 //! Loads of a system at rest: results by name in the place of records.
 
+use super::least_along;
 use super::loads::{Extreme, PlaceLoads};
 use super::records::Series;
 use super::scene::CheckedScene;
@@ -45,13 +46,31 @@ pub(super) fn names(scene: &CheckedScene, checks: &[Check], bodies: &[String]) -
             CheckKind::Offset => named
                 .filter(|name| bodies.contains(name))
                 .for_each(|body| add(of(Series::Offset, "offset_m", body))),
-            CheckKind::BedClearance | CheckKind::SurfaceClearance => named
-                .filter(|name| !bodies.contains(name))
-                .for_each(|point| add(of(Series::Height, "z_m", point))),
+            CheckKind::BedClearance | CheckKind::SurfaceClearance => {
+                named
+                    .filter(|name| !bodies.contains(name) && !scene.is_line(name))
+                    .for_each(|point| add(of(Series::Height, "z_m", point)));
+                let lines = scene.lines.iter();
+                lines
+                    .filter_map(|line| bed_clearance(check, line))
+                    .for_each(&mut add);
+            }
             _ => {}
         }
     }
     names
+}
+
+/// The least height of a line above the bed, where a check holds it.
+fn bed_clearance(check: &Check, line: &str) -> Option<RestName> {
+    let place = least_along::place(check, line)?;
+    let stretch = check.inputs.stretch_m;
+    let stretch = stretch.map(|[from, to]| format!("|{from}..{to}"));
+    Some(RestName {
+        name: format!("bed_clearance_m[{line}{}]", stretch.unwrap_or_default()),
+        series: Series::BedClearance,
+        place,
+    })
 }
 
 /// The loads of an equilibrium: each value is its own mean, greatest and least value, with its numerical error.

@@ -83,17 +83,18 @@ pub(super) fn is_for(check: &Check, condition: CheckCondition, scene: &CheckedSc
     analysis && [CheckCondition::Any, condition].contains(&check.inputs.condition)
 }
 
-/// The series that a check reads; nothing for what is not read of records by place.
+/// The series that a check reads; none for what is not read of records by place.
 #[must_use]
-pub(super) const fn series(kind: CheckKind) -> Option<Series> {
+pub(super) const fn series(kind: CheckKind) -> &'static [Series] {
     match kind {
         CheckKind::SafetyFactor | CheckKind::PartialFactors | CheckKind::LeastTension => {
-            Some(Series::Tension)
+            &[Series::Tension]
         }
-        CheckKind::Uplift => Some(Series::Uplift),
-        CheckKind::Offset => Some(Series::Offset),
-        CheckKind::BedClearance | CheckKind::SurfaceClearance => Some(Series::Height),
-        CheckKind::BendRadius | CheckKind::Fatigue => None,
+        CheckKind::Uplift => &[Series::Uplift],
+        CheckKind::Offset => &[Series::Offset],
+        CheckKind::BedClearance => &[Series::Height, Series::BedClearance],
+        CheckKind::SurfaceClearance => &[Series::Height],
+        CheckKind::BendRadius | CheckKind::Fatigue => &[],
     }
 }
 
@@ -188,6 +189,9 @@ fn held<'a>(
         }
         CheckKind::Uplift => Held::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest),
         CheckKind::Offset => Held::most(greatest.estimate, length, greatest),
+        CheckKind::BedClearance if loads.series == Series::BedClearance => {
+            Held::least(least.estimate, length, least)
+        }
         CheckKind::BedClearance => {
             let depth = scene.depth;
             let depth = depth.ok_or("the sea bed is not level, or there is none")?;

@@ -5,10 +5,10 @@
 //! to one: that of the sample, which more seeds make smaller, and the numerical one of the runs.
 
 mod at_rest;
-mod bend;
 mod checked;
 mod fatigue;
 mod grouping;
+mod least_along;
 mod loads;
 mod looks;
 mod one_run;
@@ -262,7 +262,7 @@ impl SeaQuestion {
         };
         let is_asked = |series: Series| {
             let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
-            series == Series::Tension || kinds.any(|of| of == Some(series))
+            series == Series::Tension || kinds.any(|of| of.contains(&series))
         };
         let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
         let places = asked.flat_map(|series| {
@@ -285,23 +285,41 @@ impl SeaQuestion {
         if !checked::is_for(check, sea.condition, &self.scene) {
             return Vec::new();
         }
-        if check.kind == CheckKind::BendRadius {
-            return bend::rows(check, number, runs, self);
-        }
-        let Some(series) = checked::series(check.kind) else {
-            return Vec::new();
+        let mut rows = least_along::rows(check, number, runs, self);
+        let series = checked::series(check.kind);
+        let is_of_line = |place: &str| {
+            let mut lines = self.scene.lines.iter();
+            lines.any(|line| least_along::place(check, line).as_deref() == Some(place))
+        };
+        let is_held = |loads: &PlaceLoads| match loads.series {
+            Series::BedClearance => is_of_line(&loads.place),
+            _ => check.inputs.stretch_m.is_none() && check.holds_for(subject(&loads.place)),
         };
         let held = loads
             .iter()
-            .filter(|loads| loads.series == series && check.holds_for(subject(&loads.place)));
-        let rows: Vec<_> = held
-            .map(|loads| checked::compared(check, number, loads, &self.scene))
-            .collect();
-        match rows.is_empty() && !loads.is_empty() {
-            true => vec![Err(nothing_recorded(check, series))],
-            false => rows,
+            .filter(|loads| series.contains(&loads.series) && is_held(loads));
+        rows.extend(held.map(|loads| checked::compared(check, number, loads, &self.scene)));
+        match series.first() {
+            Some(series) if rows.is_empty() && !loads.is_empty() => {
+                rows.push(Err(nothing_recorded(check, *series)));
+            }
+            _ => {}
         }
+        rows.extend(not_along_lines(check, &self.scene).map(Err));
+        rows
     }
+}
+
+/// What a check of a stretch of lines names that is none.
+fn not_along_lines<'a>(
+    check: &'a Check,
+    scene: &'a CheckedScene,
+) -> impl Iterator<Item = String> + 'a {
+    let names = check.inputs.of.iter().flatten();
+    let names = names.filter(|_| check.inputs.stretch_m.is_some());
+    names
+        .filter(|name| !scene.is_line(name))
+        .map(|name| format!("{name} is no line, and a stretch is one of lines"))
 }
 
 /// Why a check along the lines has no row in a sea.
@@ -314,6 +332,11 @@ fn nothing_recorded(check: &Check, series: Series) -> String {
         None => String::new(),
     };
     match series {
+        _ if check.kind == CheckKind::BedClearance && check.inputs.stretch_m.is_some() => {
+            format!(
+                "no height along a line{of} is recorded: a quick look has none, a bed is needed, and the line must reach so far"
+            )
+        }
         Series::Uplift => {
             format!("no force on an anchor{of} is recorded: add `uplift = true` to [output]")
         }

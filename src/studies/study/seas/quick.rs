@@ -272,13 +272,14 @@ impl SeaQuestion {
     fn quick_loads(&self, sea: &Sea, look: &SeaLook) -> Vec<PlaceLoads> {
         let is_asked = |series: Series| {
             let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
-            series == Series::Tension || kinds.any(|of| of == Some(series))
+            series == Series::Tension || kinds.any(|of| of.contains(&series))
         };
         let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
         let hours = self.statistics.hours;
         let loads = asked.flat_map(|series| {
             let places = look.fine.channels.iter();
-            let places = places.filter(move |channel| channel.id.quantity == quantity(series));
+            let places =
+                places.filter(move |channel| quantity(series) == Some(channel.id.quantity));
             places.filter_map(move |channel| {
                 let place = channel.id.place.as_str();
                 let fine = Numbers::of(&look.fine, series, place, hours)?;
@@ -351,13 +352,14 @@ impl SeaQuestion {
     }
 }
 
-/// The channels whose places a series has.
-const fn quantity(series: Series) -> ChannelQuantity {
+/// The channels whose places a series has; none of what is along lines.
+const fn quantity(series: Series) -> Option<ChannelQuantity> {
     match series {
-        Series::Tension => ChannelQuantity::Tension,
-        Series::Uplift => ChannelQuantity::Uplift,
-        Series::Offset => ChannelQuantity::X,
-        Series::Height => ChannelQuantity::Z,
+        Series::Tension => Some(ChannelQuantity::Tension),
+        Series::Uplift => Some(ChannelQuantity::Uplift),
+        Series::Offset => Some(ChannelQuantity::X),
+        Series::Height => Some(ChannelQuantity::Z),
+        Series::BedClearance => None,
     }
 }
 
@@ -375,7 +377,7 @@ impl Numbers {
             let mut channels = look.channels.iter();
             channels.find(|channel| channel.id.quantity == quantity && channel.id.place == place)
         };
-        let channel = find(quantity(series))?;
+        let channel = find(quantity(series)?)?;
         if series == Series::Offset {
             return Some(Self::offset(
                 channel,

@@ -19,11 +19,19 @@ pub enum Series {
     Offset,
     /// Height above still water \[m\].
     Height,
+    /// Height of a line at rest above the bed \[m\].
+    BedClearance,
 }
 
 impl Series {
     /// All of them.
-    pub const ALL: [Self; 4] = [Self::Tension, Self::Uplift, Self::Offset, Self::Height];
+    pub const ALL: [Self; 5] = [
+        Self::Tension,
+        Self::Uplift,
+        Self::Offset,
+        Self::Height,
+        Self::BedClearance,
+    ];
 
     /// The quantities whose channels have the places: of a system, then of a line between two ends.
     const fn quantities(self) -> &'static [ChannelQuantity] {
@@ -32,6 +40,8 @@ impl Series {
             Self::Uplift => &[ChannelQuantity::Uplift, ChannelQuantity::ForceZ],
             Self::Offset => &[ChannelQuantity::X],
             Self::Height => &[ChannelQuantity::Z],
+            // In time it is recorded along the line.
+            Self::BedClearance => &[],
         }
     }
 
@@ -40,7 +50,7 @@ impl Series {
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Tension | Self::Uplift => "N",
-            Self::Offset | Self::Height => "m",
+            Self::Offset | Self::Height | Self::BedClearance => "m",
         }
     }
 }
@@ -248,30 +258,20 @@ impl RunRecord {
     }
 
     fn error(&self, of: Subject, statistic: Statistic) -> Option<f64> {
-        let id = QuantityId::new(of, statistic, None);
-        let found = self.summary.iter().find(|quantity| quantity.id == id)?;
-        found.error_estimate()
-    }
-
-    /// The lines that bend, by name; empty of a line by itself.
-    pub fn bent_lines(&self) -> impl Iterator<Item = &str> {
-        self.summary
-            .iter()
-            .filter_map(|quantity| match &quantity.id {
-                QuantityId::Statistic { of, statistic, .. } if *statistic == Statistic::Min => {
-                    let (quantity, line) = of.line_quantity()?;
-                    (quantity == LineQuantity::BendRadius).then_some(line)
-                }
-                _ => None,
-            })
+        self.result(&QuantityId::new(of, statistic, None))?.1
     }
 
     /// The least bend radius along a line, by its name, with its numerical error \[m\].
     #[must_use]
     pub fn least_bend_radius(&self, line: &str) -> Option<(f64, Option<f64>)> {
         let of = Subject::along(LineQuantity::BendRadius, line);
-        let id = QuantityId::new(of, Statistic::Min, None);
-        let found = self.summary.iter().find(|quantity| quantity.id == id)?;
+        self.result(&QuantityId::new(of, Statistic::Min, None))
+    }
+
+    /// A single number of the run with its numerical error.
+    #[must_use]
+    pub fn result(&self, id: &QuantityId) -> Option<(f64, Option<f64>)> {
+        let found = self.summary.iter().find(|quantity| quantity.id == *id)?;
         Some((found.value, found.error_estimate()))
     }
 }

@@ -23,6 +23,8 @@ pub struct CheckedScene {
     pub tensions: Vec<String>,
     /// The bodies of a system.
     pub bodies: Vec<String>,
+    /// The lines by name; empty that of a line by itself.
+    pub lines: Vec<String>,
     /// Names of lines, points, bodies and ends that a check may hold.
     pub subjects: Vec<String>,
     /// Depth of a level sea bed \[m\].
@@ -38,6 +40,13 @@ pub struct CheckedScene {
 }
 
 impl CheckedScene {
+    /// Whether a name is that of a line, or of its copies NAME@ANGLE.
+    #[must_use]
+    pub fn is_line(&self, name: &str) -> bool {
+        let mut lines = self.lines.iter();
+        lines.any(|line| line == name || line.split('@').next() == Some(name))
+    }
+
     /// A name that a check holds and the scene has not, with the nearest that it has.
     #[must_use]
     pub fn unknown(&self, check: &Check) -> Option<(String, Option<String>)> {
@@ -89,6 +98,7 @@ impl CheckedScene {
             diameters,
             tensions: Vec::new(),
             bodies: Vec::new(),
+            lines: vec![String::new()],
             subjects: channels(case)
                 .into_iter()
                 .map(|spec| spec.id.place)
@@ -131,6 +141,7 @@ impl CheckedScene {
             diameters,
             tensions,
             bodies: solved.file.bodies.keys().cloned().collect(),
+            lines: lines(solved),
             subjects: subjects(solved),
             depth: bed
                 .filter(|bed| bed.depth_file.is_none())
@@ -171,10 +182,18 @@ fn places(sections: usize) -> Vec<(String, std::ops::Range<usize>)> {
 /// Names of the lines, points and bodies of a system.
 fn subjects(solved: &SolvedSystem) -> Vec<String> {
     let network = &solved.network;
-    let lines = network.lines.iter().map(|line| line.name.clone());
     let points = network.points.iter().map(|point| point.name.clone());
     let bodies = network.bodies.iter().map(|body| body.name.clone());
-    lines.chain(points).chain(bodies).collect()
+    lines(solved)
+        .into_iter()
+        .chain(points)
+        .chain(bodies)
+        .collect()
+}
+
+fn lines(solved: &SolvedSystem) -> Vec<String> {
+    let lines = solved.network.lines.iter();
+    lines.map(|line| line.name.clone()).collect()
 }
 
 /// What is broken in a system as its file stands.

@@ -2,6 +2,7 @@
 //! input that gives a wanted result.
 
 pub mod analyses;
+pub mod bed_clearance;
 pub mod box_tree;
 pub mod boxed_curve;
 pub mod clearance;

@@ -15,7 +15,8 @@ use super::start::{Start, start};
 use super::system_state::SystemState;
 use super::system_under_way::compute;
 use crate::case::fields::Schema;
-use crate::case::{Attachment, kind};
+use crate::case::{Attachment, QuantityId, kind};
+use crate::checks::resolved::held_along;
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
@@ -89,13 +90,25 @@ impl SystemInTime {
         begun.as_ref().map_err(Clone::clone)
     }
 
+    /// The results that its file asks for by published values and checks.
+    fn stated(&self, begun: &Start) -> Vec<QuantityId> {
+        let file = &self.solved.file;
+        let lines = begun.system.network.lines.iter();
+        let held = held_along(
+            &file.checks,
+            &file.files,
+            lines.map(|line| line.name.as_str()),
+        );
+        stated(file).into_iter().chain(held).collect()
+    }
+
     /// The settings that its run uses.
     pub(super) fn settings(&self, begun: &Start) -> MotionSettings {
         let (file, given) = (&self.solved.file, &self.motion);
         let window = file.statistics.settled_window(given.duration_s);
         MotionSettings {
             settled_from_s: window.map(|[from, _]| from),
-            stated: stated(file),
+            stated: self.stated(begun),
             response: asked_response(file),
             shape_interval_s: Some(file.output.shape_interval_s),
             ..MotionSettings::new(given, file.output.interval_s, &begun.system)
