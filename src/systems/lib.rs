@@ -3,8 +3,6 @@
 use seacable_base::{background, files, limits, number, visible, work_log};
 use seacable_engine::{dynamics, line_between_ends, modes, scene, solve, statics};
 use seacable_model::{case, checks, kinds, published};
-#[cfg(test)]
-use seacable_model::{section, templates};
 use seacable_numerics as numerics;
 use seacable_physics as physics;
 use seacable_runs::{reference, run};
@@ -12,6 +10,3 @@ use seacable_runs::{reference, run};
 pub mod ropeway;
 pub mod ship;
 pub mod system;
-
-#[cfg(test)]
-mod every_kind;

@@ -8,6 +8,7 @@ mod lines;
 mod bad_cases;
 mod curves;
 mod edit;
+mod every_kind;
 mod fields;
 mod hard_cases;
 mod heaved_chains;

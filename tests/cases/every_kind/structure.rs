@@ -1,19 +1,19 @@
 //! Edits of the structure of every shipped file.
 
-use crate::case::TomlNode;
-use crate::case::fields::value_text;
-use crate::case::fields::{Schema, TableShape, join, split};
-use crate::case::file_kind::FileKind;
-use crate::case::kind;
-use crate::case::shipped::BY_KIND;
-use crate::case::structure::{OutlineRow, StructureEdit, apply, free_name, outline, table_of};
-use crate::case::tree::TomlData;
-use crate::case::{CASE, Case};
-use crate::kinds::FileType;
-use crate::ropeway::Ropeway;
-use crate::section::CrossSection;
-use crate::ship::Ship;
-use crate::system::SystemFile;
+use seacable::case::TomlNode;
+use seacable::case::fields::value_text;
+use seacable::case::fields::{Schema, TableShape, join, split};
+use seacable::case::file_kind::FileKind;
+use seacable::case::kind;
+use seacable::case::shipped::BY_KIND;
+use seacable::case::structure::{OutlineRow, StructureEdit, apply, free_name, outline, table_of};
+use seacable::case::tree::TomlData;
+use seacable::case::{CASE, Case};
+use seacable::kinds::FileType;
+use seacable::ropeway::Ropeway;
+use seacable::section::CrossSection;
+use seacable::ship::Ship;
+use seacable::system::SystemFile;
 
 fn schema(kind: FileType) -> &'static Schema {
     match kind {
@@ -277,10 +277,10 @@ fn a_section_is_divided_into_two() {
         };
         apply(&CASE, text, &edit)
     };
-    let before = crate::case::parse(HANGING, "x.toml").unwrap();
+    let before = seacable::case::parse(HANGING, "x.toml").unwrap();
     let length = before.line[0].length_m;
     let edited = divide(HANGING, &format!("{}", length / 4.0)).unwrap();
-    let after = crate::case::parse(&edited, "x.toml").unwrap();
+    let after = seacable::case::parse(&edited, "x.toml").unwrap();
     assert_eq!(after.line.len(), 2);
     assert!((after.line[0].length_m - length / 4.0).abs() < 1e-6);
     let total: f64 = after.line.iter().map(|section| section.length_m).sum();

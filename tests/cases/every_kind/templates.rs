@@ -1,12 +1,12 @@
 //! Every template makes a file that is read without a fault, and refuses what cannot be.
 
-use crate::case::{self, kind};
-use crate::kinds::FileType;
-use crate::ropeway::Ropeway;
-use crate::section::CrossSection;
-use crate::ship::Ship;
-use crate::system::SystemFile;
-use crate::templates::{TEMPLATES, find};
+use seacable::case::{self, kind};
+use seacable::kinds::FileType;
+use seacable::ropeway::Ropeway;
+use seacable::section::CrossSection;
+use seacable::ship::Ship;
+use seacable::system::SystemFile;
+use seacable::templates::{TEMPLATES, find};
 
 fn read(text: &str) -> Result<(), String> {
     let faults = match FileType::of_text(text) {

@@ -1,7 +1,7 @@
 //! Files with parameters: values, faults, edits.
 
-use crate::case::{self, Case, edit, kind};
-use crate::system::SystemFile;
+use seacable::case::{self, Case, edit, kind};
+use seacable::system::SystemFile;
 
 const MOORING: &str = include_str!("../../../cases/systems/three_chains.toml");
 
