@@ -102,6 +102,20 @@ impl VelocityParts {
 }
 
 impl DragProperties {
+    /// Of a body with an axis, by `1/2 rho C_D A` across and along it \[kg/m\]: the drag of a length of 1 is that of the body.
+    #[must_use]
+    pub fn of_body(across: f64, along: f64) -> Self {
+        Self {
+            reynolds: 0.0,
+            normal: across,
+            tangential: along,
+            normal_law: DragLaw::Constant(1.0),
+            tangential_law: DragLaw::Constant(1.0),
+            crisis: f64::INFINITY,
+            floats: 0.0,
+        }
+    }
+
     /// Drag of both halves of a segment side by side, each of this length \[m\], with tangent t, at the relative velocities of
     /// the water at its two nodes \[m/s\]; with the normal coefficients `held`, where they are.
     #[inline(always)]
@@ -317,6 +331,14 @@ impl Drag<Two> {
         let q = self.direction * ((self.a - self.by_un) * turning)
             + t * (self.a * self.speed * stretch);
         (s, p, q)
+    }
+
+    /// Derivative of the force by the tangent t \[N\], which stays a unit vector: [`Drag::by_chord`] of a chord of unit length that is wetted
+    /// over the same length however it turns.
+    #[must_use]
+    pub fn by_direction(&self, t: &TwoV3) -> TwoM3 {
+        let (s, p, q) = self.by_chord(t, 1.0, 0.0);
+        plus_diagonal(outer(t, &p) + outer(&self.direction, &q), s)
     }
 
     /// How fast the normal part of the relative velocity at the segment's other node falls as the chord turns its way,

@@ -93,6 +93,7 @@ impl Scene {
         for hung in &mut line.bodies {
             hung.body.drag = V3::zeros();
         }
+        bare.elements.clump_drag = None;
         bare
     }
 

@@ -280,6 +280,10 @@ table! {
         wet_mass_kg: f64, "wet mass", range of(-1e10, 1e10);
         /// Drag coefficient times area: one number, or along x, y, z.
         drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6);
+        /// Drag coefficient times area across the line, of a module around it and what else is aligned with it; in place of the drag area.
+        drag_area_normal_m2: f64 = 0.0, "drag area across the line", range of(0.0, 1e6);
+        /// The same along the line, that of a module by its length or of its ends.
+        drag_area_tangential_m2: f64 = 0.0, "drag area along the line", range of(0.0, 1e6);
         /// Added mass: one number, or along x, y, z.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10);
         /// Area that bears on the sea bed.

@@ -146,9 +146,10 @@ fn without_body_drag(case: &mut Case) {
             None => {}
         }
     }
-    case.clumps
-        .iter_mut()
-        .for_each(|clump| clear(&mut clump.drag_area_m2));
+    for clump in &mut case.clumps {
+        clear(&mut clump.drag_area_m2);
+        (clump.drag_area_normal_m2, clump.drag_area_tangential_m2) = (0.0, 0.0);
+    }
     case.traveller
         .iter_mut()
         .for_each(|body| clear(&mut body.drag_area_m2));
