@@ -85,7 +85,10 @@ fn ten_modules_drag_as_a_pipe_of_their_area_by_length() {
         let size = (by_pipe[0] + by_pipe[1]).norm();
         assert!(size > 1e4, "{size}");
         for (own, other) in by_modules.iter().zip(&by_pipe) {
-            assert!((own - other).norm() < 6e-3 * size, "{degrees}: {own} {other}");
+            assert!(
+                (own - other).norm() < 6e-3 * size,
+                "{degrees}: {own} {other}"
+            );
         }
         // All of it, by the closed form of a straight line.
         let t = V3::new(b[0], b[1], b[2] + 200.0).normalize();
@@ -95,7 +98,10 @@ fn ten_modules_drag_as_a_pipe_of_their_area_by_length() {
         let force = across * (AREAS[0] * across.norm()) + along * (AREAS[1] * along.norm());
         let force = force * (HALF * MODULES as f64);
         let found = by_modules[0] + by_modules[1];
-        assert!((found - force).norm() < 2e-3 * size, "{degrees}: {found} {force}");
+        assert!(
+            (found - force).norm() < 2e-3 * size,
+            "{degrees}: {found} {force}"
+        );
         // A drag area whichever way the water passes does not follow the line.
         let around = modules(&format!("drag_area_m2 = {:?}\n", AREAS[0]));
         let by_axes = forces(&line(b, [1.5, 20.0], NONE, &around));
@@ -119,7 +125,10 @@ fn the_answer_does_not_depend_on_how_the_line_is_written() {
     let found = forces(&line(turned.into(), [1.5, 70.0], NONE, &aligned()));
     same(found, plain.map(|force| turn * force));
     let found = forces(&line(b, [1.5, -20.0], NONE, &aligned()));
-    same(found, plain.map(|force| V3::new(force.x, -force.y, force.z)));
+    same(
+        found,
+        plain.map(|force| V3::new(force.x, -force.y, force.z)),
+    );
     let text = line(b, [1.5, 20.0], NONE, &aligned());
     let a = "[0.0, 0.0, -200.0]";
     let written = format!("{b:?}");
