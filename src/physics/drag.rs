@@ -35,6 +35,8 @@ pub struct DragProperties {
     pub crisis: f64,
     /// Further normal drag at a constant coefficient, `1/2 rho C_D A / L` \[kg/m²\]: floats.
     pub floats: f64,
+    /// The same along the line \[kg/m²\].
+    pub floats_tangential: f64,
 }
 
 /// Drag of half a segment, or of both halves side by side, with what its tangents are built from.
@@ -113,6 +115,7 @@ impl DragProperties {
             tangential_law: DragLaw::Constant(1.0),
             crisis: f64::INFINITY,
             floats: 0.0,
+            floats_tangential: 0.0,
         }
     }
 
@@ -150,7 +153,7 @@ impl DragProperties {
     pub fn greatest(&self, speed: f64) -> f64 {
         let re = self.reynolds * speed;
         let normal = self.normal * self.normal_law.greatest(re) + self.floats;
-        normal.max(self.tangential * self.tangential_law.greatest(re))
+        normal.max(self.tangential * self.tangential_law.greatest(re) + self.floats_tangential)
     }
 
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
@@ -232,7 +235,7 @@ impl DragProperties {
         let (ct, ct_re) = coefficients(self.tangential_law, re_t);
         let (kn, kt) = (length * self.normal, length * self.tangential);
         let a = (normal.value * kn + length * self.floats) * speed;
-        let b = ct * sliding * kt;
+        let b = ct * sliding * kt + sliding * (length * self.floats_tangential);
         let faster = speed * speed * kn;
         Drag {
             force: un * a + t * (b * ut),

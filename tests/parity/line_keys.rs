@@ -100,8 +100,26 @@ fn a_clump_hangs_where_sections_meet() {
 
 #[test]
 fn a_clump_with_drag_and_added_mass_moves_as_on_the_line() {
-    let floats = "[[floats]]\nsection = \"low\"\nfrom_m = 4.0\nto_m = 16.0\nlift_kg = 300.0\nmass_kg = 150.0\ndrag_area_m2 = 2.0\nadded_mass_kg = 400.0\n";
+    let floats = "[[floats]]\nsection = \"low\"\nfrom_m = 4.0\nto_m = 16.0\nlift_kg = 300.0\nmass_kg = 150.0\ndrag_area_m2 = 2.0\ndrag_area_tangential_m2 = 3.0\nadded_mass_kg = 400.0\n";
     assert_moves_as_on_the_line(format!("{WIRE}{floats}"), "line|3");
+}
+
+#[test]
+fn modules_drag_along_the_line_as_on_it() {
+    for (width, bed) in [
+        ("perimeter", ""),
+        ("diameter", "[seabed]\ndepth_m = 200.0\n"),
+    ] {
+        let modules = format!(
+            "[[modules]]\nsection = \"low\"\nfrom_m = 4.0\nto_m = 16.0\ndiameter_m = 0.6\nlength_m = 1.0\npitch_m = 4.0\n\
+             density_kg_per_m3 = 500.0\ndrag_normal = 1.0\ndrag_tangential = 0.8\n{bed}"
+        );
+        let wire = format!(
+            "drag_normal = 1.2\ndrag_tangential = 0.05\ndrag_tangential_width = \"{width}\""
+        );
+        let text = WIRE.replace("drag_normal = 1.2", &wire);
+        assert_moves_as_on_the_line(format!("{text}{modules}"), "line|3");
+    }
 }
 
 /// One across and along the line, by both methods, in a current.

@@ -647,7 +647,10 @@ fn tangent_of_clumps_aligned_with_the_line() {
         clump("end", "wire", 20.0),
     ]
     .concat();
-    let still = LINE.replace("\"NORMAL\"", "1.2");
+    let along = "drag_area_m2 = 2.0\ndrag_area_tangential_m2 = 3.0\n";
+    let still = LINE
+        .replace("\"NORMAL\"", "1.2")
+        .replace("drag_area_m2 = 2.0\n", along);
     let sea = still.replace("position_m = [0, 0, 0]", "position_m = [3.0, -8.0, 12.0]");
     let waves = "[environment]\nwater_surface = \"crossed\"\n[waves]\nkind = \"irregular\"\n\
                  significant_height_m = 5.0\npeak_period_s = 8.0\ncomponents = 20\ndirection_deg = 40.0\n";

@@ -110,6 +110,54 @@ fn ten_modules_drag_as_a_pipe_of_their_area_by_length() {
     }
 }
 
+/// Floats and modules over the whole line have the drag of a pipe, across it and along it.
+#[test]
+fn floats_and_modules_drag_along_the_line_where_asked_for() {
+    let b = inclined(35.0);
+    let [across, along] = AREAS.map(|area| area * MODULES as f64);
+    let same = |found: [V3; 2], expected: [V3; 2]| {
+        for (own, other) in found.iter().zip(&expected) {
+            assert!((own - other).norm() < 1e-9 * other.norm(), "{own} {other}");
+        }
+    };
+    let floats = format!(
+        "floats = [{{ section = \"rope\", lift_kg = 0.0, drag_area_m2 = {across:?}, drag_area_tangential_m2 = {along:?} }}]\n"
+    );
+    let by_pipe = forces(&line(b, [1.5, 20.0], &pipe(), ""));
+    same(forces(&line(b, [1.5, 20.0], NONE, &floats)), by_pipe);
+    // Modules of no weight that cover two fifths of a rope: 0.4 of their drag and 0.6 of its own.
+    let modules = |along: &str| {
+        format!(
+            "modules = [{{ section = \"rope\", diameter_m = 1.5, length_m = 2.0, pitch_m = 5.0, density_kg_per_m3 = 1025.0, drag_normal = 0.8{along} }}]\n"
+        )
+    };
+    let drag = |normal: f64, tangential: f64| {
+        format!("drag_normal = {normal:?}, drag_tangential = {tangential:?}")
+    };
+    let bare = drag(1.2, 0.1);
+    let normal = 0.6 * 1.2 + 0.4 * 0.8 * 3.0;
+    let given = forces(&line(
+        b,
+        [1.5, 20.0],
+        &bare,
+        &modules(", drag_tangential = 0.3"),
+    ));
+    same(
+        given,
+        forces(&line(
+            b,
+            [1.5, 20.0],
+            &drag(normal, 0.6 * 0.1 + 0.4 * 0.3 * 3.0),
+            "",
+        )),
+    );
+    let absent = forces(&line(b, [1.5, 20.0], &bare, &modules("")));
+    same(
+        absent,
+        forces(&line(b, [1.5, 20.0], &drag(normal, 0.1), "")),
+    );
+}
+
 /// Turned about the vertical, mirrored in the plane of x and z, and written from its other end.
 #[test]
 fn the_answer_does_not_depend_on_how_the_line_is_written() {
