@@ -101,7 +101,7 @@ fn a_clump_hangs_where_sections_meet() {
 #[test]
 fn a_clump_with_drag_and_added_mass_moves_as_on_the_line() {
     let floats = "[[floats]]\nsection = \"low\"\nfrom_m = 4.0\nto_m = 16.0\nlift_kg = 300.0\nmass_kg = 150.0\ndrag_area_m2 = 2.0\ndrag_area_tangential_m2 = 3.0\nadded_mass_kg = 400.0\n";
-    assert_moves_as_on_the_line(format!("{WIRE}{floats}"), "line|3");
+    assert_moves_as_on_the_line(&format!("{WIRE}{floats}"), "line|3");
 }
 
 #[test]
@@ -118,7 +118,7 @@ fn modules_drag_along_the_line_as_on_it() {
             "drag_normal = 1.2\ndrag_tangential = 0.05\ndrag_tangential_width = \"{width}\""
         );
         let text = WIRE.replace("drag_normal = 1.2", &wire);
-        assert_moves_as_on_the_line(format!("{text}{modules}"), "line|3");
+        assert_moves_as_on_the_line(&format!("{text}{modules}"), "line|3");
     }
 }
 
@@ -129,15 +129,15 @@ fn a_clump_aligned_with_the_line_moves_as_on_the_line() {
     let text = WIRE.replace("drag_area_m2 = 0.8", aligned);
     let current = "[current]\nspeed_m_per_s = 1.2\ndirection_deg = 60.0\n";
     let text = format!("{text}{current}").replace("time_step_s = 0.02", "time_step_s = 0.005");
-    let by_alpha = assert_moves_as_on_the_line(text.clone(), "line|1");
+    let by_alpha = assert_moves_as_on_the_line(&text, "line|1");
     let explicit = "method = \"rk4\"\ntime_step_s = 2e-4";
     let by_rk4 = text.replace("time_step_s = 0.005", explicit);
-    let by_rk4 = assert_moves_as_on_the_line(by_rk4, "line|1");
+    let by_rk4 = assert_moves_as_on_the_line(&by_rk4, "line|1");
     let apart = greatest_difference(&by_alpha, &by_rk4);
     assert!(apart < 1e-3, "{apart}");
     // It is no drag of an area that the water sees from all sides.
     let around = text.replace(aligned, "drag_area_m2 = 4.0");
-    let by_axes = assert_moves_as_on_the_line(around, "line|1");
+    let by_axes = assert_moves_as_on_the_line(&around, "line|1");
     let apart = greatest_difference(&by_alpha, &by_axes);
     assert!(apart > 1e-2, "{apart}");
 }
@@ -151,7 +151,7 @@ fn greatest_difference(own: &[f64], other: &[f64]) -> f64 {
 }
 
 /// The tensions of a wire as a line and as the system of it are the same; that at its lower end.
-fn assert_moves_as_on_the_line(text: String, joint: &str) -> Vec<f64> {
+fn assert_moves_as_on_the_line(text: &str, joint: &str) -> Vec<f64> {
     let text = text.replace("\"long_m\"", "40.0");
     let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
     let system = system_run(&imported.text).history;
