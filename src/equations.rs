@@ -25,6 +25,7 @@
 //! | tension | `T = EA e + C de/dt`, `e = l/l0 - 1`, `0 <= T <= 2 EA e`; a rod also bears compression | [`AxialConstants::tension`](crate::physics::tension::AxialConstants::tension) |
 //! | pipe wall | `T_w = T + p_i A_i - p_o A_o` | [`PipeWall::tension`](crate::physics::PipeWall::tension) |
 //! | drag, per length | `1/2 rho D (C_n abs(u_n) u_n + C_t abs(u_t) u_t)`, u relative to the water | [`DragProperties::drag`](crate::physics::drag::DragProperties::drag) |
+//! | drag of an aligned clump | the same by areas, along `d = (t1 + t2) / abs(t1 + t2)` | [`NodeDirection`](crate::physics::NodeDirection) |
 //! | added mass | `M_a a = A_n a + (A_t - A_n) (t.a) t` | [`AddedMass::force`](crate::physics::added_mass::AddedMass::force) |
 //! | bending | energy `EI (1 - t1.t2) / l`, moment `EI sin(theta) / l` | [`BendAngle::forces`](crate::physics::bending::BendAngle::forces) |
 //! | rotating body | Kirchhoff's equations and gyroscopic couple | [`RigidBody`](crate::physics::RigidBody) |

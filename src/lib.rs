@@ -33,6 +33,7 @@
 //! * Foreign: [`import`], files of other programs: MoorDyn, MoorPy, MAP++; [`open`]: files of any kind; [`export`]; [`audit`].
 //! * Studies: [`study`]: sweeps, seas, effects, hard cases by every method that applies, speed against error, tables of lines;
 //!   [`comparison`]: stored runs compared: inputs, results with error bars, curves.
+//! * What measures the program: [`laboratory`]: random systems, error bars and accuracies held against the truth.
 //! * [`report`]: figures and pages of every result, shared by every view.
 //! * [`jobs`]: runs and load cases as processes that outlive the screen.
 //! * [`tui`], [`cli`]: the screen and the command line.
@@ -58,6 +59,6 @@ pub use seacable_physics as physics;
 pub use seacable_report as report;
 pub use seacable_runs::{reference, run};
 pub use seacable_statistics::{extremes, fatigue};
-pub use seacable_studies::{comparison, study};
+pub use seacable_studies::{comparison, laboratory, study};
 pub use seacable_systems::{ropeway, ship, system};
 pub use seacable_tui as tui;

@@ -10,6 +10,7 @@ use super::export::ExportArgs;
 use super::import::{ImportArgs, ImportCommandArgs};
 use super::job::JobArgs;
 use super::jobs::JobsArgs;
+use super::laboratory::args::LaboratoryArgs;
 use super::limit_args::{LimitArgs, ReadingArgs};
 use super::model_args::{LinesArgs, ModesArgs, RopewayArgs, SectionArgs, ShipArgs};
 use super::rules::RulesArgs;
@@ -189,6 +190,9 @@ pub(super) enum CliCommand {
     /// Studies over many runs.
     #[command(subcommand)]
     Study(StudyArgs),
+    /// Measure the program rather than a mooring: random systems, error bars and accuracies held against the truth.
+    #[command(subcommand)]
+    Laboratory(LaboratoryArgs),
     /// Compute a case or a system of lines at all of its load cases.
     ///
     /// Load cases are the combinations of the tables `[[load_cases]]` of the file, of --load-cases and of --vary. Each is a run of its own,

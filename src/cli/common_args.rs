@@ -40,6 +40,16 @@ pub(super) struct TableArgs {
 }
 
 #[derive(Debug, clap::Args)]
+pub(super) struct HardArgs {
+    /// Cases and systems with trials, or directories of them; by default those that come with the program.
+    #[arg(value_name = "CASE")]
+    pub(super) cases: Vec<PathBuf>,
+
+    #[command(flatten)]
+    pub(super) table: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
 pub(super) struct StudyPageArgs {
     /// Print CSV with every digit instead of tables and charts.
     #[arg(long, conflicts_with = "json")]

@@ -21,12 +21,11 @@ mod exit_status;
 mod export;
 mod import;
 mod inputs;
-mod intervals;
-mod invariants;
 mod job;
 mod jobs;
 mod keys;
 mod kinds;
+mod laboratory;
 mod limit_args;
 mod lines;
 mod manual;
@@ -35,10 +34,6 @@ mod modes;
 mod output;
 mod physics;
 mod progress;
-mod random_motion;
-mod random_refusals;
-mod random_systems;
-mod refined_systems;
 mod report;
 mod ropeway;
 mod rules;
@@ -50,9 +45,11 @@ mod slurm_args;
 mod slurm_refusals;
 mod slurm_words;
 mod statistics;
+mod studied_scene;
 mod study;
 mod study_args;
 mod study_page;
+mod study_table;
 mod sweep;
 mod sweep_args;
 mod sweep_compute;
@@ -122,6 +119,7 @@ pub fn main() -> ExitCode {
         Some(CliCommand::Man(args)) => manual::man(args),
         Some(CliCommand::InstallManual(args)) => manual::install(args),
         Some(CliCommand::Study(args)) => study::study(args),
+        Some(CliCommand::Laboratory(args)) => laboratory::laboratory(args),
         Some(CliCommand::Sweep(args)) => sweep::sweep(args, SweepPage::Sweep),
         Some(CliCommand::Statistics(args)) => statistics::statistics(args),
         Some(CliCommand::Jobs(args)) => jobs::jobs(args),

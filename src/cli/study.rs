@@ -1,32 +1,23 @@
 //! `seacable study`: hard cases against expected results, work against error, error-controlled against constant steps.
 
-use std::{
-    io,
-    path::PathBuf,
-    process::ExitCode,
-    sync::{Arc, Mutex},
-};
+use std::process::ExitCode;
+use std::sync::Mutex;
 
 use super::{
-    BAD_RESULT, CommandError,
-    cases::{self, EditedFile, NamedCase},
-    common_args::{CaseArgs, TableArgs},
-    effects, intervals,
-    output::{self, FileFormat, OutputFile},
-    physics, progress, random_systems,
+    BAD_RESULT, CommandError, cases,
+    common_args::HardArgs,
+    effects, laboratory,
+    output::{self, OutputFile},
+    physics, progress,
     signals::StopFlag,
-    study_args::{AccuracyArgs, BarsArgs, HardArgs, SpeedArgs, StepsArgs, StudyArgs},
+    studied_scene::{StudiedScene, scene_of},
+    study_args::{SpeedArgs, StepsArgs, StudyArgs},
+    study_table::{WIDTH, print, write_csv},
     system_study, vary,
 };
 use seacable_display::chart::draw;
-use seacable_display::table::Table;
-use seacable_foreign::import::ImportOptions;
-use seacable_model::case::{Case, Method};
-use seacable_model::kinds::{FileBytes, FileType};
-use seacable_report::run_json as study_json;
+use seacable_model::case::Method;
 use seacable_studies::study::{
-    accuracy::{self, AccuracyTrial},
-    bars::{self, BarSetting},
     hard_cases::{self, HardCase, TrialRun},
     speed::{
         self, SpeedError,
@@ -34,14 +25,8 @@ use seacable_studies::study::{
     },
     tally,
     timed::Timed,
-    varied,
 };
-use seacable_systems::system::{
-    SystemFile, at_rest::SystemAtRest, motion::system_in_time::SystemInTime,
-};
-
-/// Columns of the page.
-const WIDTH: usize = 160;
+use seacable_systems::system::at_rest::SystemAtRest;
 
 /// Columns and rows of the chart.
 const PLOT: (usize, usize) = (80, 24);
@@ -51,16 +36,16 @@ pub(super) fn study(args: &StudyArgs) -> Result<ExitCode, CommandError> {
         StudyArgs::HardCases(args) => hard_cases(args),
         StudyArgs::Speed(args) => speed_of(args),
         StudyArgs::Steps(args) => steps_of(args),
-        StudyArgs::Bars(args) => bars_of(args),
-        StudyArgs::Accuracy(args) => accuracy_of(args),
-        StudyArgs::Intervals(args) => intervals::intervals(args),
         StudyArgs::Vary(args) => vary::vary(args),
         StudyArgs::Effects(args) => effects::effects(args),
         StudyArgs::Physics(args) => physics::physics(args),
-        StudyArgs::Systems(args) => random_systems::systems(args),
         StudyArgs::Offsets(args) => system_study::offsets(args),
         StudyArgs::WatchCircle(args) => system_study::watch(args),
         StudyArgs::Seek(args) => system_study::goal(args),
+        StudyArgs::Systems(args) => laboratory::systems(args),
+        StudyArgs::Intervals(args) => laboratory::intervals(args),
+        StudyArgs::Bars(args) => laboratory::bars(args),
+        StudyArgs::Accuracy(args) => laboratory::accuracy(args),
     }
 }
 
@@ -83,59 +68,6 @@ fn hard_cases(args: &HardArgs) -> Result<ExitCode, CommandError> {
     } else {
         ExitCode::from(BAD_RESULT)
     })
-}
-
-/// Prints a table and what stands below it, or its rows as JSON.
-fn print(table: &Table, below: &str, study: &str, args: &TableArgs) -> Result<(), CommandError> {
-    if args.json {
-        return output::object(&study_json::study(study, table));
-    }
-    let text = format!("{}{below}", table.to_text(WIDTH));
-    output::results(&text, args.ascii)
-}
-
-/// Writes a table to a file, where one is asked for.
-fn write_csv(table: &Table, file: Option<&OutputFile<'_>>) -> Result<(), CommandError> {
-    let Some(file) = file else { return Ok(()) };
-    let mut text = Vec::new();
-    let written = table.write_csv(&mut text).map_err(io::Error::other);
-    written.map_err(CommandError::Output)?;
-    file.write(&text, FileFormat::Text)
-}
-
-/// A scene in time or at rest.
-enum StudiedScene {
-    Line(Box<Case>),
-    System(SystemInTime),
-    AtRest(SystemAtRest),
-}
-
-/// The scene of a file with what is set on top of it, and its name.
-fn scene_of(args: &CaseArgs) -> Result<(String, StudiedScene), CommandError> {
-    let file = FileBytes::read(&args.file);
-    let name = file.path().display().to_string();
-    if file.kind() != FileType::System {
-        let loaded = cases::load_set(file, &args.set)?;
-        return Ok((loaded.name, StudiedScene::Line(Box::new(loaded.case))));
-    }
-    let (system, _) = system_of(file, &args.set, &args.import.options())?;
-    Ok((name, system))
-}
-
-/// The system of a file, in time where it has a table `[solver]`, and its text.
-fn system_of(
-    file: FileBytes,
-    set: &[String],
-    options: &ImportOptions,
-) -> Result<(StudiedScene, String), CommandError> {
-    let file = EditedFile::<SystemFile>::read(file, set, options)?;
-    let text = file.whole_text();
-    let solved = file.compute()?.computed;
-    let scene = match solved.file.solver.clone() {
-        Some(motion) => StudiedScene::System(SystemInTime::new(Arc::new(solved), motion)),
-        None => StudiedScene::AtRest(SystemAtRest::new(solved.file)),
-    };
-    Ok((scene, text))
 }
 
 fn speed_of(args: &SpeedArgs) -> Result<ExitCode, CommandError> {
@@ -254,129 +186,6 @@ fn steps_of_scene<C: Timed>(
     let table = speed::comparison_table(&rows, args.variants);
     write_csv(&table, file)?;
     print(&table, "", "steps", &args.table)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn bars_of(args: &BarsArgs) -> Result<ExitCode, CommandError> {
-    let (varied, seed, by_result) = (args.varied, args.seed, args.results);
-    let args = &args.cases;
-    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let scenes = match varied {
-        Some(_) => Vec::new(),
-        None => scenes(&args.cases)?,
-    };
-    let drawn = match varied {
-        Some(_) => cases::of_lines(&args.cases)?,
-        None => Vec::new(),
-    };
-    let stop = StopFlag::listen()?;
-    let of_scene = |named: &NamedScene| match &named.scene {
-        StudiedScene::Line(case) => bars::settings(&named.name, &**case),
-        StudiedScene::System(system) => bars::settings(&named.name, system),
-        StudiedScene::AtRest(system) => bars::settings(&named.name, system),
-    };
-    let of_drawn = |named: &NamedCase| {
-        let count = varied.unwrap_or_default();
-        varied::settings(&named.name, &named.case, seed, count)
-    };
-    let settings: Vec<BarSetting> = (scenes.iter().flat_map(of_scene))
-        .chain(drawn.iter().flat_map(of_drawn))
-        .collect();
-    let (line, total) = (
-        Mutex::new((0, progress::ProgressLine::new())),
-        settings.len(),
-    );
-    let checks = bars::compute(settings, stop.cancel(), &|setting| {
-        if let Ok(mut line) = line.lock() {
-            line.0 += 1;
-            let words = format!(
-                "{} of {total}: {}, {}",
-                line.0, setting.name, setting.setting
-            );
-            line.1.show(&words);
-        }
-    });
-    drop(line);
-    if let Some(status) = stop.status() {
-        output::message("Stopped before all settings were computed; nothing was judged.");
-        return Ok(status);
-    }
-    let (table, below) = if by_result {
-        (bars::results_table(&checks), String::new())
-    } else {
-        let outside = bars::outside_table(&checks).to_text(WIDTH);
-        (bars::table(&checks), format!("\n{outside}"))
-    };
-    write_csv(&table, file.as_ref())?;
-    print(&table, &below, "bars", &args.table)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-/// A scene of a file that is named.
-struct NamedScene {
-    name: String,
-    text: String,
-    scene: StudiedScene,
-}
-
-/// The scenes named, systems among them; without names, the cases of lines as [`cases::of_lines`].
-fn scenes(paths: &[PathBuf]) -> Result<Vec<NamedScene>, CommandError> {
-    let systems = cases::systems(paths)?;
-    let lines = match systems.is_empty() {
-        true => cases::of_lines(paths)?,
-        false => cases::lines_among(paths)?,
-    };
-    let of_line = |named: NamedCase| NamedScene {
-        name: named.name,
-        text: named.text,
-        scene: StudiedScene::Line(Box::new(named.case)),
-    };
-    let mut scenes: Vec<NamedScene> = lines.into_iter().map(of_line).collect();
-    for path in &systems {
-        let file = FileBytes::read(path);
-        let name = path.display().to_string();
-        let (scene, text) = system_of(file, &[], &ImportOptions::default())?;
-        scenes.push(NamedScene { name, text, scene });
-    }
-    Ok(scenes)
-}
-
-fn accuracy_of(args: &AccuracyArgs) -> Result<ExitCode, CommandError> {
-    let file = OutputFile::check(args.table.output.as_deref(), args.table.force, &args.cases)?;
-    let scenes = scenes(&args.cases)?;
-    let stop = StopFlag::listen()?;
-    let mut line = progress::ProgressLine::new();
-    let total = scenes.len() * args.accuracy.len();
-    let mut rows = Vec::with_capacity(total);
-    for NamedScene { name, text, scene } in &scenes {
-        for asked in &args.accuracy {
-            line.show(&format!("{} of {total}: {name}, {asked:e}", rows.len() + 1));
-            let trial = AccuracyTrial {
-                name: name.clone(),
-                asked: *asked,
-                budget_s: args.budget,
-            };
-            let found = match scene {
-                StudiedScene::Line(case) => accuracy::check(&trial, &**case, text, stop.cancel()),
-                StudiedScene::System(system) => {
-                    accuracy::check(&trial, system, text, stop.cancel())
-                }
-                StudiedScene::AtRest(system) => {
-                    accuracy::check(&trial, system, text, stop.cancel())
-                }
-            };
-            if let Some(status) = stop.status() {
-                output::message("Stopped before all searches were computed; nothing was judged.");
-                return Ok(status);
-            }
-            rows.push((trial, found));
-        }
-    }
-    drop(line);
-    let table = accuracy::table(&rows);
-    write_csv(&table, file.as_ref())?;
-    let totals = accuracy::totals(&rows).to_text(WIDTH);
-    print(&table, &format!("\n{totals}"), "accuracy", &args.table)?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Subcommand;
 
-use super::common_args::{CaseArgs, StudyPageArgs, TableArgs, count};
+use super::common_args::{CaseArgs, HardArgs, StudyPageArgs, TableArgs, count};
+use super::laboratory::args::{AccuracyArgs, BarsArgs, IntervalsArgs, SystemsArgs};
 use super::sweep_args::SweepArgs;
-use super::system_args::{OffsetsArgs, SeekArgs, SystemsArgs, WatchArgs};
+use super::system_args::{OffsetsArgs, SeekArgs, WatchArgs};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct CompareArgs {
@@ -48,18 +49,6 @@ pub(super) enum StudyArgs {
     /// For every tolerance and spectral radius: the work, the errors, and the work of constant steps at the same error.
     /// Takes as long as the references, one for each variant: up to some minutes.
     Steps(StepsArgs),
-    /// Hold every estimated error against the true one, from a converged run: cases by every method at two tolerances.
-    ///
-    /// The converged run has a mesh three times as fine and a time error ten times as small. Takes some minutes for all cases.
-    Bars(BarsArgs),
-    /// Measure how often intervals of extremes hold the truth, and how often a verdict over seeds is false.
-    ///
-    /// Samples are drawn from Gumbel's and Weibull's law, and the default intervals made of each. Takes a minute.
-    Intervals(IntervalsArgs),
-    /// Hold an accuracy asked against the true one, and its cost against the cheapest setting that is as accurate.
-    ///
-    /// The truth is a run on twice the mesh found, with a time error four times as small. Takes some minutes for all cases.
-    Accuracy(AccuracyArgs),
     /// Compute a case over ranges of its keys, and show results against them.
     ///
     /// `--vary KEY=A..B/N` takes N values from A to B in even steps, `A..B/Nlog` in even ratios, `KEY=a,b,c` the values listed; each with a
@@ -77,10 +66,6 @@ pub(super) enum StudyArgs {
     /// Effects are drag, added mass, bending, damping, elasticity, bed friction, current, waves, motion of the ends, rotation of the payload,
     /// inertia and the mesh, as far as the case has them.
     Physics(EffectsArgs),
-    /// Solve random systems of lines at rest, nearly singular ones among them: each solved exactly, or refused with a reason.
-    ///
-    /// The exit status is 1 if one is solved with a residual above rounding.
-    Systems(SystemsArgs),
     /// Push a body of a system of lines aside: restoring force and tensions against its offset.
     Offsets(OffsetsArgs),
     /// Watch circle of a body of a system under a steady load from all sides, with all lines and with each lost in turn.
@@ -91,6 +76,18 @@ pub(super) enum StudyArgs {
     ///
     /// A case of a line is taken as the system of it, whose keys `seacable import` prints. The exit status is 1, with the reason, where no value between the bounds gives it.
     Seek(SeekArgs),
+    /// The same as `seacable laboratory systems`.
+    #[command(hide = true)]
+    Systems(SystemsArgs),
+    /// The same as `seacable laboratory intervals`.
+    #[command(hide = true)]
+    Intervals(IntervalsArgs),
+    /// The same as `seacable laboratory bars`.
+    #[command(hide = true)]
+    Bars(BarsArgs),
+    /// The same as `seacable laboratory accuracy`.
+    #[command(hide = true)]
+    Accuracy(AccuracyArgs),
 }
 
 #[derive(Debug, clap::Args)]
@@ -125,68 +122,4 @@ pub(super) struct SpeedArgs {
 
     #[command(flatten)]
     pub(super) table: TableArgs,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct HardArgs {
-    /// Cases and systems with trials, or directories of them; by default those that come with the program.
-    #[arg(value_name = "CASE")]
-    pub(super) cases: Vec<PathBuf>,
-
-    #[command(flatten)]
-    pub(super) table: TableArgs,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct BarsArgs {
-    #[command(flatten)]
-    pub(super) cases: HardArgs,
-
-    /// Take so many variants of each case in its place, with other meshes, periods, sizes and masses, drawn at random.
-    #[arg(long, value_name = "N", value_parser = count)]
-    pub(super) varied: Option<usize>,
-
-    /// Of the random numbers: the same seed, the same variants.
-    #[arg(long, value_name = "SEED", default_value_t = 1, requires = "varied")]
-    pub(super) seed: u64,
-
-    /// A row for every result, in the place of one for every setting.
-    #[arg(long)]
-    pub(super) results: bool,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct AccuracyArgs {
-    /// Case files, or directories of them; by default those that come with the program.
-    #[arg(value_name = "CASE")]
-    pub(super) cases: Vec<PathBuf>,
-
-    /// Accuracies asked, as shares of what each result is a part of.
-    #[arg(long, value_name = "SHARE", value_delimiter = ',', default_values_t = [1e-2, 1e-3])]
-    pub(super) accuracy: Vec<f64>,
-
-    /// Wall time that each search may take: 10s, 2min.
-    #[arg(long, value_name = "TIME", value_parser = super::duration::seconds, default_value = "10s")]
-    pub(super) budget: f64,
-
-    #[command(flatten)]
-    pub(super) table: TableArgs,
-}
-
-#[derive(Debug, clap::Args)]
-pub(super) struct IntervalsArgs {
-    /// Samples drawn of each law and size, and streams of seeds of each rule.
-    #[arg(long, value_name = "N", default_value = "2000", value_parser = clap::value_parser!(u32).range(10..=1_000_000))]
-    pub(super) draws: u32,
-
-    /// Seed of the samples.
-    #[arg(long, value_name = "N", default_value = "1")]
-    pub(super) seed: u64,
-
-    /// Values of a sample; may be repeated. By default 5, 10, 20, 30, 50 and 100.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(2..=10_000))]
-    pub(super) values: Vec<u16>,
-
-    #[command(flatten)]
-    pub(super) page: StudyPageArgs,
 }

@@ -4,7 +4,7 @@
 //! `|fine - coarse| / (r^p - 1)` (Richardson), times a factor of safety (Roache 1994, doi 10.1115/1.2910291): 3 where the order is that
 //! of the method, 1.25 where it is observed by the quotient of two differences. Pairs on several meshes and in several steps often show
 //! another order than that of the method: there the factor and the constants below are those by which the errors of all shipped
-//! cases lie inside as often as they must (`seacable study bars`).
+//! cases lie inside as often as they must (`seacable laboratory bars`).
 
 /// Factor of safety of an observed order that is that of the method.
 pub const OBSERVED: f64 = 1.25;

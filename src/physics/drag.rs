@@ -35,6 +35,8 @@ pub struct DragProperties {
     pub crisis: f64,
     /// Further normal drag at a constant coefficient, `1/2 rho C_D A / L` \[kg/m²\]: floats.
     pub floats: f64,
+    /// The same along the line \[kg/m²\].
+    pub floats_tangential: f64,
 }
 
 /// Drag of half a segment, or of both halves side by side, with what its tangents are built from.
@@ -102,6 +104,21 @@ impl VelocityParts {
 }
 
 impl DragProperties {
+    /// Of a body with an axis, by `1/2 rho C_D A` across and along it \[kg/m\]: the drag of a length of 1 is that of the body.
+    #[must_use]
+    pub fn of_body(across: f64, along: f64) -> Self {
+        Self {
+            reynolds: 0.0,
+            normal: across,
+            tangential: along,
+            normal_law: DragLaw::Constant(1.0),
+            tangential_law: DragLaw::Constant(1.0),
+            crisis: f64::INFINITY,
+            floats: 0.0,
+            floats_tangential: 0.0,
+        }
+    }
+
     /// Drag of both halves of a segment side by side, each of this length \[m\], with tangent t, at the relative velocities of
     /// the water at its two nodes \[m/s\]; with the normal coefficients `held`, where they are.
     #[inline(always)]
@@ -136,7 +153,7 @@ impl DragProperties {
     pub fn greatest(&self, speed: f64) -> f64 {
         let re = self.reynolds * speed;
         let normal = self.normal * self.normal_law.greatest(re) + self.floats;
-        normal.max(self.tangential * self.tangential_law.greatest(re))
+        normal.max(self.tangential * self.tangential_law.greatest(re) + self.floats_tangential)
     }
 
     /// The normal coefficients of both halves at the relative velocities of the water at its nodes \[m/s\].
@@ -218,7 +235,7 @@ impl DragProperties {
         let (ct, ct_re) = coefficients(self.tangential_law, re_t);
         let (kn, kt) = (length * self.normal, length * self.tangential);
         let a = (normal.value * kn + length * self.floats) * speed;
-        let b = ct * sliding * kt;
+        let b = ct * sliding * kt + sliding * (length * self.floats_tangential);
         let faster = speed * speed * kn;
         Drag {
             force: un * a + t * (b * ut),
@@ -317,6 +334,14 @@ impl Drag<Two> {
         let q = self.direction * ((self.a - self.by_un) * turning)
             + t * (self.a * self.speed * stretch);
         (s, p, q)
+    }
+
+    /// Derivative of the force by the tangent t \[N\], which stays a unit vector: [`Drag::by_chord`] of a chord of unit length that is wetted
+    /// over the same length however it turns.
+    #[must_use]
+    pub fn by_direction(&self, t: &TwoV3) -> TwoM3 {
+        let (s, p, q) = self.by_chord(t, 1.0, 0.0);
+        plus_diagonal(outer(t, &p) + outer(&self.direction, &q), s)
     }
 
     /// How fast the normal part of the relative velocity at the segment's other node falls as the chord turns its way,

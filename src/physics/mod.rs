@@ -14,6 +14,7 @@ pub mod drag_law;
 
 pub mod kirchhoff;
 pub mod motion;
+pub mod node_direction;
 pub mod payload;
 pub mod ramp;
 pub mod rigid_body;
@@ -28,6 +29,7 @@ pub use current::CurrentProfile;
 pub use current_grid::{CurrentGrid, CurrentGridError};
 pub use drag_law::DragLaw;
 pub use motion::EndMotion;
+pub use node_direction::NodeDirection;
 pub use payload::BodyProperties;
 pub use rigid_body::RigidBody;
 pub use seabed::ElasticBed;

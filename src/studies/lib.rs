@@ -11,4 +11,5 @@ use seacable_statistics::{extremes, fatigue};
 use seacable_systems::system;
 
 pub mod comparison;
+pub mod laboratory;
 pub mod study;

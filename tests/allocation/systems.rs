@@ -51,10 +51,18 @@ position_m = [120.0, 0.0, -60.0]
 name = \"upper\"
 from = \"clump\"
 to = \"fairlead\"
-material = \"chain\"
-length_m = 65.0
-segments = 10
 repeat_at_deg = [0.0, 120.0, 240.0]
+[[lines.sections]]
+material = \"chain\"
+length_m = 35.0
+segments = 6
+clump_kg = -20.0
+clump_drag_area_normal_m2 = 0.6
+clump_drag_area_tangential_m2 = 0.2
+[[lines.sections]]
+material = \"chain\"
+length_m = 30.0
+segments = 4
 [[lines]]
 name = \"lower\"
 from = \"anchor\"

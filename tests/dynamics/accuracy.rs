@@ -4,10 +4,10 @@ use crate::lines;
 use std::sync::atomic::AtomicBool;
 
 use seacable::case::{self, Case};
+use seacable::laboratory::accuracy::{self, AccuracyTrial};
 use seacable::run::event::JobEvent;
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::study::accuracy::{self, AccuracyTrial};
 
 /// A heaved line of few segments.
 fn request(solver: &str) -> Request {

@@ -74,14 +74,55 @@ fn help(words: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
+/// Studies that measure the program, which went to the laboratory.
+const LABORATORY: [&str; 4] = ["systems", "intervals", "bars", "accuracy"];
+
+/// The name of a command now.
+fn now(command: &str) -> String {
+    let moved = command.strip_prefix("seacable study ");
+    match moved.filter(|study| LABORATORY.contains(study)) {
+        Some(study) => format!("seacable laboratory {study}"),
+        None => command.to_owned(),
+    }
+}
+
 #[test]
 fn no_command_and_no_option_is_lost() {
     let text = fixture("commands.txt");
+    let lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    assert_commands(&lines);
+    // By their new names too: scripts have the old ones.
+    let moved = lines.iter().filter_map(|line| {
+        let (command, option) = line.split_once(" --").unwrap_or((line, ""));
+        let separator = if option.is_empty() { "" } else { " --" };
+        let name = now(command);
+        (name != command).then(|| format!("{name}{separator}{option}"))
+    });
+    let moved: Vec<String> = moved.collect();
+    assert!(moved.len() > 50, "{}", moved.len());
+    assert_commands(&moved);
+}
+
+#[test]
+fn studies_are_of_moorings_and_the_laboratory_is_of_the_program() {
+    let listed = |words: &[&str], name: &str| {
+        let help = help(words);
+        help.lines()
+            .any(|line| line.split_whitespace().next() == Some(name))
+    };
+    for name in LABORATORY {
+        assert!(listed(&["laboratory"], name), "{name}");
+        assert!(!listed(&["study"], name), "{name}");
+    }
+    assert!(listed(&["study"], "effects"));
+}
+
+fn assert_commands(lines: &[String]) {
     let mut shown = (String::new(), String::new());
-    for line in text.lines() {
+    for line in lines {
         let (command, option) = match line.split_once(" --") {
             Some((command, option)) => (command, Some(format!("--{option}"))),
-            None => (line, None),
+            None => (line.as_str(), None),
         };
         if shown.0 != command {
             let words: Vec<&str> = command.split(' ').skip(1).collect();

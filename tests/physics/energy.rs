@@ -79,6 +79,41 @@ fn the_books_of_a_falling_payload_balance() {
     }
 }
 
+/// Clumps that are aligned with the line, in a current and in still water, one at its lower end: what the water puts in and takes out.
+#[test]
+fn the_books_of_clumps_aligned_with_the_line_balance() {
+    let clump = |name: &str, at: f64| {
+        format!(
+            "{{ name = \"{name}\", section = \"rope\", at_m = {at:?}, mass_kg = 80.0, wet_mass_kg = 20.0, \
+             drag_area_normal_m2 = 3.0, drag_area_tangential_m2 = 0.8, added_mass_kg = 40.0 }}"
+        )
+    };
+    let clumps = [
+        clump("middle", 50.0),
+        clump("low", 80.0),
+        clump("end", 100.0),
+    ]
+    .join(", ");
+    let text = format!(
+        "environment.water_density_kg_per_m3 = 1025.0\n\
+         materials.rope = {{ mass_kg_per_m = 12.0, drag_normal = 1.2, drag_tangential = 0.02, added_mass_normal = 1.0, axial_damping_ratio = 0.1 }}\n\
+         clumps = [{clumps}]\nstart = {{ shape = \"straight\", elevation_deg = -30.0 }}\n"
+    );
+    for current in [
+        "",
+        "current = { speed_m_per_s = 0.8, direction_deg = 130.0 }\n",
+    ] {
+        let scene = rest::build(&format!("{text}{current}"));
+        let time = (20.0, 0.004);
+        let (march, mut state) = (march::rk4(&scene), scene.initial_state());
+        let out = out_by(&scene, march, &mut state.clone(), time).0;
+        assert!(out < 2e-6, "{current}{out}");
+        let march = march::rk4(&scene);
+        let rates = rates_out_by(&scene, march, &mut state, time);
+        assert!(rates < 2e-6, "{current}{rates}");
+    }
+}
+
 /// 57 segments, some of them slack at first, drag coefficients that jump: 100 s of it.
 #[test]
 fn the_books_of_the_manifold_balance() {

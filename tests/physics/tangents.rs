@@ -629,3 +629,58 @@ fn what_is_paid_out_is_all_there() {
         assert!(close(sums(&scene).1, before.1));
     }
 }
+
+/// Clumps with drag across and along the line: at an inner node, where two sections meet, at the end with the payload, two at one node;
+/// taut, slack and folded, in a sheared current, in waves, through the surface.
+#[test]
+fn tangent_of_clumps_aligned_with_the_line() {
+    let clump = |name: &str, section: &str, at: f64| {
+        format!(
+            "[[clumps]]\nname = \"{name}\"\nsection = \"{section}\"\nat_m = {at:?}\nmass_kg = 900.0\nwet_mass_kg = -600.0\n\
+             drag_area_normal_m2 = 6.0\ndrag_area_tangential_m2 = 2.5\nadded_mass_kg = 300.0\n"
+        )
+    };
+    let clumps = [
+        clump("inner", "rope", 20.0),
+        clump("joint", "wire", 0.0),
+        clump("beside", "rope", 30.0),
+        clump("end", "wire", 20.0),
+    ]
+    .concat();
+    let along = "drag_area_m2 = 2.0\ndrag_area_tangential_m2 = 3.0\n";
+    let still = LINE
+        .replace("\"NORMAL\"", "1.2")
+        .replace("drag_area_m2 = 2.0\n", along);
+    let sea = still.replace("position_m = [0, 0, 0]", "position_m = [3.0, -8.0, 12.0]");
+    let waves = "[environment]\nwater_surface = \"crossed\"\n[waves]\nkind = \"irregular\"\n\
+                 significant_height_m = 5.0\npeak_period_s = 8.0\ncomponents = 20\ndirection_deg = 40.0\n";
+    let numbers = [0.3, -0.7, 0.5, 0.1, -0.2, 0.6, -0.9];
+    for (text, plain) in [
+        (format!("{still}{clumps}"), still.clone()),
+        (format!("{sea}{waves}{clumps}"), format!("{sea}{waves}")),
+    ] {
+        let build = |text: &str| scene::build(&seacable::case::parse_keys(text).unwrap(), 1);
+        let (scene, bare) = (build(&text).unwrap(), build(&plain).unwrap());
+        for (strain, speed) in [(0.03, 0.4), (-0.03, 2.0), (-0.9, 3.0)] {
+            let state = state(&scene, &numbers, strain, speed);
+            for c in [
+                Factors {
+                    mass: 0.0,
+                    damping: 0.0,
+                    stiffness: 1.0,
+                },
+                Factors {
+                    mass: 0.7,
+                    damping: 1.3,
+                    stiffness: 1.1,
+                },
+            ] {
+                let off = mismatch(&scene, &state, c);
+                assert!(off < 1e-6, "{strain} {speed} {c:?}: {off}");
+            }
+            // No faster than the bound of explicit steps says.
+            let decay = |scene: &Scene| scene.fastest_drag_decay(1..scene.nodes(), &state).0;
+            assert!(decay(&scene) > 0.0 && decay(&bare) > 0.0);
+        }
+    }
+}

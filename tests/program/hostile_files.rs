@@ -68,7 +68,7 @@ fn every_command_refuses_special_files_at_once() {
         &["import"],
         &["audit"],
         &["lines", "--library"],
-        &["study", "bars"],
+        &["laboratory", "bars"],
         &["study", "effects"],
         &["study", "hard-cases"],
         &["study", "physics"],
@@ -277,7 +277,7 @@ fn directories_that_hold_themselves_and_runs_are_listed_once() {
     let (status, said) = seacable(&project, &["validate", "."]);
     assert_eq!(status, Some(0), "{said}");
     assert_eq!(said.matches("case.toml").count(), 1, "{said}");
-    let (status, said) = seacable(&project, &["study", "bars", "."]);
+    let (status, said) = seacable(&project, &["laboratory", "bars", "."]);
     assert_eq!(status, Some(0), "{said}");
 }
 

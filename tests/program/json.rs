@@ -164,7 +164,7 @@ fn modes_and_studies_as_json() {
     );
     fits(&of_line, "line_modes");
     fits(&of_line["modes"][0], "line_mode");
-    let words = ["study", "systems", "--count", "30", "--json"];
+    let words = ["laboratory", "systems", "--count", "30", "--json"];
     let study = printed(dir.path(), &words);
     fits(&study, "study");
     let rows = study["rows"].as_array().unwrap();

@@ -185,7 +185,7 @@ fn tables_of_lines_and_studies_have_their_limits() {
     let said = String::from_utf8(done.stderr).unwrap();
     assert!(said.contains("`--limit-lines 20001`"), "{said}");
     for words in [
-        &["study", "systems", "--count", "1000000000000000000"][..],
+        &["laboratory", "systems", "--count", "1000000000000000000"][..],
         &["study", "systems", "--count", "0"],
         &[
             "study",

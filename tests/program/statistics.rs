@@ -133,7 +133,7 @@ fn what_is_missing_is_said() {
 fn the_study_of_intervals_is_the_same_for_the_same_seed() {
     let place = tempfile::tempdir().map(Place).unwrap();
     let words = [
-        "study",
+        "laboratory",
         "intervals",
         "--draws",
         "40",

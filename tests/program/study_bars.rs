@@ -1,4 +1,4 @@
-//! `seacable study bars --varied`: variants of cases in the place of the cases.
+//! `seacable laboratory bars --varied`: variants of cases in the place of the cases.
 
 use assert_cmd::Command;
 
@@ -6,7 +6,7 @@ fn bars(words: &[&str]) -> (bool, String) {
     let mut command = Command::cargo_bin("seacable").unwrap();
     command.current_dir(env!("CARGO_MANIFEST_DIR"));
     let output = command
-        .args(["study", "bars"])
+        .args(["laboratory", "bars"])
         .args(words)
         .output()
         .unwrap();

@@ -9,6 +9,7 @@ mod lines;
 #[path = "../common/rest.rs"]
 mod rest;
 
+mod aligned_clumps;
 mod cantilever;
 mod catenary;
 mod closed_forms;

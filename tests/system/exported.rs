@@ -368,3 +368,39 @@ friction = 0.4
     let across = |one: &seacable::export::Unsayable| one.key == "lines.line.friction_lateral";
     assert!(refused.iter().any(across), "{refused:?}");
 }
+
+/// A point of MoorDyn has one drag area; MAP++ has no current, in which lines at rest have drag.
+#[test]
+fn drag_across_and_along_a_line_is_refused_where_a_file_has_none() {
+    let text = r#"
+system.title = "modules"
+environment.gravity_m_per_s2 = 9.80665
+materials.rope = { diameter_m = 0.1, mass_kg_per_m = 20.0, ea_n = 1e7 }
+points.a = { kind = "fixed", position_m = [0.0, 0.0, -90.0] }
+points.b = { kind = "fixed", position_m = [80.0, 0.0, -10.0] }
+[[lines]]
+name = "riser"
+from = "a"
+to = "b"
+[[lines.sections]]
+material = "rope"
+length_m = 60.0
+clump_kg = -50.0
+clump_drag_area_normal_m2 = 2.0
+clump_drag_area_tangential_m2 = 0.5
+[[lines.sections]]
+material = "rope"
+length_m = 60.0
+"#;
+    let solved = kind::parse::<SystemFile>(text, "modules.toml").unwrap();
+    let refused = export(&solved, Target::MoorDyn, ExportOptions::default()).unwrap_err();
+    let keys: Vec<&str> = refused.iter().map(|one| one.key.as_str()).collect();
+    assert_eq!(
+        keys,
+        [
+            "lines.riser.sections.1.clump_drag_area_normal_m2",
+            "lines.riser.sections.1.clump_drag_area_tangential_m2"
+        ]
+    );
+    written(&solved, Target::MapPlusPlus);
+}

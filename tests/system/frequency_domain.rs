@@ -81,6 +81,33 @@ fn a_spar_in_low_waves_moves_as_in_time() {
     differs(&text, period, &names);
 }
 
+/// A module around a tether that leans in a current: its drag follows the tether.
+#[test]
+fn a_module_on_a_tether_in_a_current_and_low_waves_moves_as_in_time() {
+    let period = 6.0;
+    let text = format!(
+        "{SOFT}{}
+        [current]\nspeed_m_per_s = 0.8\ndirection_deg = 0.0
+        [materials.rope]\nmass_kg_per_m = 2.0\ndiameter_m = 0.05\nea_n = 2e5\ndrag_normal = 1.2\nadded_mass_normal = 1.0\naxial_damping_n_s = 2e4
+        [points.below]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -60.0]
+        [points.buoy]\nkind = \"free\"\nmass_kg = 800.0\nvolume_m3 = 2.0\nadded_mass_kg = 1000.0\ndrag_area_m2 = 2.0\nposition_m = [5.0, 0.0, -10.0]
+        [[lines]]\nname = \"tether\"\nfrom = \"below\"\nto = \"buoy\"
+        [[lines.sections]]\nmaterial = \"rope\"\nlength_m = 25.0\nsegments = 10\nclump_kg = -50.0\nclump_mass_kg = 150.0
+        clump_drag_area_normal_m2 = 6.0\nclump_drag_area_tangential_m2 = 1.0
+        [[lines.sections]]\nmaterial = \"rope\"\nlength_m = 25.0\nsegments = 10
+        {}",
+        low_wave(period, 0.0),
+        solver(240.0, 0.05, 0.1)
+    );
+    let names = [
+        "x_m[buoy]",
+        "z_m[buoy]",
+        "tension_n[tether|a]",
+        "tension_n[tether|b]",
+    ];
+    differs(&text, period, &names);
+}
+
 /// Free points that feel drag and inertia of the water, in a current that makes the drag linear about itself.
 #[test]
 fn a_buoy_in_a_current_and_low_waves_moves_as_in_time() {

@@ -1,8 +1,8 @@
-//! A sample of random systems, at rest and in motion; `seacable study systems` and its `--in-motion` solve more.
+//! A sample of random systems, at rest and in motion; `seacable laboratory systems` and its `--in-motion` solve more.
 
-use seacable::study::invariants::{self, Held, Invariant, Outcome};
-use seacable::study::random_motion::{self, MotionEnd};
-use seacable::study::random_systems::{KINDS, run};
+use seacable::laboratory::invariants::{self, Held, Invariant, Outcome};
+use seacable::laboratory::random_motion::{self, MotionEnd};
+use seacable::laboratory::random_systems::{KINDS, run};
 
 /// Solved exactly or refused with a reason, never wrong by more than rounding; few are refused.
 #[test]
@@ -52,7 +52,7 @@ fn random_systems_in_motion_run_or_say_why_not() {
     );
 }
 
-/// Answers at rest do not depend on how they are asked for. `seacable study systems --invariants` holds more.
+/// Answers at rest do not depend on how they are asked for. `seacable laboratory systems --invariants` holds more.
 #[test]
 fn random_systems_answer_alike_however_they_are_asked_for() {
     let outcomes = invariants::run(24, 20_261_126, false);

@@ -293,3 +293,29 @@ fn clamps_need_a_line_that_bends_and_something_that_holds_them() {
         refused(from, &format!("{from}\n{key}"), line, &[words]);
     }
 }
+
+#[test]
+fn drag_of_a_clump_given_twice() {
+    let section = "[[lines.sections]]\nmaterial = \"chain\"\nlength_m = 100.0";
+    let two = |first: &str, second: &str| format!("{section}\n{first}\n{section}\n{second}\n\n");
+    let whole = "material = \"chain\"\nlength_m = 200.0\n\n";
+    refused(
+        whole,
+        &two(
+            "clump_kg = 10.0\nclump_drag_area_normal_m2 = 2.0\nclump_drag_area_m2 = 1.0",
+            "",
+        ),
+        36,
+        &[
+            "clump_drag_area_m2",
+            "is given beside `clump_drag_area_normal_m2`",
+            "leave it out",
+        ],
+    );
+    refused(
+        whole,
+        &two("", "clump_drag_area_tangential_m2 = 1.0"),
+        38,
+        &["clump_drag_area_tangential_m2", "is at the end of the line"],
+    );
+}

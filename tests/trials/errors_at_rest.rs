@@ -2,7 +2,7 @@
 //! places. It was that of each line alone between held ends.
 
 use seacable::case::kind;
-use seacable::study::random_systems::refined::{run, tally};
+use seacable::laboratory::random_systems::refined::{run, tally};
 use seacable::system::quantities::{error, value};
 use seacable::system::{SolvedSystem, SystemFile};
 

@@ -169,7 +169,8 @@ impl Mesh {
             .push(self.arc[self.arc.len() - 1] + payload.body.reach);
         let mut rod = self.segments[self.segments.len() - 1];
         rod.axial = payload.body.rod();
-        (rod.drag.normal, rod.drag.tangential, rod.drag.floats) = (0.0, 0.0, 0.0);
+        (rod.drag.normal, rod.drag.tangential) = (0.0, 0.0);
+        (rod.drag.floats, rod.drag.floats_tangential) = (0.0, 0.0);
         rod.drag.normal_law = DragLaw::Constant(0.0);
         rod.drag.tangential_law = DragLaw::Constant(0.0);
         rod.drag.crisis = f64::INFINITY;
@@ -273,6 +274,7 @@ fn bare_segment(
                     re * water.kinematic_viscosity_m2_per_s / material.diameter_m
                 }),
             floats: 0.0,
+            floats_tangential: 0.0,
         },
         added: AddedMass {
             normal: 0.5 * length * displaced * material.added_mass_normal,

@@ -28,13 +28,14 @@ pub(super) fn add_floats(
     segment.half_mass += 0.5 * share * floats.mass_kg;
     segment.half_weight -= 0.5 * share * floats.lift_kg * water.gravity_m_per_s2;
     segment.added.normal += 0.5 * share * floats.added_mass_kg;
-    segment.drag.floats +=
-        0.5 * water.water_density_kg_per_m3 * floats.drag_area_m2 * share / (to - from);
+    let by_area = |area: f64| 0.5 * water.water_density_kg_per_m3 * area * share / (to - from);
+    segment.drag.floats += by_area(floats.drag_area_m2);
+    segment.drag.floats_tangential += by_area(floats.drag_area_tangential_m2);
 }
 
 /// Adds the share of buoyancy modules on this part of the section, by the equivalence of Lin et al. 2016: volume and
 /// mass per length are kept (its eqs 20 and 21), `V = pi/4 (Df² - Dp²) Lf / Sf` and `M = V rho_f + M_fh / Sf`, and so is
-/// drag, `[C_Df Df Lf + C_D Dp (Sf - Lf)] / Sf`. The line under a module keeps its own stiffness.
+/// drag, `[C_Df Df Lf + C_D Dp (Sf - Lf)] / Sf`; that along the line where it is given, else it stays that of the line. The line under a module keeps its own stiffness.
 pub(super) fn add_modules(
     water: &case::Environment,
     modules: &case::Modules,
@@ -55,10 +56,12 @@ pub(super) fn add_modules(
     segment.added.normal += 0.5 * covered * displaced;
     segment.bearing_width += share * filled * (modules.diameter_m - bare_diameter);
     segment.drag.normal *= 1.0 - share * filled;
-    segment.drag.floats += 0.5
-        * water.water_density_kg_per_m3
-        * modules.drag_normal
-        * modules.diameter_m
-        * filled
-        * share;
+    let by_coefficient = |coefficient: f64| {
+        0.5 * water.water_density_kg_per_m3 * coefficient * modules.diameter_m * filled * share
+    };
+    segment.drag.floats += by_coefficient(modules.drag_normal);
+    if let Some(tangential) = modules.drag_tangential {
+        segment.drag.tangential *= 1.0 - share * filled;
+        segment.drag.floats_tangential += by_coefficient(tangential);
+    }
 }

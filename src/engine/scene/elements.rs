@@ -13,6 +13,7 @@ mod bed;
 mod bed_end;
 mod body_contact;
 mod body_loads;
+mod clump_drag;
 mod current_slope;
 mod fed_end;
 mod flexure;
@@ -29,6 +30,7 @@ pub use bed::BedContact;
 pub(super) use bed::HalfSegment;
 pub use body_contact::{BearingBody, BodyContact};
 use body_loads::BodyLoads;
+use clump_drag::ClumpDrag;
 use current_slope::CurrentSlope;
 pub use fed_end::{DrumPull, FedEnd, PaidOut};
 pub use flexure::Flexure;
@@ -45,6 +47,8 @@ pub struct Elements {
     pub bed: Option<BedContact>,
     /// Contact of the bodies with it.
     pub body_contact: Option<BodyContact>,
+    /// Drag of the clumps that have one across and one along the line.
+    pub(super) clump_drag: Option<ClumpDrag>,
     /// Bending, where any material has a bending stiffness.
     pub flexure: Option<Flexure>,
     /// Damping by mass, where any material has it.
@@ -69,6 +73,7 @@ impl Elements {
         let last = line.line_nodes - 1;
         Self {
             body_contact: BodyContact::of_case(case, clumps, rigid_payload.as_ref(), last),
+            clump_drag: ClumpDrag::of_case(case, line, clumps),
             bed: case
                 .seabed
                 .as_ref()
@@ -87,7 +92,7 @@ impl Elements {
         fn some<E: Element>(element: &Option<E>) -> Option<&dyn Element> {
             element.as_ref().map(|element| element as &dyn Element)
         }
-        let list: [Option<&dyn Element>; 11] = [
+        let list: [Option<&dyn Element>; 12] = [
             some(&self.bed),
             some(&self.body_contact),
             Some(&WaterLoads),
@@ -95,6 +100,7 @@ impl Elements {
             some(&self.mass_damping),
             some(&self.traveller),
             Some(&BodyLoads),
+            some(&self.clump_drag),
             Some(&CurrentSlope),
             some(&self.rigid_payload),
             some(&self.fed_ends[0]),

@@ -127,8 +127,16 @@ impl Scene {
             return Err("an end of the line is free".to_owned());
         };
         let elements = &self.elements;
-        let still =
-            (self.drag_on(&self.initial_state().x).iter()).all(|force| *force == V3::zeros());
+        let start = self.initial_state();
+        let on_clumps = |node: usize| {
+            let aligned = elements.clump_drag.as_ref();
+            let aligned =
+                aligned.map_or_else(V3::zeros, |drag| drag.at_node(&self.line, node, &start));
+            self.drag_of_bodies(node, &start.x[node]) + aligned
+        };
+        let still = (self.drag_on(&start.x).into_iter())
+            .chain((0..start.x.len()).map(on_clumps))
+            .all(|force| force == V3::zeros());
         let reasons = [
             (elements.flexure.is_some(), "the line bends"),
             (

@@ -88,11 +88,13 @@ impl Scene {
         line.water = None;
         for segment in &mut line.segments {
             let drag = &mut segment.drag;
-            (drag.normal, drag.tangential, drag.floats) = (0.0, 0.0, 0.0);
+            (drag.normal, drag.tangential) = (0.0, 0.0);
+            (drag.floats, drag.floats_tangential) = (0.0, 0.0);
         }
         for hung in &mut line.bodies {
             hung.body.drag = V3::zeros();
         }
+        bare.elements.clump_drag = None;
         bare
     }
 

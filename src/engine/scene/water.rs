@@ -266,16 +266,22 @@ impl LumpedLine {
         let Some(water) = &self.water else {
             return around;
         };
-        if water.crossed {
-            let height = height(node, state);
-            let (share, slope) = submergence::sphere(water.radius_of_body(number), height.above);
-            around.share = share;
-            around.by_place = height.by_place * slope;
-        }
+        (around.share, around.by_place) = self.body_submergence(number, state);
         let mass = water.by_bodies[number];
         around.load = carried * (around.share * mass)
             - V3::z() * ((1.0 - around.share) * mass * water.gravity);
         around
+    }
+
+    /// Submerged fraction of the body of this number, and its derivative by the position of the body \[1/m\].
+    #[inline(always)]
+    pub(super) fn body_submergence(&self, number: usize, state: &State) -> (f64, V3) {
+        let Some(water) = self.water.as_ref().filter(|water| water.crossed) else {
+            return (1.0, V3::zeros());
+        };
+        let height = height(self.bodies[number].node, state);
+        let (share, slope) = submergence::sphere(water.radius_of_body(number), height.above);
+        (share, height.by_place * slope)
     }
 
     /// Potential of the buoyancy lost by dry parts of the line in still water \[J\].

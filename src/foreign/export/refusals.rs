@@ -262,19 +262,26 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
     }
 }
 
-/// Added mass of bodies in a line that displace nothing.
+/// Added mass of bodies in a line that displace nothing, and drag of bodies that are aligned with it; a file of MAP++ has neither.
 fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
     for (number, section) in line.sections.iter().enumerate() {
         let clump = section.clump();
+        let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
         found.add(
             target == Target::MoorDyn && clump.added_mass_kg > 0.0 && clump.mass_kg <= clump.wet_kg,
-            format!(
-                "lines.{}.sections.{}.clump_added_mass_kg",
-                line.name,
-                number + 1
-            ),
+            key("clump_added_mass_kg"),
             "added mass of a point without volume",
         );
+        for (name, area) in ["clump_drag_area_normal_m2", "clump_drag_area_tangential_m2"]
+            .into_iter()
+            .zip(clump.aligned_drag_area_m2)
+        {
+            found.add(
+                target == Target::MoorDyn && area > 0.0,
+                key(name),
+                "drag of a point across and along its line",
+            );
+        }
     }
 }
 

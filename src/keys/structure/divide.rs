@@ -132,6 +132,16 @@ fn section_of_case(
     apply(schema, text, &edits)
 }
 
+/// Keys of the body at the end of a section of a line of a system.
+const CLUMP: [&str; 6] = [
+    "clump_kg",
+    "clump_mass_kg",
+    "clump_drag_area_m2",
+    "clump_drag_area_normal_m2",
+    "clump_drag_area_tangential_m2",
+    "clump_added_mass_kg",
+];
+
 /// A section of a line of a system: its clump stays at its end.
 fn section_of_line(
     schema: &'static Schema,
@@ -148,7 +158,9 @@ fn section_of_line(
         *last = (number + 1).to_string();
     }
     let [mut first, second] = parts.values();
-    first.push(("clump_kg".to_owned(), None));
+    for key in CLUMP {
+        first.push((key.to_owned(), None));
+    }
     let edits = StructureEdit::All(vec![
         StructureEdit::Fill {
             path: join(path),

@@ -1,18 +1,13 @@
 //! Studies over many lines: hard cases, each computed by every method that applies and compared with expected values;
 //! tables of lines at rest; speed against error of one case.
 
-pub mod accuracy;
-pub mod bars;
 pub mod base_run;
 pub mod effects;
 pub mod hard_cases;
-pub mod invariants;
 pub mod lines;
 pub mod load_case_table;
 pub mod physics;
 pub mod points;
-pub mod random_motion;
-pub mod random_systems;
 pub mod record_statistics;
 pub mod results;
 pub mod seas;
@@ -22,7 +17,6 @@ pub mod study_job;
 pub mod sweep;
 pub mod timed;
 mod tried;
-pub mod varied;
 pub mod vary;
 mod verdict;
 mod verdict_table;

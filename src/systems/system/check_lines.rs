@@ -9,7 +9,7 @@ use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
 use crate::case::schema::Key;
-use crate::case::{Finding, unknown};
+use crate::case::{Finding, drag_twice, unknown};
 
 /// Parts of a system by their names, so that many lines are checked in proportion to them.
 pub(super) struct ByName<'k, 'a> {
@@ -137,12 +137,21 @@ impl<'k, 'a> ByName<'k, 'a> {
         let sections = line.sections.iter();
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
         found.extend(segments_of_some(line));
+        found.extend(line.sections.iter().filter_map(|(_, section)| {
+            let aligned = [
+                &section.clump_drag_area_normal_m2,
+                &section.clump_drag_area_tangential_m2,
+            ];
+            drag_twice(&section.clump_drag_area_m2, aligned)
+        }));
         if let Some((_, last)) = line.sections.last() {
             let problem = "is at the end of the line";
             let remedy = "give the mass to the point there, or to the section before";
             found.extend(last.clump_kg.if_given(problem, remedy));
             found.extend(last.clump_mass_kg.if_given(problem, remedy));
             found.extend(last.clump_drag_area_m2.if_given(problem, remedy));
+            found.extend(last.clump_drag_area_normal_m2.if_given(problem, remedy));
+            found.extend(last.clump_drag_area_tangential_m2.if_given(problem, remedy));
             found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
         }
         found

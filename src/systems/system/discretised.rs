@@ -373,6 +373,7 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         case.line
             .push(Section::new(&name, &name, part.length_m, count));
         if part.clump != SectionClump::default() {
+            let [across, along] = part.clump.aligned_drag_area_m2;
             case.clumps.push(Clump {
                 name: format!("clump{}", k + 1),
                 section: name,
@@ -380,6 +381,8 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
                 mass_kg: part.clump.mass_kg,
                 wet_mass_kg: part.clump.wet_kg,
                 drag_area_m2: OneOrMany::One(part.clump.drag_area_m2),
+                drag_area_normal_m2: across,
+                drag_area_tangential_m2: along,
                 added_mass_kg: OneOrMany::One(part.clump.added_mass_kg),
                 ..Clump::default()
             });

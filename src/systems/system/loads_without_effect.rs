@@ -151,7 +151,8 @@ fn has_weights(line: &Line) -> bool {
     let is_weight = |clump: &Clump| {
         let [drag, added] = [&clump.drag_area_m2, &clump.added_mass_kg];
         let none = OneOrMany::One(0.0);
-        clump.mass_kg <= clump.wet_mass_kg.abs() && *drag == none && *added == none
+        let is_passed = *drag != none || clump.is_aligned();
+        clump.mass_kg <= clump.wet_mass_kg.abs() && !is_passed && *added == none
     };
     divided.case().clumps.iter().any(is_weight)
 }

@@ -565,6 +565,10 @@ table! {
         clump_mass_kg: Option<f64>, "mass of the clump", range of(0.0, 1e10), absent "as its weight in water, whichever way that acts";
         /// Drag coefficient times area of that body.
         clump_drag_area_m2: f64 = 0.0, "drag area of the clump", range of(0.0, 1e6);
+        /// Drag coefficient times area of that body across the line, of a module around it and what else is aligned with it; in place of its drag area.
+        clump_drag_area_normal_m2: f64 = 0.0, "drag area of the clump across the line", range of(0.0, 1e6);
+        /// The same along the line, that of a module by its length or of its ends.
+        clump_drag_area_tangential_m2: f64 = 0.0, "drag area of the clump along the line", range of(0.0, 1e6);
         /// Added mass of that body.
         clump_added_mass_kg: f64 = 0.0, "added mass of the clump", range of(0.0, 1e10);
     }

@@ -30,6 +30,8 @@ pub struct SectionClump {
     pub mass_kg: f64,
     /// Drag coefficient times area \[m²\].
     pub drag_area_m2: f64,
+    /// The same across and along the line, in its place \[m²\].
+    pub aligned_drag_area_m2: [f64; 2],
     /// Added mass \[kg\].
     pub added_mass_kg: f64,
 }
@@ -53,6 +55,10 @@ impl LineSection {
             wet_kg: self.clump_kg,
             mass_kg: self.clump_mass_kg.unwrap_or(self.clump_kg.abs()),
             drag_area_m2: self.clump_drag_area_m2,
+            aligned_drag_area_m2: [
+                self.clump_drag_area_normal_m2,
+                self.clump_drag_area_tangential_m2,
+            ],
             added_mass_kg: self.clump_added_mass_kg,
         }
     }
@@ -64,6 +70,8 @@ impl LineSection {
             clump_kg: 0.0,
             clump_mass_kg: None,
             clump_drag_area_m2: 0.0,
+            clump_drag_area_normal_m2: 0.0,
+            clump_drag_area_tangential_m2: 0.0,
             clump_added_mass_kg: 0.0,
             ..self
         }

@@ -194,3 +194,20 @@ fn bodies_off_their_section_or_without_a_name_of_their_own() {
         "a name of its own",
     );
 }
+
+#[test]
+fn drag_of_a_clump_given_twice() {
+    let clump = "[[clumps]]\nname = \"module\"\nsection = \"upper\"\nat_m = 5.0\nmass_kg = 10.0\nwet_mass_kg = -5.0";
+    let faults = faults(&format!(
+        "{GOOD}\n{clump}\ndrag_area_tangential_m2 = 0.5\ndrag_area_m2 = 2.0\n"
+    ));
+    assert_eq!(faults.len(), 1, "{faults:#?}");
+    let line = u32::try_from(GOOD.lines().count()).unwrap() + 9;
+    assert_fault(
+        &faults[0],
+        (line, 16),
+        "clumps.module.drag_area_m2",
+        "is given beside `drag_area_tangential_m2`",
+        "leave it out for drag across and along the line",
+    );
+}

@@ -1,11 +1,11 @@
 //! Materials of the system: those of the case, and those of stretches with floats or modules, which are spread over them as in a case.
 
-use std::f64::consts::FRAC_PI_4;
+use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::copied::{bare, copy_inner, copy_keys, copy_table};
 use super::source::LineSource;
 use super::stretches::Stretch;
-use crate::case::{DragCoefficient, Environment, Floats, Material, Modules};
+use crate::case::{DragCoefficient, DragWidth, Environment, Floats, Material, Modules};
 use crate::import::to_case::case_text::{CaseText, number};
 
 /// Keys of a material that floats and modules change.
@@ -74,6 +74,10 @@ struct Buoyed {
     wet: f64,
     /// Normal drag coefficient times width \[m\].
     drag: f64,
+    /// Tangential drag coefficient times the width that it is referred to \[m\].
+    drag_along: f64,
+    /// That width by the diameter.
+    width: f64,
     /// Normal added mass \[kg/m\].
     added: f64,
     /// Density of the water \[kg/m³\].
@@ -103,11 +107,17 @@ impl Buoyed {
         let density = water.water_density_kg_per_m3;
         let displaced = density * area(material.diameter_m);
         let wet = material.wet_weight_kg_per_m;
+        let width = match material.drag_tangential_width {
+            DragWidth::Diameter => 1.0,
+            DragWidth::Perimeter => PI,
+        };
         Self {
             diameter: material.diameter_m,
             mass: material.mass_kg_per_m,
             wet: wet.unwrap_or(material.mass_kg_per_m - displaced),
             drag: constant(&material.drag_normal) * material.diameter_m,
+            drag_along: constant(&material.drag_tangential) * width * material.diameter_m,
+            width,
             added: displaced * material.added_mass_normal,
             density,
         }
@@ -119,6 +129,7 @@ impl Buoyed {
         self.mass += floats.mass_kg / stretch;
         self.wet -= floats.lift_kg / stretch;
         self.drag += floats.drag_area_m2 / stretch;
+        self.drag_along += floats.drag_area_tangential_m2 / stretch;
         self.added += floats.added_mass_kg / stretch;
     }
 
@@ -132,6 +143,10 @@ impl Buoyed {
         self.added += volume * self.density;
         self.drag *= 1.0 - filled;
         self.drag += modules.drag_normal * modules.diameter_m * filled;
+        if let Some(tangential) = modules.drag_tangential {
+            self.drag_along *= 1.0 - filled;
+            self.drag_along += tangential * modules.diameter_m * filled;
+        }
         if bears {
             self.diameter += filled * (modules.diameter_m - bare_diameter);
         }
@@ -147,7 +162,10 @@ impl Buoyed {
         one("mass_kg_per_m", self.mass);
         one("wet_weight_kg_per_m", self.wet);
         one("drag_normal", self.drag / self.diameter);
-        one("drag_tangential", constant(&bare.drag_tangential) / wider);
+        one(
+            "drag_tangential",
+            self.drag_along / (self.width * self.diameter),
+        );
         if displaced > 0.0 {
             one("added_mass_normal", self.added / displaced);
         }

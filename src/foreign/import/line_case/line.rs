@@ -111,6 +111,8 @@ fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
     };
     one("clump_kg", "wet_mass_kg");
     one("clump_mass_kg", "mass_kg");
+    one("clump_drag_area_normal_m2", "drag_area_normal_m2");
+    one("clump_drag_area_tangential_m2", "drag_area_tangential_m2");
     let both = [
         ("clump_drag_area_m2", "drag_area_m2", &clump.drag_area_m2),
         ("clump_added_mass_kg", "added_mass_kg", &clump.added_mass_kg),

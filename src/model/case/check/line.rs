@@ -5,7 +5,7 @@ use super::{unknown, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
 use crate::case::model::CaseKeys;
-use crate::case::schema::Key;
+use crate::case::schema::{Key, KeyValue};
 use crate::limits::SEGMENTS;
 
 /// Checks of sections and of what sits on them.
@@ -27,9 +27,24 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
             .iter()
             .filter_map(|(_, clump)| place(case, &clump.section, &clump.at_m)),
     );
+    found.extend(case.clumps.iter().filter_map(|(_, clump)| {
+        let aligned = [&clump.drag_area_normal_m2, &clump.drag_area_tangential_m2];
+        drag_twice(&clump.drag_area_m2, aligned)
+    }));
     found.extend(travels(case));
     found.extend(segments(case));
     found
+}
+
+/// A drag area that a body has whichever way it is passed, beside those across and along its line.
+pub fn drag_twice<T: KeyValue>(
+    all_around: &Key<'_, T>,
+    aligned: [&Key<'_, f64>; 2],
+) -> Option<Finding> {
+    let beside = aligned.into_iter().find(|key| key.is_given())?;
+    let problem = format!("is given beside `{}`", beside.name());
+    let remedy = "leave it out for drag across and along the line, or leave these two out";
+    all_around.if_given(problem, remedy)
 }
 
 /// More segments than a scene may have.

@@ -23,6 +23,7 @@ use super::model::CaseKeys;
 
 pub(crate) use checks::is_of_check;
 pub use checks::of_checks;
+pub use line::drag_twice;
 pub use load_cases::{of_load_cases, takes_values};
 pub(crate) use load_cases::{variable, varied};
 pub use loads::{FrictionKeys, current as of_current, increasing, too_many_rows, too_many_steps};

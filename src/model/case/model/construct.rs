@@ -161,6 +161,12 @@ impl Clump {
             ..Self::default()
         }
     }
+
+    /// Whether it has a drag across and along the line, which it is aligned with.
+    #[must_use]
+    pub fn is_aligned(&self) -> bool {
+        self.drag_area_normal_m2 > 0.0 || self.drag_area_tangential_m2 > 0.0
+    }
 }
 
 impl Traveller {

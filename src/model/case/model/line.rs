@@ -259,6 +259,8 @@ table! {
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e9);
         /// Drag coefficient times area of all of them, across the line.
         drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6);
+        /// The same along the line.
+        drag_area_tangential_m2: f64 = 0.0, "drag area along the line", range of(0.0, 1e6);
         /// Added mass of all of them, across the line.
         added_mass_kg: f64 = 0.0, "added mass", range of(0.0, 1e9);
     }
@@ -280,6 +282,10 @@ table! {
         wet_mass_kg: f64, "wet mass", range of(-1e10, 1e10);
         /// Drag coefficient times area: one number, or along x, y, z.
         drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6);
+        /// Drag coefficient times area across the line, of a module around it and what else is aligned with it; in place of the drag area.
+        drag_area_normal_m2: f64 = 0.0, "drag area across the line", range of(0.0, 1e6);
+        /// The same along the line, that of a module by its length or of its ends.
+        drag_area_tangential_m2: f64 = 0.0, "drag area along the line", range of(0.0, 1e6);
         /// Added mass: one number, or along x, y, z.
         added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10);
         /// Area that bears on the sea bed.
@@ -341,5 +347,7 @@ table! {
         fittings_kg: f64 = 0.0, "fittings", range of(0.0, 1e6);
         /// Normal drag coefficient of a module on its diameter.
         drag_normal: f64 = 0.0, "normal drag", range of(0.0, 20.0);
+        /// Tangential drag coefficient of a module on its diameter.
+        drag_tangential: Option<f64>, "tangential drag", range of(0.0, 20.0), absent "that of the line under it";
     }
 }

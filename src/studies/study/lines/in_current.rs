@@ -231,12 +231,7 @@ fn clump(i: usize, section: &SectionProperties) -> Clump {
         at_m: section.length_m,
         mass_kg: wet.abs(),
         wet_mass_kg: wet,
-        drag_area_m2: OneOrMany::One(0.0),
-        added_mass_kg: OneOrMany::One(0.0),
-        bed_area_m2: None,
-        bottom_m: 0.0,
-        breakout_n: 0.0,
-        breakout_distance_m: 0.1,
+        ..Clump::default()
     }
 }
 

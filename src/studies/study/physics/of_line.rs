@@ -146,18 +146,20 @@ fn without_body_drag(case: &mut Case) {
             None => {}
         }
     }
-    case.clumps
-        .iter_mut()
-        .for_each(|clump| clear(&mut clump.drag_area_m2));
+    for clump in &mut case.clumps {
+        clear(&mut clump.drag_area_m2);
+        (clump.drag_area_normal_m2, clump.drag_area_tangential_m2) = (0.0, 0.0);
+    }
     case.traveller
         .iter_mut()
         .for_each(|body| clear(&mut body.drag_area_m2));
     case.floats
         .iter_mut()
-        .for_each(|floats| floats.drag_area_m2 = 0.0);
-    case.modules
-        .iter_mut()
-        .for_each(|modules| modules.drag_normal = 0.0);
+        .for_each(|floats| (floats.drag_area_m2, floats.drag_area_tangential_m2) = (0.0, 0.0));
+    for modules in &mut case.modules {
+        modules.drag_normal = 0.0;
+        modules.drag_tangential = modules.drag_tangential.map(|_| 0.0);
+    }
 }
 
 fn without_body_added_mass(case: &mut Case) {

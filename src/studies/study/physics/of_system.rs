@@ -7,7 +7,7 @@ use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{Material, WaterSurface};
 use crate::system::SystemFile;
-use crate::system::model::{BodyInputs, MotionMethod, PointInputs};
+use crate::system::model::{BodyInputs, LineSection, MotionMethod, PointInputs};
 
 impl HasMaterials for SystemFile {
     fn materials(&mut self) -> &mut BTreeMap<String, Material> {
@@ -55,12 +55,12 @@ impl HasEffects for SystemFile {
 const PARTS: [ScenePart<SystemFile>; 15] = [
     ScenePart::new(
         "drag of bodies",
-        "drag areas of points and bodies, drag of members and rods = 0",
+        "drag areas of points, clumps and bodies, drag of members and rods = 0",
         without_body_drag,
     ),
     ScenePart::new(
         "added mass of bodies",
-        "added masses of points, bodies, members and rods = 0",
+        "added masses of points, clumps, bodies, members and rods = 0",
         without_body_added_mass,
     ),
     ScenePart::new(
@@ -139,9 +139,20 @@ const PARTS: [ScenePart<SystemFile>; 15] = [
     }),
 ];
 
+/// The sections of all lines, with the clumps at their ends.
+fn sections(system: &mut SystemFile) -> impl Iterator<Item = &mut LineSection> {
+    let lines = system.lines.iter_mut();
+    lines.flat_map(|line| line.sections.iter_mut())
+}
+
 fn without_body_drag(system: &mut SystemFile) {
     for point in system.points.values_mut() {
         point.drag_area_m2 = 0.0;
+    }
+    for section in sections(system) {
+        section.clump_drag_area_m2 = 0.0;
+        section.clump_drag_area_normal_m2 = 0.0;
+        section.clump_drag_area_tangential_m2 = 0.0;
     }
     for body in system.bodies.values_mut() {
         body.drag_area_m2 = [0.0; 3];
@@ -159,6 +170,7 @@ fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
         point.added_mass_kg = 0.0;
     }
+    sections(system).for_each(|section| section.clump_added_mass_kg = 0.0);
     for body in system.bodies.values_mut() {
         body.added_mass.clear();
         for member in &mut body.members {

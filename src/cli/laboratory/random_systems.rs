@@ -1,14 +1,14 @@
-//! `seacable study systems`: random systems of lines, each solved or refused.
+//! `seacable laboratory systems`: random systems of lines, each solved or refused.
 
 use std::process::ExitCode;
 
-use super::{
-    BAD_RESULT, CommandError, invariants, output, random_motion, random_refusals::frequent,
-    refined_systems, system_args::SystemsArgs,
-};
+use super::args::SystemsArgs;
+use super::random_refusals::frequent;
+use super::{invariants, random_motion, refined_systems};
+use crate::{BAD_RESULT, CommandError, output};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
-use seacable_studies::study::random_systems::{KINDS, RandomOutcome, RandomRest, run};
+use seacable_studies::laboratory::random_systems::{KINDS, RandomOutcome, RandomRest, run};
 
 /// What came of a kind.
 struct KindTally {
@@ -18,7 +18,7 @@ struct KindTally {
     longest_s: f64,
 }
 
-pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
+pub(crate) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     if args.invariants {
         return invariants::systems(args);
     }

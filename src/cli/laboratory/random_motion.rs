@@ -1,13 +1,13 @@
-//! `seacable study systems --in-motion`: random systems of lines, each run for some seconds.
+//! `seacable laboratory systems --in-motion`: random systems of lines, each run for some seconds.
 
 use std::process::ExitCode;
 
-use super::{
-    BAD_RESULT, CommandError, output, random_refusals::frequent, system_args::SystemsArgs,
-};
+use super::args::SystemsArgs;
+use super::random_refusals::frequent;
+use crate::{BAD_RESULT, CommandError, output};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
-use seacable_studies::study::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};
+use seacable_studies::laboratory::random_motion::{KINDS, MotionEnd, RandomMotion, run_all};
 
 pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     let outcomes = run_all(args.count as usize, args.seed);

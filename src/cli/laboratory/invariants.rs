@@ -1,15 +1,17 @@
-//! `seacable study systems --invariants`: random systems held against themselves.
+//! `seacable laboratory systems --invariants`: random systems held against themselves.
 
 use std::path::Path;
 use std::process::ExitCode;
 
-use super::{
-    BAD_RESULT, CommandError, output, random_refusals::frequent, system_args::SystemsArgs,
-};
+use super::args::SystemsArgs;
+use super::random_refusals::frequent;
+use crate::{BAD_RESULT, CommandError, output};
 use seacable_base::files::{Target, disk};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
-use seacable_studies::study::invariants::{Held, Invariant, KINDS, Outcome, file, one, run, text};
+use seacable_studies::laboratory::invariants::{
+    Held, Invariant, KINDS, Outcome, file, one, run, text,
+};
 
 /// What came of an invariant over all systems.
 struct Tally<'a> {

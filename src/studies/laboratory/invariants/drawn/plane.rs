@@ -4,13 +4,13 @@ use std::fmt::Write;
 
 /// An inclined plane as a grid of depths.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::study::invariants) struct Plane {
+pub(in crate::laboratory::invariants) struct Plane {
     /// Over x = y = 0 \[m\].
-    pub(in crate::study::invariants) depth: f64,
+    pub(in crate::laboratory::invariants) depth: f64,
     /// Change of the depth along x and y \[-\].
-    pub(in crate::study::invariants) by_x: f64,
+    pub(in crate::laboratory::invariants) by_x: f64,
     /// See `by_x`.
-    pub(in crate::study::invariants) by_y: f64,
+    pub(in crate::laboratory::invariants) by_y: f64,
 }
 
 impl Plane {
@@ -31,7 +31,7 @@ impl Plane {
     }
 
     /// The plane of such a file.
-    pub(in crate::study::invariants) fn read(text: &str) -> Option<Self> {
+    pub(in crate::laboratory::invariants) fn read(text: &str) -> Option<Self> {
         let depth = |x: f64, y: f64| {
             let rows = text.lines().filter_map(|row| {
                 let mut numbers = row.split(',').map(str::parse::<f64>);

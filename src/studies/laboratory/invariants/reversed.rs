@@ -68,10 +68,12 @@ fn reverse(line: &mut Table) {
 }
 
 /// Keys of the body at the end of a section towards B.
-const CLUMP: [&str; 4] = [
+const CLUMP: [&str; 6] = [
     "clump_kg",
     "clump_mass_kg",
     "clump_drag_area_m2",
+    "clump_drag_area_normal_m2",
+    "clump_drag_area_tangential_m2",
     "clump_added_mass_kg",
 ];
 

@@ -7,11 +7,11 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
-use super::study_job::StudyJob;
-use super::timed::{Timed, divided};
 use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
+use crate::study::study_job::StudyJob;
+use crate::study::timed::{Timed, divided};
 use crate::table::{Columns, NumberFormat, Table};
 
 /// A case by one method at one accuracy.

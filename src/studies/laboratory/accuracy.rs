@@ -9,12 +9,12 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 use rustix::time::{ClockId, clock_gettime};
 
-use super::timed::Timed;
 use crate::numerics::statistics::median;
 use crate::run::accuracy::searchable::Asked;
 use crate::run::accuracy::steps::{Steps, TimeMethod};
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, result_scales};
+use crate::study::timed::Timed;
 use crate::table::{NumberFormat, Table};
 
 /// Share of the results that must be as accurate as asked.

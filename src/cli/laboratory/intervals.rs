@@ -1,16 +1,14 @@
-//! `seacable study intervals`: how often the intervals of extremes hold the truth, and how often a verdict over seeds is false.
+//! `seacable laboratory intervals`: how often the intervals of extremes hold the truth, and how often a verdict over seeds is false.
 
 use std::process::ExitCode;
 
 use rayon::prelude::*;
 
-use super::{
-    CommandError,
-    common_args::TableArgs,
-    output::{self, OutputFile},
-    study_args::IntervalsArgs,
-    study_page::print,
-};
+use super::args::IntervalsArgs;
+use crate::CommandError;
+use crate::common_args::TableArgs;
+use crate::output::{self, OutputFile};
+use crate::study_page::print;
 use seacable_display::table::{Align, Cell, Table};
 use seacable_statistics::extremes::ExtremesError;
 use seacable_statistics::extremes::coverage::{
@@ -46,7 +44,7 @@ struct RuleRow {
     found: Result<SequentialOutcome, ExtremesError>,
 }
 
-pub(super) fn intervals(args: &IntervalsArgs) -> Result<ExitCode, CommandError> {
+pub(crate) fn intervals(args: &IntervalsArgs) -> Result<ExitCode, CommandError> {
     let TableArgs { output, force, .. } = &args.page.table;
     let file = OutputFile::check(output.as_deref(), *force, &[])?;
     let tables = [coverage(args), rules(args)];

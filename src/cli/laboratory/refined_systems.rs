@@ -1,13 +1,16 @@
-//! `seacable study systems --refined`: random systems with divided lines, their stated errors held against a finer mesh.
+//! `seacable laboratory systems --refined`: random systems with divided lines, their stated errors held against a finer mesh.
 
 use std::process::ExitCode;
 
+use super::args::SystemsArgs;
 use super::random_refusals::frequent;
-use super::{CommandError, output, system_args::SystemsArgs};
+use crate::{CommandError, output};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
-use seacable_studies::study::random_systems::divided::DIVIDED_KINDS;
-use seacable_studies::study::random_systems::refined::{RefinedSystem, RefinedTally, run, tally};
+use seacable_studies::laboratory::random_systems::divided::DIVIDED_KINDS;
+use seacable_studies::laboratory::random_systems::refined::{
+    RefinedSystem, RefinedTally, run, tally,
+};
 
 /// What came of a kind, or of all.
 struct KindTally {
