@@ -87,13 +87,7 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         );
     }
     for (name, point) in &file.points {
-        let key = |key: &str| format!("points.{name}.{key}");
-        let volume_less = point.volume_m3 == 0.0 && point.added_mass_kg > 0.0;
-        found.add(
-            point.kind == PointKind::Free && volume_less && target == Target::MoorDyn,
-            key("added_mass_kg"),
-            "added mass of a point without volume",
-        );
+        free_point(name, point, target, &mut found);
     }
     for (name, body) in &file.bodies {
         if matches!(body.kind, BodyKind::Free | BodyKind::Pinned) {
@@ -258,6 +252,30 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
                 || differs(member.to_added_mass_end, member.added_mass_end),
             key,
             "ends of a member with drag or added mass of their own",
+        );
+    }
+}
+
+/// Added mass of a free point that displaces nothing, and coefficients that differ along its axes.
+fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found) {
+    if point.kind != PointKind::Free || target != Target::MoorDyn {
+        return;
+    }
+    let key = |key: &str| format!("points.{name}.{key}");
+    found.add(
+        point.volume_m3 == 0.0 && !point.added_mass_kg.is_zero(),
+        key("added_mass_kg"),
+        "added mass of a point without volume",
+    );
+    let both = [
+        ("drag_area_m2", &point.drag_area_m2),
+        ("added_mass_kg", &point.added_mass_kg),
+    ];
+    for (of, value) in both {
+        found.add(
+            value.alike().is_none(),
+            key(of),
+            "a drag area or added mass of a point that differs along its axes",
         );
     }
 }

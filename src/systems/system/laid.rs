@@ -66,7 +66,7 @@ fn beyond(network: &Network, placement: &Placement, (point, line): (usize, usize
             break;
         };
         let pulled =
-            free.load.xy() != V3::zeros().xy() || (free.drag_area > 0.0 && network.flows());
+            free.load.xy() != V3::zeros().xy() || (free.drag_area != V3::zeros() && network.flows());
         let others = network.lines.iter().enumerate();
         let mut others =
             others.filter(|(other, at)| *other != line && (at.from == point || at.to == point));

@@ -110,7 +110,9 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             .map(|body| body.name.as_str())
     };
     let points = clumps(network).filter(|(_, point)| {
-        point.buoyancy == 0.0 && point.added_mass == 0.0 && point.drag_area == 0.0
+        point.buoyancy == 0.0
+            && point.added_mass == V3::zeros()
+            && point.drag_area == V3::zeros()
     });
     let clumped = exposed(network).filter(|line| has_weights(line));
     [
@@ -161,7 +163,7 @@ fn current_of(network: &Network) -> impl Iterator<Item = String> {
         let drags = body.members.iter().any(|member| member.drag > 0.0);
         !drags && body.current_loads.is_none() && body.drag_area == V3::zeros()
     });
-    let points = clumps(network).filter(|(_, point)| point.drag_area == 0.0);
+    let points = clumps(network).filter(|(_, point)| point.drag_area == V3::zeros());
     [
         remark(
             "The current does not act on",

@@ -45,6 +45,7 @@ pub mod motion;
 mod moving_pose;
 pub mod network;
 pub mod parts;
+mod point_drag;
 mod point_force;
 pub mod pose;
 pub mod potential_flow;

@@ -207,10 +207,10 @@ table! {
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e10), matters FREE;
         /// Displaced volume.
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
-        /// Added mass; for natural periods.
-        added_mass_kg: f64 = 0.0, "added mass", range of(0.0, 1e10), matters FREE;
-        /// Drag coefficient times area, in a current.
-        drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6), matters FREE;
+        /// Added mass: one number, or along x, y, z; for natural periods and in motion.
+        added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10), matters FREE;
+        /// Drag coefficient times area: one number, or along x, y, z.
+        drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6), matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
@@ -250,8 +250,8 @@ impl PointInputs {
             body: None,
             mass_kg: 0.0,
             volume_m3: 0.0,
-            added_mass_kg: 0.0,
-            drag_area_m2: 0.0,
+            added_mass_kg: OneOrMany::One(0.0),
+            drag_area_m2: OneOrMany::One(0.0),
             load_n: [0.0; 3],
             bed_friction: 0.0,
             start_offset_m: [0.0; 3],

@@ -82,12 +82,12 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
-    /// Mass with added mass, and the added mass alone \[kg\].
-    pub moving_mass: f64,
+    /// Mass with added mass, and the added mass alone, along x, y, z \[kg\].
+    pub moving_mass: V3,
     /// See `moving_mass`.
-    pub added_mass: f64,
-    /// Drag coefficient times area in a current \[m²\].
-    pub drag_area: f64,
+    pub added_mass: V3,
+    /// Drag coefficient times area along x, y, z \[m²\].
+    pub drag_area: V3,
     /// Steady load \[N\].
     pub load: V3,
     /// Friction on the bed in motion \[-\].

@@ -1,6 +1,6 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::{LETTERS, alike, rows_of};
+use super::ends::{LETTERS, rows_of};
 use super::payload;
 use super::source::{DENSITY, LineSource};
 use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
@@ -86,7 +86,7 @@ fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
             ("added_mass_kg", source.is_in_time(), &clump.added_mass_kg),
         ];
         for (key, acts, value) in both {
-            if acts && alike(value).is_none() {
+            if acts && value.alike().is_none() {
                 let problem = "a clump of a system has the same along all axes";
                 found.push(source.fault(&["clumps", name, key], problem, "give one number"));
             }

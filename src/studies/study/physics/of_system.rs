@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::of_line::flatten;
+use super::of_line::{clear, flatten};
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{Material, WaterSurface};
@@ -141,7 +141,7 @@ const PARTS: [ScenePart<SystemFile>; 15] = [
 
 fn without_body_drag(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        point.drag_area_m2 = 0.0;
+        clear(&mut point.drag_area_m2);
     }
     for body in system.bodies.values_mut() {
         body.drag_area_m2 = [0.0; 3];
@@ -157,7 +157,7 @@ fn without_body_drag(system: &mut SystemFile) {
 
 fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        point.added_mass_kg = 0.0;
+        clear(&mut point.added_mass_kg);
     }
     for body in system.bodies.values_mut() {
         body.added_mass.clear();

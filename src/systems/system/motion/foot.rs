@@ -29,7 +29,7 @@ impl Foot {
             point: FreePoint {
                 weight: body.weight,
                 buoyancy: body.buoyancy,
-                moving_mass: mass[(2, 2)],
+                moving_mass: V3::repeat(mass[(2, 2)]),
                 friction: body.bed_friction,
                 ..FreePoint::default()
             },

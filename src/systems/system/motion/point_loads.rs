@@ -103,16 +103,17 @@ fn wave_inertia(
     } else {
         0.0
     };
-    let mass = displaced + point.added_mass;
+    let mass = point.added_mass.add_scalar(displaced);
     let water = flow.acceleration_at(x);
-    let force = water * (mass * immersion.share);
+    let wet = mass * immersion.share;
+    let force = water.component_mul(&wet);
     load.force += force;
-    load.by_position += water * immersion.by_place.transpose() * mass
-        + flow.acceleration_gradient * (mass * immersion.share);
+    load.by_position += M3::from_diagonal(&mass) * (water * immersion.by_place.transpose())
+        + M3::from_diagonal(&wet) * flow.acceleration_gradient;
     load.lost -= force.dot(v);
 }
 
-/// Drag by the velocity of the water relative to the point, `rho/2 CdA |u| u`, as far as it is under water.
+/// Drag by the velocity of the water relative to the point, as far as it is under water.
 fn drag(
     network: &Network,
     point: &FreePoint,
@@ -121,7 +122,7 @@ fn drag(
     immersion: &Surface,
     load: &mut PointLoad,
 ) {
-    if point.drag_area == 0.0 || immersion.share == 0.0 {
+    if point.drag_area == V3::zeros() || immersion.share == 0.0 {
         return;
     }
     let current = network.current.as_ref();
@@ -132,15 +133,7 @@ fn drag(
         u += flow.velocity_at(x);
         gradient += flow.gradient;
     }
-    let speed = u.norm();
-    let half = 0.5 * network.density * point.drag_area;
-    let whole = u * (half * speed);
-    let turning = if speed > 0.0 {
-        u * u.transpose() / speed
-    } else {
-        M3::zeros()
-    };
-    let by_flow = (M3::identity() * speed + turning) * (half * immersion.share);
+    let (whole, by_flow) = point.drag(network.density, &u, immersion.share);
     let force = whole * immersion.share;
     load.force += force;
     load.by_velocity -= by_flow;
@@ -171,11 +164,11 @@ fn push(bed: &Bed, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
 /// Stiffness \[N/m\] and damping \[N s/m\] of the bed under a point: none of a point with neither weight nor mass, where lines bear on the bed
 /// by themselves as between their ends.
 fn springs(point: &FreePoint) -> (f64, f64) {
-    if point.weight == point.buoyancy && point.moving_mass == 0.0 {
+    if point.weight == point.buoyancy && point.moving_mass == V3::zeros() {
         return (0.0, 0.0);
     }
     let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
-    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
+    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.z.max(0.0)).sqrt();
     (stiffness, damping)
 }
 
@@ -312,7 +305,7 @@ pub(super) fn landing_acceleration(
     else {
         return 0.0;
     };
-    -springs(point).0 * bed.height(end) / point.moving_mass.max(f64::MIN_POSITIVE)
+    -springs(point).0 * bed.height(end) / point.moving_mass.z.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -320,6 +313,7 @@ mod tests {
     use super::*;
     use crate::numerics::random::Random;
     use crate::numerics::{DepthGrid, DepthInterpolation};
+    use crate::physics::BodyProperties;
     use crate::scene::current_profile;
     use std::sync::Arc;
 
@@ -340,9 +334,46 @@ mod tests {
         }
     }
 
+    /// A clump with added mass and a drag area that are the same along all axes, and the same with others along each.
+    fn clumps() -> [FreePoint; 2] {
+        let one = FreePoint {
+            weight: 5e3,
+            buoyancy: 9e3,
+            moving_mass: V3::repeat(800.0),
+            added_mass: V3::repeat(300.0),
+            drag_area: V3::repeat(1.3),
+            load: V3::new(10.0, -20.0, 30.0),
+            ..FreePoint::default()
+        };
+        let other = FreePoint {
+            moving_mass: V3::new(700.0, 800.0, 1000.0),
+            added_mass: V3::new(200.0, 300.0, 500.0),
+            drag_area: V3::new(0.4, 1.3, 2.1),
+            ..one
+        };
+        [one, other]
+    }
+
     #[test]
     fn derivatives_are_those_of_the_force() {
-        check_derivatives(Bed::Level(-50.0), 0.4);
+        for clump in clumps() {
+            check_derivatives(Bed::Level(-50.0), clump, 0.4);
+        }
+    }
+
+    #[test]
+    fn equal_areas_have_the_drag_of_one_area() {
+        let [one, _] = clumps();
+        let law = BodyProperties {
+            mass: 0.0,
+            weight: 0.0,
+            drag: one.drag_area * (0.5 * 1025.0),
+            added: V3::zeros(),
+        };
+        let u = V3::new(0.4, -0.9, 0.3);
+        let (force, by_flow) = one.drag(1025.0, &u, 1.0);
+        assert!((force - law.drag(&u)).norm() < 1e-12 * force.norm());
+        assert!((by_flow - law.drag_by_velocity(&u)).norm() < 1e-12 * by_flow.norm());
     }
 
     #[test]
@@ -364,11 +395,12 @@ mod tests {
         let up = at_point(&hills).at(1.0, 2.0).depth;
         let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
         for friction in [0.0, 0.4] {
-            check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), friction);
+            let [clump, _] = clumps();
+            check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), clump, friction);
         }
     }
 
-    fn check_derivatives(bed: Bed, friction: f64) {
+    fn check_derivatives(bed: Bed, clump: FreePoint, friction: f64) {
         let network = Network {
             gravity: 9.81,
             density: 1025.0,
@@ -376,17 +408,7 @@ mod tests {
             current: Some(current_profile(None, &std::collections::BTreeMap::new())),
             ..Network::default()
         };
-        let point = FreePoint {
-            weight: 5e3,
-            buoyancy: 9e3,
-            moving_mass: 800.0,
-            added_mass: 300.0,
-            drag_area: 1.3,
-            load: V3::new(10.0, -20.0, 30.0),
-            friction,
-            start: None,
-            initial: Default::default(),
-        };
+        let point = FreePoint { friction, ..clump };
         let v = V3::new(0.4, -0.9, 0.3);
         let flow = waves(&mut Random::new(1, 0));
         // About an anchor that holds, one that is dragged, and none.
