@@ -6,7 +6,7 @@ use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffnes
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::bed::Bed;
-use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind};
+use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
 use crate::system::parts::sections;
 
 /// All of it.
@@ -256,12 +256,22 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
     }
 }
 
-/// Added mass of a free point that displaces nothing, and coefficients that differ along its axes.
+/// Added mass of a free point that displaces nothing, coefficients that differ along its axes, and how it bears on the bed.
 fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found) {
+    let key = |key: &str| format!("points.{name}.{key}");
+    found.add(
+        point.bed_area_m2.is_some(),
+        key("bed_area_m2"),
+        "a point that bears on the bed over an area",
+    );
+    found.add(
+        point.bottom_m > 0.0,
+        key("bottom_m"),
+        "a point whose bottom is below it",
+    );
     if point.kind != PointKind::Free || target != Target::MoorDyn {
         return;
     }
-    let key = |key: &str| format!("points.{name}.{key}");
     found.add(
         point.volume_m3 == 0.0 && !point.added_mass_kg.is_zero(),
         key("added_mass_kg"),

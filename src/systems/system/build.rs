@@ -22,6 +22,7 @@ use super::network::{
     WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, is_crossed, parts};
+use super::point_on_bed::BearingArea;
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
@@ -318,6 +319,8 @@ impl Builder<'_> {
                 drag_area: per_axis(&given.drag_area_m2),
                 load: V3::from(given.load_n),
                 friction: given.bed_friction,
+                below: given.bottom_m,
+                bearing: self.bearing(given),
                 start: place,
                 initial: PointInitial {
                     placed,
@@ -327,6 +330,17 @@ impl Builder<'_> {
                 },
             }),
         }
+    }
+
+    fn bearing(&self, point: &PointInputs) -> Option<BearingArea> {
+        let (area, bed) = point.bed_area_m2.zip(self.file.seabed.as_ref())?;
+        let grip = bed.grip_stiffness_n_per_m3;
+        Some(BearingArea {
+            area,
+            stiffness: bed.stiffness_n_per_m3,
+            damping: bed.damping_n_s_per_m3,
+            grip: grip.unwrap_or(bed.stiffness_n_per_m3),
+        })
     }
 
     fn line(

@@ -49,7 +49,8 @@ fn lies(network: &Network, placement: &Placement, line: &Line) -> bool {
     };
     let on_bed = |point: usize| {
         let place = &placement.points[point];
-        end_lies(line, bed.height(place), place.z)
+        let height = bed.height(place);
+        end_lies(line, height, place.z) || (height < 0.0 && network.sinks_into_bed(point))
     };
     on_bed(line.from) && on_bed(line.to)
 }

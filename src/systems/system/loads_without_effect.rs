@@ -206,10 +206,21 @@ fn wind(network: &Network) -> Option<String> {
     )
 }
 
+/// Whether a point lies on the bed, or has sunk into it.
+fn lies(SolvedSystem { network, rest, .. }: &SolvedSystem, point: usize) -> bool {
+    let sunk = || match (&network.points[point].held, &network.bed) {
+        (Held::Free(free), Some(bed)) if free.bearing.is_some() => {
+            bed.height(&free.bottom(&rest.placement.points[point])) < 0.0
+        }
+        _ => false,
+    };
+    rest.contact(point) == Contact::Bed || sunk()
+}
+
 /// Points on the bed whose own friction is not given, where lines beside them have some.
 fn friction(solved: &SolvedSystem) -> Option<String> {
     let points = solved.network.points.iter().enumerate();
-    let lying = points.filter(|(index, _)| solved.rest.contact(*index) == Contact::Bed);
+    let lying = points.filter(|(index, _)| lies(solved, *index));
     let smooth = lying.filter_map(|(_, point)| match &point.held {
         Held::Free(free) if free.weight > 0.0 && free.friction == 0.0 => Some(point.name.as_str()),
         _ => None,
@@ -228,7 +239,7 @@ fn friction_in_motion(solved: &SolvedSystem) -> impl Iterator<Item = String> {
     let SolvedSystem { network, rest, .. } = solved;
     let points = network.points.iter().enumerate();
     let points = points.filter_map(|(index, point)| match &point.held {
-        Held::Free(free) if free.friction > 0.0 && rest.contact(index) == Contact::Bed => {
+        Held::Free(free) if free.friction > 0.0 && lies(solved, index) => {
             Some(point.name.as_str())
         }
         _ => None,

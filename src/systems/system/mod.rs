@@ -47,6 +47,7 @@ pub mod network;
 pub mod parts;
 mod point_drag;
 mod point_force;
+pub mod point_on_bed;
 pub mod pose;
 pub mod potential_flow;
 pub mod quantities;

@@ -15,9 +15,13 @@ impl FreePoint {
             true => Immersion::of(network, self, place.z),
             false => Immersion::WHOLE,
         };
-        let force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
+        let mut force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
         let mut by_place = M3::zeros();
         by_place[(2, 2)] = self.buoyancy * wet.by_height;
+        if let Some((push, by)) = self.bed_at_rest(network, place) {
+            force += push;
+            by_place += by;
+        }
         let flows = physics == LinePhysics::Full && self.drag_area != V3::zeros();
         let Some(current) = network.current.as_ref().filter(|_| flows) else {
             return (force, by_place);

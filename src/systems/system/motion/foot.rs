@@ -1,4 +1,4 @@
-//! What of a body bears on the bed: its foot, a point below its origin. The push and the friction of the bed act at the origin, so that a body
+//! What of a body bears on the bed: its foot, a point below its origin; of a free point its bottom. The push and the friction of the bed act at the origin, so that a body
 //! on the bed does not tip.
 
 use nalgebra::Matrix6;

@@ -25,7 +25,7 @@ impl MovingSystem {
         let foot = match self.joints.roles[joint] {
             Role::Free(number) => match &self.network.points[number].held {
                 Held::Free(point) => Foot {
-                    below: 0.0,
+                    below: point.below,
                     point: *point,
                 },
                 Held::At(_) | Held::On(..) => return None,
