@@ -1,6 +1,7 @@
 //! The ends of the line as points.
 
 use super::copied::{bare, value_of};
+use super::end_clumps;
 use super::payload;
 use super::source::LineSource;
 use super::start;
@@ -100,6 +101,9 @@ fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &
         let value = value_of(source, node);
         system.given("start_velocity_m_per_s", &value, &node.span, "");
     }
+    if let Some(clump) = end_clumps::on_free_end(source, letter) {
+        end_clumps::write(system, source, clump);
+    }
     let hung = source.case.payload.as_ref();
     if let Some(payload) = hung.filter(|_| end.kind == EndKind::Payload) {
         payload::write(system, source, payload);
@@ -128,6 +132,8 @@ fn search_from(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
         .seabed
         .as_ref()
         .map_or(f64::NEG_INFINITY, |bed| -bed.depth_m);
-    let down = (z + length * sin).max(bed);
+    let clump = end_clumps::on_free_end(source, letter).map(|clump| clump.bottom_m);
+    let payload = case.payload.as_ref().and_then(|payload| payload.bottom_m);
+    let down = (z + length * sin).max(bed + clump.or(payload).unwrap_or(0.0));
     [x + length * cos * along, y + length * cos * across, down]
 }

@@ -1,12 +1,14 @@
 //! The payload as a free point, and what of it a point cannot state.
 
+use super::bearing;
 use super::copied::value_of;
+use super::paths::bears_by_volume;
 use super::source::{DENSITY, LineSource};
 use crate::case::{OneOrMany, Payload};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number, numbers};
 use crate::numerics::V3;
-use crate::scene::shape_form;
+use crate::scene::{payload_bed_area, shape_form};
 
 /// What of the payload acts and a free point cannot state.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
@@ -19,13 +21,23 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
         let remedy = "write it as a free body of a system";
         found.push(source.fault(&["payload", "rotation"], problem, remedy));
     }
-    if source.case.seabed.is_some() {
-        let problem =
-            "bears on the bed over an area, and a point of a system does so by its weight alone";
-        let remedy = "leave the bed out where the payload hangs clear of it";
-        found.push(source.fault(&["payload", "bed_area_m2"], problem, remedy));
-    }
+    found.extend(bearing::faults(source, &["payload"], payload.breakout_n));
+    found.extend(derived(source, payload));
     found.extend(volume(source, payload));
+    found
+}
+
+/// Expressions of what the shape or the volume gives, as a number in the system.
+fn derived(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let shape = source.node(&["payload", "shape"]);
+    let entries = shape.map_or(&[][..], |node| node.entries());
+    for entry in entries.iter().filter(|entry| entry.key != "kind") {
+        found.extend(source.fault_of_expression(&["payload", "shape", &entry.key]));
+    }
+    if bears_by_volume(source, payload) {
+        found.extend(source.fault_of_expression(&["payload", "volume_m3"]));
+    }
     found
 }
 
@@ -72,19 +84,27 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
             "dry_mass_kg less wet_mass_kg, by the density of the water",
         );
     }
-    coefficient(system, source, "drag_area_m2", &payload.drag_area_m2);
-    coefficient(system, source, "added_mass_kg", &payload.added_mass_kg);
+    for (key, value) in [
+        ("drag_area_m2", &payload.drag_area_m2),
+        ("added_mass_kg", &payload.added_mass_kg),
+    ] {
+        if let Some(value) = value {
+            coefficient(system, source, &["payload", key], value);
+        }
+    }
     of_shape(system, payload, density);
+    let area = payload_bed_area(payload, &source.case.environment);
+    bearing::write(system, source, &["payload"], area);
 }
 
-/// A drag area or added mass, as one number where that is enough.
-fn coefficient(
+/// Writes a drag area or added mass, as one number where that is enough.
+pub(super) fn coefficient(
     system: &mut CaseText<'_>,
     source: &LineSource<'_>,
-    key: &str,
-    value: &Option<OneOrMany>,
+    path: &[&str],
+    value: &OneOrMany,
 ) {
-    let Some((value, node)) = value.as_ref().zip(source.node(&["payload", key])) else {
+    let (Some(node), Some(key)) = (source.node(path), path.last()) else {
         return;
     };
     match value.alike() {
