@@ -494,6 +494,29 @@ added_mass_kg = 60.0
     assert_eq!(modes[2].names(&system.network), ("clump", "z"));
 }
 
+#[test]
+fn a_clump_swings_and_bounces_by_its_added_mass_along_each_axis() {
+    let modes = |added: &str| -> Vec<f64> {
+        let system = system(
+            &format!(
+                "\n[points.clump]\nkind = \"free\"\nmass_kg = 800.0\nvolume_m3 = 0.1\nadded_mass_kg = {added}\n"
+            ),
+            &[
+                material(0.1, 1e-7, 1e6),
+                fixed("top", [0.0, 0.0, -1.0]),
+                wire("wire", ["top", "clump"], 50.0),
+            ],
+        );
+        let modes = periods(&system.network, &system.rest).unwrap().modes;
+        modes.iter().filter_map(|mode| mode.period_s).collect()
+    };
+    let found = modes("[60.0, 200.0, 900.0]");
+    let [along, across, up] = ["60.0", "200.0", "900.0"].map(modes);
+    for (found, wanted) in found.iter().zip([across[0], along[0], up[2]]) {
+        assert!((found / wanted - 1.0).abs() < 1e-9, "{found} {wanted}");
+    }
+}
+
 /// A rod that is turned keeps its loads: nothing hangs on its spin, and its modes do not show it.
 #[test]
 fn a_rod_has_five_modes() {

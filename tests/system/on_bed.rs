@@ -60,6 +60,102 @@ fn a_block_slides_where_friction_does_not_hold_it() {
     }
 }
 
+/// A clump that a taut wire lets down onto its area, 23.5 m below the surface, where its bottom has sunk into the bed.
+const SUNK: &str = "[environment]\nwater_density_kg_per_m3 = 0.0\ngravity_m_per_s2 = 10.0\n\
+    [seabed]\ndepth_m = 25.0\nstiffness_n_per_m3 = 2e5\ndamping_n_s_per_m3 = 2e4\n\
+    [materials.wire]\nmass_kg_per_m = 1.0\ndiameter_m = 0.02\nea_n = 1e6\naxial_damping_n_s = 1e3\n\
+    [points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n\
+    [points.clump]\nkind = \"free\"\nposition_m = [0.0, 0.0, -23.4]\nmass_kg = 4000.0\nbed_area_m2 = 2.5\nbottom_m = 1.5\n\
+    [[lines]]\nname = \"wire\"\nfrom = \"top\"\nto = \"clump\"\nmaterial = \"wire\"\nlength_m = 23.5\nsegments = 10\n";
+
+#[test]
+fn an_area_sinks_by_the_weight_that_the_line_leaves() {
+    let system = crate::solved(&format!("{}{SUNK}", crate::HEAD));
+    let [_, foot] = crate::tensions(&system, "wire");
+    let [x, y, z] = crate::place(&system, "clump");
+    let sunk = -25.0 + 1.5 - z;
+    assert_eq!([x, y], [0.0; 2]);
+    assert!(foot > 0.0 && sunk > 0.05, "{foot} {sunk}");
+    // The stretch of the wire is e with T + w L / 2 = EA e / L.
+    let pull = 1e6 * (-z - 23.5) / 23.5 - 0.5 * 10.0 * 23.5;
+    assert!((foot - pull).abs() < 1e-6 * pull, "{foot} {pull}");
+    let borne = 4e4 - foot;
+    assert!((sunk * 5e5 - borne).abs() < 1e-6 * borne, "{sunk}");
+}
+
+#[test]
+fn an_area_bounces_on_its_springs_in_time_by_every_method() {
+    for method in ["alpha", "rk4"] {
+        let text = "start_offset_m = [0.0, 0.0, 0.5]\ndrag_area_m2 = [1.0, 1.0, 3.0]\nadded_mass_kg = [100.0, 100.0, 900.0]\n";
+        let (head, line) = SUNK.split_once("[[lines]]").unwrap();
+        let run = moved(&format!(
+            "{head}{text}[[lines]]{line}[solver]\nmethod = \"{method}\"\nduration_s = 20.0\nerror_estimate = false\n[output]\ninterval_s = 0.1\n"
+        ));
+        let [z, bears] = ["z_m[clump]", "bed_force_n[clump]"].map(|name| channel(&run, name));
+        let at_rest = crate::place(&crate::solved(&format!("{}{SUNK}", crate::HEAD)), "clump")[2];
+        let last = z.len() - 1;
+        assert!(
+            (z[last] - at_rest).abs() < 1e-4,
+            "{method}: {} {at_rest}",
+            z[last]
+        );
+        assert!(
+            (bears[last] - 5e5 * (-23.5 - z[last])).abs() < 5.0,
+            "{method}: {}",
+            bears[last]
+        );
+        assert!(
+            run.balance.relative_drift() < 0.01,
+            "{method}: {:?}",
+            run.balance
+        );
+    }
+}
+
+#[test]
+fn areas_and_bottoms_that_act_on_nothing_are_refused() {
+    let bed = "[seabed]\ndepth_m = 25.0\nstiffness_n_per_m3 = 2e5\ndamping_n_s_per_m3 = 2e4\n";
+    let wrong = [
+        (
+            SUNK.replace(bed, ""),
+            "points.clump.bed_area_m2",
+            "there is no bed",
+        ),
+        (
+            SUNK.replace(bed, ""),
+            "points.clump.bottom_m",
+            "there is no bed",
+        ),
+        (
+            SUNK.replace(
+                "position_m = [0.0, 0.0, 0.0]\n",
+                "position_m = [0.0, 0.0, 0.0]\nbed_area_m2 = 1.0\n",
+            ),
+            "points.top.bed_area_m2",
+            "no effect on a point that is held",
+        ),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "bed_area_m2 = -2.5"),
+            "points.clump.bed_area_m2",
+            "0",
+        ),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "drag_area_m2 = [1.0, 2.0]"),
+            "points.clump.drag_area_m2",
+            "three",
+        ),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "added_mass_kg = [1.0, -2.0, 1.0]"),
+            "points.clump.added_mass_kg",
+            "0",
+        ),
+    ];
+    for (text, key, why) in wrong {
+        let found = crate::motion::refused(&text);
+        assert!(found.contains(key) && found.contains(why), "{key}: {found}");
+    }
+}
+
 /// What hangs on a wire of a length from the surface over a bed 24 m down, let go with the wire's end at half a second.
 fn let_go(hung: &str, end: &str, length: f64) -> MotionRun {
     moved(&format!(

@@ -3,12 +3,46 @@
 use nalgebra::{Matrix6, Vector6};
 use seacable::numerics::V3;
 use seacable::system::equilibrium::search;
+use seacable::system::line_physics::LinePhysics;
 use seacable::system::network::{Held, Network};
 use seacable::system::pose::Pose;
 use seacable::system::start::start;
 use seacable::system::stiffness::of_body;
 
 use crate::solved;
+
+/// What bears by its area on hills, in a current that grows upwards and turns.
+#[test]
+fn the_force_on_a_point_at_rest_has_its_derivative() {
+    let system = solved(
+        "[system]\ntitle = \"t\"\n[current]\nspeed_m_per_s = [1.2, 0.3]\ndirection_deg = [20.0, 70.0]\ndepth_m = [0.0, 80.0]\n\
+         [seabed]\ndepth_m = 60.0\ndepth_file = \"d.csv\"\nstiffness_n_per_m3 = 2e4\n\
+         [files.\"d.csv\"]\ntext = \"\"\"\nx_m,y_m,depth_m\n-40,-40,55\n-40,0,58\n-40,40,61\n0,-40,60\n0,0,60\n0,40,57\n40,-40,63\n40,0,59\n40,40,52\n\"\"\"\n\
+         [materials.wire]\nmass_kg_per_m = 20.0\ndiameter_m = 0.05\nea_n = 1e7\n\
+         [points.top]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n\
+         [points.clump]\nkind = \"free\"\nposition_m = [1.0, 2.0, -58.0]\nmass_kg = 4000.0\nvolume_m3 = 0.5\n\
+         drag_area_m2 = [1.0, 3.0, 7.0]\nbed_area_m2 = 2.0\nbottom_m = 1.0\n\
+         [[lines]]\nname = \"wire\"\nfrom = \"top\"\nto = \"clump\"\nmaterial = \"wire\"\nlength_m = 58.0\nsegments = 10\n",
+    );
+    let network = &system.network;
+    let Held::Free(clump) = &network.points[network.point("clump").unwrap()].held else {
+        panic!("it is free");
+    };
+    for z in [-59.3, -58.9, -40.0] {
+        let at = |place: V3| clump.force(network, &place, LinePhysics::Full);
+        let place = V3::new(3.0, -7.0, z);
+        let (force, slope) = at(place);
+        for k in 0..3 {
+            let step = V3::ith(k, 1e-5);
+            let by = (at(place + step).0 - at(place - step).0) / 2e-5;
+            assert!(
+                (by - slope.column(k)).norm() < 1e-6 * (1.0 + by.norm()),
+                "{z} {k}"
+            );
+        }
+        assert!(force.x > 0.0 && force.norm() > 1.0);
+    }
+}
 
 /// Force and moment of the lines on a body at a pose.
 fn load(network: &Network, body: usize, pose: Pose) -> Vector6<f64> {

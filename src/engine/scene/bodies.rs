@@ -92,13 +92,15 @@ fn cube_face(mass: f64, wet_mass: f64, water: &case::Environment) -> f64 {
 }
 
 /// Area on which a clump bears on the bed \[m²\].
-pub(super) fn clump_bed_area(clump: &case::Clump, water: &case::Environment) -> f64 {
+#[must_use]
+pub fn clump_bed_area(clump: &case::Clump, water: &case::Environment) -> f64 {
     let guess = || cube_face(clump.mass_kg, clump.wet_mass_kg, water);
     clump.bed_area_m2.unwrap_or_else(guess)
 }
 
 /// Area on which the payload bears on the bed \[m²\]: that of its shape, or the bottom of a cube of its volume.
-pub(super) fn payload_bed_area(body: &case::Payload, water: &case::Environment) -> f64 {
+#[must_use]
+pub fn payload_bed_area(body: &case::Payload, water: &case::Environment) -> f64 {
     let by_shape = body.shape.as_ref().map(|shape| match shape {
         case::PayloadShape::Box(of) => of.length_m * of.breadth_m,
         case::PayloadShape::SphereAndCylinder(of) => {
@@ -136,7 +138,7 @@ fn payload(case: &Case) -> Result<Option<BodyProperties>, SceneError> {
         .as_ref()
         .ok_or_else(|| missing("payload", "end B carries one"))?;
     let rho = case.environment.water_density_kg_per_m3;
-    let form = body.shape.as_ref().map(form);
+    let form = body.shape.as_ref().map(shape_form);
     let volume = body.volume_m3.or(form.map(|f| f.volume));
     let wet = match (body.wet_mass_kg, volume) {
         (Some(wet), _) => wet,
@@ -209,7 +211,9 @@ pub(super) fn rigid_payload(case: &Case, node: usize) -> Result<Option<RigidPayl
     Ok(Some(RigidPayload { node, body }))
 }
 
-fn form(shape: &case::PayloadShape) -> FormCoefficients {
+/// What the shape of a payload gives.
+#[must_use]
+pub fn shape_form(shape: &case::PayloadShape) -> FormCoefficients {
     match *shape {
         case::PayloadShape::Box(case::BoxShape {
             length_m,

@@ -52,6 +52,7 @@ pub mod water;
 mod wave_kinematics;
 mod waves;
 
+pub use bodies::{clump_bed_area, payload_bed_area, shape_form};
 pub use build::build;
 pub use build::current as current_profile;
 pub use elements::{
@@ -72,6 +73,6 @@ pub use step_reading::EnergyRates;
 pub use submergence::{LostBuoyancy, lost_buoyancy};
 pub use turning_clamps::ClampLoad;
 pub use unused_inputs::loads_without_effect;
-pub use vectors::direction;
+pub use vectors::{direction, per_axis};
 pub use water::Water;
 pub use waves::{records, sea, steep_waves};

@@ -14,7 +14,8 @@ pub fn direction(azimuth: f64, elevation: f64) -> V3 {
 }
 
 /// One number for all axes, or one an axis; a list of another length counts by its first numbers.
-pub(super) fn per_axis(value: &OneOrMany) -> V3 {
+#[must_use]
+pub fn per_axis(value: &OneOrMany) -> V3 {
     match value {
         OneOrMany::One(all) => V3::repeat(*all),
         OneOrMany::Many(list) => V3::from_fn(|i, _| list.get(i).copied().unwrap_or(0.0)),

@@ -436,11 +436,11 @@ impl Writer<'_> {
                 if let Some(inputs) = inputs {
                     row.mass = inputs.mass_kg;
                     row.volume = inputs.volume_m3;
-                    row.drag_area = inputs.drag_area_m2;
+                    row.drag_area = inputs.drag_area_m2.alike().unwrap_or_default();
                     row.load = inputs.load_n;
                     let displaced = density * inputs.volume_m3;
                     row.added_mass = match displaced > 0.0 {
-                        true => inputs.added_mass_kg / displaced,
+                        true => inputs.added_mass_kg.alike().unwrap_or_default() / displaced,
                         false => 0.0,
                     };
                 }

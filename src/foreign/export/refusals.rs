@@ -6,7 +6,7 @@ use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffnes
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::bed::Bed;
-use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointKind};
+use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
 use crate::system::parts::sections;
 
 /// All of it.
@@ -87,13 +87,7 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         );
     }
     for (name, point) in &file.points {
-        let key = |key: &str| format!("points.{name}.{key}");
-        let volume_less = point.volume_m3 == 0.0 && point.added_mass_kg > 0.0;
-        found.add(
-            point.kind == PointKind::Free && volume_less && target == Target::MoorDyn,
-            key("added_mass_kg"),
-            "added mass of a point without volume",
-        );
+        free_point(name, point, target, &mut found);
     }
     for (name, body) in &file.bodies {
         if matches!(body.kind, BodyKind::Free | BodyKind::Pinned) {
@@ -258,6 +252,40 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
                 || differs(member.to_added_mass_end, member.added_mass_end),
             key,
             "ends of a member with drag or added mass of their own",
+        );
+    }
+}
+
+/// Added mass of a free point that displaces nothing, coefficients that differ along its axes, and how it bears on the bed.
+fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found) {
+    let key = |key: &str| format!("points.{name}.{key}");
+    found.add(
+        point.bed_area_m2.is_some(),
+        key("bed_area_m2"),
+        "a point that bears on the bed over an area",
+    );
+    found.add(
+        point.bottom_m > 0.0,
+        key("bottom_m"),
+        "a point whose bottom is below it",
+    );
+    if point.kind != PointKind::Free || target != Target::MoorDyn {
+        return;
+    }
+    found.add(
+        point.volume_m3 == 0.0 && !point.added_mass_kg.is_zero(),
+        key("added_mass_kg"),
+        "added mass of a point without volume",
+    );
+    let both = [
+        ("drag_area_m2", &point.drag_area_m2),
+        ("added_mass_kg", &point.added_mass_kg),
+    ];
+    for (of, value) in both {
+        found.add(
+            value.alike().is_none(),
+            key(of),
+            "a drag area or added mass of a point that differs along its axes",
         );
     }
 }

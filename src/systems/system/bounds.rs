@@ -54,7 +54,8 @@ impl Bounds {
         let floating = ends_of_floating_lines(network);
         for (number, (point, first)) in network.points.iter().zip(&freedoms.points).enumerate() {
             if let (Held::Free(free), Some(first)) = (&point.held, first) {
-                bounds.below[first + 2] = Some(0.0);
+                // With an area it sinks into the bed.
+                bounds.below[first + 2] = Some(free.below).filter(|_| free.bearing.is_none());
                 let bounded = network.density > 0.0 && !network.crossed;
                 // By its own buoyancy, or at an end of a line that floats, it comes to rest at the surface. Through any other the
                 // surface has nothing to do, as for any place within a line.

@@ -22,6 +22,7 @@ use super::network::{
     WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, is_crossed, parts};
+use super::point_on_bed::BearingArea;
 use super::pose::Pose;
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
@@ -29,7 +30,7 @@ use crate::case::{FrictionLaw, Material, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
-use crate::scene::{current_profile, sea};
+use crate::scene::{current_profile, per_axis, sea};
 use crate::statics::catenary::SectionProperties;
 use crate::work_log::{self, Task};
 
@@ -300,6 +301,7 @@ impl Builder<'_> {
     }
 
     fn held(&self, given: &PointInputs, place: Option<V3>, placed: bool) -> Held {
+        let added = per_axis(&given.added_mass_kg);
         match given.kind {
             PointKind::Fixed | PointKind::Moved => Held::At(place.unwrap_or_default()),
             PointKind::Body => {
@@ -312,11 +314,13 @@ impl Builder<'_> {
             PointKind::Free => Held::Free(FreePoint {
                 weight: given.mass_kg * self.network.gravity,
                 buoyancy: self.network.density * given.volume_m3 * self.network.gravity,
-                moving_mass: given.mass_kg + given.added_mass_kg,
-                added_mass: given.added_mass_kg,
-                drag_area: given.drag_area_m2,
+                moving_mass: added.add_scalar(given.mass_kg),
+                added_mass: added,
+                drag_area: per_axis(&given.drag_area_m2),
                 load: V3::from(given.load_n),
                 friction: given.bed_friction,
+                below: given.bottom_m,
+                bearing: self.bearing(given),
                 start: place,
                 initial: PointInitial {
                     placed,
@@ -326,6 +330,17 @@ impl Builder<'_> {
                 },
             }),
         }
+    }
+
+    fn bearing(&self, point: &PointInputs) -> Option<BearingArea> {
+        let (area, bed) = point.bed_area_m2.zip(self.file.seabed.as_ref())?;
+        let grip = bed.grip_stiffness_n_per_m3;
+        Some(BearingArea {
+            area,
+            stiffness: bed.stiffness_n_per_m3,
+            damping: bed.damping_n_s_per_m3,
+            grip: grip.unwrap_or(bed.stiffness_n_per_m3),
+        })
     }
 
     fn line(

@@ -2,7 +2,7 @@
 
 use super::ageing::check::ageing;
 use super::build::{angles as angles_of, copy_name};
-use super::check_bed::{bed, below_bed};
+use super::check_bed::{bearing, bed, below_bed};
 use super::check_lines::ByName;
 use super::check_matrix::matrix;
 use super::check_start::{not_free, of_body, of_rod, parts};
@@ -26,6 +26,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let by_name = ByName::of(keys);
     for (name, point) in &keys.points {
         found.extend(place_of(point));
+        found.extend(bearing(keys, point));
         found.extend(body_of(keys, point, &by_name));
         found.extend(outside_water(keys, name, point, &by_name));
     }
@@ -346,6 +347,8 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
         found.extend(point.bed_friction.if_given(problem, remedy));
+        found.extend(point.bed_area_m2.if_given(problem, remedy));
+        found.extend(point.bottom_m.if_given(problem, remedy));
         found.extend(point.start_offset_m.if_given(problem, remedy));
         found.extend(point.start_velocity_m_per_s.if_given(problem, remedy));
     }

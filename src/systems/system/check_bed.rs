@@ -1,6 +1,6 @@
 //! Checks of the bed of a system: keys of a grid of depths without one, places below a level bed.
 
-use super::model::{LineKeys, SystemBedKeys, SystemKeys};
+use super::model::{LineKeys, PointKeys, SystemBedKeys, SystemKeys};
 use crate::case::schema::Key;
 use crate::case::{BedInterpolation, Finding, FrictionKeys};
 
@@ -46,6 +46,18 @@ pub(super) fn friction_of_line(keys: &SystemKeys<'_>, line: &LineKeys<'_>) -> Op
     let problem = "has no effect: neither the line nor the bed has friction";
     let remedy = "add `friction = ...`, the coefficient along the line, or remove this key";
     line.friction_lateral.if_given(problem, remedy)
+}
+
+/// How a point bears on a bed that is not there.
+pub(super) fn bearing(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Vec<Finding> {
+    if keys.seabed.is_some() {
+        return Vec::new();
+    }
+    let problem = "has no effect: there is no bed";
+    let remedy = "add a table `[seabed]`, or remove this key";
+    let area = point.bed_area_m2.if_given(problem, remedy);
+    let bottom = point.bottom_m.if_given(problem, remedy);
+    area.into_iter().chain(bottom).collect()
 }
 
 /// A place below a level bed; over a grid that is found with the depths.

@@ -49,7 +49,8 @@ fn lies(network: &Network, placement: &Placement, line: &Line) -> bool {
     };
     let on_bed = |point: usize| {
         let place = &placement.points[point];
-        end_lies(line, bed.height(place), place.z)
+        let height = bed.height(place);
+        end_lies(line, height, place.z) || (height < 0.0 && network.sinks_into_bed(point))
     };
     on_bed(line.from) && on_bed(line.to)
 }
@@ -65,8 +66,8 @@ fn beyond(network: &Network, placement: &Placement, (point, line): (usize, usize
         let Held::Free(free) = &network.points[point].held else {
             break;
         };
-        let pulled =
-            free.load.xy() != V3::zeros().xy() || (free.drag_area > 0.0 && network.flows());
+        let pulled = free.load.xy() != V3::zeros().xy()
+            || (free.drag_area != V3::zeros() && network.flows());
         let others = network.lines.iter().enumerate();
         let mut others =
             others.filter(|(other, at)| *other != line && (at.from == point || at.to == point));

@@ -34,7 +34,7 @@ pub fn solve(
         _ => b.z < a.z,
     };
     let (low, high) = if from_b { (b, a) } else { (a, b) };
-    let level = level_below(network, (low, high)).filter(|_| line.bed_contact);
+    let level = level_below(network, line, (low, high)).filter(|_| line.bed_contact);
     let lies = level.is_some_and(|z| end_lies(line, low.z - z, low.z));
     let rough = physics == LinePhysics::Full && line.friction > 0.0;
     let rubs = rough && lies && from != Some(LaidFrom::HeldEnds);
@@ -138,11 +138,15 @@ pub(super) fn floats(network: &Network, line: &Line, high: f64) -> bool {
 }
 
 /// Height of the level bed that a closed form lies on \[m\]. Where the bed is not flat between the ends, that below the lower one: near the
-/// equilibrium, which divided lines then have.
-fn level_below(network: &Network, (low, high): (&V3, &V3)) -> Option<f64> {
+/// equilibrium, which divided lines then have; as low as an end that has sunk into it.
+fn level_below(network: &Network, line: &Line, (low, high): (&V3, &V3)) -> Option<f64> {
     let bed = network.bed.as_ref()?;
     let flat = bed.flat_between(low, high);
-    Some(flat.unwrap_or_else(|| bed.z_below(low).min(low.z)))
+    let sinks = [line.from, line.to].map(|end| network.sinks_into_bed(end));
+    match flat.filter(|_| sinks == [false; 2]) {
+        Some(level) => Some(level),
+        None => Some(flat.unwrap_or_else(|| bed.z_below(low)).min(low.z)),
+    }
 }
 
 /// The closed form of a line from its lower end, on a level bed of this height \[m\] and friction.

@@ -110,7 +110,7 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             .map(|body| body.name.as_str())
     };
     let points = clumps(network).filter(|(_, point)| {
-        point.buoyancy == 0.0 && point.added_mass == 0.0 && point.drag_area == 0.0
+        point.buoyancy == 0.0 && point.added_mass == V3::zeros() && point.drag_area == V3::zeros()
     });
     let clumped = exposed(network).filter(|line| has_weights(line));
     [
@@ -162,7 +162,7 @@ fn current_of(network: &Network) -> impl Iterator<Item = String> {
         let drags = body.members.iter().any(|member| member.drag > 0.0);
         !drags && body.current_loads.is_none() && body.drag_area == V3::zeros()
     });
-    let points = clumps(network).filter(|(_, point)| point.drag_area == 0.0);
+    let points = clumps(network).filter(|(_, point)| point.drag_area == V3::zeros());
     [
         remark(
             "The current does not act on",
@@ -205,10 +205,21 @@ fn wind(network: &Network) -> Option<String> {
     )
 }
 
+/// Whether a point lies on the bed, or has sunk into it.
+fn lies(SolvedSystem { network, rest, .. }: &SolvedSystem, point: usize) -> bool {
+    let sunk = || match (&network.points[point].held, &network.bed) {
+        (Held::Free(free), Some(bed)) if free.bearing.is_some() => {
+            bed.height(&free.bottom(&rest.placement.points[point])) < 0.0
+        }
+        _ => false,
+    };
+    rest.contact(point) == Contact::Bed || sunk()
+}
+
 /// Points on the bed whose own friction is not given, where lines beside them have some.
 fn friction(solved: &SolvedSystem) -> Option<String> {
     let points = solved.network.points.iter().enumerate();
-    let lying = points.filter(|(index, _)| solved.rest.contact(*index) == Contact::Bed);
+    let lying = points.filter(|(index, _)| lies(solved, *index));
     let smooth = lying.filter_map(|(_, point)| match &point.held {
         Held::Free(free) if free.weight > 0.0 && free.friction == 0.0 => Some(point.name.as_str()),
         _ => None,
@@ -227,9 +238,7 @@ fn friction_in_motion(solved: &SolvedSystem) -> impl Iterator<Item = String> {
     let SolvedSystem { network, rest, .. } = solved;
     let points = network.points.iter().enumerate();
     let points = points.filter_map(|(index, point)| match &point.held {
-        Held::Free(free) if free.friction > 0.0 && rest.contact(index) == Contact::Bed => {
-            Some(point.name.as_str())
-        }
+        Held::Free(free) if free.friction > 0.0 && lies(solved, index) => Some(point.name.as_str()),
         _ => None,
     });
     let bodies = network.bodies.iter().zip(&rest.freedoms.bodies);

@@ -207,14 +207,18 @@ table! {
         mass_kg: f64 = 0.0, "mass", range of(0.0, 1e10), matters FREE;
         /// Displaced volume.
         volume_m3: f64 = 0.0, "volume", range of(0.0, 1e7), matters FREE;
-        /// Added mass; for natural periods.
-        added_mass_kg: f64 = 0.0, "added mass", range of(0.0, 1e10), matters FREE;
-        /// Drag coefficient times area, in a current.
-        drag_area_m2: f64 = 0.0, "drag area", range of(0.0, 1e6), matters FREE;
+        /// Added mass: one number, or along x, y, z; for natural periods and in motion.
+        added_mass_kg: OneOrMany = 0.0, "added mass", kind NumberOrTriple, range of(0.0, 1e10), matters FREE;
+        /// Drag coefficient times area: one number, or along x, y, z.
+        drag_area_m2: OneOrMany = 0.0, "drag area", kind NumberOrTriple, range of(0.0, 1e6), matters FREE;
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
         bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FREE;
+        /// Area that bears on the bed, by the stiffness and damping of the bed; it then sinks into it.
+        bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "by its weight: it lies on the bed at rest", matters FREE;
+        /// From the point down to what bears on the bed.
+        bottom_m: f64 = 0.0, "bottom", range of(0.0, 1e3), matters FREE;
         /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FREE;
         /// Velocity at time zero along x, y, z.
@@ -250,10 +254,12 @@ impl PointInputs {
             body: None,
             mass_kg: 0.0,
             volume_m3: 0.0,
-            added_mass_kg: 0.0,
-            drag_area_m2: 0.0,
+            added_mass_kg: OneOrMany::One(0.0),
+            drag_area_m2: OneOrMany::One(0.0),
             load_n: [0.0; 3],
             bed_friction: 0.0,
+            bed_area_m2: None,
+            bottom_m: 0.0,
             start_offset_m: [0.0; 3],
             start_velocity_m_per_s: [0.0; 3],
             amplitude_m: [0.0; 3],

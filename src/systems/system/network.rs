@@ -9,6 +9,7 @@ use super::discretised::DiscretisedLine;
 use super::initial::{BodyInitial, PointInitial};
 use super::motion::PoseMotion;
 use super::motion::payout::Payout;
+use super::point_on_bed::BearingArea;
 use super::pose::Pose;
 use super::potential_flow::PotentialFlow;
 use crate::case::{Start, StartShape};
@@ -82,16 +83,20 @@ pub struct FreePoint {
     pub weight: f64,
     /// Buoyancy under water \[N\].
     pub buoyancy: f64,
-    /// Mass with added mass, and the added mass alone \[kg\].
-    pub moving_mass: f64,
+    /// Mass with added mass, and the added mass alone, along x, y, z \[kg\].
+    pub moving_mass: V3,
     /// See `moving_mass`.
-    pub added_mass: f64,
-    /// Drag coefficient times area in a current \[m²\].
-    pub drag_area: f64,
+    pub added_mass: V3,
+    /// Drag coefficient times area along x, y, z \[m²\].
+    pub drag_area: V3,
     /// Steady load \[N\].
     pub load: V3,
     /// Friction on the bed in motion \[-\].
     pub friction: f64,
+    /// How far its bottom is below it \[m\].
+    pub below: f64,
+    /// The area that bears on the bed; without, it does so by its weight.
+    pub bearing: Option<BearingArea>,
     /// Where the search begins \[m\], if that is given.
     pub start: Option<V3>,
     /// How it begins a run in time.
@@ -400,6 +405,12 @@ impl Network {
             Held::Free(free) => Some(free),
             Held::At(_) | Held::On(..) => None,
         })
+    }
+
+    /// Whether a point is free and sinks into the bed, over an area.
+    #[must_use]
+    pub fn sinks_into_bed(&self, point: usize) -> bool {
+        matches!(&self.points[point].held, Held::Free(free) if free.bearing.is_some())
     }
 
     /// The initial conditions of the bodies that are free or pinned, by their numbers.

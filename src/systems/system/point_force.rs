@@ -15,23 +15,32 @@ impl FreePoint {
             true => Immersion::of(network, self, place.z),
             false => Immersion::WHOLE,
         };
-        let force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
+        let mut force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);
         let mut by_place = M3::zeros();
         by_place[(2, 2)] = self.buoyancy * wet.by_height;
-        let flows = physics == LinePhysics::Full && self.drag_area > 0.0;
+        if let Some((push, by)) = self.bed_at_rest(network, place) {
+            force += push;
+            by_place += by;
+        }
+        let flows = physics == LinePhysics::Full && self.drag_area != V3::zeros();
         let Some(current) = network.current.as_ref().filter(|_| flows) else {
             return (force, by_place);
         };
         let (velocity, gradient) = current.flow(place);
-        let speed = velocity.norm();
-        let half = 0.5 * network.density * self.drag_area;
-        let turning = if speed > 0.0 {
-            velocity * (gradient.transpose() * velocity / speed).transpose()
-        } else {
-            M3::zeros()
+        let (drag, by_flow) = self.drag(network.density, &velocity, wet.share);
+        by_place += match self.one_drag_area() {
+            None => by_flow * gradient,
+            // As before: see `drag`.
+            Some(area) => {
+                let speed = velocity.norm();
+                let turning = if speed > 0.0 {
+                    velocity * (gradient.transpose() * velocity / speed).transpose()
+                } else {
+                    M3::zeros()
+                };
+                (gradient * speed + turning) * (0.5 * network.density * area * wet.share)
+            }
         };
-        let drag = velocity * (half * speed);
-        by_place += (gradient * speed + turning) * (half * wet.share);
         for k in 0..3 {
             by_place[(k, 2)] += drag[k] * wet.by_height;
         }

@@ -1,8 +1,13 @@
 //! Channels of a case by the names that its system gives them.
 
+use super::end_clumps;
 use super::source::{LINE, LineSource};
-use super::stretches::Stretch;
+use super::stretches::{Stretch, end_of};
 use crate::case::{ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, channels};
+use crate::scene::{clump_bed_area, payload_bed_area};
+
+/// What is recorded of points that bear on the bed.
+const OF_BED: [ChannelQuantity; 2] = [ChannelQuantity::BedForce, ChannelQuantity::LandingSpeed];
 
 /// The channel of the system that is a channel of the case; nothing where the system has none.
 pub(super) fn translated(
@@ -35,7 +40,8 @@ pub(super) fn translated(
         ChannelLocation::Line => {
             (id.quantity == ChannelQuantity::OnBed).then(|| id.quantity.at(LINE))
         }
-        ChannelLocation::Body(_) | ChannelLocation::Traveller => None,
+        ChannelLocation::Body(number) => of_end_clump(source, id, number),
+        ChannelLocation::Traveller => None,
     }
 }
 
@@ -60,6 +66,31 @@ fn tension(source: &LineSource<'_>, line: &[Stretch<'_>], joint: usize) -> Chann
     ChannelQuantity::Tension.at(format!("{LINE}|{place}"))
 }
 
+/// What is recorded of a clump by its number: of the point at the free end that it hangs on.
+fn of_end_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Option<ChannelId> {
+    let case = &source.case;
+    let clump = case.clumps.get(number)?;
+    let (end, given) = match end_of(case, clump)? {
+        "a" => (LineEnd::A, &case.ends.a),
+        _ => (LineEnd::B, &case.ends.b),
+    };
+    let own = id.quantity.at(given.name.as_str());
+    at_end(source, &own, end).filter(|_| given.kind == EndKind::Free)
+}
+
+/// Whether the point at an end bears on the bed by itself.
+fn bears(source: &LineSource<'_>, end: LineEnd) -> bool {
+    let case = &source.case;
+    let payload = case.payload.as_ref();
+    let payload = payload.filter(|_| case.ends.b.kind == EndKind::Payload && end == LineEnd::B);
+    let area = match payload {
+        Some(payload) => payload_bed_area(payload, &case.environment),
+        None => end_clumps::on_free_end(source, letter(end))
+            .map_or(0.0, |clump| clump_bed_area(clump, &case.environment)),
+    };
+    case.seabed.is_some() && area > 0.0
+}
+
 /// What is recorded at an end: of its point, while the line is at it, or of the line.
 fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<ChannelId> {
     let given = match end {
@@ -72,7 +103,8 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     }
     let of_point = ChannelQuantity::POSITION.contains(&quantity)
         || ChannelQuantity::FORCE.contains(&quantity)
-        || quantity == ChannelQuantity::Speed;
+        || quantity == ChannelQuantity::Speed
+        || (OF_BED.contains(&quantity) && bears(source, end));
     let payload = source.case.payload.as_ref();
     let is_cut_off = given.kind == EndKind::Payload
         && payload.is_some_and(|payload| payload.release_s.is_some());

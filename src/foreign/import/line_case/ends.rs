@@ -1,11 +1,13 @@
 //! The ends of the line as points.
 
 use super::copied::{bare, value_of};
+use super::end_clumps;
+use super::payload;
 use super::source::LineSource;
 use super::start;
 use crate::case::attachments::{PLACES, carried_numbers};
-use crate::case::{End, EndKind, MotionName, OneOrMany, Payload, StartShape};
-use crate::import::to_case::case_text::{CaseText, number, numbers};
+use crate::case::{End, EndKind, MotionName, StartShape};
+use crate::import::to_case::case_text::{CaseText, numbers};
 
 /// The letters of the ends.
 pub(super) const LETTERS: [&str; 2] = ["a", "b"];
@@ -99,63 +101,12 @@ fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &
         let value = value_of(source, node);
         system.given("start_velocity_m_per_s", &value, &node.span, "");
     }
-    let payload = source.case.payload.as_ref();
-    if let Some(payload) = payload.filter(|_| end.kind == EndKind::Payload) {
-        hung(system, source, payload);
+    if let Some(clump) = end_clumps::on_free_end(source, letter) {
+        end_clumps::write(system, source, clump);
     }
-}
-
-/// The payload, a point of mass and volume.
-fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
-    let mut one = |key: &str, from: &str| {
-        if let Some(node) = source.node(&["payload", from]) {
-            system.given(key, &value_of(source, node), &node.span, from);
-        }
-    };
-    one("mass_kg", "dry_mass_kg");
-    if payload.wet_mass_kg.is_none() {
-        one("volume_m3", "volume_m3");
-    }
-    let density = source.case.environment.water_density_kg_per_m3;
-    if let Some(wet) = payload.wet_mass_kg
-        && let Some(span) = source.span(&["payload", "wet_mass_kg"])
-        && density > 0.0
-    {
-        let volume = (payload.dry_mass_kg - wet) / density;
-        system.given(
-            "volume_m3",
-            &number(volume),
-            span,
-            "dry_mass_kg less wet_mass_kg, by the density of the water",
-        );
-    }
-    for key in ["drag_area_m2", "added_mass_kg"] {
-        if let (Some(value), Some(span)) =
-            (coefficient(payload, key), source.span(&["payload", key]))
-            && value != 0.0
-        {
-            system.given(key, &number(value), span, "");
-        }
-    }
-}
-
-/// Drag area or added mass of a payload that is the same along all axes; nothing where it is not, or not given.
-pub(super) fn coefficient(payload: &Payload, key: &str) -> Option<f64> {
-    let given = match key {
-        "drag_area_m2" => payload.drag_area_m2.as_ref()?,
-        _ => payload.added_mass_kg.as_ref()?,
-    };
-    alike(given)
-}
-
-/// A number, or three that are one.
-pub(super) fn alike(value: &OneOrMany) -> Option<f64> {
-    match value {
-        OneOrMany::One(one) => Some(*one),
-        OneOrMany::Many(many) => {
-            let first = *many.first()?;
-            many.iter().all(|one| *one == first).then_some(first)
-        }
+    let hung = source.case.payload.as_ref();
+    if let Some(payload) = hung.filter(|_| end.kind == EndKind::Payload) {
+        payload::write(system, source, payload);
     }
 }
 
@@ -181,6 +132,8 @@ fn search_from(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
         .seabed
         .as_ref()
         .map_or(f64::NEG_INFINITY, |bed| -bed.depth_m);
-    let down = (z + length * sin).max(bed);
+    let clump = end_clumps::on_free_end(source, letter).map(|clump| clump.bottom_m);
+    let payload = case.payload.as_ref().and_then(|payload| payload.bottom_m);
+    let down = (z + length * sin).max(bed + clump.or(payload).unwrap_or(0.0));
     [x + length * cos * along, y + length * cos * across, down]
 }

@@ -2,7 +2,7 @@
 
 use super::buoyed::name_of;
 use super::copied::value_of;
-use super::ends::{LETTERS, alike};
+use super::ends::LETTERS;
 use super::source::{LINE, LineSource};
 use super::start;
 use super::stretches::{Stretch, is_one};
@@ -119,7 +119,7 @@ fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
     ];
     for (key, from, value) in both {
         let span = source.span(&["clumps", &clump.name, from]);
-        if let (Some(value), Some(span)) = (alike(value), span) {
+        if let (Some(value), Some(span)) = (value.alike(), span) {
             system.given(key, &number(value), span, from);
         }
     }

@@ -1,12 +1,14 @@
 //! A case of one line between two ends as a system of one line.
 //!
 //! What both kinds of file have is copied with the expressions in it; ends become points, sections those of the line `line`, floats and modules
-//! materials of their sections, clumps bodies where sections meet. What acts and a system cannot state is a fault at its key; what only concerns
+//! materials of their sections, clumps bodies where sections meet, or of the point at the end that they hang on. What acts and a system cannot state is a fault at its key; what only concerns
 //! other views of the case is a remark in the notes.
 
+mod bearing;
 mod buoyed;
 mod channels;
 mod copied;
+mod end_clumps;
 mod ends;
 mod line;
 mod paths;
@@ -57,6 +59,7 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
         Vec::new()
     });
     faults.extend(results::faults(source, &line));
+    faults.extend(end_clumps::faults(source, &line));
     if !faults.is_empty() {
         faults
             .sort_by(|one, other| (one.span.start, &one.key).cmp(&(other.span.start, &other.key)));

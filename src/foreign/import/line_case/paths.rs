@@ -1,8 +1,10 @@
 //! Key paths of a case by the paths that its system has them at.
 
+use super::end_clumps::on_free_end;
+use super::ends::LETTERS;
 use super::source::{LINE, LineSource};
 use super::stretches::{Stretch, is_one};
-use crate::case::split;
+use crate::case::{Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
 pub(super) fn translated(
@@ -35,7 +37,11 @@ pub(super) fn translated(
 /// Whether a number of the system was computed by the density of the water.
 fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
     let payload = source.case.payload.as_ref();
-    payload.is_some_and(|payload| payload.wet_mass_kg.is_some())
+    let by_shape = |payload: &Payload| payload.shape.is_some() && payload.added_mass_kg.is_none();
+    payload.is_some_and(|payload| payload.wet_mass_kg.is_some() || by_shape(payload))
+        || LETTERS
+            .iter()
+            .any(|letter| on_free_end(source, letter).is_some())
         || line.iter().any(|stretch| !stretch.is_bare())
 }
 
@@ -93,12 +99,20 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
     }
 }
 
+/// Whether the area on the bed of a payload follows from its volume.
+pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> bool {
+    let given = payload.bed_area_m2.is_some() || payload.shape.is_some();
+    source.case.seabed.is_some() && !given
+}
+
 /// A key of the payload; its mass where its volume does not follow from that.
 fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
     let payload = source.case.payload.as_ref()?;
     let own = match key {
         "dry_mass_kg" if payload.wet_mass_kg.is_none() => "mass_kg",
-        "volume_m3" if payload.wet_mass_kg.is_none() => "volume_m3",
+        "volume_m3" if payload.wet_mass_kg.is_none() && !bears_by_volume(source, payload) => {
+            "volume_m3"
+        }
         _ => return None,
     };
     Some(format!("points.{}.{own}", source.case.ends.b.name))

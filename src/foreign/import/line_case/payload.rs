@@ -1,9 +1,14 @@
-//! The payload, where it is more than a point of mass and volume that hangs clear.
+//! The payload as a free point, and what of it a point cannot state.
 
-use super::ends::coefficient;
+use super::bearing;
+use super::copied::value_of;
+use super::paths::bears_by_volume;
 use super::source::{DENSITY, LineSource};
-use crate::case::Payload;
+use crate::case::{OneOrMany, Payload};
 use crate::import::fault::Fault;
+use crate::import::to_case::case_text::{CaseText, number, numbers};
+use crate::numerics::V3;
+use crate::scene::{payload_bed_area, shape_form};
 
 /// What of the payload acts and a free point cannot state.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
@@ -16,37 +21,22 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
         let remedy = "write it as a free body of a system";
         found.push(source.fault(&["payload", "rotation"], problem, remedy));
     }
-    if source.case.seabed.is_some() {
-        let problem =
-            "bears on the bed over an area, and a point of a system does so by its weight alone";
-        let remedy = "leave the bed out where the payload hangs clear of it";
-        found.push(source.fault(&["payload", "bed_area_m2"], problem, remedy));
-    }
-    found.extend(by_axes(source, payload));
+    found.extend(bearing::faults(source, &["payload"], payload.breakout_n));
+    found.extend(derived(source, payload));
     found.extend(volume(source, payload));
     found
 }
 
-/// A drag area or added mass that differs along the axes.
-fn by_axes(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
-    let both = [
-        ("drag_area_m2", source.flows()),
-        ("added_mass_kg", source.is_in_time()),
-    ];
-    let acting = both.into_iter().filter(|(_, acts)| *acts);
-    let is_given = |key: &str| source.node(&["payload", key]).is_some();
+/// Expressions of what the shape or the volume gives, as a number in the system.
+fn derived(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     let mut found = Vec::new();
-    for (key, _) in acting.clone() {
-        if is_given(key) && coefficient(payload, key).is_none() {
-            let problem = "a point of a system has the same along all axes";
-            found.push(source.fault(&["payload", key], problem, "give one number"));
-        }
+    let shape = source.node(&["payload", "shape"]);
+    let entries = shape.map_or(&[][..], |node| node.entries());
+    for entry in entries.iter().filter(|entry| entry.key != "kind") {
+        found.extend(source.fault_of_expression(&["payload", "shape", &entry.key]));
     }
-    let by_shape = payload.shape.is_some() && acting.clone().any(|(key, _)| !is_given(key));
-    if by_shape {
-        let problem = "gives a drag area and an added mass for each axis, and a point of a system has the same along all";
-        let remedy = "give `drag_area_m2` and `added_mass_kg` as one number each";
-        found.push(source.fault(&["payload", "shape"], problem, remedy));
+    if bears_by_volume(source, payload) {
+        found.extend(source.fault_of_expression(&["payload", "volume_m3"]));
     }
     found
 }
@@ -55,10 +45,6 @@ fn by_axes(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
 fn volume(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     let mut found = Vec::new();
     let Some(wet) = payload.wet_mass_kg else {
-        if payload.volume_m3.is_none() {
-            let problem = "gives the volume, which a system wants as a number";
-            found.push(source.fault(&["payload", "shape"], problem, "give `volume_m3`"));
-        }
         return found;
     };
     for key in ["wet_mass_kg", "dry_mass_kg"] {
@@ -72,4 +58,76 @@ fn volume(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
         found.push(source.fault(&["payload", "wet_mass_kg"], problem, remedy));
     }
     found
+}
+
+/// Writes mass, volume, drag area and added mass of the payload.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
+    let mut one = |key: &str, from: &str| {
+        if let Some(node) = source.node(&["payload", from]) {
+            system.given(key, &value_of(source, node), &node.span, from);
+        }
+    };
+    one("mass_kg", "dry_mass_kg");
+    if payload.wet_mass_kg.is_none() {
+        one("volume_m3", "volume_m3");
+    }
+    let density = source.case.environment.water_density_kg_per_m3;
+    if let Some(wet) = payload.wet_mass_kg
+        && let Some(span) = source.span(&["payload", "wet_mass_kg"])
+        && density > 0.0
+    {
+        let volume = (payload.dry_mass_kg - wet) / density;
+        system.given(
+            "volume_m3",
+            &number(volume),
+            span,
+            "dry_mass_kg less wet_mass_kg, by the density of the water",
+        );
+    }
+    for (key, value) in [
+        ("drag_area_m2", &payload.drag_area_m2),
+        ("added_mass_kg", &payload.added_mass_kg),
+    ] {
+        if let Some(value) = value {
+            coefficient(system, source, &["payload", key], value);
+        }
+    }
+    of_shape(system, payload, density);
+    let area = payload_bed_area(payload, &source.case.environment);
+    bearing::write(system, source, &["payload"], area);
+}
+
+/// Writes a drag area or added mass, as one number where that is enough.
+pub(super) fn coefficient(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    path: &[&str],
+    value: &OneOrMany,
+) {
+    let (Some(node), Some(key)) = (source.node(path), path.last()) else {
+        return;
+    };
+    match value.alike() {
+        Some(0.0) => {}
+        Some(one) => system.given(key, &number(one), &node.span, ""),
+        None => system.given(key, &value_of(source, node), &node.span, ""),
+    }
+}
+
+/// What only the shape gives.
+fn of_shape(system: &mut CaseText<'_>, payload: &Payload, density: f64) {
+    let Some(form) = payload.shape.as_ref().map(shape_form) else {
+        return;
+    };
+    let mut one = |key: &str, value: &str| system.assumed(key, value, "by its shape");
+    let all = |value: V3| numbers(&[value.x, value.y, value.z]);
+    if payload.wet_mass_kg.is_none() && payload.volume_m3.is_none() {
+        one("volume_m3", &number(form.volume));
+    }
+    if payload.drag_area_m2.is_none() {
+        one("drag_area_m2", &all(form.drag_area));
+    }
+    if payload.added_mass_kg.is_none() {
+        one("added_mass_kg", &all(form.added_volume * density));
+    }
 }

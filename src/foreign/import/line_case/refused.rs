@@ -1,8 +1,9 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::{LETTERS, alike, rows_of};
+use super::ends::{LETTERS, rows_of};
 use super::payload;
 use super::source::{DENSITY, LineSource};
+use super::stretches::end_of;
 use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
 use crate::import::fault::Fault;
 
@@ -76,17 +77,18 @@ fn is_off_place(end: &End) -> bool {
     end.ramp_s == 0.0 && axes.any(|(amplitude, phase)| amplitude * phase.to_radians().sin() != 0.0)
 }
 
-/// Clumps whose coefficients go by axes, or that bear on the bed otherwise than a cube does.
+/// Clumps between the ends whose coefficients go by axes, or that bear on the bed otherwise than a cube does.
 fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
     let mut found = Vec::new();
-    for clump in &source.case.clumps {
+    let clumps = source.case.clumps.iter();
+    for clump in clumps.filter(|clump| end_of(&source.case, clump).is_none()) {
         let name = clump.name.as_str();
         let both = [
             ("drag_area_m2", source.flows(), &clump.drag_area_m2),
             ("added_mass_kg", source.is_in_time(), &clump.added_mass_kg),
         ];
         for (key, acts, value) in both {
-            if acts && alike(value).is_none() {
+            if acts && value.alike().is_none() {
                 let problem = "a clump of a system has the same along all axes";
                 found.push(source.fault(&["clumps", name, key], problem, "give one number"));
             }

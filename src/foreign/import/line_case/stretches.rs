@@ -1,5 +1,6 @@
-//! The sections of the line as a system has them: cut where floats or modules begin and end, and where clumps hang.
+//! The sections of the line as a system has them: cut where floats or modules begin and end, and where clumps hang between the ends.
 
+use super::ends::LETTERS;
 use super::source::LineSource;
 use crate::case::{Case, Clump, Floats, Modules, Section};
 use crate::import::fault::Fault;
@@ -43,7 +44,7 @@ pub(super) fn is_one(line: &[Stretch<'_>]) -> bool {
 /// The stretches of the line from end A to end B.
 ///
 /// # Errors
-/// What does not begin, end or hang at a node of the mesh, or hangs at an end of the line.
+/// What does not begin or end at a node of the mesh, or hangs where another body does.
 pub(super) fn stretches<'c>(source: &'c LineSource<'_>) -> Result<Vec<Stretch<'c>>, Vec<Fault>> {
     let case = &source.case;
     let mut faults = Vec::new();
@@ -59,7 +60,7 @@ pub(super) fn stretches<'c>(source: &'c LineSource<'_>) -> Result<Vec<Stretch<'c
         let hung = case
             .clumps
             .iter()
-            .filter(|clump| clump.section == section.name);
+            .filter(|clump| clump.section == section.name && end_of(case, clump).is_none());
         let hung: Vec<(usize, &Clump)> =
             hung.map(|clump| (nearest(section, clump), clump)).collect();
         nodes.extend(hung.iter().map(|(node, _)| *node));
@@ -73,11 +74,6 @@ pub(super) fn stretches<'c>(source: &'c LineSource<'_>) -> Result<Vec<Stretch<'c
             );
         }
         for (node, clump) in &hung {
-            let first = number == 0 && *node == 0;
-            let last = number + 1 == case.line.len() && *node == section.segments;
-            if first || last {
-                faults.push(at_end(source, clump));
-            }
             if let (0, Some(before)) = (*node, found.last_mut()) {
                 faults.extend(hang(source, before, clump));
             }
@@ -122,6 +118,17 @@ fn node(section: &Section, place_m: f64) -> Option<usize> {
     let at = place_m / section.length_m * section.segments as f64;
     let node = at.round();
     ((at - node).abs() <= OFF_NODE).then(|| whole(node, section))
+}
+
+/// The letter of the end of the line that a clump hangs at; nothing between the ends.
+pub(super) fn end_of(case: &Case, clump: &Clump) -> Option<&'static str> {
+    let number = case.line.iter().position(|one| one.name == clump.section)?;
+    let section = &case.line[number];
+    match nearest(section, clump) {
+        0 if number == 0 => Some(LETTERS[0]),
+        node if node == section.segments && number + 1 == case.line.len() => Some(LETTERS[1]),
+        _ => None,
+    }
 }
 
 /// The node that a clump hangs at: the nearest.
@@ -180,16 +187,6 @@ fn hang<'c>(source: &LineSource<'_>, stretch: &mut Stretch<'c>, clump: &'c Clump
     }
     stretch.clump = Some(clump);
     None
-}
-
-fn at_end(source: &LineSource<'_>, clump: &Clump) -> Fault {
-    let path = ["clumps", &clump.name, "at_m"];
-    let problem = "hangs at an end of the line, where a system has it on the point there";
-    source.fault(
-        &path,
-        problem,
-        "make it the payload of that end, or leave it out where the end is held",
-    )
 }
 
 fn off_node(source: &LineSource<'_>, path: &[String; 3]) -> Fault {

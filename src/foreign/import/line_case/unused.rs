@@ -1,5 +1,6 @@
 //! What of a case is not carried over and does not act in the system, in words.
 
+use super::end_clumps;
 use super::results;
 use super::source::LineSource;
 use super::stretches::Stretch;
@@ -43,6 +44,11 @@ pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Stri
     }
     if bears_on_nothing(source) {
         left_out.push("how the payload or clumps bear on a bed, as there is none".to_owned());
+    }
+    for clump in end_clumps::left_out(source) {
+        left_out.push(format!(
+            "`{clump}`, which hangs on a held end and pulls on nothing but what holds it"
+        ));
     }
     let mut remarks = Vec::new();
     if !left_out.is_empty() {

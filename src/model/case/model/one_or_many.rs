@@ -15,6 +15,29 @@ pub enum OneOrMany {
     Many(Vec<f64>),
 }
 
+impl OneOrMany {
+    /// Whether all of its numbers are zero.
+    #[must_use]
+    pub fn is_zero(&self) -> bool {
+        match self {
+            Self::One(value) => *value == 0.0,
+            Self::Many(values) => values.iter().all(|value| *value == 0.0),
+        }
+    }
+
+    /// The number that all of it is; nothing where they differ.
+    #[must_use]
+    pub fn alike(&self) -> Option<f64> {
+        match self {
+            Self::One(value) => Some(*value),
+            Self::Many(values) => {
+                let first = *values.first()?;
+                values.iter().all(|value| *value == first).then_some(first)
+            }
+        }
+    }
+}
+
 impl KeyValue for OneOrMany {
     const KIND: ValueType = NumberOrList;
 

@@ -127,12 +127,8 @@ pub(super) fn flatten(waves: &mut Waves) {
 }
 
 /// Zero where something else is given, so that a case without it stays as it is.
-fn clear(values: &mut OneOrMany) {
-    let is_zero = match values {
-        OneOrMany::One(value) => *value == 0.0,
-        OneOrMany::Many(values) => values.iter().all(|value| *value == 0.0),
-    };
-    if !is_zero {
+pub(super) fn clear(values: &mut OneOrMany) {
+    if !values.is_zero() {
         *values = OneOrMany::One(0.0);
     }
 }

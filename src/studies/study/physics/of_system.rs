@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::of_line::flatten;
+use super::of_line::{clear, flatten};
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{Material, WaterSurface};
@@ -147,7 +147,7 @@ fn sections(system: &mut SystemFile) -> impl Iterator<Item = &mut LineSection> {
 
 fn without_body_drag(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        point.drag_area_m2 = 0.0;
+        clear(&mut point.drag_area_m2);
     }
     for section in sections(system) {
         section.clump_drag_area_m2 = 0.0;
@@ -168,7 +168,7 @@ fn without_body_drag(system: &mut SystemFile) {
 
 fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
-        point.added_mass_kg = 0.0;
+        clear(&mut point.added_mass_kg);
     }
     sections(system).for_each(|section| section.clump_added_mass_kg = 0.0);
     for body in system.bodies.values_mut() {

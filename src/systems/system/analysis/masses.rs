@@ -46,12 +46,13 @@ pub(super) fn masses(
                 let Held::Free(free) = &network.points[point].held else {
                     continue;
                 };
-                add(k, k, free.moving_mass);
+                add(k, k, free.moving_mass[direction]);
                 let lifts = lift(network, rest, point);
                 // Its other directions stand beside this one.
                 for j in k.saturating_sub(2)..own.len().min(k + 3) {
                     if own[j].of == moving.of {
-                        let lifted = free.moving_mass * lifts[direction] * lifts[own[j].direction];
+                        let lifted =
+                            free.moving_mass.z * lifts[direction] * lifts[own[j].direction];
                         add(k, j, lifted);
                     }
                 }

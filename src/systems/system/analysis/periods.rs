@@ -202,7 +202,7 @@ fn parts(
         };
         let part = &mut parts[number[*here]];
         for k in (0..3).filter(|k| rest.contacts[there + k] == Contact::None) {
-            match free.moving_mass > 0.0 {
+            match free.moving_mass[k] > 0.0 {
                 true => part.own.push(MovingUnknown {
                     of: Moving::Point(point),
                     direction: k,
@@ -353,9 +353,9 @@ fn most_energy(
                 }
             }
             (Moving::Body(_), _) => {}
-            (Moving::Point(point), _) => {
+            (Moving::Point(point), direction) => {
                 if let Held::Free(free) = &network.points[point].held {
-                    energy[k] = free.moving_mass * motion[k] * motion[k];
+                    energy[k] = free.moving_mass[direction] * motion[k] * motion[k];
                 }
             }
         }

@@ -393,12 +393,13 @@ impl Border {
                     let (x, v, a) = node(&state.joints, joint);
                     let around = Around::of(&state.joints, joint);
                     let load = point_load(&system.network, point, (x, v), around);
-                    let residual = a * point.moving_mass - load.force;
+                    let residual = a.component_mul(&point.moving_mass) - load.force;
                     self.rows[row] += residual;
                     self.own[row] += residual;
-                    *self.matrix.block(row, row) += M3::identity() * (c.mass * point.moving_mass)
-                        - load.by_velocity * c.damping
-                        - load.by_position * c.stiffness;
+                    *self.matrix.block(row, row) +=
+                        M3::from_diagonal(&(point.moving_mass * c.mass))
+                            - load.by_velocity * c.damping
+                            - load.by_position * c.stiffness;
                 }
                 Role::Released(line, end) if state.attached[line][end] != joint => {
                     *self.matrix.block(row, row) += M3::identity();

@@ -13,7 +13,7 @@ use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::scene::EnergyRates;
 use crate::solve::Factors;
-use crate::system::network::Held;
+use crate::system::network::{FreePoint, Held};
 
 /// Adds what points, bodies and drives have to the energy and the powers of the lines, at time t \[s\]; `bodies` are those that turn,
 /// with their mass.
@@ -30,7 +30,7 @@ pub fn add_beside_lines(
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
             let around = Around::of(&state.joints, joint);
             let load = point_load(&system.network, point, (x, v), around);
-            let kinetic = 0.5 * point.moving_mass * v.norm_squared();
+            let kinetic = kinetic_energy(point, v);
             sum.kinetic += kinetic;
             sum.energy += kinetic + load.energy;
             sum.dissipated += load.lost;
@@ -51,6 +51,13 @@ pub fn add_beside_lines(
         sum.supplied += power_of_loads(system, body, state);
         sum.supplied += power_of_pin(system, body, state);
     }
+}
+
+/// Kinetic energy of a point with its added mass \[J\]. What is beyond the mass along x is exactly 0 where all are the same.
+fn kinetic_energy(point: &FreePoint, v: &V3) -> f64 {
+    let mass = point.moving_mass;
+    let beyond = mass.add_scalar(-mass.x);
+    0.5 * mass.x * v.norm_squared() + 0.5 * v.dot(&beyond.component_mul(v))
 }
 
 /// The power of what moves the origin of a body that is pinned to it \[W\]; none between bodies that both turn.

@@ -54,8 +54,9 @@ impl MovingSystem {
         let joints = &state.joints;
         let at = (&joints.x[joint], &joints.v[joint]);
         let load = point_load(&self.network, point, at, Around::of(joints, joint));
-        let rate = load.by_velocity.norm() / point.moving_mass;
-        (point.moving_mass > 0.0).then_some(rate)
+        let mass = point.moving_mass.min();
+        let rate = load.by_velocity.norm() / mass;
+        (mass > 0.0).then_some(rate)
     }
 
     /// Mass and damping have no negative eigenvalue: the greatest decay is at most the sum of all.

@@ -1,4 +1,4 @@
-//! What of a body bears on the bed: its foot, a point below its origin. The push and the friction of the bed act at the origin, so that a body
+//! What of a body bears on the bed: its foot, a point below its origin; of a free point its bottom. The push and the friction of the bed act at the origin, so that a body
 //! on the bed does not tip.
 
 use nalgebra::Matrix6;
@@ -29,7 +29,7 @@ impl Foot {
             point: FreePoint {
                 weight: body.weight,
                 buoyancy: body.buoyancy,
-                moving_mass: mass[(2, 2)],
+                moving_mass: V3::repeat(mass[(2, 2)]),
                 friction: body.bed_friction,
                 ..FreePoint::default()
             },

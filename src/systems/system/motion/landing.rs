@@ -25,7 +25,7 @@ impl MovingSystem {
         let foot = match self.joints.roles[joint] {
             Role::Free(number) => match &self.network.points[number].held {
                 Held::Free(point) => Foot {
-                    below: 0.0,
+                    below: point.below,
                     point: *point,
                 },
                 Held::At(_) | Held::On(..) => return None,
@@ -39,7 +39,7 @@ impl MovingSystem {
     /// The stability limits of explicit steps \[s\] of what bears on the bed by itself, and what sets each.
     pub(super) fn landing_limits(&self) -> impl Iterator<Item = (f64, String)> {
         let heavy = self.landing().filter_map(|(joint, foot)| {
-            let mass = foot.point.moving_mass + self.mass_of_lines_at(joint);
+            let mass = foot.point.moving_mass.min() + self.mass_of_lines_at(joint);
             (mass > 0.0).then(|| (joint, STABLE / fastest_on_bed(&foot.point, mass)))
         });
         heavy.map(|(joint, limit)| {

@@ -365,7 +365,7 @@ impl MovingSystem {
     /// What may bear on the bed, with its joint and how far it is below: free points, and the feet of free bodies.
     pub(super) fn bearing(&self) -> impl Iterator<Item = (usize, Foot)> {
         let points = self.free_points().map(|(joint, point)| {
-            let (below, point) = (0.0, *point);
+            let (below, point) = (point.below, *point);
             (joint, Foot { below, point })
         });
         let feet = self.feet.iter().enumerate().filter_map(|(body, foot)| {

@@ -11,12 +11,6 @@ use crate::system::bed::Bed;
 use crate::system::immersion::Immersion;
 use crate::system::network::{FreePoint, Network};
 
-/// How far the bed gives way under the weight of a point that lies on it \[m\].
-const GIVES_WAY: f64 = 1e-3;
-
-/// Damping ratio of a point on the bed.
-const DAMPING_RATIO: f64 = 0.5;
-
 /// A force and its derivatives.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct PointLoad {
@@ -80,7 +74,7 @@ pub(super) fn point_load(
     load.by_position += V3::z() * immersion.by_place.transpose() * point.buoyancy;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
     drag(network, point, (x, v), waves, &immersion, &mut load);
-    bed(network, point, (x, v), grip, &mut load);
+    bed(network, point, (&point.bottom(x), v), grip, &mut load);
     if let Some(flow) = waves {
         // What the rising surface lifts is put in by the waves.
         load.lost -= point.buoyancy * share * (flow.elevation_rate + slope.dot(v));
@@ -103,16 +97,17 @@ fn wave_inertia(
     } else {
         0.0
     };
-    let mass = displaced + point.added_mass;
+    let mass = point.added_mass.add_scalar(displaced);
     let water = flow.acceleration_at(x);
-    let force = water * (mass * immersion.share);
+    let wet = mass * immersion.share;
+    let force = water.component_mul(&wet);
     load.force += force;
-    load.by_position += water * immersion.by_place.transpose() * mass
-        + flow.acceleration_gradient * (mass * immersion.share);
+    load.by_position += M3::from_diagonal(&mass) * (water * immersion.by_place.transpose())
+        + M3::from_diagonal(&wet) * flow.acceleration_gradient;
     load.lost -= force.dot(v);
 }
 
-/// Drag by the velocity of the water relative to the point, `rho/2 CdA |u| u`, as far as it is under water.
+/// Drag by the velocity of the water relative to the point, as far as it is under water.
 fn drag(
     network: &Network,
     point: &FreePoint,
@@ -121,7 +116,7 @@ fn drag(
     immersion: &Surface,
     load: &mut PointLoad,
 ) {
-    if point.drag_area == 0.0 || immersion.share == 0.0 {
+    if point.drag_area == V3::zeros() || immersion.share == 0.0 {
         return;
     }
     let current = network.current.as_ref();
@@ -132,15 +127,7 @@ fn drag(
         u += flow.velocity_at(x);
         gradient += flow.gradient;
     }
-    let speed = u.norm();
-    let half = 0.5 * network.density * point.drag_area;
-    let whole = u * (half * speed);
-    let turning = if speed > 0.0 {
-        u * u.transpose() / speed
-    } else {
-        M3::zeros()
-    };
-    let by_flow = (M3::identity() * speed + turning) * (half * immersion.share);
+    let (whole, by_flow) = point.drag(network.density, &u, immersion.share);
     let force = whole * immersion.share;
     load.force += force;
     load.by_velocity -= by_flow;
@@ -148,41 +135,11 @@ fn drag(
     load.lost -= force.dot(v);
 }
 
-/// The push of the bed on a point, along the gradient of its height above the bed: a spring and a damper, whose part is held between minus
-/// and plus that of the spring, so that the push grows from nothing where a point lands at speed, and does not pull where it leaves.
-fn push(bed: &Bed, point: &FreePoint, (x, v): (&V3, &V3)) -> BedReaction {
-    let (stiffness, damping) = springs(point);
-    let speed = bed.gradient(x).dot(v);
-    let (elastic, viscous) = (-stiffness * bed.height(x), -damping * speed);
-    let (force, by_height, by_speed) = if elastic <= 0.0 || viscous < -elastic {
-        (0.0, 0.0, 0.0)
-    } else if viscous > elastic {
-        (2.0 * elastic, -2.0 * stiffness, 0.0)
-    } else {
-        (elastic + viscous, -stiffness, -damping)
-    };
-    BedReaction {
-        force,
-        by_height,
-        by_speed,
-    }
-}
-
-/// Stiffness \[N/m\] and damping \[N s/m\] of the bed under a point: none of a point with neither weight nor mass, where lines bear on the bed
-/// by themselves as between their ends.
-fn springs(point: &FreePoint) -> (f64, f64) {
-    if point.weight == point.buoyancy && point.moving_mass == 0.0 {
-        return (0.0, 0.0);
-    }
-    let stiffness = (point.weight - point.buoyancy).abs().max(1.0) / GIVES_WAY;
-    let damping = 2.0 * DAMPING_RATIO * (stiffness * point.moving_mass.max(0.0)).sqrt();
-    (stiffness, damping)
-}
-
 /// The fastest motion of a point with this mass \[kg\] on the bed \[rad/s\]: as an oscillator on twice the spring, which the push has as it
 /// lands, with the damper, `omega (zeta + sqrt(zeta^2 + 1))`.
 pub(super) fn fastest_on_bed(point: &FreePoint, mass: f64) -> f64 {
-    let (stiffness, damping) = springs(point);
+    let (stiffness, damping) = point.bed_springs();
+    let stiffness = stiffness.max(point.grip_springs().0);
     let omega = (2.0 * stiffness / mass).sqrt();
     let zeta = 0.5 * damping / (mass * omega);
     omega * (zeta + (zeta * zeta + 1.0).sqrt())
@@ -190,18 +147,18 @@ pub(super) fn fastest_on_bed(point: &FreePoint, mass: f64) -> f64 {
 
 /// Whether a point bears on the bed by itself.
 pub(super) fn bears(point: &FreePoint) -> bool {
-    springs(point).0 > 0.0
+    point.bed_springs().0 > 0.0
 }
 
-/// Normal force of the bed on a point \[N\].
+/// Normal force of the bed on a point by its bottom \[N\].
 pub(super) fn normal_force(network: &Network, point: &FreePoint, (x, v): (&V3, &V3)) -> f64 {
     let bed = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0);
     bed.map_or(0.0, |bed| {
-        push(bed, point, (x, v)).force * bed.gradient(x).norm()
+        point.push_of_bed(bed, (x, v)).force * bed.gradient(x).norm()
     })
 }
 
-/// The load of the bed alone.
+/// The load of the bed on the bottom alone.
 pub(super) fn bed_load(
     network: &Network,
     point: &FreePoint,
@@ -213,7 +170,7 @@ pub(super) fn bed_load(
     load
 }
 
-/// The bed under a point, with friction about its anchor.
+/// The bed under the bottom of a point, with friction about its anchor.
 fn bed(
     network: &Network,
     point: &FreePoint,
@@ -224,9 +181,9 @@ fn bed(
     let Some(bed) = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0) else {
         return;
     };
-    let push = push(bed, point, (x, v));
+    let push = point.push_of_bed(bed, (x, v));
     let depth = -bed.height(x);
-    let elastic = springs(point).0 * depth;
+    let elastic = point.bed_springs().0 * depth;
     load.energy += 0.5 * elastic * depth;
     let gradient = bed.gradient(x);
     let [by_position, by_velocity] = push_slopes(&gradient, bed.curvature(x).as_ref(), v, &push);
@@ -270,7 +227,7 @@ fn contact<'a>(
 
 /// An anchor without force where a point is.
 pub(super) fn anchor(point: &FreePoint, x: &V3) -> FrictionAnchor {
-    let (stiffness, damping) = springs(point);
+    let (stiffness, damping) = point.grip_springs();
     FrictionAnchor {
         at: *x,
         along: V3::x(),
@@ -291,7 +248,7 @@ pub(super) fn drag_anchor(
     let Some(bed) = network.bed.as_ref().filter(|_| grip.stiffness > 0.0) else {
         return;
     };
-    let (push, normal) = (push(bed, point, (x, v)), bed.gradient(x).normalize());
+    let (push, normal) = (point.push_of_bed(bed, (x, v)), bed.gradient(x).normalize());
     let hold = (grip.stiffness, grip.damping);
     let contact = contact(bed, &normal, &push, (x, v));
     *grip = friction(point).slide_grip(&contact, grip, hold, &V3::x());
@@ -312,7 +269,7 @@ pub(super) fn landing_acceleration(
     else {
         return 0.0;
     };
-    -springs(point).0 * bed.height(end) / point.moving_mass.max(f64::MIN_POSITIVE)
+    -point.bed_springs().0 * bed.height(end) / point.moving_mass.z.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]
@@ -320,7 +277,9 @@ mod tests {
     use super::*;
     use crate::numerics::random::Random;
     use crate::numerics::{DepthGrid, DepthInterpolation};
+    use crate::physics::BodyProperties;
     use crate::scene::current_profile;
+    use crate::system::point_on_bed::BearingArea;
     use std::sync::Arc;
 
     /// Waves as a point knows them, with derivatives of any size.
@@ -340,9 +299,56 @@ mod tests {
         }
     }
 
+    /// A clump with added mass and a drag area that are the same along all axes, the same with others along each, and one with an area.
+    fn clumps() -> [FreePoint; 3] {
+        let one = FreePoint {
+            weight: 5e3,
+            buoyancy: 9e3,
+            moving_mass: V3::repeat(800.0),
+            added_mass: V3::repeat(300.0),
+            drag_area: V3::repeat(1.3),
+            load: V3::new(10.0, -20.0, 30.0),
+            ..FreePoint::default()
+        };
+        let other = FreePoint {
+            moving_mass: V3::new(700.0, 800.0, 1000.0),
+            added_mass: V3::new(200.0, 300.0, 500.0),
+            drag_area: V3::new(0.4, 1.3, 2.1),
+            ..one
+        };
+        let on_area = FreePoint {
+            below: 1.5,
+            bearing: Some(BearingArea {
+                area: 2.0,
+                stiffness: 3e5,
+                damping: 2e3,
+                grip: 1e5,
+            }),
+            ..one
+        };
+        [one, other, on_area]
+    }
+
     #[test]
     fn derivatives_are_those_of_the_force() {
-        check_derivatives(Bed::Level(-50.0), 0.4);
+        for clump in clumps() {
+            check_derivatives(Bed::Level(-50.0), clump, 0.4);
+        }
+    }
+
+    #[test]
+    fn equal_areas_have_the_drag_of_one_area() {
+        let [one, ..] = clumps();
+        let law = BodyProperties {
+            mass: 0.0,
+            weight: 0.0,
+            drag: one.drag_area * (0.5 * 1025.0),
+            added: V3::zeros(),
+        };
+        let u = V3::new(0.4, -0.9, 0.3);
+        let (force, by_flow) = one.drag(1025.0, &u, 1.0);
+        assert!((force - law.drag(&u)).norm() < 1e-12 * force.norm());
+        assert!((by_flow - law.drag_by_velocity(&u)).norm() < 1e-12 * by_flow.norm());
     }
 
     #[test]
@@ -364,11 +370,14 @@ mod tests {
         let up = at_point(&hills).at(1.0, 2.0).depth;
         let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
         for friction in [0.0, 0.4] {
-            check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), friction);
+            let [clump, _, on_area] = clumps();
+            for point in [clump, on_area] {
+                check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), point, friction);
+            }
         }
     }
 
-    fn check_derivatives(bed: Bed, friction: f64) {
+    fn check_derivatives(bed: Bed, clump: FreePoint, friction: f64) {
         let network = Network {
             gravity: 9.81,
             density: 1025.0,
@@ -376,22 +385,13 @@ mod tests {
             current: Some(current_profile(None, &std::collections::BTreeMap::new())),
             ..Network::default()
         };
-        let point = FreePoint {
-            weight: 5e3,
-            buoyancy: 9e3,
-            moving_mass: 800.0,
-            added_mass: 300.0,
-            drag_area: 1.3,
-            load: V3::new(10.0, -20.0, 30.0),
-            friction,
-            start: None,
-            initial: Default::default(),
-        };
+        let point = FreePoint { friction, ..clump };
         let v = V3::new(0.4, -0.9, 0.3);
         let flow = waves(&mut Random::new(1, 0));
         // About an anchor that holds, one that is dragged, and none.
         let anchors = [0.0, 1e-4, 0.3].map(|off| {
-            let mut anchor = anchor(&point, &V3::new(1.0 - off, 2.0 + off, 0.0));
+            let place = V3::new(1.0 - off, 2.0 + off, 0.0);
+            let mut anchor = anchor(&point, &place);
             anchor.damping *= if off < 0.2 { 1e-4 } else { 1.0 };
             anchor
         });
@@ -407,7 +407,7 @@ mod tests {
             .chain([(Some(&flow), None)])
         {
             for z in [-50.1, -50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
-                let x = V3::new(1.0, 2.0, z);
+                let x = V3::new(1.0, 2.0, z + point.below);
                 let around = Around { waves, grip };
                 let load = point_load(&network, &point, (&x, &v), around);
                 let h = 1e-6;

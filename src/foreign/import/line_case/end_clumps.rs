@@ -1,0 +1,137 @@
+//! Clumps at the ends of the line: the body of the point at a free end; at a held end a weight that pulls on nothing but what holds it.
+
+use super::bearing;
+use super::copied::value_of;
+use super::ends::LETTERS;
+use super::payload::coefficient;
+use super::results::reads_forces;
+use super::source::{DENSITY, LineSource};
+use super::stretches::{Stretch, end_of};
+use crate::case::{Clump, End, EndKind};
+use crate::import::fault::Fault;
+use crate::import::to_case::case_text::{CaseText, number};
+use crate::scene::clump_bed_area;
+
+/// The clumps at an end, by its letter.
+fn at<'c>(source: &'c LineSource<'_>, letter: &'static str) -> impl Iterator<Item = &'c Clump> {
+    let case = &source.case;
+    let clumps = case.clumps.iter();
+    clumps.filter(move |clump| end_of(case, clump) == Some(letter))
+}
+
+/// The clump that is the body of a free end.
+pub(super) fn on_free_end<'c>(source: &'c LineSource<'_>, letter: &str) -> Option<&'c Clump> {
+    let ends = &source.case.ends;
+    let (letter, end) = match letter == LETTERS[0] {
+        true => (LETTERS[0], &ends.a),
+        false => (LETTERS[1], &ends.b),
+    };
+    at(source, letter)
+        .next()
+        .filter(|_| end.kind == EndKind::Free)
+}
+
+/// The names of clumps on held ends, which a system leaves out.
+pub(super) fn left_out<'c>(source: &'c LineSource<'_>) -> impl Iterator<Item = &'c str> {
+    let ends = &source.case.ends;
+    let ends = LETTERS.into_iter().zip([&ends.a, &ends.b]);
+    let held = ends.filter(|(_, end)| end.kind.is_held());
+    held.flat_map(|(letter, _)| at(source, letter).map(|clump| clump.name.as_str()))
+}
+
+/// Clumps at ends that a system cannot state.
+pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault> {
+    let ends = &source.case.ends;
+    let mut found = Vec::new();
+    for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
+        for (number, clump) in at(source, letter).enumerate() {
+            let of_place = match number > 0 || end.kind == EndKind::Payload {
+                true => Some((
+                    "hangs where another body does, and a system has one there",
+                    "make one body of both",
+                )),
+                false => on_held(source, line, end),
+            };
+            let path = ["clumps", &clump.name, "at_m"];
+            found.extend(of_place.map(|(problem, remedy)| source.fault(&path, problem, remedy)));
+            if end.kind == EndKind::Free {
+                found.extend(of_body(source, clump));
+            }
+        }
+    }
+    found
+}
+
+/// What a clump on a held end acts on.
+fn on_held(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    end: &End,
+) -> Option<(&'static str, &'static str)> {
+    if !end.kind.is_held() {
+        return None;
+    }
+    if end.release_s.is_some() {
+        return Some((
+            "hangs on an end that is let go with it, and that of a system goes alone",
+            "hang it on the node before the end",
+        ));
+    }
+    reads_forces(source, line).then_some((
+        "hangs on a held end, whose force in a system is that of the line alone",
+        "leave it out, and add its weight to the published force",
+    ))
+}
+
+/// Weight, volume and contact of a clump that a free point cannot state.
+fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
+    let table = ["clumps", clump.name.as_str()];
+    let mut found = bearing::faults(source, &table, clump.breakout_n);
+    for key in ["at_m", "mass_kg", "wet_mass_kg"] {
+        found.extend(source.fault_of_expression(&[table[0], table[1], key]));
+    }
+    found.extend(source.fault_of_expression(&DENSITY));
+    for key in ["drag_area_normal_m2", "drag_area_tangential_m2"] {
+        let path = [table[0], table[1], key];
+        found.extend(source.node(&path).filter(|_| clump.is_aligned()).map(|_| {
+            let problem =
+                "goes with the direction of the line, and that of a point of a system does not";
+            source.fault(&path, problem, "hang it on the node before the end")
+        }));
+    }
+    let path = ["clumps", &clump.name, "wet_mass_kg"];
+    let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
+    if in_air && clump.wet_mass_kg != clump.mass_kg {
+        let problem = "differs from the mass where there is no water";
+        let remedy = "give the density of the water, or the mass";
+        found.push(source.fault(&path, problem, remedy));
+    } else if clump.wet_mass_kg > clump.mass_kg {
+        let problem =
+            "is more than the mass in air, and a point of a system displaces no less than nothing";
+        found.push(source.fault(&path, problem, "give the mass or less"));
+    }
+    found
+}
+
+/// Writes the clump of a free end.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
+    let table = ["clumps", clump.name.as_str()];
+    let node = |key| source.node(&[table[0], table[1], key]);
+    if let Some(mass) = node("mass_kg") {
+        system.given("mass_kg", &value_of(source, mass), &mass.span, "");
+    }
+    let density = source.case.environment.water_density_kg_per_m3;
+    let displaced = clump.mass_kg - clump.wet_mass_kg;
+    if let Some(wet) = node("wet_mass_kg").filter(|_| density > 0.0 && displaced != 0.0) {
+        let why = "mass_kg less wet_mass_kg, by the density of the water";
+        system.given("volume_m3", &number(displaced / density), &wet.span, why);
+    }
+    for (key, value) in [
+        ("drag_area_m2", &clump.drag_area_m2),
+        ("added_mass_kg", &clump.added_mass_kg),
+    ] {
+        coefficient(system, source, &[table[0], table[1], key], value);
+    }
+    let area = clump_bed_area(clump, &source.case.environment);
+    bearing::write(system, source, &table, area);
+}
