@@ -178,7 +178,7 @@ fn sea() -> Network {
 fn mass(mass: f64) -> FreePoint {
     FreePoint {
         weight: mass * 9.806_65,
-        moving_mass: mass,
+        moving_mass: V3::repeat(mass),
         ..FreePoint::default()
     }
 }
