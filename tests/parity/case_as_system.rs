@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{self, Case, Diagnostic, End, EndKind, Method, edit, kind, shipped};
+use seacable::case::{
+    self, Case, Diagnostic, End, EndKind, Method, StartShape, edit, kind, shipped,
+};
 use seacable::import::{ImportOptions, line_case};
 use seacable::kinds::FileBytes;
 use seacable::open::OpenedFile;
@@ -97,6 +99,15 @@ const OF_MESH: Apart = Apart {
     place_m: 1e-5,
 };
 
+/// Cases whose stiff segments turn the tolerance of places of the Newton iterations, 1e-10 m, into more than that of tensions.
+const STIFF: [&str; 1] = ["pendulous/module.toml"];
+
+/// The same for these.
+const OF_TOLERANCE: Apart = Apart {
+    tension: 1e-7,
+    ..ALIKE
+};
+
 /// Cases whose systems come to no equilibrium: a clamped line with next to nothing at its free end.
 const NOT_AT_REST: [&str; 2] = [
     "benchmarks/beam_cantilevered.toml",
@@ -105,11 +116,7 @@ const NOT_AT_REST: [&str; 2] = [
 
 /// Cases whose line snaps from slack to taut at steps that the Newton iterations of lines and of systems end apart, after which no two
 /// runs are alike: their published values hold.
-const SNAPPING: [&str; 3] = [
-    "hard/clump_on_bed.toml",
-    "hard/stop.toml",
-    "hard/whip.toml",
-];
+const SNAPPING: [&str; 3] = ["hard/clump_on_bed.toml", "hard/stop.toml", "hard/whip.toml"];
 
 /// Tensions below this are rounding, as of a line that falls freely \[N\].
 const NO_TENSION: f64 = 1e-6;
@@ -201,7 +208,10 @@ fn apart(name: &str, text: &str) -> Apart {
     for (own, other) in pairs(&case) {
         let (own_values, others) = (of_line(&line, &own), system.named(&other));
         assert_eq!(own_values.len(), others.len(), "{name}: {other}");
-        let differences = own_values.iter().zip(&others).map(|(a, b)| (a - b).abs());
+        // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
+        let first = usize::from(case.start.shape == StartShape::Straight && own_values.len() > 1);
+        let pairs = own_values.iter().zip(&others).skip(first);
+        let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);
         if other.starts_with("tension") {
             greatest = others.iter().fold(greatest, |a, b| a.max(b.abs()));
@@ -222,6 +232,7 @@ fn compared<'a>(cases: impl Iterator<Item = &'a Shipped>) -> (Vec<String>, Vec<&
         let case = case::parse(text, &path_of(name)).unwrap();
         let allowed = match case.solver.method {
             Method::Static => OF_MESH,
+            _ if STIFF.contains(name) => OF_TOLERANCE,
             _ => ALIKE,
         };
         rows.push(format!(
@@ -314,17 +325,41 @@ duration_s = 1.0
 
 /// What hangs at its ends, with the depth of the bed where that is another.
 const HUNG: [(&str, &str, &str); 5] = [
-    ("by axes", "60.0", "[payload]\ndry_mass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = [2.0, 5.0, 9.0]\nadded_mass_kg = [800.0, 1500.0, 4e3]\n"),
-    ("by its shape", "60.0", "[payload]\ndry_mass_kg = 9e3\nshape = { kind = \"box\", length_m = 2.0, breadth_m = 1.0, height_m = 1.5 }\n"),
-    ("on the bed", "54.0", "[payload]\ndry_mass_kg = 4e3\nvolume_m3 = 1.0\ndrag_area_m2 = 3.0\nadded_mass_kg = [800.0, 1500.0, 4e3]\nbottom_m = 0.2\nbed_area_m2 = 2.0\n"),
-    ("a clump on the bed", "54.0", "[[clumps]]\nname = \"clump\"\nsection = \"rope\"\nat_m = 50.0\nmass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = [2.0, 3.0, 5.0]\nadded_mass_kg = 900.0\nbottom_m = 0.3\n"),
-    ("a clump on the held end", "60.0", "[[clumps]]\nname = \"clump\"\nsection = \"rope\"\nat_m = 0.0\nmass_kg = 4e3\nwet_mass_kg = 3e3\n[[clumps]]\nname = \"foot\"\nsection = \"rope\"\nat_m = 50.0\nmass_kg = 500.0\nwet_mass_kg = 400.0\n"),
+    (
+        "by axes",
+        "60.0",
+        "[payload]\ndry_mass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = [2.0, 5.0, 9.0]\nadded_mass_kg = [800.0, 1500.0, 4e3]\n",
+    ),
+    (
+        "by its shape",
+        "60.0",
+        "[payload]\ndry_mass_kg = 9e3\nshape = { kind = \"box\", length_m = 2.0, breadth_m = 1.0, height_m = 1.5 }\n",
+    ),
+    (
+        "on the bed",
+        "54.0",
+        "[payload]\ndry_mass_kg = 4e3\nvolume_m3 = 1.0\ndrag_area_m2 = 3.0\nadded_mass_kg = [800.0, 1500.0, 4e3]\nbottom_m = 0.2\nbed_area_m2 = 2.0\n",
+    ),
+    (
+        "a clump on the bed",
+        "54.0",
+        "[[clumps]]\nname = \"clump\"\nsection = \"rope\"\nat_m = 50.0\nmass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = [2.0, 3.0, 5.0]\nadded_mass_kg = 900.0\nbottom_m = 0.3\n",
+    ),
+    (
+        "a clump on the held end",
+        "60.0",
+        "[[clumps]]\nname = \"clump\"\nsection = \"rope\"\nat_m = 0.0\nmass_kg = 4e3\nwet_mass_kg = 3e3\n[[clumps]]\nname = \"foot\"\nsection = \"rope\"\nat_m = 50.0\nmass_kg = 500.0\nwet_mass_kg = 400.0\n",
+    ),
 ];
 
 #[test]
 fn what_hangs_at_ends_acts_as_on_the_line() {
     for (name, depth, hung) in HUNG {
-        let kind = if hung.starts_with("[payload]") { "payload" } else { "free" };
+        let kind = if hung.starts_with("[payload]") {
+            "payload"
+        } else {
+            "free"
+        };
         let line = LINE.replace("depth_m = 60.0", &format!("depth_m = {depth}"));
         let text = format!("{line}[ends.b]\nname = \"end\"\nkind = \"{kind}\"\n{hung}");
         for method in ["alpha", "rk4", "quasi"] {
@@ -338,22 +373,61 @@ fn what_hangs_at_ends_acts_as_on_the_line() {
     }
 }
 
+/// Floats over a part of a rope whose own drag goes by a law of the Reynolds number.
+#[test]
+fn floats_over_a_law_of_drag_act_as_on_the_line() {
+    let drags = "drag_normal = 1.2\ndrag_tangential = 0.1\n";
+    for laws in [
+        "drag_normal = \"jia-2019-normal\"\ndrag_tangential = \"jia-2019-tangential\"\nattached_drag_width_m = 0.05\n",
+        "drag_normal = \"jia-2019-normal\"\ndrag_tangential = 0.1\n",
+        "drag_normal = 1.2\ndrag_tangential = \"jia-2019-tangential\"\nattached_drag_width_m = 0.05\n",
+    ] {
+        let floats = "[ends.b]\nname = \"end\"\nkind = \"free\"\n[[floats]]\nsection = \"rope\"\nfrom_m = 25.0\nlift_kg = 100.0\nmass_kg = 30.0\ndrag_area_m2 = 3.0\nadded_mass_kg = 60.0\n";
+        let text = LINE.replace(drags, laws) + floats;
+        for method in ["alpha", "rk4", "quasi"] {
+            let text = text.replace("\"alpha\"", &format!("\"{method}\""));
+            let found = apart(laws, &text);
+            assert!(
+                found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
+                "{laws}, {method}: {found:?}"
+            );
+        }
+    }
+}
+
 /// What of a body at an end a system cannot state, by its key.
 #[test]
 fn what_cannot_hang_at_an_end_is_refused() {
     let payload = "[ends.b]\nname = \"end\"\nkind = \"payload\"\n[payload]\ndry_mass_kg = 4e3\nvolume_m3 = 1.0\ndrag_area_m2 = 1.0\nadded_mass_kg = 1.0\n";
     let free = "[ends.b]\nname = \"end\"\nkind = \"free\"\n";
     let clump = |at: &str, wet: &str| {
-        format!("[[clumps]]\nname = \"c\"\nsection = \"rope\"\nat_m = {at}\nmass_kg = 10.0\nwet_mass_kg = {wet}\n")
+        format!(
+            "[[clumps]]\nname = \"c\"\nsection = \"rope\"\nat_m = {at}\nmass_kg = 10.0\nwet_mass_kg = {wet}\n"
+        )
     };
-    let law = LINE.replace("friction = 0.6", "friction = 0.6\nfriction_law = \"zhu-2017\"");
+    let law = LINE.replace(
+        "friction = 0.6",
+        "friction = 0.6\nfriction_law = \"zhu-2017\"",
+    );
     let let_go = LINE.replace("ramp_s = 1.0", "ramp_s = 1.0\nrelease_s = 0.5");
     let wrong = [
-        (format!("{LINE}{payload}breakout_n = 5.0\n"), "payload.breakout_n"),
+        (
+            format!("{LINE}{payload}breakout_n = 5.0\n"),
+            "payload.breakout_n",
+        ),
         (format!("{law}{payload}"), "seabed.friction_law"),
-        (format!("{LINE}{payload}{}", clump("50.0", "5.0")), "clumps.c.at_m"),
-        (format!("{LINE}{free}{}", clump("50.0", "15.0")), "clumps.c.wet_mass_kg"),
-        (format!("{let_go}{free}{}", clump("0.0", "5.0")), "clumps.c.at_m"),
+        (
+            format!("{LINE}{payload}{}", clump("50.0", "5.0")),
+            "clumps.c.at_m",
+        ),
+        (
+            format!("{LINE}{free}{}", clump("50.0", "15.0")),
+            "clumps.c.wet_mass_kg",
+        ),
+        (
+            format!("{let_go}{free}{}", clump("0.0", "5.0")),
+            "clumps.c.at_m",
+        ),
     ];
     for (text, key) in wrong {
         let faults = converted("line.toml", &text).unwrap_err();
@@ -393,10 +467,12 @@ fn published_values_of_lines_hold_for_their_systems() {
         "hard/ten_km.toml",
         "hard/vertical.toml",
         "hard/whip.toml",
+        "pendulous/manifold.toml",
+        "pendulous/module.toml",
     ];
     let found = cases().filter(|(name, _)| quick.contains(name));
     let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
-    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 36);
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 52);
     assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
 }
 

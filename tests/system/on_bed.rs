@@ -94,9 +94,21 @@ fn an_area_bounces_on_its_springs_in_time_by_every_method() {
         let [z, bears] = ["z_m[clump]", "bed_force_n[clump]"].map(|name| channel(&run, name));
         let at_rest = crate::place(&crate::solved(&format!("{}{SUNK}", crate::HEAD)), "clump")[2];
         let last = z.len() - 1;
-        assert!((z[last] - at_rest).abs() < 1e-4, "{method}: {} {at_rest}", z[last]);
-        assert!((bears[last] - 5e5 * (-23.5 - z[last])).abs() < 5.0, "{method}: {}", bears[last]);
-        assert!(run.balance.relative_drift() < 0.01, "{method}: {:?}", run.balance);
+        assert!(
+            (z[last] - at_rest).abs() < 1e-4,
+            "{method}: {} {at_rest}",
+            z[last]
+        );
+        assert!(
+            (bears[last] - 5e5 * (-23.5 - z[last])).abs() < 5.0,
+            "{method}: {}",
+            bears[last]
+        );
+        assert!(
+            run.balance.relative_drift() < 0.01,
+            "{method}: {:?}",
+            run.balance
+        );
     }
 }
 
@@ -104,16 +116,39 @@ fn an_area_bounces_on_its_springs_in_time_by_every_method() {
 fn areas_and_bottoms_that_act_on_nothing_are_refused() {
     let bed = "[seabed]\ndepth_m = 25.0\nstiffness_n_per_m3 = 2e5\ndamping_n_s_per_m3 = 2e4\n";
     let wrong = [
-        (SUNK.replace(bed, ""), "points.clump.bed_area_m2", "there is no bed"),
-        (SUNK.replace(bed, ""), "points.clump.bottom_m", "there is no bed"),
         (
-            SUNK.replace("position_m = [0.0, 0.0, 0.0]\n", "position_m = [0.0, 0.0, 0.0]\nbed_area_m2 = 1.0\n"),
+            SUNK.replace(bed, ""),
+            "points.clump.bed_area_m2",
+            "there is no bed",
+        ),
+        (
+            SUNK.replace(bed, ""),
+            "points.clump.bottom_m",
+            "there is no bed",
+        ),
+        (
+            SUNK.replace(
+                "position_m = [0.0, 0.0, 0.0]\n",
+                "position_m = [0.0, 0.0, 0.0]\nbed_area_m2 = 1.0\n",
+            ),
             "points.top.bed_area_m2",
             "no effect on a point that is held",
         ),
-        (SUNK.replace("bed_area_m2 = 2.5", "bed_area_m2 = -2.5"), "points.clump.bed_area_m2", "0"),
-        (SUNK.replace("bed_area_m2 = 2.5", "drag_area_m2 = [1.0, 2.0]"), "points.clump.drag_area_m2", "three"),
-        (SUNK.replace("bed_area_m2 = 2.5", "added_mass_kg = [1.0, -2.0, 1.0]"), "points.clump.added_mass_kg", "0"),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "bed_area_m2 = -2.5"),
+            "points.clump.bed_area_m2",
+            "0",
+        ),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "drag_area_m2 = [1.0, 2.0]"),
+            "points.clump.drag_area_m2",
+            "three",
+        ),
+        (
+            SUNK.replace("bed_area_m2 = 2.5", "added_mass_kg = [1.0, -2.0, 1.0]"),
+            "points.clump.added_mass_kg",
+            "0",
+        ),
     ];
     for (text, key, why) in wrong {
         let found = crate::motion::refused(&text);

@@ -35,7 +35,10 @@ fn the_force_on_a_point_at_rest_has_its_derivative() {
         for k in 0..3 {
             let step = V3::ith(k, 1e-5);
             let by = (at(place + step).0 - at(place - step).0) / 2e-5;
-            assert!((by - slope.column(k)).norm() < 1e-6 * (1.0 + by.norm()), "{z} {k}");
+            assert!(
+                (by - slope.column(k)).norm() < 1e-6 * (1.0 + by.norm()),
+                "{z} {k}"
+            );
         }
         assert!(force.x > 0.0 && force.norm() > 1.0);
     }

@@ -66,8 +66,8 @@ fn beyond(network: &Network, placement: &Placement, (point, line): (usize, usize
         let Held::Free(free) = &network.points[point].held else {
             break;
         };
-        let pulled =
-            free.load.xy() != V3::zeros().xy() || (free.drag_area != V3::zeros() && network.flows());
+        let pulled = free.load.xy() != V3::zeros().xy()
+            || (free.drag_area != V3::zeros() && network.flows());
         let others = network.lines.iter().enumerate();
         let mut others =
             others.filter(|(other, at)| *other != line && (at.from == point || at.to == point));

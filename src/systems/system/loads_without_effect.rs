@@ -110,9 +110,7 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             .map(|body| body.name.as_str())
     };
     let points = clumps(network).filter(|(_, point)| {
-        point.buoyancy == 0.0
-            && point.added_mass == V3::zeros()
-            && point.drag_area == V3::zeros()
+        point.buoyancy == 0.0 && point.added_mass == V3::zeros() && point.drag_area == V3::zeros()
     });
     let clumped = exposed(network).filter(|line| has_weights(line));
     [
@@ -239,9 +237,7 @@ fn friction_in_motion(solved: &SolvedSystem) -> impl Iterator<Item = String> {
     let SolvedSystem { network, rest, .. } = solved;
     let points = network.points.iter().enumerate();
     let points = points.filter_map(|(index, point)| match &point.held {
-        Held::Free(free) if free.friction > 0.0 && lies(solved, index) => {
-            Some(point.name.as_str())
-        }
+        Held::Free(free) if free.friction > 0.0 && lies(solved, index) => Some(point.name.as_str()),
         _ => None,
     });
     let bodies = network.bodies.iter().zip(&rest.freedoms.bodies);

@@ -26,7 +26,9 @@ pub(super) fn on_free_end<'c>(source: &'c LineSource<'_>, letter: &str) -> Optio
         true => (LETTERS[0], &ends.a),
         false => (LETTERS[1], &ends.b),
     };
-    at(source, letter).next().filter(|_| end.kind == EndKind::Free)
+    at(source, letter)
+        .next()
+        .filter(|_| end.kind == EndKind::Free)
 }
 
 /// The names of clumps on held ends, which a system leaves out.
@@ -96,7 +98,8 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
         let remedy = "give the density of the water, or the mass";
         found.push(source.fault(&path, problem, remedy));
     } else if clump.wet_mass_kg > clump.mass_kg {
-        let problem = "is more than the mass in air, and a point of a system displaces no less than nothing";
+        let problem =
+            "is more than the mass in air, and a point of a system displaces no less than nothing";
         found.push(source.fault(&path, problem, "give the mass or less"));
     }
     found

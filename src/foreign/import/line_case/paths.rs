@@ -39,7 +39,9 @@ fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool 
     let payload = source.case.payload.as_ref();
     let by_shape = |payload: &Payload| payload.shape.is_some() && payload.added_mass_kg.is_none();
     payload.is_some_and(|payload| payload.wet_mass_kg.is_some() || by_shape(payload))
-        || LETTERS.iter().any(|letter| on_free_end(source, letter).is_some())
+        || LETTERS
+            .iter()
+            .any(|letter| on_free_end(source, letter).is_some())
         || line.iter().any(|stretch| !stretch.is_bare())
 }
 

@@ -107,7 +107,7 @@ fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
     found
 }
 
-/// Floats and modules on a line whose drag goes by a law, or on a pipe with a bore; expressions in what they are computed from.
+/// Modules on a line whose drag goes by a law, or on a pipe with a bore; expressions in what they are computed from.
 fn buoyed(source: &LineSource<'_>) -> Vec<Fault> {
     let case = &source.case;
     let floats = case.floats.iter().map(|of| ("floats", of.section.as_str()));
@@ -145,8 +145,8 @@ fn under(source: &LineSource<'_>, table: &str, name: &str) -> Vec<Fault> {
         ("drag_tangential", &material.drag_tangential),
     ];
     for (key, drag) in drags {
-        if matches!(drag, DragCoefficient::Named(_)) {
-            let problem = "is a law of the Reynolds number, beside floats or modules of a constant coefficient";
+        if table == "modules" && matches!(drag, DragCoefficient::Named(_)) {
+            let problem = "is a law of the Reynolds number, under modules of a constant coefficient that cover a part of the line";
             found.push(source.fault(&["materials", name, key], problem, "give a coefficient"));
         }
     }

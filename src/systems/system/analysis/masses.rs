@@ -51,7 +51,8 @@ pub(super) fn masses(
                 // Its other directions stand beside this one.
                 for j in k.saturating_sub(2)..own.len().min(k + 3) {
                     if own[j].of == moving.of {
-                        let lifted = free.moving_mass.z * lifts[direction] * lifts[own[j].direction];
+                        let lifted =
+                            free.moving_mass.z * lifts[direction] * lifts[own[j].direction];
                         add(k, j, lifted);
                     }
                 }

@@ -396,9 +396,10 @@ impl Border {
                     let residual = a.component_mul(&point.moving_mass) - load.force;
                     self.rows[row] += residual;
                     self.own[row] += residual;
-                    *self.matrix.block(row, row) += M3::from_diagonal(&(point.moving_mass * c.mass))
-                        - load.by_velocity * c.damping
-                        - load.by_position * c.stiffness;
+                    *self.matrix.block(row, row) +=
+                        M3::from_diagonal(&(point.moving_mass * c.mass))
+                            - load.by_velocity * c.damping
+                            - load.by_position * c.stiffness;
                 }
                 Role::Released(line, end) if state.attached[line][end] != joint => {
                     *self.matrix.block(row, row) += M3::identity();
