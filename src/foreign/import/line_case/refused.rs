@@ -1,8 +1,8 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::{LETTERS, rows_of};
+use super::ends::rows_of;
 use super::payload;
-use super::source::{DENSITY, LineSource};
+use super::source::{DENSITY, LETTERS, LineSource};
 use super::stretches::end_of;
 use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
 use crate::import::fault::Fault;
