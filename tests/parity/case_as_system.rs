@@ -4,7 +4,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{self, Case, Diagnostic, End, EndKind, Method, edit, kind, shipped};
+use seacable::case::{
+    self, Case, Diagnostic, End, EndKind, Method, StartShape, edit, kind, shipped,
+};
 use seacable::import::{ImportOptions, line_case};
 use seacable::kinds::FileBytes;
 use seacable::open::OpenedFile;
@@ -95,6 +97,15 @@ const ALIKE: Apart = Apart {
 const OF_MESH: Apart = Apart {
     tension: 1e-5,
     place_m: 1e-5,
+};
+
+/// Cases whose stiff segments turn the tolerance of places of the Newton iterations, 1e-10 m, into more than that of tensions.
+const STIFF: [&str; 1] = ["pendulous/module.toml"];
+
+/// The same for these.
+const OF_TOLERANCE: Apart = Apart {
+    tension: 1e-7,
+    ..ALIKE
 };
 
 /// Cases whose systems come to no equilibrium: a clamped line with next to nothing at its free end.
@@ -197,7 +208,10 @@ fn apart(name: &str, text: &str) -> Apart {
     for (own, other) in pairs(&case) {
         let (own_values, others) = (of_line(&line, &own), system.named(&other));
         assert_eq!(own_values.len(), others.len(), "{name}: {other}");
-        let differences = own_values.iter().zip(&others).map(|(a, b)| (a - b).abs());
+        // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
+        let first = usize::from(case.start.shape == StartShape::Straight && own_values.len() > 1);
+        let pairs = own_values.iter().zip(&others).skip(first);
+        let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);
         if other.starts_with("tension") {
             greatest = others.iter().fold(greatest, |a, b| a.max(b.abs()));
@@ -218,6 +232,7 @@ fn compared<'a>(cases: impl Iterator<Item = &'a Shipped>) -> (Vec<String>, Vec<&
         let case = case::parse(text, &path_of(name)).unwrap();
         let allowed = match case.solver.method {
             Method::Static => OF_MESH,
+            _ if STIFF.contains(name) => OF_TOLERANCE,
             _ => ALIKE,
         };
         rows.push(format!(
@@ -358,6 +373,28 @@ fn what_hangs_at_ends_acts_as_on_the_line() {
     }
 }
 
+/// Floats over a part of a rope whose own drag goes by a law of the Reynolds number.
+#[test]
+fn floats_over_a_law_of_drag_act_as_on_the_line() {
+    let drags = "drag_normal = 1.2\ndrag_tangential = 0.1\n";
+    for laws in [
+        "drag_normal = \"jia-2019-normal\"\ndrag_tangential = \"jia-2019-tangential\"\nattached_drag_width_m = 0.05\n",
+        "drag_normal = \"jia-2019-normal\"\ndrag_tangential = 0.1\n",
+        "drag_normal = 1.2\ndrag_tangential = \"jia-2019-tangential\"\nattached_drag_width_m = 0.05\n",
+    ] {
+        let floats = "[ends.b]\nname = \"end\"\nkind = \"free\"\n[[floats]]\nsection = \"rope\"\nfrom_m = 25.0\nlift_kg = 100.0\nmass_kg = 30.0\ndrag_area_m2 = 3.0\nadded_mass_kg = 60.0\n";
+        let text = LINE.replace(drags, laws) + floats;
+        for method in ["alpha", "rk4", "quasi"] {
+            let text = text.replace("\"alpha\"", &format!("\"{method}\""));
+            let found = apart(laws, &text);
+            assert!(
+                found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
+                "{laws}, {method}: {found:?}"
+            );
+        }
+    }
+}
+
 /// What of a body at an end a system cannot state, by its key.
 #[test]
 fn what_cannot_hang_at_an_end_is_refused() {
@@ -430,10 +467,12 @@ fn published_values_of_lines_hold_for_their_systems() {
         "hard/ten_km.toml",
         "hard/vertical.toml",
         "hard/whip.toml",
+        "pendulous/manifold.toml",
+        "pendulous/module.toml",
     ];
     let found = cases().filter(|(name, _)| quick.contains(name));
     let found: Vec<(usize, usize)> = found.map(|(name, text)| published(name, text)).collect();
-    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 36);
+    assert_eq!(found.iter().map(|(_, all)| all).sum::<usize>(), 52);
     assert!(found.iter().all(|(passed, all)| passed == all), "{found:?}");
 }
 

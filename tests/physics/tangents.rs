@@ -24,6 +24,7 @@ ea_n = 1.0e6
 axial_damping_n_s = 2.0e4
 drag_normal = "NORMAL"
 drag_tangential = "jia-2019-tangential"
+attached_drag_width_m = 0.3
 added_mass_tangential = 0.1
 [materials.wire]
 diameter_m = 0.1

@@ -273,7 +273,7 @@ fn bare_segment(
                 .map_or(f64::INFINITY, |re| {
                     re * water.kinematic_viscosity_m2_per_s / material.diameter_m
                 }),
-            floats: 0.0,
+            floats: 0.5 * water.water_density_kg_per_m3 * material.attached_drag_width_m,
             floats_tangential: 0.0,
         },
         added: AddedMass {

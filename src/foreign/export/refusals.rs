@@ -74,6 +74,11 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             key("drag_normal"),
             "drag by a law of the Reynolds number",
         );
+        found.add(
+            material.attached_drag_width_m > 0.0,
+            key("attached_drag_width_m"),
+            "drag of attachments beside that of the line",
+        );
         let by_table = material.strain.is_some() || material.creep_model != CreepModel::None;
         found.add(
             by_table && target == Target::MapPlusPlus,

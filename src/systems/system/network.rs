@@ -67,6 +67,10 @@ pub struct Point {
 
 /// What holds a point.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "points are few, and those that are free are read at every step"
+)]
 pub enum Held {
     /// It is at this place \[m\].
     At(V3),

@@ -2,7 +2,7 @@
 
 use super::copied::value_of;
 use super::source::LineSource;
-use crate::case::FrictionLaw;
+use crate::case::{FrictionLaw, Payload};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number};
 
@@ -25,6 +25,12 @@ pub(super) fn faults(source: &LineSource<'_>, table: &[&str], breakout_n: f64) -
         found.push(source.fault(&path, problem, "leave it out"));
     }
     found
+}
+
+/// Whether the area on the bed of a payload follows from its volume.
+pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> bool {
+    let given = payload.bed_area_m2.is_some() || payload.shape.is_some();
+    source.case.seabed.is_some() && !given
 }
 
 /// Writes the area that bears \[m²\], how far it is below the point, and its friction.

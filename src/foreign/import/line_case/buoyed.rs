@@ -9,13 +9,14 @@ use crate::case::{DragCoefficient, DragWidth, Environment, Floats, Material, Mod
 use crate::import::to_case::case_text::{CaseText, number};
 
 /// Keys of a material that floats and modules change.
-const CHANGED: [&str; 8] = [
+const CHANGED: [&str; 9] = [
     "diameter_m",
     "mass_kg_per_m",
     "wet_weight_kg_per_m",
     "axial_damping_ratio",
     "drag_normal",
     "drag_tangential",
+    "attached_drag_width_m",
     "added_mass_normal",
     "added_mass_tangential",
 ];
@@ -57,7 +58,9 @@ pub(super) fn write_materials(
         let name = name_of(source, line, number_of);
         let header = format!("[materials.{}]", bare(&name));
         system.table(&header, Some(&node.span));
-        copy_keys(system, source, node, &CHANGED);
+        let mut changed = CHANGED.to_vec();
+        changed.retain(|key| !is_law(material, key));
+        copy_keys(system, source, node, &changed);
         let section = source.case.line[stretch.section].length_m;
         Buoyed::of(material, stretch, section, source).write(system, material);
         copy_inner(system, source, &header, node);
@@ -72,6 +75,8 @@ struct Buoyed {
     mass: f64,
     /// Weight in water, as mass \[kg/m\].
     wet: f64,
+    /// Drag coefficient times width of what is attached to a line whose own goes by a law \[m\].
+    attached: f64,
     /// Normal drag coefficient times width \[m\].
     drag: f64,
     /// Tangential drag coefficient times the width that it is referred to \[m\].
@@ -98,7 +103,7 @@ impl Buoyed {
             buoyed.add_modules(modules, material.diameter_m, bears);
         }
         for floats in &stretch.floats {
-            buoyed.add_floats(floats, section);
+            buoyed.add_floats(floats, section, is_law(material, "drag_normal"));
         }
         buoyed
     }
@@ -115,6 +120,7 @@ impl Buoyed {
             diameter: material.diameter_m,
             mass: material.mass_kg_per_m,
             wet: wet.unwrap_or(material.mass_kg_per_m - displaced),
+            attached: material.attached_drag_width_m,
             drag: constant(&material.drag_normal) * material.diameter_m,
             drag_along: constant(&material.drag_tangential) * width * material.diameter_m,
             width,
@@ -124,11 +130,15 @@ impl Buoyed {
     }
 
     /// Floats spread evenly from `from_m` to `to_m` of a section \[m\].
-    fn add_floats(&mut self, floats: &Floats, section: f64) {
+    fn add_floats(&mut self, floats: &Floats, section: f64, has_law: bool) {
         let stretch = floats.to_m.unwrap_or(section) - floats.from_m;
         self.mass += floats.mass_kg / stretch;
         self.wet -= floats.lift_kg / stretch;
-        self.drag += floats.drag_area_m2 / stretch;
+        let drag = match has_law {
+            true => &mut self.attached,
+            false => &mut self.drag,
+        };
+        *drag += floats.drag_area_m2 / stretch;
         self.drag_along += floats.drag_area_tangential_m2 / stretch;
         self.added += floats.added_mass_kg / stretch;
     }
@@ -161,11 +171,16 @@ impl Buoyed {
         one("diameter_m", self.diameter);
         one("mass_kg_per_m", self.mass);
         one("wet_weight_kg_per_m", self.wet);
-        one("drag_normal", self.drag / self.diameter);
-        one(
-            "drag_tangential",
-            self.drag_along / (self.width * self.diameter),
-        );
+        if !is_law(bare, "drag_normal") {
+            one("drag_normal", self.drag / self.diameter);
+        }
+        if !is_law(bare, "drag_tangential") {
+            let along = self.drag_along / (self.width * self.diameter);
+            one("drag_tangential", along);
+        }
+        if self.attached > 0.0 {
+            one("attached_drag_width_m", self.attached);
+        }
         if displaced > 0.0 {
             one("added_mass_normal", self.added / displaced);
         }
@@ -187,7 +202,17 @@ fn area(diameter: f64) -> f64 {
     FRAC_PI_4 * diameter * diameter
 }
 
-/// A coefficient; laws of the Reynolds number under floats are refused.
+/// Whether a key of a material gives drag by a law of the Reynolds number, which floats leave as it is; under modules it is refused.
+fn is_law(material: &Material, key: &str) -> bool {
+    let drag = match key {
+        "drag_normal" => &material.drag_normal,
+        "drag_tangential" => &material.drag_tangential,
+        _ => return false,
+    };
+    matches!(drag, DragCoefficient::Named(_))
+}
+
+/// A coefficient; 0 of a law.
 fn constant(drag: &DragCoefficient) -> f64 {
     match drag {
         DragCoefficient::Constant(value) => *value,

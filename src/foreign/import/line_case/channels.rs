@@ -1,8 +1,7 @@
 //! Channels of a case by the names that its system gives them.
 
-use super::end_clumps;
 use super::source::{LINE, LineSource};
-use super::stretches::{Stretch, end_of};
+use super::stretches::{Stretch, end_of, on_free_end};
 use crate::case::{ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, channels};
 use crate::scene::{clump_bed_area, payload_bed_area};
 
@@ -85,7 +84,7 @@ fn bears(source: &LineSource<'_>, end: LineEnd) -> bool {
     let payload = payload.filter(|_| case.ends.b.kind == EndKind::Payload && end == LineEnd::B);
     let area = match payload {
         Some(payload) => payload_bed_area(payload, &case.environment),
-        None => end_clumps::on_free_end(source, letter(end))
+        None => on_free_end(source, letter(end))
             .map_or(0.0, |clump| clump_bed_area(clump, &case.environment)),
     };
     case.seabed.is_some() && area > 0.0

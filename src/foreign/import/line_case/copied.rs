@@ -1,8 +1,8 @@
 //! Tables that both kinds of file have, copied key by key with the expressions in them.
 
 use super::source::LineSource;
-use crate::case::TomlNode;
-use crate::import::to_case::case_text::{CaseText, text};
+use crate::case::{OneOrMany, TomlNode};
+use crate::import::to_case::case_text::{CaseText, number, text};
 
 /// Copies a table of the case, where it has it.
 pub(super) fn copy(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &str) {
@@ -57,6 +57,23 @@ pub(super) fn copy_keys(
             let value = value_of(source, &entry.node);
             system.given(&bare(&entry.key), &value, &entry.node.span, "");
         }
+    }
+}
+
+/// Writes a drag area or added mass, as one number where that is enough.
+pub(super) fn coefficient(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    path: &[&str],
+    value: &OneOrMany,
+) {
+    let (Some(node), Some(key)) = (source.node(path), path.last()) else {
+        return;
+    };
+    match value.alike() {
+        Some(0.0) => {}
+        Some(one) => system.given(key, &number(one), &node.span, ""),
+        None => system.given(key, &value_of(source, node), &node.span, ""),
     }
 }
 

@@ -1,42 +1,21 @@
 //! Clumps at the ends of the line: the body of the point at a free end; at a held end a weight that pulls on nothing but what holds it.
 
 use super::bearing;
-use super::copied::value_of;
-use super::ends::LETTERS;
-use super::payload::coefficient;
+use super::copied::{coefficient, value_of};
 use super::results::reads_forces;
-use super::source::{DENSITY, LineSource};
-use super::stretches::{Stretch, end_of};
+use super::source::{DENSITY, LETTERS, LineSource};
+use super::stretches::{Stretch, at_end};
 use crate::case::{Clump, End, EndKind};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number};
 use crate::scene::clump_bed_area;
-
-/// The clumps at an end, by its letter.
-fn at<'c>(source: &'c LineSource<'_>, letter: &'static str) -> impl Iterator<Item = &'c Clump> {
-    let case = &source.case;
-    let clumps = case.clumps.iter();
-    clumps.filter(move |clump| end_of(case, clump) == Some(letter))
-}
-
-/// The clump that is the body of a free end.
-pub(super) fn on_free_end<'c>(source: &'c LineSource<'_>, letter: &str) -> Option<&'c Clump> {
-    let ends = &source.case.ends;
-    let (letter, end) = match letter == LETTERS[0] {
-        true => (LETTERS[0], &ends.a),
-        false => (LETTERS[1], &ends.b),
-    };
-    at(source, letter)
-        .next()
-        .filter(|_| end.kind == EndKind::Free)
-}
 
 /// The names of clumps on held ends, which a system leaves out.
 pub(super) fn left_out<'c>(source: &'c LineSource<'_>) -> impl Iterator<Item = &'c str> {
     let ends = &source.case.ends;
     let ends = LETTERS.into_iter().zip([&ends.a, &ends.b]);
     let held = ends.filter(|(_, end)| end.kind.is_held());
-    held.flat_map(|(letter, _)| at(source, letter).map(|clump| clump.name.as_str()))
+    held.flat_map(|(letter, _)| at_end(source, letter).map(|clump| clump.name.as_str()))
 }
 
 /// Clumps at ends that a system cannot state.
@@ -44,7 +23,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
     let ends = &source.case.ends;
     let mut found = Vec::new();
     for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
-        for (number, clump) in at(source, letter).enumerate() {
+        for (number, clump) in at_end(source, letter).enumerate() {
             let of_place = match number > 0 || end.kind == EndKind::Payload {
                 true => Some((
                     "hangs where another body does, and a system has one there",

@@ -3,14 +3,12 @@
 use super::copied::{bare, value_of};
 use super::end_clumps;
 use super::payload;
-use super::source::LineSource;
+use super::source::{LETTERS, LineSource};
 use super::start;
+use super::stretches::on_free_end;
 use crate::case::attachments::{PLACES, carried_numbers};
 use crate::case::{End, EndKind, MotionName, StartShape};
 use crate::import::to_case::case_text::{CaseText, numbers};
-
-/// The letters of the ends.
-pub(super) const LETTERS: [&str; 2] = ["a", "b"];
 
 /// Writes the points at both ends.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
@@ -101,7 +99,7 @@ fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &
         let value = value_of(source, node);
         system.given("start_velocity_m_per_s", &value, &node.span, "");
     }
-    if let Some(clump) = end_clumps::on_free_end(source, letter) {
+    if let Some(clump) = on_free_end(source, letter) {
         end_clumps::write(system, source, clump);
     }
     let hung = source.case.payload.as_ref();
@@ -132,7 +130,7 @@ fn search_from(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
         .seabed
         .as_ref()
         .map_or(f64::NEG_INFINITY, |bed| -bed.depth_m);
-    let clump = end_clumps::on_free_end(source, letter).map(|clump| clump.bottom_m);
+    let clump = on_free_end(source, letter).map(|clump| clump.bottom_m);
     let payload = case.payload.as_ref().and_then(|payload| payload.bottom_m);
     let down = (z + length * sin).max(bed + clump.or(payload).unwrap_or(0.0));
     [x + length * cos * along, y + length * cos * across, down]

@@ -2,8 +2,7 @@
 
 use super::buoyed::name_of;
 use super::copied::value_of;
-use super::ends::LETTERS;
-use super::source::{LINE, LineSource};
+use super::source::{LETTERS, LINE, LineSource};
 use super::start;
 use super::stretches::{Stretch, is_one};
 use crate::case::{Clump, EndKind};

@@ -1,9 +1,8 @@
 //! Key paths of a case by the paths that its system has them at.
 
-use super::end_clumps::on_free_end;
-use super::ends::LETTERS;
-use super::source::{LINE, LineSource};
-use super::stretches::{Stretch, is_one};
+use super::bearing::bears_by_volume;
+use super::source::{LETTERS, LINE, LineSource};
+use super::stretches::{Stretch, is_one, on_free_end};
 use crate::case::{Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
@@ -97,12 +96,6 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
         )),
         _ => None,
     }
-}
-
-/// Whether the area on the bed of a payload follows from its volume.
-pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> bool {
-    let given = payload.bed_area_m2.is_some() || payload.shape.is_some();
-    source.case.seabed.is_some() && !given
 }
 
 /// A key of the payload; its mass where its volume does not follow from that.

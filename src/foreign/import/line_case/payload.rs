@@ -1,10 +1,9 @@
 //! The payload as a free point, and what of it a point cannot state.
 
-use super::bearing;
-use super::copied::value_of;
-use super::paths::bears_by_volume;
+use super::bearing::{self, bears_by_volume};
+use super::copied::{coefficient, value_of};
 use super::source::{DENSITY, LineSource};
-use crate::case::{OneOrMany, Payload};
+use crate::case::Payload;
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number, numbers};
 use crate::numerics::V3;
@@ -95,23 +94,6 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
     of_shape(system, payload, density);
     let area = payload_bed_area(payload, &source.case.environment);
     bearing::write(system, source, &["payload"], area);
-}
-
-/// Writes a drag area or added mass, as one number where that is enough.
-pub(super) fn coefficient(
-    system: &mut CaseText<'_>,
-    source: &LineSource<'_>,
-    path: &[&str],
-    value: &OneOrMany,
-) {
-    let (Some(node), Some(key)) = (source.node(path), path.last()) else {
-        return;
-    };
-    match value.alike() {
-        Some(0.0) => {}
-        Some(one) => system.given(key, &number(one), &node.span, ""),
-        None => system.given(key, &value_of(source, node), &node.span, ""),
-    }
 }
 
 /// What only the shape gives.

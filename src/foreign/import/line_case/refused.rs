@@ -1,8 +1,8 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::{LETTERS, rows_of};
+use super::ends::rows_of;
 use super::payload;
-use super::source::{DENSITY, LineSource};
+use super::source::{DENSITY, LETTERS, LineSource};
 use super::stretches::end_of;
 use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
 use crate::import::fault::Fault;
@@ -107,7 +107,7 @@ fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
     found
 }
 
-/// Floats and modules on a line whose drag goes by a law, or on a pipe with a bore; expressions in what they are computed from.
+/// Modules on a line whose drag goes by a law, or on a pipe with a bore; expressions in what they are computed from.
 fn buoyed(source: &LineSource<'_>) -> Vec<Fault> {
     let case = &source.case;
     let floats = case.floats.iter().map(|of| ("floats", of.section.as_str()));
@@ -130,8 +130,23 @@ fn buoyed(source: &LineSource<'_>) -> Vec<Fault> {
             found.extend(source.fault_of_expression(&["line", section, key]));
         }
         found.extend(under(source, table, &own.material));
+        found.extend(along_law(source, (table, section), &own.material));
     }
     found
+}
+
+/// Drag of floats along a line whose own goes by a law.
+fn along_law(source: &LineSource<'_>, (table, section): (&str, &str), name: &str) -> Option<Fault> {
+    let material = source.case.materials.get(name)?;
+    let is_law = matches!(material.drag_tangential, DragCoefficient::Named(_));
+    let mut floats = source.case.floats.iter();
+    let drags = floats.any(|one| one.section == section && one.drag_area_tangential_m2 > 0.0);
+    let acts = table == "floats" && is_law && drags;
+    let problem = "goes along a line whose drag is a law of the Reynolds number";
+    acts.then(|| {
+        let path = [table, section, "drag_area_tangential_m2"];
+        source.fault(&path, problem, "give the line a coefficient")
+    })
 }
 
 /// A material under floats or modules.
@@ -145,8 +160,8 @@ fn under(source: &LineSource<'_>, table: &str, name: &str) -> Vec<Fault> {
         ("drag_tangential", &material.drag_tangential),
     ];
     for (key, drag) in drags {
-        if matches!(drag, DragCoefficient::Named(_)) {
-            let problem = "is a law of the Reynolds number, beside floats or modules of a constant coefficient";
+        if table == "modules" && matches!(drag, DragCoefficient::Named(_)) {
+            let problem = "is a law of the Reynolds number, under modules of a constant coefficient that cover a part of the line";
             found.push(source.fault(&["materials", name, key], problem, "give a coefficient"));
         }
     }

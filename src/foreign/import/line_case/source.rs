@@ -6,6 +6,9 @@ use std::ops::Range;
 use crate::case::{Case, Method, TomlNode};
 use crate::import::fault::Fault;
 
+/// The letters of the ends.
+pub(super) const LETTERS: [&str; 2] = ["a", "b"];
+
 /// The name of the line in the system.
 pub(super) const LINE: &str = "line";
 

@@ -1,8 +1,7 @@
 //! Where a line that does not begin at rest begins: its shape, its free ends, its velocity.
 
 use super::copied::copy_keys;
-use super::ends::LETTERS;
-use super::source::LineSource;
+use super::source::{LETTERS, LineSource};
 use crate::case::{EndKind, StartShape};
 use crate::import::to_case::case_text::{CaseText, text};
 

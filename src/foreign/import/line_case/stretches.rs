@@ -1,8 +1,7 @@
 //! The sections of the line as a system has them: cut where floats or modules begin and end, and where clumps hang between the ends.
 
-use super::ends::LETTERS;
-use super::source::LineSource;
-use crate::case::{Case, Clump, Floats, Modules, Section};
+use super::source::{LETTERS, LineSource};
+use crate::case::{Case, Clump, EndKind, Floats, Modules, Section};
 use crate::import::fault::Fault;
 
 /// Share of a segment by which a place may be off a node.
@@ -129,6 +128,28 @@ pub(super) fn end_of(case: &Case, clump: &Clump) -> Option<&'static str> {
         node if node == section.segments && number + 1 == case.line.len() => Some(LETTERS[1]),
         _ => None,
     }
+}
+
+/// The clumps at an end, by its letter.
+pub(super) fn at_end<'c>(
+    source: &'c LineSource<'_>,
+    letter: &'static str,
+) -> impl Iterator<Item = &'c Clump> {
+    let case = &source.case;
+    let clumps = case.clumps.iter();
+    clumps.filter(move |clump| end_of(case, clump) == Some(letter))
+}
+
+/// The clump that is the body of a free end.
+pub(super) fn on_free_end<'c>(source: &'c LineSource<'_>, letter: &str) -> Option<&'c Clump> {
+    let ends = &source.case.ends;
+    let (letter, end) = match letter == LETTERS[0] {
+        true => (LETTERS[0], &ends.a),
+        false => (LETTERS[1], &ends.b),
+    };
+    at_end(source, letter)
+        .next()
+        .filter(|_| end.kind == EndKind::Free)
 }
 
 /// The node that a clump hangs at: the nearest.

@@ -75,6 +75,8 @@ table! {
         drag_tangential: DragCoefficient = 0.0, "tangential drag", kind TANGENTIAL_DRAG, range of(0.0, 100.0);
         /// What tangential drag refers to: the diameter D, or the perimeter pi D.
         drag_tangential_width: DragWidth = DragWidth::Diameter, "tangential drag width";
+        /// Drag coefficient times width, across the line, of what is spread along it beside its own normal drag: floats, fairings.
+        attached_drag_width_m: f64 = 0.0, "drag of attachments", range of(0.0, 1e3);
         /// Coefficient on the displaced volume, across the line.
         added_mass_normal: f64 = 1.0, "normal added mass", range of(0.0, 100.0);
         /// Coefficient on the displaced volume, along the line.

@@ -78,6 +78,7 @@ fn without_line_drag(scene: &mut impl HasMaterials) {
     without_tangential_drag(scene);
     each_material(scene, |material| {
         material.drag_normal = DragCoefficient::Constant(0.0);
+        material.attached_drag_width_m = 0.0;
     });
 }
 
