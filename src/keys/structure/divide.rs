@@ -2,9 +2,9 @@
 
 use super::add::{free_name, inserted};
 use super::blocks::{blocks, extent};
-use super::{StructureEdit, apply, tables::shown};
+use super::{StructureEdit, apply, tables::shown, tables::table_of};
 use crate::edit;
-use crate::fields::{Schema, join};
+use crate::fields::{Field, Schema, join};
 use crate::read::evaluated_tree;
 use crate::tree::TomlNode;
 
@@ -132,15 +132,8 @@ fn section_of_case(
     apply(schema, text, &edits)
 }
 
-/// Keys of the body at the end of a section of a line of a system.
-const CLUMP: [&str; 6] = [
-    "clump_kg",
-    "clump_mass_kg",
-    "clump_drag_area_m2",
-    "clump_drag_area_normal_m2",
-    "clump_drag_area_tangential_m2",
-    "clump_added_mass_kg",
-];
+/// What the keys of the body at the end of a section of a line of a system begin with.
+const OF_CLUMP: &str = "clump_";
 
 /// A section of a line of a system: its clump stays at its end.
 fn section_of_line(
@@ -158,9 +151,11 @@ fn section_of_line(
         *last = (number + 1).to_string();
     }
     let [mut first, second] = parts.values();
-    for key in CLUMP {
-        first.push((key.to_owned(), None));
-    }
+    let pattern = table_of(schema, path).map(|(table, _)| table.pattern());
+    let pattern = pattern.unwrap_or_default();
+    let keys = schema.fields_of(&pattern).map(Field::key);
+    let of_clump = keys.filter(|key| key.starts_with(OF_CLUMP));
+    first.extend(of_clump.map(|key| (key.to_owned(), None)));
     let edits = StructureEdit::All(vec![
         StructureEdit::Fill {
             path: join(path),

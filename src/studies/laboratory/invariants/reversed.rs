@@ -1,5 +1,7 @@
 //! Every line of a system written from its other end.
 
+use std::collections::BTreeSet;
+
 use toml::{Table, Value};
 
 use super::tree::{change, exchange, length, list, listed, number, put, word};
@@ -67,26 +69,19 @@ fn reverse(line: &mut Table) {
     }
 }
 
-/// Keys of the body at the end of a section towards B.
-const CLUMP: [&str; 6] = [
-    "clump_kg",
-    "clump_mass_kg",
-    "clump_drag_area_m2",
-    "clump_drag_area_normal_m2",
-    "clump_drag_area_tangential_m2",
-    "clump_added_mass_kg",
-];
-
 /// Puts the clump at the end of a section towards B, which is now its end towards A, to the section before.
 fn shift_clumps(sections: &mut [Value]) {
-    for key in CLUMP {
+    let tables = sections.iter().filter_map(Value::as_table);
+    let keys = tables.flat_map(|section| section.keys().cloned());
+    let of_clump: BTreeSet<String> = keys.filter(|key| key.starts_with("clump_")).collect();
+    for key in of_clump {
         let each = sections.iter_mut().filter_map(Value::as_table_mut);
-        let clumps: Vec<Option<Value>> = each.map(|section| section.remove(key)).collect();
+        let clumps: Vec<Option<Value>> = each.map(|section| section.remove(&key)).collect();
         let moved = clumps.into_iter().skip(1);
         let each = sections.iter_mut().filter_map(Value::as_table_mut);
         for (section, clump) in each.zip(moved) {
             if let Some(clump) = clump {
-                section.insert(key.to_owned(), clump);
+                section.insert(key.clone(), clump);
             }
         }
     }
