@@ -345,6 +345,28 @@ fn a_section_of_a_line_of_a_system_is_divided() {
 }
 
 #[test]
+fn the_clump_of_a_divided_section_stays_at_its_end() {
+    const CLUMP: &str = "clump_kg = 50.0\nclump_mass_kg = 80.0\nclump_drag_area_normal_m2 = 2.0\nclump_drag_area_tangential_m2 = 0.5\nclump_added_mass_kg = 30.0\n";
+    let text = SPREAD.replacen("clump_kg = 1500.0\n", CLUMP, 1);
+    let schema = SystemFile::schema();
+    let rows = several(schema, &text);
+    let section = rows
+        .iter()
+        .find(|row| row.path.contains(".sections."))
+        .unwrap();
+    let edit = StructureEdit::Divide {
+        path: section.path.clone(),
+        at_m: "10".to_owned(),
+    };
+    let edited = apply(schema, &text, &edit).unwrap();
+    let sections: Vec<&str> = edited.split("[[lines.sections]]").collect();
+    for key in CLUMP.lines() {
+        assert!(!sections[1].contains(key), "{key}\n{edited}");
+        assert!(sections[2].contains(key), "{key}\n{edited}");
+    }
+}
+
+#[test]
 fn what_cannot_be_done_is_refused_with_the_reason() {
     let refused = |edit: StructureEdit| apply(&CASE, HANGING, &edit).unwrap_err();
     let path = |path: &str| path.to_owned();
