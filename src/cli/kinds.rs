@@ -76,7 +76,7 @@ pub(super) fn validation(
 
 /// The run in time of a system that has values or curves to be held against it.
 fn in_time(solved: &SolvedSystem, cancel: &AtomicBool) -> Result<Option<MotionRun>, CommandError> {
-    let given = solved.file.solver.as_ref();
+    let given = solved.file.in_time();
     let Some(given) = given.filter(|_| has_published_in_time(&solved.file)) else {
         return Ok(None);
     };

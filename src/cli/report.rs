@@ -197,7 +197,7 @@ fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
         }
         FileType::System => {
             let (fields, solved) = loaded::<SystemFile>(file)?;
-            if solved.file.solver.is_some() {
+            if solved.file.in_time().is_some() {
                 return Err(runs_first(path));
             }
             let analyses = Analyses::of(&solved);

@@ -33,7 +33,7 @@ pub(super) fn scene_of(args: &CaseArgs) -> Result<(String, StudiedScene), Comman
     Ok((name, system))
 }
 
-/// The system of a file, in time where it has a table `[solver]`, and its text.
+/// The system of a file, in time or at rest, and its text.
 pub(super) fn system_of(
     file: FileBytes,
     set: &[String],
@@ -42,7 +42,7 @@ pub(super) fn system_of(
     let file = EditedFile::<SystemFile>::read(file, set, options)?;
     let text = file.whole_text();
     let solved = file.compute()?.computed;
-    let scene = match solved.file.solver.clone() {
+    let scene = match solved.file.in_time().cloned() {
         Some(motion) => StudiedScene::System(SystemInTime::new(Arc::new(solved), motion)),
         None => StudiedScene::AtRest(SystemAtRest::new(solved.file)),
     };

@@ -1,4 +1,4 @@
-//! `seacable run` on a system of lines: at rest, or in time where its file has a table `[solver]`; as a report or as JSON.
+//! `seacable run` on a system of lines: at rest, or in time; as a report or as JSON.
 
 use seacable_base::visible;
 use serde_json::json;
@@ -15,13 +15,13 @@ use super::{
     verdict,
 };
 use seacable_jobs::JobRequest;
+use seacable_model::case::Method;
 use seacable_model::kinds::FileBytes;
 use seacable_report::{
     system::{self as views, json, motion},
     text::WIDTH,
     verdict::RunVerdict,
 };
-use seacable_runs::run::accuracy::searchable::Asked;
 use seacable_runs::run::job::{JobEvent, Request, execute, execute_from};
 use seacable_runs::run::{Run, RunState, resume_request};
 use seacable_studies::study::seas::SeaQuestion;
@@ -39,11 +39,15 @@ pub(super) fn system(
     file: FileBytes,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
-    let (set, search) = (overrides(args), search(args));
+    let (set, mut search) = (overrides(args), search(args));
     let file = EditedFile::<SystemFile>::read(file, &set, &args.import.options())?;
-    if file.content().solver.is_some() {
+    if file.content().in_time().is_some() {
         let file = file.with(&search)?;
         return in_motion(args, file, [&set[..], &search].concat(), stop);
+    }
+    if !search.is_empty() {
+        // A table of its own would make a run in time of it.
+        search.insert(0, format!("solver.method={}", Method::Static.name()));
     }
     if args.detach {
         return Err(CommandError::Usage(
@@ -55,7 +59,8 @@ pub(super) fn system(
             "Systems of lines do not take --out: one at rest is printed, not kept; redirect the output.".to_owned(),
         ));
     }
-    let searched = searched(args, &file, stop)?;
+    let file = file.with(&search)?;
+    let searched = searched(&file, stop);
     let found = searched.as_ref().map(|run| run.info.overrides.as_slice());
     let file = file.with(found.unwrap_or_default())?.compute()?;
     let solved = &file.computed;
@@ -86,30 +91,13 @@ pub(super) fn system(
     Ok(verdict::status(found.as_ref(), status))
 }
 
-/// Accuracies that may be asked, as by `solver.accuracy`.
-const ACCURACIES: [f64; 2] = [1e-7, 0.5];
-
 /// The search for the accuracy that is asked of a system at rest, whose overrides are the segments that it found; none where none is asked, or
 /// where nothing comes to rest, which the file says better.
-fn searched(
-    args: &RunArgs,
-    file: &EditedFile<'_, SystemFile>,
-    stop: &StopFlag,
-) -> Result<Option<Run>, CommandError> {
-    let Some(accuracy) = args.accuracy else {
-        return Ok(None);
-    };
-    let [least, greatest] = ACCURACIES;
-    if !(least..=greatest).contains(&accuracy) {
-        let problem = format!("--accuracy {accuracy}: give a share from {least:e} to {greatest}.");
-        return Err(CommandError::Usage(problem));
-    }
-    let asked = Asked {
-        accuracy,
-        budget_s: args.budget,
-    };
+fn searched(file: &EditedFile<'_, SystemFile>, stop: &StopFlag) -> Option<Run> {
+    let case = SystemAtRest::new(file.content().clone());
+    case.asked?;
     let request = Request {
-        case: SystemAtRest::new(file.content().clone()).asking(Some(asked), true),
+        case,
         text: file.whole_text(),
         file: String::new(),
         overrides: Vec::new(),
@@ -121,7 +109,7 @@ fn searched(
             line.show(&search.to_string());
         }
     });
-    Ok((run.info.state == RunState::Done).then_some(run))
+    (run.info.state == RunState::Done).then_some(run)
 }
 
 /// The run in time, stored as it is computed: its results or JSON on standard output.

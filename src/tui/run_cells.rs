@@ -4,7 +4,6 @@ use super::state::{Charted, RunColumn, RunEntry, RunList};
 use crate::case;
 use crate::number;
 use crate::run::index::MeasuredResult;
-use crate::run::settings::method_name;
 
 /// The head of a column, with how many runs there are and how it sorts.
 #[must_use]
@@ -145,9 +144,9 @@ pub fn live_cell(on: Charted<'_>, column: RunColumn) -> String {
                 })
             })
         }
-        RunColumn::Method => on.case.map_or_else(String::new, |case| {
-            method_name(case.solver.method).to_owned()
-        }),
+        RunColumn::Method => on
+            .case
+            .map_or_else(String::new, |case| case.solver.method.name().to_owned()),
         RunColumn::Steps => run.map_or_else(String::new, |run| run.info.work.steps.to_string()),
         RunColumn::Cpu => run.map_or_else(String::new, |run| number::duration(run.info.cost.cpu_s)),
     }

@@ -474,6 +474,19 @@ const FEATURES: &[Feature] = &[
         has: [Yes, Yes, Yes, Yes],
     },
     Feature {
+        name: "at rest: by the method `static` of its file",
+        tried: |trial| {
+            let text = trial.command(&[
+                "run",
+                "--solver",
+                "static",
+                &trial.scene.display().to_string(),
+            ]);
+            text.status.success()
+        },
+        has: [Yes, Yes, Yes, Yes],
+    },
+    Feature {
         name: "at rest: study of steps",
         tried: |trial| trial.studies_at_rest(&["steps", "--variants", "1"]),
         has: [NO_STEPS; SCENES.len()],

@@ -43,6 +43,41 @@ fn folder() -> tempfile::TempDir {
     dir
 }
 
+/// A table `[solver]` of the method `static` is of a system at rest: its accuracy is reached, what it has no use for is said.
+#[test]
+fn the_file_of_a_system_at_rest_asks_for_an_accuracy() {
+    let dir = folder();
+    let at_rest = |words: &[&str]| {
+        let all = [&["run", "bridle.toml", "--solver", "static"], words].concat();
+        let output = seacable(dir.path(), &all).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).unwrap()
+    };
+    let asked = at_rest(&["--set", "solver.accuracy=1e-2"]);
+    assert!(asked.contains("Accuracy: 0.01 asked; "), "{asked}");
+    assert!(asked.contains("top does not move: "), "{asked}");
+    let steps = at_rest(&["--set", "solver.time_step_s=0.1"]);
+    assert!(
+        steps.contains("`solver.time_step_s` has no effect"),
+        "{steps}"
+    );
+    assert!(!steps.contains("Accuracy: "), "{steps}");
+    assert!(!dir.path().join("runs").exists());
+    seacable(
+        dir.path(),
+        &[
+            "run",
+            "bridle.toml",
+            "--solver",
+            "static",
+            "--accuracy",
+            "3",
+        ],
+    )
+    .assert()
+    .code(1)
+    .stderr(contains("solver.accuracy: is out of range: 3"));
+}
+
 #[test]
 fn a_run_of_a_system_is_stored_like_that_of_a_line() {
     let dir = folder();

@@ -68,7 +68,7 @@ fn what_is_asked_is_reached_and_computed_anew_from_what_is_kept() {
     for line in &mut solved.file.lines {
         line.segments = line.segments.map(|segments| 3 * segments);
     }
-    let motion = seacable::system::model::MotionInputs {
+    let motion = seacable::case::Solver {
         step_tolerance: finer.case.motion.step_tolerance / 32.0,
         error_estimate: false,
         ..finer.case.motion.clone()

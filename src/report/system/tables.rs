@@ -52,8 +52,7 @@ pub fn summary(solved: &SolvedSystem) -> String {
 fn in_motion(solved: &SolvedSystem) -> String {
     solved
         .file
-        .solver
-        .as_ref()
+        .in_time()
         .map_or_else(String::new, |solver| {
             format!(
                 " This is where it starts: `R` on the screen or `seacable run` computes it in motion for {} s.",

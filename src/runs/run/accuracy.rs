@@ -21,6 +21,7 @@ use super::compute::Computed;
 use super::error_estimate::{self, ErrorEstimates};
 use super::event::JobEvent;
 use super::{RunState, SearchProgress};
+use crate::case::Method;
 use crate::number::si;
 use deadline::Deadline;
 use event_record::EventRecord;
@@ -29,7 +30,6 @@ use reached::reached;
 pub(super) use reached::{Reached, as_override};
 use searchable::{Asked, Searchable};
 use shares::{AllowedErrors, Shares};
-use steps::TimeMethod;
 
 /// A run of the search.
 pub(super) struct EstimatedRun {
@@ -218,7 +218,7 @@ impl<C: Searchable> Search<'_, C> {
 
     /// How many errors a result has, of its steps and of its mesh.
     fn parts(&self) -> f64 {
-        let at_rest = self.own.steps().method == TimeMethod::Static;
+        let at_rest = self.own.steps().method == Method::Static;
         if at_rest || !self.has_mesh() {
             1.0
         } else {
@@ -332,7 +332,7 @@ impl<C: Searchable> Search<'_, C> {
     /// more than its size lets expect, as of statics that Newton alone does not find.
     fn cost_of(&self, next: Coarsening) -> f64 {
         // Explicit steps are as short as the segments.
-        let is_explicit = self.own.steps().method == TimeMethod::Rk4;
+        let is_explicit = self.own.steps().method == Method::Rk4;
         let by_both = is_explicit && next == Coarsening::Mesh;
         let by_size: f64 = if by_both { 4.0 } else { 2.0 };
         match self.levels.as_slice() {

@@ -135,7 +135,7 @@ impl Computation for Case {
     }
 
     fn method(&self) -> &'static str {
-        settings::method_name(self.solver.method)
+        self.solver.method.name()
     }
 
     fn duration_s(&self) -> f64 {

@@ -71,11 +71,7 @@ impl Refinable for Case {
     }
 
     fn method_order(&self) -> Option<f64> {
-        match self.solver.method {
-            Method::Static => None,
-            Method::Quasi | Method::Alpha | Method::Auto => Some(2.0),
-            Method::Rk4 => Some(4.0),
-        }
+        self.solver.method.order()
     }
 
     fn has_crisis(&self) -> bool {

@@ -30,7 +30,7 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
         None => (longest_step(solver, scene, limit.map(|l| l.0)), true),
     };
     Settings {
-        method: method_name(solver.method).to_owned(),
+        method: solver.method.name().to_owned(),
         duration_s: if still { 0.0 } else { solver.duration_s },
         time_step_s: step,
         time_step_automatic: automatic,
@@ -45,18 +45,6 @@ pub fn settings(case: &Case, scene: &Scene) -> Settings {
         output_interval_s: if still { 0.0 } else { case.output.interval_s },
         error_method: String::new(),
         ..Settings::default()
-    }
-}
-
-/// The word for a method, as in case files.
-#[must_use]
-pub fn method_name(method: Method) -> &'static str {
-    match method {
-        Method::Auto => "auto",
-        Method::Static => "static",
-        Method::Quasi => "quasi",
-        Method::Rk4 => "rk4",
-        Method::Alpha => "alpha",
     }
 }
 

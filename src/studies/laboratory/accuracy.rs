@@ -9,9 +9,10 @@ use std::sync::atomic::AtomicBool;
 use rayon::prelude::*;
 use rustix::time::{ClockId, clock_gettime};
 
+use crate::case::Method;
 use crate::numerics::statistics::median;
 use crate::run::accuracy::searchable::Asked;
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::run::accuracy::steps::Steps;
 use crate::run::job::{self, Request};
 use crate::run::{QuantityId, Run, RunState, result_scales};
 use crate::study::timed::Timed;
@@ -181,7 +182,7 @@ impl Judge<'_> {
 /// The settings that are as accurate as asked, the cheapest first; without error bars.
 fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
     let steps = match case.steps().method {
-        TimeMethod::Static => vec![None],
+        Method::Static => vec![None],
         _ => STEPS.map(Some).to_vec(),
     };
     let settings = MESHES

@@ -7,7 +7,8 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::case::Method;
+use crate::run::accuracy::steps::Steps;
 use crate::run::job::Request;
 use crate::run::{Quantity, Run, RunState};
 use crate::study::study_job::StudyJob;
@@ -116,21 +117,21 @@ where
     let by = |method| Steps { method, ..own };
     let of = |words: &str, steps: Steps| setting((name, words), case, steps);
     match own.method {
-        TimeMethod::Static => return vec![of("static", own)],
-        TimeMethod::Quasi => return vec![of("quasi", own)],
+        Method::Static => return vec![of("static", own)],
+        Method::Quasi => return vec![of("quasi", own)],
         _ => {}
     }
-    let mut list = vec![of("alpha", by(TimeMethod::Alpha))];
+    let mut list = vec![of("alpha", by(Method::Alpha))];
     if own.length.is_none() {
         let loose = Steps {
             tolerance: (LOOSE * own.tolerance).min(1.0),
-            ..by(TimeMethod::Alpha)
+            ..by(Method::Alpha)
         };
         list.push(of("alpha, 8 x tolerance", loose));
     }
     let explicit = Steps {
         length: None,
-        ..by(TimeMethod::Rk4)
+        ..by(Method::Rk4)
     };
     if evaluations(case).is_some_and(|cost| cost < DEAREST) {
         list.push(of("rk4", explicit));

@@ -135,7 +135,7 @@ fn compute(text: &str) -> MotionEnd {
             return MotionEnd::Refused(problems.collect::<Vec<_>>().join("; "));
         }
     };
-    let Some(given) = &solved.file.solver else {
+    let Some(given) = solved.file.in_time() else {
         return MotionEnd::Refused("no [solver]".to_owned());
     };
     match run(&solved, given, &AtomicBool::new(false), &mut |_| {}) {

@@ -2,12 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::case::{Case, Method};
+use crate::case::{Case, Method, Solver};
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::outlook::StepLengths;
 use crate::scene;
 use crate::system::at_rest::SystemAtRest;
-use crate::system::model::MotionInputs;
 use crate::system::motion::system_in_time::SystemInTime;
 use crate::system::solved::solve;
 
@@ -100,7 +99,7 @@ impl Timed for SystemInTime {
     }
 
     fn estimating(&self, errors: bool) -> Self {
-        self.with(MotionInputs {
+        self.with(Solver {
             error_estimate: errors,
             accuracy: None,
             budget_s: None,
@@ -109,7 +108,7 @@ impl Timed for SystemInTime {
     }
 
     fn asking(&self, asked: Asked) -> Self {
-        self.with(MotionInputs {
+        self.with(Solver {
             accuracy: Some(asked.accuracy),
             budget_s: asked.budget_s,
             ..self.motion.clone()

@@ -8,12 +8,13 @@ use super::rope_system::{self, LINES, SHIP, SHIP_TENSION};
 use super::ship_motion;
 use super::solve::SolvedRopeway;
 use super::winch::{ShipOffset, WinchControl, WinchSample, WinchState, simulate};
+use crate::case::Solver;
 use crate::numerics::statistics::Statistics;
 use crate::physics::ramp::smooth_ramp;
 use crate::run::History;
 use crate::run::error_estimate::HistoryPair;
 use crate::system::SystemFile;
-use crate::system::model::{MotionInputs, PayoutInputs, PointInputs, WhichEnd};
+use crate::system::model::{PayoutInputs, PointInputs, WhichEnd};
 use crate::system::motion::run::MotionRun;
 
 /// Longest time of the ship's motion that is computed \[s\], and the most steps.
@@ -156,9 +157,9 @@ impl SolvedRopeway {
                 ..PayoutInputs::at_tension(LINES[1], WhichEnd::B, control.tension_n)
             }];
         }
-        file.solver = Some(MotionInputs {
+        file.solver = Some(Solver {
             time_step_s: Some(STEP.min(window.interval)),
-            ..MotionInputs::over(window.lead + window.until)
+            ..Solver::over(window.lead + window.until)
         });
         file.output.interval_s = window.interval;
         file

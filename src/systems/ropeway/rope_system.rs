@@ -7,9 +7,10 @@ use super::elastic::RopeEquilibrium;
 use super::line::segments_beside_cargo;
 use super::model::Ropeway;
 use crate::case::Material;
+use crate::case::Solver;
 use crate::run::History;
 use crate::system::SystemFile;
-use crate::system::model::{LineInputs, MotionInputs, PointInputs, PointKind, SlidingInputs};
+use crate::system::model::{LineInputs, PointInputs, PointKind, SlidingInputs};
 use crate::system::motion::run::{MotionRun, run};
 use crate::system::rest::UnsolvedSystem;
 use crate::system::solved::solve;
@@ -48,11 +49,11 @@ pub fn crossing(ropeway: &Ropeway, start: &RopeEquilibrium, to_m: f64) -> System
     let mut file = at_rest(ropeway, start, segments);
     let rate = speed.copysign(way);
     file.sliding_points = vec![SlidingInputs::hauled(CARGO, LINES, rate, RAMP)];
-    file.solver = Some(MotionInputs {
+    file.solver = Some(Solver {
         time_step_s: Some(CROSSING_STEP),
         error_estimate: false,
         // In the ramp it is as far behind as in half of it at rest.
-        ..MotionInputs::over(way.abs() / speed + 0.5 * RAMP)
+        ..Solver::over(way.abs() / speed + 0.5 * RAMP)
     });
     file
 }
@@ -80,9 +81,9 @@ pub fn at_moving_ship(
             ship.table_z_m.push(z);
         }
     }
-    file.solver = Some(MotionInputs {
+    file.solver = Some(Solver {
         time_step_s: Some(STEP),
-        ..MotionInputs::over(duration_s)
+        ..Solver::over(duration_s)
     });
     file.output.interval_s = interval_s;
     file

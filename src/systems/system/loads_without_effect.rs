@@ -18,7 +18,7 @@ const NAMED: usize = 4;
 pub fn loads_without_effect(solved: &SolvedSystem) -> Vec<String> {
     let network = &solved.network;
     let mut found = Vec::new();
-    if network.sea.is_some() && solved.file.solver.is_some() {
+    if network.sea.is_some() && solved.file.in_time().is_some() {
         found.extend(waves(network));
     }
     let current = network.current.as_ref();

@@ -9,8 +9,7 @@ use std::collections::BTreeMap;
 pub use ageing::{AgeingInputs, CorrosionInputs, GrowthInputs};
 pub(crate) use ageing::{AgeingKeys, CorrosionKeys};
 pub use motion::{
-    MotionInputs, MotionMethod, MotionOutput, PayoutInputs, SlidingInputs, StartPlacement,
-    SystemStart, WhichEnd,
+    MotionOutput, PayoutInputs, SlidingInputs, StartPlacement, SystemStart, WhichEnd,
 };
 pub(crate) use motion::{PayoutKeys, SlidingKeys};
 
@@ -19,7 +18,7 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, Start, StatisticsInputs, Trial, Waves,
+    Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Trial, Waves,
 };
 use crate::reference::{PublishedHistory, PublishedNumber};
 
@@ -70,8 +69,8 @@ table! {
         damage: Damage, optional;
         /// Where the run in time begins.
         start: SystemStart, optional;
-        /// The run in time; absent leaves the system at rest.
-        solver: Option<MotionInputs>;
+        /// How the system is computed; at rest where it is absent.
+        solver: Option<Solver>;
         /// What is recorded of a run in time.
         output: MotionOutput, optional;
         /// Files that the system names, carried with it, by their names.
@@ -136,6 +135,12 @@ table! {
 }
 
 impl SystemFile {
+    /// How the system is computed in time; nothing of one at rest.
+    #[must_use]
+    pub fn in_time(&self) -> Option<&Solver> {
+        self.solver.as_ref().filter(|solver| solver.is_in_time())
+    }
+
     /// Coefficients of friction of the bed under a line, along it and across \[-\]: its own, those of the bed, 0 along; across as along.
     #[must_use]
     pub fn friction_under(&self, line: &LineInputs) -> [f64; 2] {

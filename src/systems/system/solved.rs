@@ -97,12 +97,17 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
     (network, dropped)
 }
 
-/// Works out a system that the checks passed.
+/// Works out a system that the checks passed, with its errors where its file does not leave them out.
 ///
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
+    let solver = file.solver.as_ref();
+    let is_estimated = solver.is_none_or(|solver| solver.is_in_time() || solver.error_estimate);
     let solved = solve_without_errors(file, LineForms::ClosedWhereKnown)?;
+    if !is_estimated {
+        return Ok(solved);
+    }
     Ok(SolvedSystem {
         errors: ErrorsAtRest::of(&solved.network, &solved.rest),
         ..solved

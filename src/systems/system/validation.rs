@@ -60,7 +60,7 @@ fn ended(failure: Option<&String>) -> Result<(), String> {
 #[must_use]
 pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow> {
     let run = match run {
-        None if solved.file.solver.is_none() => {
+        None if solved.file.in_time().is_none() => {
             Err("The file has no run in time: add [solver].".to_owned())
         }
         None => Err("`seacable validate` computes the run in time.".to_owned()),

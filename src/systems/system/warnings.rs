@@ -112,23 +112,27 @@ fn left_unstable(solved: &SolvedSystem) -> Option<String> {
     ))
 }
 
+/// What makes a run in time of a system at rest.
+const IN_TIME: &str = "a table [solver] with a `duration_s` and another method than `static` computes the system in time";
+
 /// Keys of motion that have no effect: of a file that is not computed in time, or after its end.
 fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
-    let end = solved.file.solver.as_ref().map(|solver| solver.duration_s);
+    let end = solved.file.in_time().map(|solver| solver.duration_s);
     let mut found = Vec::new();
     let network = &solved.network;
     let moved = network.points.iter().filter(|point| point.motion.is_some());
     let moved = moved.map(|point| &point.name);
     let bodies = network.bodies.iter().filter(|body| body.motion.is_some());
     if end.is_none() {
+        found.extend(unused_steps(&solved.file));
         for name in moved.chain(bodies.map(|body| &body.name)) {
-            found.push(format!(
-                "{name} does not move: the file has no table [solver] with a `duration_s`."
-            ));
+            found.push(format!("{name} does not move: {IN_TIME}."));
         }
         for line in network.lines.iter().filter(|line| line.start.is_some()) {
             let name = &line.name;
-            found.push(format!("Line {name} is at rest: how it starts is of a run in time, and the file has no table [solver]."));
+            found.push(format!(
+                "Line {name} is at rest: how it starts is of a run in time; {IN_TIME}."
+            ));
         }
     }
     for line in &solved.file.lines {
@@ -146,6 +150,23 @@ fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
     found
 }
 
+/// Steps that a system at rest does not take.
+fn unused_steps(file: &SystemFile) -> Vec<String> {
+    let Some(solver) = &file.solver else {
+        return Vec::new();
+    };
+    let given = [
+        ("time_step_s", solver.time_step_s),
+        ("longest_step_s", solver.longest_step_s),
+    ];
+    let given = given.into_iter().filter(|(_, step)| step.is_some());
+    given
+        .map(|(key, _)| {
+            format!("`solver.{key}` has no effect: the method `static` takes no steps.")
+        })
+        .collect()
+}
+
 /// Waves that nothing is computed in, that break, that a table of responses does not cover, or that are missing.
 fn on_waves(solved: &SolvedSystem) -> Vec<String> {
     let file = &solved.file;
@@ -153,11 +174,8 @@ fn on_waves(solved: &SolvedSystem) -> Vec<String> {
         return loads_without_waves(file);
     };
     let mut found = Vec::new();
-    if file.solver.is_none() {
-        found.push(
-            "The waves have no effect at rest: add a table [solver] with a `duration_s`."
-                .to_owned(),
-        );
+    if file.in_time().is_none() {
+        found.push(format!("The waves have no effect at rest: {IN_TIME}."));
     }
     let bed = file.seabed.as_ref().map(|bed| bed.depth_m);
     let gravity = file.environment.gravity_m_per_s2;

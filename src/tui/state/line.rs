@@ -16,7 +16,6 @@ use crate::command::{Command, CommandId, LINE};
 use crate::line_tables::LineTable;
 use crate::pane::PaneId;
 use crate::report::figures::FigureId;
-use crate::run::settings::method_name;
 use crate::run::{Run, RunState};
 use crate::table_pane::TablePane;
 
@@ -184,7 +183,7 @@ impl DocumentKind for LineView {
     }
 
     fn headline(&self) -> String {
-        format!("solver {}", method_name(self.case.solver.method))
+        format!("solver {}", self.case.solver.method.name())
     }
 
     fn commands(&self) -> &'static [Command] {

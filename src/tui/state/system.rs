@@ -53,7 +53,7 @@ impl SystemView {
     /// Whether its file has it computed in time.
     #[must_use]
     pub fn is_in_motion(&self) -> bool {
-        self.solved.file.solver.is_some()
+        self.solved.file.in_time().is_some()
     }
 
     /// Whether it has load cases, or sweeps of others are stored.

@@ -12,7 +12,6 @@ use crate::facade::FieldRow;
 use crate::key::KeyPress;
 use crate::msg::Effect;
 use crate::recovery::RecoveredEdits;
-use crate::run::settings::method_name;
 use crate::state::pending::{Change, EditSource, PendingEdit};
 use crate::state::{AppState, Editing, KeptRange};
 
@@ -234,7 +233,7 @@ pub(super) fn next_method(state: &mut AppState) -> Vec<Effect> {
     let Some(line) = state.line() else {
         return Vec::new();
     };
-    let now = method_name(line.case.solver.method);
+    let now = line.case.solver.method.name();
     let at = METHODS.iter().position(|m| *m == now).unwrap_or(0);
     let next = METHODS[(at + 1) % METHODS.len()];
     let change = Change::Set("solver.method".to_owned(), next.to_owned());

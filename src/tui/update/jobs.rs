@@ -10,7 +10,6 @@ use crate::facade::{self, FieldRow};
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::run::job::Request;
-use crate::run::settings::method_name;
 use crate::state::{
     AppState, Document, DocumentContent, JobLine, JobNumber, JobPurpose, JobRequest, JobState,
     ParameterEditor, QueuedRequest, RunCurves, RunEntry, SystemView,
@@ -37,11 +36,7 @@ pub(super) fn resolve(state: &mut AppState) -> Vec<Effect> {
     live.going_text.clone_from(&editor.text);
     live.failure = None;
     live.hidden = false;
-    let name = format!(
-        "live: {} ({})",
-        editor.file,
-        method_name(line.case.solver.method)
-    );
+    let name = format!("live: {} ({})", editor.file, line.case.solver.method.name());
     if let Some(old) = live.ticket.replace(ticket) {
         effects.push(Effect::Cancel(old));
     }

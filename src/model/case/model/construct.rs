@@ -20,10 +20,27 @@
 use std::fmt::Write;
 
 use super::{
-    Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
-    TensionInterpolation, Traveller, WaveKind, Waves,
+    Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, Method, MotionName, Seabed,
+    Section, Solver, TensionInterpolation, Traveller, WaveKind, Waves,
 };
 use crate::physics::rope::{Between, TensionTable};
+
+impl Solver {
+    /// A run over a time \[s\].
+    #[must_use]
+    pub fn over(duration_s: f64) -> Self {
+        Self {
+            duration_s,
+            ..Self::default()
+        }
+    }
+
+    /// Whether it computes anything in time.
+    #[must_use]
+    pub fn is_in_time(&self) -> bool {
+        self.method != Method::Static
+    }
+}
 
 impl Case {
     /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.

@@ -52,7 +52,7 @@ table! {
         duration_s: f64 = 600.0, "duration", range positive(1e6);
         /// Constant time step. If absent it is chosen, and varies with the error for alpha; the run reports it.
         time_step_s: Option<f64>, "time step", range positive(1e3), absent "chosen by the solver";
-        /// Error alpha allows in a step of varying length: in positions by the line's length L, in velocities by 2 sqrt(g L).
+        /// Error alpha allows in a step of varying length: in positions by the length L of the longest line, in velocities by 2 sqrt(g L).
         step_tolerance: f64 = 2e-5, "step tolerance", range positive(1.0);
         /// Longest step that alpha takes where its steps vary.
         longest_step_s: Option<f64>, "longest step", range positive(1e3), absent "a twentieth of the shortest forced period";
@@ -88,6 +88,18 @@ words! {
         Alpha = "alpha",
         /// Runge-Kutta or generalized-alpha, whichever is estimated to cost less; the run reports which and why.
         Auto = "auto",
+    }
+}
+
+impl Method {
+    /// Order of its error in the step; nothing of what takes none.
+    #[must_use]
+    pub fn order(self) -> Option<f64> {
+        match self {
+            Self::Static => None,
+            Self::Quasi | Self::Alpha | Self::Auto => Some(2.0),
+            Self::Rk4 => Some(4.0),
+        }
     }
 }
 

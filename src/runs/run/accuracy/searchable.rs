@@ -3,7 +3,7 @@
 use super::super::computation::Computation;
 use super::super::settings::settings;
 use super::Fineness;
-use super::steps::{Steps, TimeMethod};
+use super::steps::Steps;
 use crate::case::{Case, Clump, Method};
 use crate::scene;
 
@@ -61,9 +61,9 @@ pub trait Searchable: Computation {
     /// are any.
     fn has_own_steps(&self) -> bool {
         match self.steps().method {
-            TimeMethod::Static => false,
-            TimeMethod::Rk4 => self.segments().is_empty(),
-            TimeMethod::Quasi | TimeMethod::Alpha | TimeMethod::Auto => true,
+            Method::Static => false,
+            Method::Rk4 => self.segments().is_empty(),
+            Method::Quasi | Method::Alpha | Method::Auto => true,
         }
     }
 
@@ -116,13 +116,7 @@ impl Searchable for Case {
     fn steps(&self) -> Steps {
         let solver = &self.solver;
         Steps {
-            method: match solver.method {
-                Method::Static => TimeMethod::Static,
-                Method::Quasi => TimeMethod::Quasi,
-                Method::Rk4 => TimeMethod::Rk4,
-                Method::Alpha => TimeMethod::Alpha,
-                Method::Auto => TimeMethod::Auto,
-            },
+            method: solver.method,
             length: solver.time_step_s,
             longest: solver.longest_step_s,
             tolerance: solver.step_tolerance,
@@ -138,13 +132,7 @@ impl Searchable for Case {
     fn stepped(&self, steps: Steps) -> Self {
         let mut case = self.clone();
         let solver = &mut case.solver;
-        solver.method = match steps.method {
-            TimeMethod::Static => Method::Static,
-            TimeMethod::Quasi => Method::Quasi,
-            TimeMethod::Alpha => Method::Alpha,
-            TimeMethod::Rk4 => Method::Rk4,
-            TimeMethod::Auto => Method::Auto,
-        };
+        solver.method = steps.method;
         solver.time_step_s = steps.length;
         solver.longest_step_s = steps.longest;
         solver.step_tolerance = steps.tolerance;

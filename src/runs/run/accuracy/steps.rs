@@ -1,25 +1,12 @@
 //! Steps in time, as searches and studies change them.
 
-/// How a scene is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum TimeMethod {
-    /// At rest.
-    Static,
-    /// In equilibrium at every instant.
-    Quasi,
-    /// Generalized-alpha.
-    Alpha,
-    /// Runge-Kutta of order 4.
-    Rk4,
-    /// Left to the program.
-    Auto,
-}
+use crate::case::Method;
 
 /// A method with its steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Steps {
     /// The method.
-    pub method: TimeMethod,
+    pub method: Method,
     /// Length of constant steps \[s\]; none where they vary.
     pub length: Option<f64>,
     /// The longest of those that vary \[s\]; chosen by the program where it is none.
@@ -34,7 +21,7 @@ impl Steps {
     /// Whether they vary with their error.
     #[must_use]
     pub fn vary(&self) -> bool {
-        self.method == TimeMethod::Alpha && self.length.is_none()
+        self.method == Method::Alpha && self.length.is_none()
     }
 
     /// The keys in which they are set, with their values.

@@ -78,7 +78,7 @@ fn in_motion(solved: &SolvedSystem) -> Result<Results, String> {
     if !matches!(solved.stability, Stability::Stable) {
         return Err("it has no one place of rest to begin from".to_owned());
     }
-    let given = solved.file.solver.as_ref().ok_or("no [solver]")?;
+    let given = solved.file.in_time().ok_or("no [solver]")?;
     let run = run(solved, given, &AtomicBool::new(false), &mut |_| {});
     let run = run.map_err(|why| why.problem)?;
     match &run.failure {

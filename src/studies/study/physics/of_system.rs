@@ -5,9 +5,10 @@ use std::collections::BTreeMap;
 use super::of_line::{clear, flatten};
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
+use crate::case::Method;
 use crate::case::{Material, WaterSurface};
 use crate::system::SystemFile;
-use crate::system::model::{BodyInputs, LineSection, MotionMethod, PointInputs};
+use crate::system::model::{BodyInputs, LineSection, PointInputs};
 
 impl HasMaterials for SystemFile {
     fn materials(&mut self) -> &mut BTreeMap<String, Material> {
@@ -128,8 +129,11 @@ const PARTS: [ScenePart<SystemFile>; 15] = [
     ),
     ScenePart::new("ageing", "[ageing] left out", |system| system.ageing = None),
     ScenePart::new("inertia", "solver.method = quasi", |system| {
-        let motion = system.solver.iter_mut();
-        motion.for_each(|motion| motion.method = MotionMethod::Quasi);
+        let motion = system
+            .solver
+            .iter_mut()
+            .filter(|solver| solver.is_in_time());
+        motion.for_each(|motion| motion.method = Method::Quasi);
     }),
     ScenePart::new("mesh halved", "lines.*.segments halved", |system| {
         divide(system, |segments| segments.div_ceil(2));

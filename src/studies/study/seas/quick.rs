@@ -92,11 +92,7 @@ pub fn look_at_seas(
 fn of_system(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
     let clock = Instant::now();
     let solved = solve(base, settings)?;
-    let estimates = solved
-        .file
-        .solver
-        .as_ref()
-        .is_some_and(|s| s.error_estimate);
+    let estimates = solved.file.in_time().is_some_and(|s| s.error_estimate);
     SeaLook::of(clock, estimates, |coarsening| {
         quick_look(&solved, coarsening)
     })

@@ -148,7 +148,7 @@ impl CheckedScene {
                 .map(|bed| bed.depth_m),
             anchors: fixed.map(|point| point.name.clone()).collect(),
             is_random: solved.file.waves.iter().any(is_random),
-            is_dynamic: solved.file.solver.is_some(),
+            is_dynamic: solved.file.in_time().is_some(),
             condition: condition(&solved.file),
         }
     }

@@ -10,10 +10,11 @@ use std::sync::atomic::AtomicBool;
 use super::{
     Runner, STEPS, SpeedError, SpeedSetting, TOLERANCES, error, moving, plan, rounded, setting,
 };
+use crate::case::Method;
 use crate::number::digits;
 use crate::numerics::interpolation::mix;
 use crate::numerics::statistics::median;
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::run::accuracy::steps::Steps;
 use crate::study::timed::Timed;
 use crate::table::{Align, NumberFormat, Table};
 
@@ -101,7 +102,7 @@ fn settings<C: Timed>(case: &C) -> Result<Vec<SpeedSetting<C>>, SpeedError> {
     let of_radius = |rho: f64| {
         let of = |length: Option<f64>, tolerance: f64, name: String| {
             let steps = Steps {
-                method: TimeMethod::Alpha,
+                method: Method::Alpha,
                 length,
                 tolerance,
                 rho,

@@ -17,7 +17,8 @@ pub use error::Errors;
 pub use view::{chart, mesh_table, table};
 
 use super::timed::{StepBounds, Timed};
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::case::Method;
+use crate::run::accuracy::steps::Steps;
 use crate::run::job::{self, Request};
 use crate::run::{Quantity, Run, RunState};
 
@@ -136,15 +137,15 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
             ..own
         };
         let solver = match method {
-            TimeMethod::Rk4 => "rk4",
-            TimeMethod::Quasi => "quasi",
+            Method::Rk4 => "rk4",
+            Method::Quasi => "quasi",
             _ => "alpha",
         };
         setting(case, solver, format!("step {step:.2e} s"), steps)
     };
     let longest = bounds.longest;
-    if own.method == TimeMethod::Quasi {
-        let by = |share: f64| constant(TimeMethod::Quasi, rounded(longest * share));
+    if own.method == Method::Quasi {
+        let by = |share: f64| constant(Method::Quasi, rounded(longest * share));
         return Ok(SpeedPlan {
             points: STEPS.map(by).into(),
             reference: by(FINEST),
@@ -152,20 +153,18 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
             left_out: vec![HAS_INERTIA.to_owned()],
         });
     }
-    let implicit = STEPS.map(|share| constant(TimeMethod::Alpha, rounded(longest * share)));
+    let implicit = STEPS.map(|share| constant(Method::Alpha, rounded(longest * share)));
     let explicit = EXPLICIT.map(|share| rounded(bounds.explicit * share));
     let evaluations = |step: f64| 4.0 * case.duration_s() / step * bounds.nodes as f64;
     let affordable = |step: &f64| step.is_finite() && evaluations(*step) <= DEAREST;
     let (fine, method) = match rounded(bounds.explicit / 16.0) {
-        step if affordable(&step) => (step, TimeMethod::Rk4),
-        _ => (rounded(longest * FINEST), TimeMethod::Alpha),
+        step if affordable(&step) => (step, Method::Rk4),
+        _ => (rounded(longest * FINEST), Method::Alpha),
     };
     let dearest = evaluations(bounds.explicit / 16.0) / bounds.nodes.max(1) as f64;
     let affordable: Vec<f64> = explicit.into_iter().filter(affordable).collect();
     let left_out = left_out(&bounds, method, dearest, affordable.len() == EXPLICIT.len());
-    let explicit = affordable
-        .iter()
-        .map(|step| constant(TimeMethod::Rk4, *step));
+    let explicit = affordable.iter().map(|step| constant(Method::Rk4, *step));
     Ok(SpeedPlan {
         points: by_tolerance
             .into_iter()
@@ -182,7 +181,7 @@ pub fn plan<C: Timed>(case: &C) -> Result<SpeedPlan<C>, SpeedError> {
 fn by_tolerance<C: Timed>(case: &C, own: Steps, share: f64) -> SpeedSetting<C> {
     let tolerance = rounded(own.tolerance * share);
     let steps = Steps {
-        method: TimeMethod::Alpha,
+        method: Method::Alpha,
         length: None,
         tolerance,
         ..own
@@ -195,7 +194,7 @@ fn by_tolerance<C: Timed>(case: &C, own: Steps, share: f64) -> SpeedSetting<C> {
 /// whether all explicit steps are measured.
 fn left_out(
     bounds: &StepBounds,
-    reference: TimeMethod,
+    reference: Method,
     dearest: f64,
     has_explicit: bool,
 ) -> Vec<String> {
@@ -208,7 +207,7 @@ fn left_out(
         left_out.push("rk4: there is no line whose segments bind its steps".to_owned());
         return left_out;
     }
-    if reference != TimeMethod::Rk4 {
+    if reference != Method::Rk4 {
         left_out.push(format!(
             "rk4 as reference: stable steps are {limit:.1e} s, which would take {dearest:.0e} evaluations of the force; the \
              reference is alpha itself in steps much finer"
@@ -224,7 +223,7 @@ fn left_out(
 fn moving(case: &impl Timed) -> Result<Steps, SpeedError> {
     let steps = case.steps();
     match steps.method {
-        TimeMethod::Static => Err(SpeedError::Static),
+        Method::Static => Err(SpeedError::Static),
         _ => Ok(steps),
     }
 }

@@ -2,6 +2,7 @@
 //! equilibrium heading, about the ship's reference point there.
 
 use super::CoupledError;
+use crate::case::Solver;
 use crate::case::{
     Attachment, Current, DragCoefficient, Environment, Material, OneOrMany, WaveKind, Waves,
 };
@@ -14,8 +15,8 @@ use crate::ship::motion::wave_response::WaveResponse;
 use crate::ship::static_analysis::{MooredEquilibrium, StaticAnalysis};
 use crate::system::SystemFile;
 use crate::system::model::{
-    BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, MotionInputs,
-    MotionOutput, PointInputs, PointKind, SystemBed, SystemWind,
+    BodyInputs, BodyKind, DriftLoadInputs, HeadingLoadInputs, LineInputs, MotionOutput,
+    PointInputs, PointKind, SystemBed, SystemWind,
 };
 
 /// Penetration of the line into the seabed under its own weight \[m\].
@@ -144,11 +145,11 @@ impl<'a> CoupledModel<'a> {
                 stiffness_n_per_m3: self.bed_stiffness(),
                 ..SystemBed::default()
             }),
-            solver: Some(MotionInputs {
+            solver: Some(Solver {
                 time_step_s: Some(variant.step_s),
                 rho_inf: RHO_INF,
                 error_estimate: false,
-                ..MotionInputs::over(variant.duration_s)
+                ..Solver::over(variant.duration_s)
             }),
             output: MotionOutput {
                 interval_s: variant.interval_s,

@@ -1,8 +1,9 @@
 //! A system at rest whose mesh is searched for: the segments of the lines that have no closed form.
 
 use super::system_at_rest::{STATIC, SystemAtRest};
+use crate::case::Method;
 use crate::run::accuracy::searchable::{Asked, Searchable};
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::run::accuracy::steps::Steps;
 use crate::system::discretised::FEWEST;
 
 impl Searchable for SystemAtRest {
@@ -13,7 +14,7 @@ impl Searchable for SystemAtRest {
     /// None: nothing is marched.
     fn steps(&self) -> Steps {
         Steps {
-            method: TimeMethod::Static,
+            method: Method::Static,
             length: None,
             longest: None,
             tolerance: 1.0,

@@ -30,7 +30,7 @@ pub(super) const STATIC: &str = "static";
 /// A system at rest.
 #[derive(Debug, Clone)]
 pub struct SystemAtRest {
-    /// What its file says; its table `[solver]` is ignored.
+    /// What its file says.
     pub file: Arc<SystemFile>,
     /// How its lines take part.
     pub forms: LineForms,
@@ -45,15 +45,21 @@ pub struct SystemAtRest {
 }
 
 impl SystemAtRest {
-    /// The system of a file that the checks passed, with companions, asked for no accuracy.
+    /// The system of a file that the checks passed, as its method `static` has it computed: one that it has for a run in time is not of
+    /// a system at rest.
     #[must_use]
     pub fn new(file: SystemFile) -> Self {
+        let solver = file.solver.clone().filter(|solver| !solver.is_in_time());
+        let solver = solver.unwrap_or_default();
         Self {
             file: Arc::new(file),
             forms: LineForms::ClosedWhereKnown,
-            asked: None,
-            has_companions: true,
-            companions: None,
+            asked: solver.accuracy.map(|accuracy| Asked {
+                accuracy,
+                budget_s: solver.budget_s,
+            }),
+            has_companions: solver.error_estimate,
+            companions: solver.companions,
             found: Arc::default(),
         }
     }

@@ -27,8 +27,8 @@
 use crate::case::OneOrMany;
 
 use super::{
-    LineInputs, MotionInputs, PayoutInputs, PointInputs, PointKind, SlidingInputs, SystemFile,
-    SystemInfo, WhichEnd,
+    LineInputs, PayoutInputs, PointInputs, PointKind, SlidingInputs, SystemFile, SystemInfo,
+    WhichEnd,
 };
 
 impl SystemFile {
@@ -122,17 +122,6 @@ impl PayoutInputs {
             line: line.to_owned(),
             end,
             tension_n: Some(tension_n),
-            ..Self::default()
-        }
-    }
-}
-
-impl MotionInputs {
-    /// A run over a time \[s\].
-    #[must_use]
-    pub fn over(duration_s: f64) -> Self {
-        Self {
-            duration_s,
             ..Self::default()
         }
     }

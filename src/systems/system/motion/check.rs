@@ -3,7 +3,7 @@
 use super::super::check_matrix::matrix;
 use crate::case::schema::Key;
 use crate::case::{
-    Finding, MotionInterpolation, WaveKind, of_companions, of_longest_step, of_waves,
+    Finding, Method, MotionInterpolation, WaveKind, of_companions, of_longest_step, of_waves,
     too_many_rows, too_many_steps,
 };
 use crate::limits::SEGMENTS;
@@ -57,10 +57,17 @@ pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// When the run in time ends \[s\]; nothing at rest.
+pub(super) fn end_of_run(keys: &SystemKeys<'_>) -> Option<f64> {
+    let solver = keys.solver.as_ref()?;
+    let moves = !solver.method.is(&Method::Static);
+    solver.duration_s.value().filter(|_| moves)
+}
+
 /// The work that steps, output and segments make, where a limit is exceeded.
 fn work(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let solver = keys.solver.as_ref();
-    let duration = solver.and_then(|solver| solver.duration_s.value());
+    let duration = end_of_run(keys);
     let output = keys.output.as_ref().map(|output| &output.interval_s);
     let rows = output.and_then(|key| too_many_rows(key, key.value(), duration?));
     let steps = solver.map(|solver| &solver.time_step_s);
@@ -135,10 +142,7 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
             found.extend(point.period_s.if_missing(remedy));
         }
     }
-    let until = keys
-        .solver
-        .as_ref()
-        .and_then(|solver| solver.duration_s.value());
+    let until = end_of_run(keys);
     for (_, point) in &keys.points {
         let columns = [&point.table_x_m, &point.table_y_m, &point.table_z_m];
         found.extend(motion_table(&point.table_time_s, &columns, until));

@@ -1,6 +1,6 @@
 //! Checks of lines that are paid out, and of points that slide along them.
 
-use super::check::motion_table;
+use super::check::{end_of_run, motion_table};
 use crate::case::schema::Key;
 use crate::case::{CreepModel, Finding, MaterialKeys, unknown};
 use crate::system::model::{
@@ -28,7 +28,7 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(drives(payout));
         found.extend(without_effect(payout));
         found.extend(stops_first(&payout.start_s, &payout.stop_s));
-        let until = keys.solver.as_ref().and_then(|s| s.duration_s.value());
+        let until = end_of_run(keys);
         found.extend(motion_table(
             &payout.table_time_s,
             &[&payout.table_m],
@@ -350,7 +350,7 @@ fn hauls(keys: &SystemKeys<'_>, sliding: &SlidingKeys<'_>) -> Vec<Finding> {
         }
     }
     found.extend(stops_first(&sliding.start_s, &sliding.stop_s));
-    let until = keys.solver.as_ref().and_then(|s| s.duration_s.value());
+    let until = end_of_run(keys);
     found.extend(motion_table(times, &[&sliding.table_m], until));
     found.extend(table(times, &sliding.table_m));
     found

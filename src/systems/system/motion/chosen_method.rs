@@ -6,23 +6,23 @@ use super::checkpoint::ResumedSystem;
 use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_under_way::compute;
+use crate::case::{Method, Solver};
 use crate::run::Work;
 use crate::run::lines_along::LinesAlong;
 use crate::run::outlook::{Cheaper, Outlook, TRIAL};
-use crate::system::model::{MotionInputs, MotionMethod};
 
 /// The inputs with the method that the program chooses, and why; nothing where the file names one. A run that is resumed keeps its
 /// method.
 pub(super) fn chosen(
-    given: &MotionInputs,
+    given: &Solver,
     begun: &Start,
     from: Option<&ResumedSystem>,
     cancel: &AtomicBool,
-) -> Option<(MotionInputs, String)> {
-    if given.method != MotionMethod::Auto {
+) -> Option<(Solver, String)> {
+    if given.method != Method::Auto {
         return None;
     }
-    let by = |method| MotionInputs {
+    let by = |method| Solver {
         method,
         ..given.clone()
     };
@@ -31,32 +31,25 @@ pub(super) fn chosen(
             0 => Cheaper::Alpha,
             _ => Cheaper::Rk4,
         };
-        return Some((by(method(begun_with)), begun_with.as_begun()));
+        return Some((by(begun_with.into()), begun_with.as_begun()));
     }
     // Nothing but bodies: no segment limits a step.
     let Some(steps) = MotionSettings::step_lengths(given, &begun.system) else {
         let why = "alpha: there is no line whose segments bind the steps of RK4";
-        return Some((by(MotionMethod::Alpha), why.to_owned()));
+        return Some((by(Method::Alpha), why.to_owned()));
     };
     let outlook = Outlook::of(&steps);
     if let Some(why) = outlook.clear {
-        return Some((by(MotionMethod::Alpha), why));
+        return Some((by(Method::Alpha), why));
     }
-    let (cheaper, why) = outlook.choose(&trial(&by(MotionMethod::Alpha), begun, cancel));
-    Some((by(method(cheaper)), why))
-}
-
-const fn method(cheaper: Cheaper) -> MotionMethod {
-    match cheaper {
-        Cheaper::Rk4 => MotionMethod::Rk4,
-        Cheaper::Alpha => MotionMethod::Alpha,
-    }
+    let (cheaper, why) = outlook.choose(&trial(&by(Method::Alpha), begun, cancel));
+    Some((by(cheaper.into()), why))
 }
 
 /// Work of generalized-alpha over a part of the duration.
-fn trial(given: &MotionInputs, begun: &Start, cancel: &AtomicBool) -> Work {
+fn trial(given: &Solver, begun: &Start, cancel: &AtomicBool) -> Work {
     let duration_s = TRIAL * given.duration_s;
-    let given = MotionInputs {
+    let given = Solver {
         duration_s,
         ..given.clone()
     };

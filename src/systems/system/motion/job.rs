@@ -11,7 +11,7 @@ use crate::system::SolvedSystem;
 /// A run of a system in time that is asked for.
 pub type SystemRequest = Request<SystemInTime>;
 
-/// The run that a file asks for, with the files that it names in its text; nothing without a table `[solver]`.
+/// The run that a file asks for, with the files that it names in its text; nothing of a system at rest.
 #[must_use]
 pub fn request(
     solved: Arc<SolvedSystem>,
@@ -19,7 +19,7 @@ pub fn request(
     file: String,
     overrides: Vec<String>,
 ) -> Option<SystemRequest> {
-    let motion = solved.file.solver.clone()?;
+    let motion = solved.file.in_time()?.clone();
     let text = with_files(text, &solved.file.files).into_owned();
     Some(Request {
         case: SystemInTime::new(solved, motion),

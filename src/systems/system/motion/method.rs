@@ -4,15 +4,15 @@ use super::border::Border;
 use super::moving_system::MovingSystem;
 use super::settings::MotionSettings;
 use super::system_state::SystemState;
-use crate::dynamics::Method;
+use crate::case::Method;
+use crate::dynamics;
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
 use crate::scene::Scene;
-use crate::system::model::MotionMethod;
 
 /// A method for systems.
-pub(super) type SystemMethod = Method<SystemState, Border>;
+pub(super) type SystemMethod = dynamics::Method<SystemState, Border>;
 
 /// The method of these settings, from a state.
 pub(super) fn method(
@@ -22,9 +22,9 @@ pub(super) fn method(
 ) -> SystemMethod {
     let (tolerance, iterations) = (settings.position_tolerance_m, settings.max_iterations);
     match settings.method {
-        MotionMethod::Rk4 => Method::Rk4(Rk4::new(system, state)),
-        MotionMethod::Quasi => {
-            Method::QuasiStatic(QuasiStatic::new(system, state, tolerance, iterations))
+        Method::Rk4 => dynamics::Method::Rk4(Rk4::new(system, state)),
+        Method::Quasi => {
+            dynamics::Method::QuasiStatic(QuasiStatic::new(system, state, tolerance, iterations))
         }
         _ => {
             let rho = settings.rho_inf;
@@ -34,7 +34,7 @@ pub(super) fn method(
                 None => alpha,
             };
             let resolutions = system.scenes.iter().filter_map(Scene::velocity_resolution);
-            Method::Alpha(match resolutions.reduce(f64::min) {
+            dynamics::Method::Alpha(match resolutions.reduce(f64::min) {
                 Some(speed) => alpha.resolving(speed),
                 None => alpha,
             })

@@ -7,11 +7,11 @@ use super::settings::MotionSettings;
 use super::start::{Start, start};
 use super::system_in_time::SystemInTime;
 use super::system_under_way::compute;
+use crate::case::Method;
 use crate::run::companions::Place;
 use crate::run::compute::Computed;
 use crate::run::lines_along::LinesAlong;
 use crate::run::refinable::Refinable;
-use crate::system::model::MotionMethod;
 
 /// Lengths of the segments of other meshes, by those of the run.
 const MESHES: [f64; 3] = [0.5, 2.0, 4.0];
@@ -82,10 +82,7 @@ impl Refinable for RefinableSystem<'_> {
     }
 
     fn method_order(&self) -> Option<f64> {
-        Some(match self.settings.method {
-            MotionMethod::Alpha | MotionMethod::Auto | MotionMethod::Quasi => 2.0,
-            MotionMethod::Rk4 => 4.0,
-        })
+        self.settings.method.order()
     }
 
     fn has_crisis(&self) -> bool {
@@ -95,7 +92,7 @@ impl Refinable for RefinableSystem<'_> {
     }
 
     fn is_explicit(&self) -> bool {
-        self.settings.method == MotionMethod::Rk4
+        self.settings.method == Method::Rk4
     }
 
     fn varies_steps(&self) -> bool {

@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 pub use super::channel_result::{ChannelResult, ChannelSummary};
 use super::settings::MotionSettings;
 use super::system_in_time::{SystemInTime, check_steps};
+use crate::case::Solver;
 use crate::run::along::FatigueSpot;
 use crate::run::computation::Computation;
 use crate::run::compute::Computed;
@@ -15,7 +16,6 @@ use crate::run::event::JobEvent;
 use crate::run::job::with_estimates;
 use crate::run::{Cost, History, LineShape, Profile, Quantity, RunState, Settings, Work};
 use crate::system::SolvedSystem;
-use crate::system::model::MotionInputs;
 use crate::system::rest::UnsolvedSystem;
 
 /// A computed run.
@@ -87,7 +87,7 @@ fn with_errors(found: Computed, settings: MotionSettings, errors: ErrorEstimates
 /// Where the divided lines do not come to rest. A run that fails later says so in [`MotionRun::failure`].
 pub fn run(
     solved: &SolvedSystem,
-    given: &MotionInputs,
+    given: &Solver,
     cancel: &AtomicBool,
     events: &mut dyn FnMut(JobEvent),
 ) -> Result<MotionRun, UnsolvedSystem> {

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use super::system_in_time::SystemInTime;
+use crate::case::Solver;
 use crate::run::accuracy::searchable::{Asked, Searchable};
-use crate::run::accuracy::steps::{Steps, TimeMethod};
+use crate::run::accuracy::steps::Steps;
 use crate::system::discretised::FEWEST;
-use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::solved::solve;
 
 impl Searchable for SystemInTime {
@@ -18,12 +18,7 @@ impl Searchable for SystemInTime {
 
     fn steps(&self) -> Steps {
         Steps {
-            method: match self.motion.method {
-                MotionMethod::Quasi => TimeMethod::Quasi,
-                MotionMethod::Rk4 => TimeMethod::Rk4,
-                MotionMethod::Alpha => TimeMethod::Alpha,
-                MotionMethod::Auto => TimeMethod::Auto,
-            },
+            method: self.motion.method,
             length: self.motion.time_step_s,
             longest: self.motion.longest_step_s,
             tolerance: self.motion.step_tolerance,
@@ -37,13 +32,8 @@ impl Searchable for SystemInTime {
     }
 
     fn stepped(&self, steps: Steps) -> Self {
-        self.with(MotionInputs {
-            method: match steps.method {
-                TimeMethod::Static | TimeMethod::Quasi => MotionMethod::Quasi,
-                TimeMethod::Alpha => MotionMethod::Alpha,
-                TimeMethod::Rk4 => MotionMethod::Rk4,
-                TimeMethod::Auto => MotionMethod::Auto,
-            },
+        self.with(Solver {
+            method: steps.method,
             time_step_s: steps.length,
             longest_step_s: steps.longest,
             step_tolerance: steps.tolerance,
@@ -92,7 +82,7 @@ impl Searchable for SystemInTime {
     }
 
     fn found_with(&self, companions: &[String]) -> Self {
-        self.with(MotionInputs {
+        self.with(Solver {
             companions: Some(companions.to_vec()),
             accuracy: None,
             budget_s: None,

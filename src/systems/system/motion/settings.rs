@@ -9,6 +9,7 @@ use super::line_start;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
 use crate::case::QuantityId;
+use crate::case::{Method, Solver};
 use crate::dynamics::ErrorLimits;
 use crate::dynamics::numerical_damping::NumericalDamping;
 use crate::dynamics::rk4::above_limit;
@@ -21,7 +22,6 @@ use crate::run::outlook::StepLengths;
 use crate::run::response::AskedResponse;
 use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
-use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::network::{Body, Held, Line, Network, ReleaseCondition};
 use crate::system::pose::cross;
 
@@ -34,7 +34,7 @@ const RESPONSE: f64 = 10.0;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionSettings {
     /// Method of time integration.
-    pub method: MotionMethod,
+    pub method: Method,
     /// Simulated time \[s\].
     pub duration_s: f64,
     /// Length of a whole step, the greatest there is \[s\].
@@ -64,11 +64,11 @@ pub struct MotionSettings {
 impl MotionSettings {
     /// What a file asks for, and what its system needs.
     #[must_use]
-    pub fn new(given: &MotionInputs, interval_s: f64, system: &MovingSystem) -> Self {
+    pub fn new(given: &Solver, interval_s: f64, system: &MovingSystem) -> Self {
         let own = |scene: &Scene| scene.position_tolerance(1e-4);
         let finest = system.scenes.iter().map(own).fold(f64::INFINITY, f64::min);
-        let explicit = given.method == MotionMethod::Rk4;
-        let controlled = given.method == MotionMethod::Alpha;
+        let explicit = given.method == Method::Rk4;
+        let controlled = given.method == Method::Alpha;
         let chosen = || match explicit {
             true => longest_step(system).min(EXPLICIT_SHARE * explicit_limit(system)),
             false => longest_allowed(given, system),
@@ -93,7 +93,7 @@ impl MotionSettings {
 
     /// The steps that both methods would take, where lines limit the explicit ones.
     #[must_use]
-    pub fn step_lengths(given: &MotionInputs, system: &MovingSystem) -> Option<StepLengths> {
+    pub fn step_lengths(given: &Solver, system: &MovingSystem) -> Option<StepLengths> {
         let (limit, at) = stability_limit(system).filter(|_| !system.scenes.is_empty())?;
         let implicit = given.time_step_s.unwrap_or_else(|| longest_step(system));
         let chosen = || implicit.min(EXPLICIT_SHARE * explicit_limit(system));
@@ -110,8 +110,8 @@ impl MotionSettings {
     /// The same in the words of a stored run, whose steps were of these lengths \[s\] and numbers.
     #[must_use]
     pub fn of_run(&self, system: &MovingSystem, steps: &[(f64, u64)]) -> Settings {
-        let implicit = self.method != MotionMethod::Rk4;
-        let alpha = self.method == MotionMethod::Alpha;
+        let implicit = self.method != Method::Rk4;
+        let alpha = self.method == Method::Alpha;
         let limit = (!implicit).then(|| stability_limit(system)).flatten();
         let period = (alpha && !steps.is_empty()).then(|| forced_period(system));
         let damping = |period: f64| NumericalDamping::over(self.rho_inf, TAU / period, steps);
@@ -164,7 +164,7 @@ impl MotionSettings {
     /// Why a step of an explicit method is unstable, on the lines as they are divided at the start or on the bed; nothing where it is not.
     #[must_use]
     pub fn instability(&self, system: &MovingSystem) -> Option<String> {
-        let explicit = self.method == MotionMethod::Rk4;
+        let explicit = self.method == Method::Rk4;
         let (limit, at) = explicit.then(|| stability_limit(system))??;
         (self.time_step_s > limit).then(|| above_limit(self.time_step_s, limit, &at))
     }
@@ -305,10 +305,10 @@ fn own_period(system: &MovingSystem) -> f64 {
 }
 
 /// The longest step that a file which sets none allows, where that is alpha's to vary \[s\].
-fn longest_allowed(given: &MotionInputs, system: &MovingSystem) -> f64 {
+fn longest_allowed(given: &Solver, system: &MovingSystem) -> f64 {
     let own = given
         .longest_step_s
-        .filter(|_| given.method == MotionMethod::Alpha);
+        .filter(|_| given.method == Method::Alpha);
     own.unwrap_or_else(|| longest_step(system))
 }
 

@@ -16,6 +16,7 @@ use super::system_state::SystemState;
 use super::system_under_way::compute;
 use crate::case::fields::Schema;
 use crate::case::{Attachment, QuantityId, kind};
+use crate::case::{Method, Solver};
 use crate::checks::resolved::held_along;
 use crate::dynamics::rk4::BELOW_LIMIT;
 use crate::run::computation::{Computation, first};
@@ -27,7 +28,6 @@ use crate::run::refinable::Refinable;
 use crate::run::response::AskedResponse;
 use crate::scene::Scene;
 use crate::system::loads_without_effect::loads_without_effect;
-use crate::system::model::{MotionInputs, MotionMethod};
 use crate::system::rest::UnsolvedSystem;
 use crate::system::results_in_time::stated;
 use crate::system::{SYSTEM, SolvedSystem, SystemFile};
@@ -38,7 +38,7 @@ pub struct SystemInTime {
     /// The system at rest.
     pub solved: Arc<SolvedSystem>,
     /// How it is computed.
-    pub motion: MotionInputs,
+    pub motion: Solver,
     /// What it begins with, once it is asked for.
     begun: Arc<OnceLock<Result<Start, UnsolvedSystem>>>,
 }
@@ -46,7 +46,7 @@ pub struct SystemInTime {
 impl SystemInTime {
     /// A system at rest, to be computed in time.
     #[must_use]
-    pub fn new(solved: Arc<SolvedSystem>, motion: MotionInputs) -> Self {
+    pub fn new(solved: Arc<SolvedSystem>, motion: Solver) -> Self {
         Self {
             solved,
             motion,
@@ -56,7 +56,7 @@ impl SystemInTime {
 
     /// The same system, computed otherwise in time.
     #[must_use]
-    pub fn with(&self, motion: MotionInputs) -> Self {
+    pub fn with(&self, motion: Solver) -> Self {
         Self {
             motion,
             ..self.clone()
@@ -70,8 +70,8 @@ impl SystemInTime {
     /// Where the divided lines do not come to rest.
     pub fn step_bounds(&self) -> Result<(Option<StepLengths>, f64, usize), String> {
         let begun = self.begun().map_err(|why| in_words(&why))?;
-        let open = MotionInputs {
-            method: MotionMethod::Alpha,
+        let open = Solver {
+            method: Method::Alpha,
             time_step_s: None,
             ..self.motion.clone()
         };
@@ -121,8 +121,8 @@ impl Computation for SystemInTime {
 
     fn of_stored(text: &str, file: &str) -> Result<Self, String> {
         let solved = kind::parse_stored::<SystemFile>(text, file).map_err(|all| first(&all))?;
-        let motion = solved.file.solver.clone();
-        let motion = motion.ok_or("its case.toml has no table `[solver]`")?;
+        let motion = solved.file.in_time().cloned();
+        let motion = motion.ok_or("its case.toml has no run in time")?;
         Ok(Self::new(Arc::new(solved), motion))
     }
 
@@ -239,7 +239,7 @@ pub(super) fn check_steps(settings: &MotionSettings, begun: &Start) -> Result<()
 /// What a reader should know of a run before it is computed.
 fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec<String> {
     let mut notes = coarse_memory(begun);
-    if settings.method == MotionMethod::Quasi {
+    if settings.method == Method::Quasi {
         notes.push(INERTIA_LEFT_OUT.to_owned());
     }
     notes.extend(

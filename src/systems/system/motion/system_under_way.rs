@@ -18,6 +18,7 @@ use super::settings::MotionSettings;
 use super::start::Start;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
+use crate::case::Method;
 use crate::case::Subject;
 use crate::dynamics::{March, MethodState};
 use crate::modes::WkbMedium;
@@ -36,7 +37,6 @@ use crate::run::under_way::{UnderWay, halved};
 use crate::run::{Cost, Profile, Work, step_envelope};
 use crate::scene::Scene;
 use crate::solve::NewtonError;
-use crate::system::model::MotionMethod;
 
 /// A system under way.
 struct SystemUnderWay<'a> {
@@ -120,7 +120,7 @@ pub(super) fn compute<'a>(
 /// What is recorded of a run.
 fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> RecorderPlan {
     // Without inertia no energy balances.
-    let balances = settings.method != MotionMethod::Quasi;
+    let balances = settings.method != Method::Quasi;
     let duration = settings.duration_s;
     let output_times = OutputTimes::new(duration, settings.interval_s);
     let window = settings.settled_from_s.map(|from| [from, duration]);
@@ -193,10 +193,10 @@ pub(super) fn profiles(system: &MovingSystem, state: &SystemState) -> Vec<Profil
 }
 
 /// The bodies that turn; a method without inertia reads no force of it at their pins.
-fn bodies(system: &MovingSystem, state: &SystemState, method: MotionMethod) -> Vec<MovingBody> {
+fn bodies(system: &MovingSystem, state: &SystemState, method: Method) -> Vec<MovingBody> {
     let bodies = moving_bodies(system, state).into_iter();
     match method {
-        MotionMethod::Quasi => bodies.map(|body| body.massless()).collect(),
+        Method::Quasi => bodies.map(|body| body.massless()).collect(),
         _ => bodies.collect(),
     }
 }
