@@ -8,10 +8,11 @@ use serde::de::DeserializeOwned;
 use super::checkpoint::Resumed;
 use super::compute::{Computed, Resolution, compute};
 use super::event::Listener;
-use super::outlook::TRIAL;
+use super::line_bounds;
+use super::outlook::{TRIAL, method_by};
 use super::output_times::OutputTimes;
 use super::refinable::Refinable;
-use super::{Checkpoint, ResumedRun, Work, limits, settings};
+use super::{Checkpoint, ResumedRun, Work, limits};
 use crate::case::fields::Schema;
 use crate::case::model::CASE;
 use crate::case::{self, Attachment, Case, Diagnostic, Method};
@@ -169,14 +170,8 @@ impl Computation for Case {
         let Ok(scene) = scene::build(&case, 1) else {
             return Some((case, None));
         };
-        let outlook = settings::outlook(&case, &scene);
-        let (method, why) = match outlook.clear {
-            Some(why) => (Method::Alpha, why),
-            None => {
-                let (cheaper, why) = outlook.choose(&tried(&case, cancel));
-                (cheaper.into(), why)
-            }
-        };
+        let outlook = line_bounds::bounds(&case, &scene).outlook(&case.solver);
+        let (method, why) = method_by(outlook, || tried(&case, cancel));
         case.solver.method = method;
         Some((case, Some(why)))
     }

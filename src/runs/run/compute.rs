@@ -5,12 +5,13 @@ use std::sync::atomic::AtomicBool;
 use std::time::Instant;
 
 use super::event::{JobEvent, Listener};
+use super::line_bounds;
 use super::line_under_way::{LineUnderWay, phases, plan};
 use super::march::MarchResult;
 use super::observer::RunRecord;
 use super::recorder::Recorder;
 use super::response::AskedResponse;
-use super::settings::{damped_modes_warning, set_numerical_damping, settings};
+use super::settings::{SceneBounds, damped_modes_warning, set_numerical_damping};
 use super::simulation::simulate;
 use super::{Cost, Profile, Quantity, ResumedRun, RunState, Settings, Work};
 use super::{natural_modes, published_curve, steady_state};
@@ -96,7 +97,8 @@ pub(super) fn compute(
         Ok(scene) => scene,
         Err(error) => return Computed::failed(error.to_string()),
     };
-    let mut settings = settings(case, &scene);
+    let bounds = line_bounds::bounds(case, &scene);
+    let mut settings = bounds.settings(&case.solver, case.output.interval_s);
     let ratio = resolution.step_ratio;
     settings.time_step_s *= ratio;
     settings.step_tolerance = settings.step_tolerance.map(|t| ratio.powi(3) * t);
@@ -139,19 +141,23 @@ pub(super) fn compute(
         curves: Vec::new(),
         happened: Vec::new(),
     };
-    evaluate(case, &phases[0], computed)
+    evaluate(case, (&phases[0], &bounds), computed)
 }
 
 /// Adds what follows from the record of a computation and from the line at rest: warnings, natural modes, differences
 /// from published curves.
-fn evaluate(case: &Case, scene: &Scene, mut computed: Computed) -> Computed {
+fn evaluate(
+    case: &Case,
+    (scene, bounds): (&Scene, &SceneBounds),
+    mut computed: Computed,
+) -> Computed {
     let outcome = &computed.outcome;
     if outcome.state == RunState::Cancelled && computed.record.history.time.is_empty() {
         return computed;
     }
     let (warnings, record) = (&mut computed.warnings, &mut computed.record);
     let steps = &computed.outcome.lengths;
-    set_numerical_damping(&mut computed.settings, scene, steps);
+    set_numerical_damping(&mut computed.settings, bounds.forced_period, steps);
     warnings.extend(out_of_water(case, record.profile()));
     warnings.append(&mut record.warnings);
     computed.modes = natural_modes::frequencies(case, scene).unwrap_or_else(|why| {

@@ -3,18 +3,19 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
+use super::line_bounds::{position_tolerance, scale_of_motion};
 use super::observers::observers;
 use super::output_times::OutputTimes;
 use super::recorded::{Recorded, RecordedLine};
 use super::recorder::RecorderPlan;
-use super::settings::{motion_scale, position_tolerance};
+use super::settings::error_limits;
 use super::under_way::{MethodOf, UnderWay, halved};
 use super::{Checkpoint, Settings, energy_balance, step_envelope};
 use crate::case::{self, Case, ChannelSpec, Method};
 use crate::dynamics::generalized_alpha::GeneralizedAlpha;
 use crate::dynamics::quasi_static::QuasiStatic;
 use crate::dynamics::rk4::Rk4;
-use crate::dynamics::{self, ErrorLimits, March, MethodState};
+use crate::dynamics::{self, March, MethodState};
 use crate::run::observer::NodeChange;
 use crate::scene::{EnergyRates, Scene};
 use crate::solve::{Kinematics, NewtonError, State};
@@ -63,21 +64,15 @@ impl LineUnderWay<'_> {
         &self.phases[self.phase]
     }
 
-    /// Errors allowed in a step, from a dimensionless tolerance.
-    fn error_limits(&self, tolerance: f64) -> ErrorLimits {
-        let (distance, speed) = motion_scale(self.case, &self.phases[0]);
-        ErrorLimits {
-            position: tolerance * distance,
-            velocity: 2.0 * tolerance * speed,
-        }
-    }
-
     fn alpha(&self, state: &State, tolerance: f64) -> GeneralizedAlpha {
         let (scene, solver) = (&self.phases[0], &self.case.solver);
         let iterations = solver.max_iterations;
         let method = GeneralizedAlpha::new(scene, state, solver.rho_inf, tolerance, iterations);
         let method = match self.settings.step_tolerance {
-            Some(tolerance) => method.controlled(self.error_limits(tolerance)),
+            Some(tolerance) => {
+                let scale = scale_of_motion(self.case, scene);
+                method.controlled(error_limits(tolerance, scale))
+            }
             None => method,
         };
         match scene.velocity_resolution() {

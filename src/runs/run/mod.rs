@@ -23,6 +23,7 @@ mod initial_equilibrium;
 pub mod job;
 mod late_samples;
 pub mod limits;
+pub mod line_bounds;
 pub mod line_statistics;
 mod line_under_way;
 pub mod lines_along;

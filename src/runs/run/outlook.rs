@@ -27,13 +27,13 @@ pub struct Outlook {
 
 /// The steps of both methods.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StepLengths {
+pub struct StepLengths<'a> {
     /// Simulated time \[s\].
     pub duration: f64,
     /// The stability limit of explicit steps \[s\].
     pub limit: f64,
-    /// What sets it, in words: in a sentence, and behind it.
-    pub limited_by: [String; 2],
+    /// What sets it, in words.
+    pub limited_by: &'a str,
     /// The step that the file gives \[s\].
     pub given: Option<f64>,
     /// The explicit step \[s\].
@@ -76,18 +76,36 @@ impl Cheaper {
     }
 }
 
+/// The method that an outlook chooses, after a trial of generalized-alpha where it needs one, and why; without an outlook there are no segments
+/// that bind explicit steps.
+pub fn method_by(outlook: Option<Outlook>, trial: impl FnOnce() -> Work) -> (Method, String) {
+    let Some(outlook) = outlook else {
+        let why = "alpha: there is no line whose segments bind the steps of RK4";
+        return (Method::Alpha, why.to_owned());
+    };
+    if let Some(why) = outlook.clear {
+        return (Method::Alpha, why);
+    }
+    let (cheaper, why) = outlook.choose(&trial());
+    (cheaper.into(), why)
+}
+
 impl Outlook {
     /// By the steps that both methods take where no error shortens them.
     #[must_use]
-    pub fn of(steps: &StepLengths) -> Self {
-        let StepLengths { limit, given, .. } = steps;
-        let [within, behind] = &steps.limited_by;
-        let bound = format!("its step is bound to {limit:.2e} s by {within}");
+    pub fn of(steps: &StepLengths<'_>) -> Self {
+        let StepLengths {
+            limit,
+            given,
+            limited_by,
+            ..
+        } = steps;
+        let bound = format!("its step is bound to {limit:.2e} s by {limited_by}");
         let explicit = steps.duration / steps.explicit * (4.0 + READING);
         let least = steps.duration / steps.implicit * (ITERATION + READING);
         let clear = if given.is_some_and(|step| step > *limit) {
             Some(format!(
-                "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by {behind}"
+                "alpha: the time step is above the limit of RK4, {limit:.2e} s, set by {limited_by}"
             ))
         } else {
             (explicit > CLEAR * least).then(|| format!(

@@ -1,129 +1,144 @@
-//! The settings that the solver uses, those included that the case leaves open.
+//! The settings that a run uses, those included that its file leaves open: by what bounds the steps of its scene, a line or a system of lines.
 
 use super::Settings;
+use super::march::too_many_steps;
 use super::outlook::{Outlook, StepLengths};
-use crate::case::{Case, Method, Solver};
+use crate::case::{Method, Solver};
+use crate::dynamics::ErrorLimits;
 use crate::dynamics::numerical_damping::NumericalDamping;
-use crate::numerics::V3;
-use crate::physics::EndMotion;
-use crate::scene::{EndCondition, Scene};
-use crate::solve::{Kinematics, StaticSearch};
+use crate::dynamics::rk4::{BELOW_LIMIT, above_limit};
 
 /// Share of the stability limit that explicit steps take when left open: the companion that estimates the
 /// time error takes twice that and must still be stable.
 const EXPLICIT_SHARE: f64 = 0.45;
 
-/// Steps an axial period of the payload on its line, or a period of prescribed motion, is divided into.
-/// at least; steps that vary are shorter where their error asks for it.
-const STEPS_A_PERIOD: f64 = 20.0;
-
-/// The settings of a run of this case.
-#[must_use]
-pub fn settings(case: &Case, scene: &Scene) -> Settings {
-    let solver = &case.solver;
-    let still = solver.method == Method::Static;
-    let explicit = solver.method == Method::Rk4;
-    let limit = explicit.then(|| scene.explicit_limit());
-    let (step, automatic) = match solver.time_step_s {
-        _ if still => (0.0, false),
-        Some(step) => (step, false),
-        None => (longest_step(solver, scene, limit.map(|l| l.0)), true),
-    };
-    Settings {
-        method: solver.method.name().to_owned(),
-        duration_s: if still { 0.0 } else { solver.duration_s },
-        time_step_s: step,
-        time_step_automatic: automatic,
-        step_tolerance: (automatic && solver.method == Method::Alpha)
-            .then_some(solver.step_tolerance),
-        rho_inf: (solver.method == Method::Alpha).then_some(solver.rho_inf),
-        stability_limit_s: limit.map(|l| l.0),
-        stability_limit_at: limit
-            .map(|l| format!("segment {} ({})", l.1, section_of(case, scene, l.1))),
-        position_tolerance_m: (!explicit).then(|| position_tolerance(case, scene)),
-        nodes: scene.nodes(),
-        output_interval_s: if still { 0.0 } else { case.output.interval_s },
-        error_method: String::new(),
-        ..Settings::default()
-    }
-}
-
-/// Newton's tolerance: the user's, or less where the line is so stiff that this would hide a force.
-#[must_use]
-pub fn position_tolerance(case: &Case, scene: &Scene) -> f64 {
-    case.solver
-        .position_tolerance_m
-        .min(scene.position_tolerance(1e-4))
-}
-
-/// The step of a case that sets none: the longest that it allows, where that is alpha's to vary.
-fn longest_step(solver: &Solver, scene: &Scene, limit: Option<f64>) -> f64 {
-    let own = solver
-        .longest_step_s
-        .filter(|_| solver.method == Method::Alpha);
-    own.unwrap_or_else(|| automatic_step(scene, limit))
-}
-
-/// A share of the stability limit for explicit methods. For implicit ones a share of the shortest period that
-/// the scene forces: of prescribed motion, or of the payload bouncing on its line,
-/// `2 pi sqrt(m / k)` with k the line's axial stiffness.
-fn automatic_step(scene: &Scene, limit: Option<f64>) -> f64 {
-    let stable = limit.map_or(f64::INFINITY, |limit| limit * EXPLICIT_SHARE);
-    let bounce = stable.min(bounce_period(scene) / STEPS_A_PERIOD);
-    let ends = motions(scene).filter_map(|motion| motion.longest_step(STEPS_A_PERIOD));
-    ends.fold(bounce, f64::min)
-}
-
-/// The motions of the ends that are held.
-fn motions(scene: &Scene) -> impl Iterator<Item = &EndMotion> {
-    scene.line.ends.iter().filter_map(|end| match end {
-        EndCondition::Prescribed(motion) => Some(motion),
-        EndCondition::Free => None,
-    })
-}
-
-/// The shortest period that the scene forces \[s\]: of prescribed motion, or of the line and its payload bouncing.
-fn forced_period(scene: &Scene) -> f64 {
-    let ends = motions(scene).filter_map(EndMotion::period);
-    ends.fold(bounce_period(scene), f64::min)
-}
-
-/// Period of the line and its payload bouncing along themselves \[s\].
-fn bounce_period(scene: &Scene) -> f64 {
-    let line = &scene.line;
-    let compliance = line.segments.iter().map(|s| s.axial.length / s.axial.ea);
-    let added = line.bodies.iter().map(|b| b.body.added.max());
-    let mass = line.mass.iter().sum::<f64>() + added.sum::<f64>();
-    std::f64::consts::TAU * (mass * compliance.sum::<f64>()).sqrt()
-}
+/// Steps that a period of what a scene forces is divided into at least; steps that vary are shorter where their error asks for it.
+pub const STEPS_A_PERIOD: f64 = 20.0;
 
 /// By how much the motion that errors are measured by may exceed that of the ends that cause it.
 const RESPONSE: f64 = 10.0;
 
-/// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the whole line and of its fall by its own length
-/// or, where ends that move disturb a line at rest and nothing else does, of [`RESPONSE`] times their motion.
-pub(super) fn motion_scale(case: &Case, scene: &Scene) -> (f64, f64) {
-    let length = scene.line.arc.last().copied().unwrap_or(1.0);
-    let speed = (case.environment.gravity_m_per_s2 * length).sqrt();
-    let disturbed = !scene.start.in_equilibrium
-        || scene.start.velocity != V3::zeros()
-        || case.start.from_run.is_some()
-        || case.traveller.is_some()
-        || case.waves.is_some()
-        || !scene.events.is_empty();
-    let duration = case.solver.duration_s;
-    let moved = motions(scene).map(|motion| motion.extent(duration));
-    let (far, fast) = moved.fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
-    if disturbed || far <= 0.0 || fast <= 0.0 {
+/// What bounds the steps of a scene, whatever its file asks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneBounds {
+    /// The longest step that sees what is prescribed and how the scene bounces \[s\].
+    pub longest_step: f64,
+    /// The shortest period that it forces \[s\].
+    pub forced_period: f64,
+    /// The stability limit of explicit steps \[s\] and what sets it, in words; nothing where nothing binds them.
+    pub stability: Option<(f64, String)>,
+    /// The limit that explicit steps are chosen by \[s\], at most that one.
+    pub explicit_limit: f64,
+    /// Newton's tolerance beyond which it would hide a force \[m\].
+    pub position_tolerance: f64,
+    /// Number of nodes of all lines, both ends counted; 0 without lines.
+    pub nodes: usize,
+}
+
+impl SceneBounds {
+    /// The explicit step chosen for the scene \[s\].
+    #[must_use]
+    pub fn explicit_step(&self) -> f64 {
+        self.longest_step.min(EXPLICIT_SHARE * self.explicit_limit)
+    }
+
+    /// The step of a run whose file gives it none: the longest that it allows, where that is alpha's to vary \[s\].
+    #[must_use]
+    pub fn chosen_step(&self, solver: &Solver) -> f64 {
+        let own = solver.longest_step_s;
+        match solver.method {
+            Method::Rk4 => self.explicit_step(),
+            Method::Alpha => own.unwrap_or(self.longest_step),
+            Method::Static | Method::Quasi | Method::Auto => self.longest_step,
+        }
+    }
+
+    /// The settings of a run of the scene.
+    #[must_use]
+    pub fn settings(&self, solver: &Solver, interval_s: f64) -> Settings {
+        let still = !solver.is_in_time();
+        let in_time = |value: f64| if still { 0.0 } else { value };
+        let (explicit, alpha) = (solver.method == Method::Rk4, solver.method == Method::Alpha);
+        let automatic = solver.time_step_s.is_none() && !still;
+        let step = solver
+            .time_step_s
+            .unwrap_or_else(|| self.chosen_step(solver));
+        let stability = self.stability.as_ref().filter(|_| explicit);
+        let tolerance = solver.position_tolerance_m.min(self.position_tolerance);
+        Settings {
+            method: solver.method.name().to_owned(),
+            duration_s: in_time(solver.duration_s),
+            time_step_s: in_time(step),
+            time_step_automatic: automatic,
+            step_tolerance: (automatic && alpha).then_some(solver.step_tolerance),
+            rho_inf: alpha.then_some(solver.rho_inf),
+            stability_limit_s: stability.map(|(limit, _)| *limit),
+            stability_limit_at: stability.map(|(_, at)| at.clone()),
+            position_tolerance_m: (!explicit).then_some(tolerance),
+            nodes: self.nodes,
+            output_interval_s: in_time(interval_s),
+            ..Settings::default()
+        }
+    }
+
+    /// The outlook for a file that leaves the choice of the method open; nothing without lines, whose segments bind explicit steps.
+    #[must_use]
+    pub fn outlook(&self, solver: &Solver) -> Option<Outlook> {
+        let (limit, at) = self.stability.as_ref().filter(|_| self.nodes > 0)?;
+        let given = solver.time_step_s;
+        Some(Outlook::of(&StepLengths {
+            duration: solver.duration_s,
+            limit: *limit,
+            limited_by: at,
+            given,
+            explicit: given.unwrap_or_else(|| self.explicit_step()),
+            implicit: given.unwrap_or(self.longest_step),
+        }))
+    }
+}
+
+/// Why a run is refused before its first step, and what to do: unstable steps, or too many.
+#[must_use]
+pub fn refused(settings: &Settings) -> Option<(String, String)> {
+    let (step, duration) = (settings.time_step_s, settings.duration_s);
+    if let Some(problem) = unstable(settings) {
+        return Some((problem, BELOW_LIMIT.to_owned()));
+    }
+    let fewer = "make the line less stiff, or choose the method `alpha`";
+    too_many_steps(duration, step, fewer)
+}
+
+/// Why explicit steps are unstable; nothing where they are not.
+#[must_use]
+pub fn unstable(settings: &Settings) -> Option<String> {
+    let limit = settings.stability_limit_s?;
+    let at = settings.stability_limit_at.as_deref().unwrap_or_default();
+    let step = settings.time_step_s;
+    (step > limit).then(|| above_limit(step, limit, at))
+}
+
+/// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: those of a line and of its fall by its own length or, where
+/// only what is prescribed disturbs the scene, [`RESPONSE`] times the distance and the speed of that.
+#[must_use]
+pub fn motion_scale((length, speed): (f64, f64), (far, fast): (f64, f64)) -> (f64, f64) {
+    if far <= 0.0 || fast <= 0.0 {
         return (length, speed);
     }
     (length.min(RESPONSE * far), speed.min(RESPONSE * fast))
 }
 
-/// Sets the numerical damping of generalized-alpha in steps of these lengths \[s\] and numbers.
-pub(super) fn set_numerical_damping(settings: &mut Settings, scene: &Scene, steps: &[(f64, u64)]) {
+/// Errors allowed in a step, from a dimensionless tolerance and the scale of what moves.
+#[must_use]
+pub fn error_limits(tolerance: f64, (distance, speed): (f64, f64)) -> ErrorLimits {
+    ErrorLimits {
+        position: tolerance * distance,
+        velocity: 2.0 * tolerance * speed,
+    }
+}
+
+/// Sets the numerical damping of generalized-alpha at the period that the scene forces \[s\], in steps of these lengths \[s\] and numbers.
+pub fn set_numerical_damping(settings: &mut Settings, period: f64, steps: &[(f64, u64)]) {
     if let (Some(rho), false) = (settings.rho_inf, steps.is_empty()) {
-        let period = forced_period(scene);
         let omega = std::f64::consts::TAU / period;
         settings.numerical_damping = Some(NumericalDamping::over(rho, omega, steps).damping);
         settings.numerical_damping_period_s = Some(period);
@@ -182,37 +197,4 @@ fn words_for(steps: &[(f64, u64)]) -> String {
     } else {
         format!("{longest:.3e} s")
     }
-}
-
-/// The outlook for a case that leaves the choice of the method open.
-pub(super) fn outlook(case: &Case, scene: &Scene) -> Outlook {
-    let (limit, segment) = scene.explicit_limit();
-    let of = section_of(case, scene, segment);
-    let given = case.solver.time_step_s;
-    let step = |limit| given.unwrap_or_else(|| automatic_step(scene, limit));
-    Outlook::of(&StepLengths {
-        duration: case.solver.duration_s,
-        limit,
-        limited_by: [
-            format!("segment {segment}, {of}"),
-            format!("segment {segment} ({of})"),
-        ],
-        given,
-        explicit: step(Some(limit)),
-        implicit: step(None),
-    })
-}
-
-/// Name of the section that a segment belongs to.
-fn section_of(case: &Case, scene: &Scene, segment: usize) -> String {
-    let index = scene
-        .labels
-        .joints
-        .iter()
-        .take_while(|j| j.node <= segment)
-        .count();
-    index
-        .checked_sub(1)
-        .and_then(|i| case.line.get(i))
-        .map_or_else(|| "rod of the payload".to_owned(), |s| s.name.clone())
 }

@@ -4,14 +4,14 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::initial_equilibrium::find_equilibrium;
 use super::line_under_way::LineUnderWay;
-use super::march::{MarchResult, MarchStart, Marching, too_many_steps};
+use super::march::{MarchResult, MarchStart, Marching};
 use super::observer::{LineAtEnd, RunEnd, RunRecord};
 use super::recorder::Recorder;
+use super::settings::refused;
 use super::warm_start::warm_start;
 use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::March;
-use crate::dynamics::rk4::{BELOW_LIMIT, above_limit};
 use crate::scene::Scene;
 use crate::solve::State;
 
@@ -108,19 +108,8 @@ fn find_start<'a>(
     })
 }
 
-/// Why a method is refused before its first step: too many steps, or unstable ones.
+/// Why a method is refused before its first step, in words.
 fn refusal(case: &Case, settings: &Settings) -> Option<String> {
-    if case.solver.method == Method::Static {
-        return None;
-    }
-    let step = settings.time_step_s;
-    let limit = settings.stability_limit_s;
-    if case.solver.method == Method::Rk4 && limit.is_some_and(|limit| step > limit) {
-        let at = settings.stability_limit_at.as_deref().unwrap_or_default();
-        let problem = above_limit(step, limit.unwrap_or_default(), at);
-        return Some(format!("{problem}; {BELOW_LIMIT}"));
-    }
-    let fewer = "make the line less stiff, or choose the solver `alpha`";
-    let (problem, remedy) = too_many_steps(settings.duration_s, step, fewer)?;
+    let (problem, remedy) = refused(settings).filter(|_| case.solver.is_in_time())?;
     Some(format!("{problem}; {remedy}"))
 }

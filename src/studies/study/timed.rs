@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use crate::case::{Case, Method, Solver};
 use crate::run::accuracy::searchable::{Asked, Searchable};
-use crate::run::outlook::StepLengths;
+use crate::run::line_bounds::bounds;
+use crate::run::settings::SceneBounds;
 use crate::scene;
 use crate::system::at_rest::SystemAtRest;
 use crate::system::motion::system_in_time::SystemInTime;
@@ -44,24 +45,30 @@ pub trait Timed: Searchable {
     fn heavier(&self, by: f64) -> Result<Self, String>;
 }
 
+impl StepBounds {
+    /// By what bounds the steps of a scene, and what its file asks.
+    fn new(scene: &SceneBounds, solver: &Solver) -> Self {
+        let alpha = Solver {
+            method: Method::Alpha,
+            ..solver.clone()
+        };
+        let chosen = scene.chosen_step(&alpha);
+        let is_bound = scene.nodes > 0;
+        let explicit = |of: f64| if is_bound { of } else { f64::INFINITY };
+        let limit = scene.stability.as_ref().map_or(f64::INFINITY, |own| own.0);
+        Self {
+            explicit: explicit(limit),
+            explicit_step: explicit(scene.explicit_step()),
+            longest: solver.time_step_s.map_or(chosen, |own| own.max(chosen)),
+            nodes: scene.nodes,
+        }
+    }
+}
+
 impl Timed for Case {
     fn bounds(&self) -> Result<StepBounds, String> {
         let scene = scene::build(self, 1).map_err(|error| error.to_string())?;
-        let chosen = |method| {
-            let mut open = self.clone();
-            (open.solver.method, open.solver.time_step_s) = (method, None);
-            crate::run::settings::settings(&open, &scene).time_step_s
-        };
-        let (explicit_step, chosen) = (chosen(Method::Rk4), chosen(Method::Alpha));
-        Ok(StepBounds {
-            explicit: scene.explicit_limit().0,
-            explicit_step,
-            longest: self
-                .solver
-                .time_step_s
-                .map_or(chosen, |own| own.max(chosen)),
-            nodes: scene.line.mass.len(),
-        })
+        Ok(StepBounds::new(&bounds(self, &scene), &self.solver))
     }
 
     fn estimating(&self, errors: bool) -> Self {
@@ -87,15 +94,7 @@ impl Timed for Case {
 
 impl Timed for SystemInTime {
     fn bounds(&self) -> Result<StepBounds, String> {
-        let (lengths, chosen, nodes) = self.step_bounds()?;
-        let of = |length: fn(&StepLengths) -> f64| lengths.as_ref().map_or(f64::INFINITY, length);
-        let own = self.motion.time_step_s;
-        Ok(StepBounds {
-            explicit: of(|lengths| lengths.limit),
-            explicit_step: of(|lengths| lengths.explicit),
-            longest: own.map_or(chosen, |own| own.max(chosen)),
-            nodes,
-        })
+        Ok(StepBounds::new(&self.step_bounds()?, &self.motion))
     }
 
     fn estimating(&self, errors: bool) -> Self {

@@ -1,7 +1,7 @@
 //! What mesh and steps are searched for: a case of a line, or a system of lines in time.
 
 use super::super::computation::Computation;
-use super::super::settings::settings;
+use super::super::line_bounds::settings;
 use super::Fineness;
 use super::steps::Steps;
 use crate::case::{Case, Clump, Method};

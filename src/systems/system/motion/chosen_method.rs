@@ -3,13 +3,14 @@
 use std::sync::atomic::AtomicBool;
 
 use super::checkpoint::ResumedSystem;
-use super::settings::MotionSettings;
+use super::motion_plan::MotionPlan;
 use super::start::Start;
+use super::system_bounds::bounds;
 use super::system_under_way::compute;
 use crate::case::{Method, Solver};
 use crate::run::Work;
 use crate::run::lines_along::LinesAlong;
-use crate::run::outlook::{Cheaper, Outlook, TRIAL};
+use crate::run::outlook::{Cheaper, TRIAL, method_by};
 
 /// The inputs with the method that the program chooses, and why; nothing where the file names one. A run that is resumed keeps its
 /// method.
@@ -33,17 +34,9 @@ pub(super) fn chosen(
         };
         return Some((by(begun_with.into()), begun_with.as_begun()));
     }
-    // Nothing but bodies: no segment limits a step.
-    let Some(steps) = MotionSettings::step_lengths(given, &begun.system) else {
-        let why = "alpha: there is no line whose segments bind the steps of RK4";
-        return Some((by(Method::Alpha), why.to_owned()));
-    };
-    let outlook = Outlook::of(&steps);
-    if let Some(why) = outlook.clear {
-        return Some((by(Method::Alpha), why));
-    }
-    let (cheaper, why) = outlook.choose(&trial(&by(Method::Alpha), begun, cancel));
-    Some((by(cheaper.into()), why))
+    let outlook = bounds(&begun.system).outlook(given);
+    let (method, why) = method_by(outlook, || trial(&by(Method::Alpha), begun, cancel));
+    Some((by(method), why))
 }
 
 /// Work of generalized-alpha over a part of the duration.
@@ -57,7 +50,7 @@ fn trial(given: &Solver, begun: &Start, cancel: &AtomicBool) -> Work {
         along: LinesAlong::default(),
         ..begun.clone()
     };
-    let settings = MotionSettings::new(&given, duration_s, &begun.system);
-    let tried = compute(begun, &settings, None, cancel, None);
+    let plan = MotionPlan::new(&given, duration_s, &begun.system);
+    let tried = compute(begun, &plan, None, cancel, None);
     tried.outcome.work
 }

@@ -3,15 +3,17 @@
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
-use super::settings::MotionSettings;
+use super::motion_plan::{MotionPlan, MotionResults};
 use super::start::{Start, start};
 use super::system_in_time::SystemInTime;
 use super::system_under_way::compute;
 use crate::case::Method;
+use crate::run::Settings;
 use crate::run::companions::Place;
 use crate::run::compute::Computed;
 use crate::run::lines_along::LinesAlong;
 use crate::run::refinable::Refinable;
+use crate::run::settings::unstable;
 
 /// Lengths of the segments of other meshes, by those of the run.
 const MESHES: [f64; 3] = [0.5, 2.0, 4.0];
@@ -19,7 +21,7 @@ const MESHES: [f64; 3] = [0.5, 2.0, 4.0];
 /// A system with what a run of it began with.
 pub(super) struct RefinableSystem<'a> {
     of: &'a SystemInTime,
-    settings: MotionSettings,
+    plan: MotionPlan,
     start: Start,
     /// The same on each of the other meshes, or why it does not come to rest; once it is needed.
     others: [OnceLock<Result<Start, String>>; MESHES.len()],
@@ -29,7 +31,7 @@ impl<'a> RefinableSystem<'a> {
     pub(super) fn new(of: &'a SystemInTime, begun: &Start) -> Self {
         Self {
             of,
-            settings: of.settings(begun),
+            plan: of.plan(begun),
             // Cycles along the lines are counted by the run itself.
             start: Start {
                 along: LinesAlong::default(),
@@ -57,32 +59,39 @@ impl Refinable for RefinableSystem<'_> {
             Ok(begun) => begun.clone(),
             Err(why) => return Computed::failed(why),
         };
-        let own = MotionSettings::new(&self.of.motion, self.settings.interval_s, &begun.system);
+        let interval = self.plan.settings.output_interval_s;
+        let own = MotionPlan::new(&self.of.motion, interval, &begun.system);
         // As a search had explicit steps before it made them finer: with the segments.
         let longer = match self.named() {
-            Some(_) if self.is_explicit() && !own.is_automatic => place.segment.max(1.0),
+            Some(_) if self.is_explicit() && !own.settings.time_step_automatic => {
+                place.segment.max(1.0)
+            }
             _ => 1.0,
         };
-        let settings = MotionSettings {
-            time_step_s: longer * place.step * own.time_step_s,
-            step_tolerance: own.step_tolerance.map(|t| place.step.powi(3) * t),
-            settled_from_s: self.settings.settled_from_s,
-            stated: self.settings.stated.clone(),
-            response: self.settings.response,
-            shape_interval_s: self
-                .settings
-                .shape_interval_s
-                .filter(|_| self.settings.response.is_some()),
+        let tolerance = own.settings.step_tolerance;
+        let recorded = self.plan.recorded.clone();
+        let plan = MotionPlan {
+            settings: Settings {
+                time_step_s: longer * place.step * own.settings.time_step_s,
+                step_tolerance: tolerance.map(|t| place.step.powi(3) * t),
+                ..own.settings
+            },
+            recorded: MotionResults {
+                shape_interval_s: recorded
+                    .shape_interval_s
+                    .filter(|_| recorded.response.is_some()),
+                ..recorded
+            },
             ..own
         };
-        match settings.instability(&begun.system) {
+        match unstable(&plan.settings) {
             Some(why) => Computed::failed(why),
-            None => compute(begun, &settings, None, cancel, None),
+            None => compute(begun, &plan, None, cancel, None),
         }
     }
 
     fn method_order(&self) -> Option<f64> {
-        self.settings.method.order()
+        self.plan.solver.method.order()
     }
 
     fn has_crisis(&self) -> bool {
@@ -92,11 +101,11 @@ impl Refinable for RefinableSystem<'_> {
     }
 
     fn is_explicit(&self) -> bool {
-        self.settings.method == Method::Rk4
+        self.plan.solver.method == Method::Rk4
     }
 
     fn varies_steps(&self) -> bool {
-        self.settings.step_tolerance.is_some()
+        self.plan.settings.step_tolerance.is_some()
     }
 
     fn segments(&self, coarsening: usize) -> usize {

@@ -4,7 +4,6 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 pub use super::channel_result::{ChannelResult, ChannelSummary};
-use super::settings::MotionSettings;
 use super::system_in_time::{SystemInTime, check_steps};
 use crate::case::Solver;
 use crate::run::along::FatigueSpot;
@@ -21,10 +20,8 @@ use crate::system::rest::UnsolvedSystem;
 /// A computed run.
 #[derive(Debug, Clone)]
 pub struct MotionRun {
-    /// Settings that it used.
-    pub settings: MotionSettings,
-    /// The same in the words of a stored run, with how its errors were estimated.
-    pub stored_settings: Settings,
+    /// Settings that it used, with how its errors were estimated.
+    pub settings: Settings,
     /// Statistics of the channels, with errors, in the order of the history.
     pub channels: Vec<ChannelResult>,
     /// All single numbers with their errors: of channels, along the lines, of the energy.
@@ -58,11 +55,10 @@ pub struct MotionRun {
 }
 
 /// The run of a computation, with the errors of its results.
-fn with_errors(found: Computed, settings: MotionSettings, errors: ErrorEstimates) -> MotionRun {
+fn with_errors(found: Computed, errors: ErrorEstimates) -> MotionRun {
     let record = found.record;
     MotionRun {
-        settings,
-        stored_settings: found.settings,
+        settings: found.settings,
         channels: ChannelResult::all(&record.history.channels, &errors.summary),
         summary: errors.summary,
         companions: errors.curves,
@@ -96,10 +92,9 @@ pub fn run(
     let chosen = system.with_chosen_method(None, cancel);
     let (system, why) = chosen.unwrap_or((system, None));
     let begun = system.begun()?;
-    let settings = system.settings(begun);
-    check_steps(&settings, begun)?;
+    check_steps(&system.plan(begun).settings)?;
     let mut computed = system.compute(None, cancel, Some(&mut *events));
     computed.settings.method_reason = why;
     let (computed, errors) = with_estimates(&system, computed, None, cancel, events);
-    Ok(with_errors(computed, settings, errors))
+    Ok(with_errors(computed, errors))
 }

@@ -28,7 +28,7 @@ impl Searchable for SystemInTime {
 
     fn chosen_step(&self) -> Result<f64, String> {
         let begun = self.begun().map_err(|why| why.problem)?;
-        Ok(self.settings(begun).time_step_s)
+        Ok(self.plan(begun).settings.time_step_s)
     }
 
     fn stepped(&self, steps: Steps) -> Self {

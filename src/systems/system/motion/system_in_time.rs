@@ -9,24 +9,23 @@ use super::channels::Channels;
 use super::checkpoint::ResumedSystem;
 use super::chosen_method::chosen;
 use super::driving_period::asked_response;
+use super::motion_plan::{MotionPlan, MotionResults};
 use super::refinable_system::RefinableSystem;
-use super::settings::MotionSettings;
 use super::start::{Start, start};
+use super::system_bounds::bounds;
 use super::system_state::SystemState;
 use super::system_under_way::compute;
 use crate::case::fields::Schema;
 use crate::case::{Attachment, QuantityId, kind};
 use crate::case::{Method, Solver};
 use crate::checks::resolved::held_along;
-use crate::dynamics::rk4::BELOW_LIMIT;
+use crate::run::Settings;
 use crate::run::computation::{Computation, first};
 use crate::run::compute::{Computed, INERTIA_LEFT_OUT};
 use crate::run::event::{JobEvent, Listener};
-use crate::run::march::too_many_steps;
-use crate::run::outlook::StepLengths;
 use crate::run::refinable::Refinable;
 use crate::run::response::AskedResponse;
-use crate::scene::Scene;
+use crate::run::settings::{SceneBounds, refused};
 use crate::system::loads_without_effect::loads_without_effect;
 use crate::system::rest::UnsolvedSystem;
 use crate::system::results_in_time::stated;
@@ -63,22 +62,13 @@ impl SystemInTime {
         }
     }
 
-    /// The steps of both methods, where lines limit the explicit ones, the longest step chosen for generalized-alpha \[s\], and the number
-    /// of nodes.
+    /// What bounds its steps.
     ///
     /// # Errors
     /// Where the divided lines do not come to rest.
-    pub fn step_bounds(&self) -> Result<(Option<StepLengths>, f64, usize), String> {
+    pub fn step_bounds(&self) -> Result<SceneBounds, String> {
         let begun = self.begun().map_err(|why| in_words(&why))?;
-        let open = Solver {
-            method: Method::Alpha,
-            time_step_s: None,
-            ..self.motion.clone()
-        };
-        let lengths = MotionSettings::step_lengths(&open, &begun.system);
-        let chosen = MotionSettings::new(&open, 1.0, &begun.system).time_step_s;
-        let nodes = begun.system.scenes.iter().map(Scene::line_nodes).sum();
-        Ok((lengths, chosen, nodes))
+        Ok(bounds(&begun.system))
     }
 
     /// What it begins with.
@@ -102,16 +92,18 @@ impl SystemInTime {
         stated(file).into_iter().chain(held).collect()
     }
 
-    /// The settings that its run uses.
-    pub(super) fn settings(&self, begun: &Start) -> MotionSettings {
+    /// How its run is computed, and what is recorded of it.
+    pub(super) fn plan(&self, begun: &Start) -> MotionPlan {
         let (file, given) = (&self.solved.file, &self.motion);
         let window = file.statistics.settled_window(given.duration_s);
-        MotionSettings {
-            settled_from_s: window.map(|[from, _]| from),
-            stated: self.stated(begun),
-            response: asked_response(file),
-            shape_interval_s: Some(file.output.shape_interval_s),
-            ..MotionSettings::new(given, file.output.interval_s, &begun.system)
+        MotionPlan {
+            recorded: MotionResults {
+                settled_from_s: window.map(|[from, _]| from),
+                stated: self.stated(begun),
+                response: asked_response(file),
+                shape_interval_s: Some(file.output.shape_interval_s),
+            },
+            ..MotionPlan::new(given, file.output.interval_s, &begun.system)
         }
     }
 }
@@ -175,8 +167,8 @@ impl Computation for SystemInTime {
             Ok(begun) => begun,
             Err(why) => return Computed::failed(in_words(&why)),
         };
-        let settings = self.settings(begun);
-        if let Err(why) = check_steps(&settings, begun) {
+        let plan = self.plan(begun);
+        if let Err(why) = check_steps(&plan.settings) {
             return Computed::failed(in_words(&why));
         }
         let events: Listener<'_> = match events {
@@ -195,9 +187,9 @@ impl Computation for SystemInTime {
             along,
             ..begun.clone()
         };
-        let mut run = compute(counting, &settings, from, cancel, events);
+        let mut run = compute(counting, &plan, from, cancel, events);
         run.warnings.append(&mut run.record.warnings);
-        run.warnings.extend(notes(&self.solved, begun, &settings));
+        run.warnings.extend(notes(&self.solved, begun, &plan));
         run.warnings.extend(missing);
         run
     }
@@ -218,34 +210,28 @@ fn in_words(why: &UnsolvedSystem) -> String {
 }
 
 /// Checks that the steps are not too many, and stable.
-pub(super) fn check_steps(settings: &MotionSettings, begun: &Start) -> Result<(), UnsolvedSystem> {
-    let refusal = |problem: String, remedy: String| UnsolvedSystem {
-        problem,
-        remedy,
-        line: None,
-        part: None,
-    };
-    let fewer = "make the lines less stiff, or choose the method `alpha`";
-    let (duration, step) = (settings.duration_s, settings.time_step_s);
-    if let Some((problem, remedy)) = too_many_steps(duration, step, fewer) {
-        return Err(refusal(problem, remedy));
-    }
-    match settings.instability(&begun.system) {
-        Some(problem) => Err(refusal(problem, BELOW_LIMIT.to_owned())),
+pub(super) fn check_steps(settings: &Settings) -> Result<(), UnsolvedSystem> {
+    match refused(settings) {
         None => Ok(()),
+        Some((problem, remedy)) => Err(UnsolvedSystem {
+            problem,
+            remedy,
+            line: None,
+            part: None,
+        }),
     }
 }
 
 /// What a reader should know of a run before it is computed.
-fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec<String> {
+fn notes(solved: &SolvedSystem, begun: &Start, plan: &MotionPlan) -> Vec<String> {
     let mut notes = coarse_memory(begun);
-    if settings.method == Method::Quasi {
+    if plan.solver.method == Method::Quasi {
         notes.push(INERTIA_LEFT_OUT.to_owned());
     }
     notes.extend(
-        settings
+        plan.recorded
             .response
-            .and_then(|asked| late_response(asked, settings)),
+            .and_then(|asked| late_response(asked, &plan.settings)),
     );
     notes.extend(turned_from_loads(begun));
     notes.extend(loads_without_effect(solved));
@@ -253,7 +239,7 @@ fn notes(solved: &SolvedSystem, begun: &Start, settings: &MotionSettings) -> Vec
 }
 
 /// That the response would be taken after the end of the run alone.
-fn late_response(asked: AskedResponse, settings: &MotionSettings) -> Option<String> {
+fn late_response(asked: AskedResponse, settings: &Settings) -> Option<String> {
     let (from, end) = (asked.from, settings.duration_s);
     (from >= end).then(|| {
         format!(

@@ -11,11 +11,12 @@ use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint, check, check_added};
 use super::mesh_of_ends::{EndMesh, Remesh};
 use super::method::{SystemMethod, method};
+use super::motion_plan::MotionPlan;
 use super::moving_system::MovingSystem;
 use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
-use super::settings::MotionSettings;
 use super::start::Start;
+use super::system_bounds::bounds;
 use super::system_state::SystemState;
 use crate::background::cpu_time;
 use crate::case::Method;
@@ -32,6 +33,7 @@ use crate::run::recorded::Recorded;
 use crate::run::recorder::{Recorder, RecorderPlan};
 use crate::run::requested_statistics::{self, StatisticSource, add_stated, of_channels, settled};
 use crate::run::response::AskedResponse;
+use crate::run::settings::set_numerical_damping;
 use crate::run::steady_state::settling_quantity;
 use crate::run::under_way::{UnderWay, halved};
 use crate::run::{Cost, Profile, Work, step_envelope};
@@ -44,7 +46,7 @@ struct SystemUnderWay<'a> {
     /// The bodies that turn, with their mass.
     bodies: Vec<MovingBody>,
     channels: Channels,
-    settings: &'a MotionSettings,
+    plan: &'a MotionPlan,
     /// What is let go at a time, the earliest first.
     releases: VecDeque<Release>,
     happened: Vec<String>,
@@ -62,7 +64,7 @@ enum Change {
 /// Marches from the start, or from where a stored run is resumed, to the end, and sends every row to who listens.
 pub(super) fn compute<'a>(
     begun: Start,
-    settings: &MotionSettings,
+    motion: &MotionPlan,
     from: Option<&'a ResumedSystem>,
     cancel: &'a AtomicBool,
     events: Listener<'a>,
@@ -73,19 +75,19 @@ pub(super) fn compute<'a>(
         ..Work::default()
     };
     let channels = Channels::of(&begun.system);
-    let recorder = Recorder::new(plan(&begun, &channels, settings), events, cancel);
+    let recorder = Recorder::new(plan(&begun, &channels, motion), events, cancel);
     let Start { system, state, .. } = begun;
     let subject = SystemUnderWay {
-        bodies: bodies(&system, &state, settings.method),
+        bodies: bodies(&system, &state, motion.solver.method),
         channels,
-        settings,
+        plan: motion,
         releases: by_time(&system).into(),
         happened: Vec::new(),
         system,
     };
     let march = March {
-        duration: settings.duration_s,
-        step: settings.time_step_s,
+        duration: motion.settings.duration_s,
+        step: motion.settings.time_step_s,
     };
     let start = MarchStart::at_rest(from, work);
     let mut marching = Marching::new(subject, state, march, recorder, start);
@@ -105,12 +107,15 @@ pub(super) fn compute<'a>(
         })
         .collect();
     let record = recorder.finish(&RunEnd { lines: &lines });
+    let mut settings = motion.settings.clone();
+    let period = bounds(&subject.system).forced_period;
+    set_numerical_damping(&mut settings, period, &outcome.lengths);
     Computed {
         warnings: Vec::new(),
-        settings: settings.of_run(&subject.system, &outcome.lengths),
+        settings,
         outcome,
         cost,
-        modes: Vec::from_iter(settling_quantity(settings.response, &record.shapes)),
+        modes: Vec::from_iter(settling_quantity(motion.recorded.response, &record.shapes)),
         record,
         curves: Vec::new(),
         happened: subject.happened,
@@ -118,12 +123,13 @@ pub(super) fn compute<'a>(
 }
 
 /// What is recorded of a run.
-fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> RecorderPlan {
+fn plan(begun: &Start, channels: &Channels, motion: &MotionPlan) -> RecorderPlan {
+    let (settings, recorded) = (&motion.settings, &motion.recorded);
     // Without inertia no energy balances.
-    let balances = settings.method != Method::Quasi;
+    let balances = motion.solver.method != Method::Quasi;
     let duration = settings.duration_s;
-    let output_times = OutputTimes::new(duration, settings.interval_s);
-    let window = settings.settled_from_s.map(|from| [from, duration]);
+    let output_times = OutputTimes::new(duration, settings.output_interval_s);
+    let window = recorded.settled_from_s.map(|from| [from, duration]);
     let quantities = channels.ids.iter().map(|id| id.quantity);
     let lines = begun.system.lines(&begun.state).map(|(scene, _)| scene);
     let scenes: Vec<&Scene> = lines.collect();
@@ -131,7 +137,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         .chain(requested_statistics::of_lines(scenes.len()))
         .chain(settled(quantities, window))
         .collect();
-    add_stated(&mut statistics, &settings.stated, |of| {
+    add_stated(&mut statistics, &recorded.stated, |of| {
         source_of(of, begun, channels)
     });
     let observers = of_lines(ObservedRun {
@@ -142,7 +148,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         duration,
         rows: output_times.rows(),
         statistics,
-        response: settings.response.map(|asked| response(asked, begun)),
+        response: recorded.response.map(|asked| response(asked, begun)),
     });
     RecorderPlan {
         channels: channels.ids.clone(),
@@ -150,7 +156,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
         observers,
         balances,
         output_times,
-        shape_interval: settings.shape_interval_s,
+        shape_interval: recorded.shape_interval_s,
         duration,
     }
 }
@@ -247,7 +253,7 @@ impl UnderWay for SystemUnderWay<'_> {
     }
 
     fn method(&self, state: &SystemState) -> SystemMethod {
-        method(self.settings, &self.system, state)
+        method(self.plan, &self.system, state)
     }
 
     fn begins_off_rest(&self) -> bool {

@@ -1,4 +1,4 @@
-//! The settings of a run in time that the file leaves open.
+//! What bounds the steps of a system in time.
 
 use std::f64::consts::TAU;
 
@@ -8,139 +8,27 @@ use super::body_equation::MovingBody;
 use super::line_start;
 use super::mesh_of_ends::SHORTEST;
 use super::moving_system::MovingSystem;
-use crate::case::QuantityId;
-use crate::case::{Method, Solver};
-use crate::dynamics::ErrorLimits;
-use crate::dynamics::numerical_damping::NumericalDamping;
-use crate::dynamics::rk4::above_limit;
 use crate::numerics::V3;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::Harmonics;
-use crate::run::Settings;
-use crate::run::outlook::StepLengths;
-use crate::run::response::AskedResponse;
+use crate::run::line_bounds::bounce_period;
+use crate::run::settings::{STEPS_A_PERIOD, SceneBounds, motion_scale};
 use crate::scene::{EndCondition, Scene};
 use crate::solve::StaticSearch;
 use crate::system::network::{Body, Held, Line, Network, ReleaseCondition};
 use crate::system::pose::cross;
 
-/// Steps that a period of prescribed motion, or of the longest line bouncing along itself, is divided into at least.
-const STEPS_A_PERIOD: f64 = 20.0;
-/// By how much the motion that errors are measured by may exceed that of the ends that cause it.
-const RESPONSE: f64 = 10.0;
-
-/// The settings that a run uses.
-#[derive(Debug, Clone, PartialEq)]
-pub struct MotionSettings {
-    /// Method of time integration.
-    pub method: Method,
-    /// Simulated time \[s\].
-    pub duration_s: f64,
-    /// Length of a whole step, the greatest there is \[s\].
-    pub time_step_s: f64,
-    /// Whether that was left to the program.
-    pub is_automatic: bool,
-    /// Error allowed in a step, where steps vary.
-    pub step_tolerance: Option<f64>,
-    /// Spectral radius of generalized-alpha.
-    pub rho_inf: f64,
-    /// Newton's tolerance \[m\].
-    pub position_tolerance_m: f64,
-    /// Newton iterations of a step.
-    pub max_iterations: usize,
-    /// Interval of the history \[s\].
-    pub interval_s: f64,
-    /// Least time between the shapes that are kept \[s\]; none where none are.
-    pub shape_interval_s: Option<f64>,
-    /// From when on extremes are kept apart from those of the start \[s\]; nothing where they are not.
-    pub settled_from_s: Option<f64>,
-    /// The results that the file holds against published values.
-    pub stated: Vec<QuantityId>,
-    /// The response of the lines, where it is asked for.
-    pub response: Option<AskedResponse>,
-}
-
-impl MotionSettings {
-    /// What a file asks for, and what its system needs.
-    #[must_use]
-    pub fn new(given: &Solver, interval_s: f64, system: &MovingSystem) -> Self {
-        let own = |scene: &Scene| scene.position_tolerance(1e-4);
-        let finest = system.scenes.iter().map(own).fold(f64::INFINITY, f64::min);
-        let explicit = given.method == Method::Rk4;
-        let controlled = given.method == Method::Alpha;
-        let chosen = || match explicit {
-            true => longest_step(system).min(EXPLICIT_SHARE * explicit_limit(system)),
-            false => longest_allowed(given, system),
-        };
-        let varies = given.time_step_s.is_none() && controlled;
-        Self {
-            method: given.method,
-            duration_s: given.duration_s,
-            time_step_s: given.time_step_s.unwrap_or_else(chosen),
-            is_automatic: given.time_step_s.is_none(),
-            step_tolerance: varies.then_some(given.step_tolerance),
-            rho_inf: given.rho_inf,
-            position_tolerance_m: given.position_tolerance_m.min(finest),
-            max_iterations: given.max_iterations,
-            interval_s,
-            shape_interval_s: None,
-            settled_from_s: None,
-            stated: Vec::new(),
-            response: None,
-        }
-    }
-
-    /// The steps that both methods would take, where lines limit the explicit ones.
-    #[must_use]
-    pub fn step_lengths(given: &Solver, system: &MovingSystem) -> Option<StepLengths> {
-        let (limit, at) = stability_limit(system).filter(|_| !system.scenes.is_empty())?;
-        let implicit = given.time_step_s.unwrap_or_else(|| longest_step(system));
-        let chosen = || implicit.min(EXPLICIT_SHARE * explicit_limit(system));
-        Some(StepLengths {
-            duration: given.duration_s,
-            limit,
-            limited_by: [at.clone(), at],
-            given: given.time_step_s,
-            explicit: given.time_step_s.unwrap_or_else(chosen),
-            implicit,
-        })
-    }
-
-    /// The same in the words of a stored run, whose steps were of these lengths \[s\] and numbers.
-    #[must_use]
-    pub fn of_run(&self, system: &MovingSystem, steps: &[(f64, u64)]) -> Settings {
-        let implicit = self.method != Method::Rk4;
-        let alpha = self.method == Method::Alpha;
-        let limit = (!implicit).then(|| stability_limit(system)).flatten();
-        let period = (alpha && !steps.is_empty()).then(|| forced_period(system));
-        let damping = |period: f64| NumericalDamping::over(self.rho_inf, TAU / period, steps);
-        Settings {
-            method: self.method.name().to_owned(),
-            duration_s: self.duration_s,
-            time_step_s: self.time_step_s,
-            step_tolerance: self.step_tolerance,
-            time_step_automatic: self.is_automatic,
-            rho_inf: alpha.then_some(self.rho_inf),
-            numerical_damping: period.map(|period| damping(period).damping),
-            numerical_damping_period_s: period,
-            stability_limit_s: limit.as_ref().map(|limit| limit.0),
-            stability_limit_at: limit.map(|limit| limit.1),
-            position_tolerance_m: implicit.then_some(self.position_tolerance_m),
-            nodes: system.scenes.iter().map(Scene::line_nodes).sum(),
-            output_interval_s: self.interval_s,
-            ..Settings::default()
-        }
-    }
-
-    /// The errors allowed in a step, where steps vary.
-    #[must_use]
-    pub fn limits(&self, system: &MovingSystem) -> Option<ErrorLimits> {
-        let (distance, speed) = motion_scale(system);
-        self.step_tolerance.map(|tolerance| ErrorLimits {
-            position: tolerance * distance,
-            velocity: 2.0 * tolerance * speed,
-        })
+/// What bounds the steps of a system.
+pub(super) fn bounds(system: &MovingSystem) -> SceneBounds {
+    let own = |scene: &Scene| scene.position_tolerance(1e-4);
+    SceneBounds {
+        longest_step: longest_step(system),
+        forced_period: forced_period(system),
+        stability: stability_limit(system),
+        explicit_limit: explicit_limit(system),
+        position_tolerance: system.scenes.iter().map(own).fold(f64::INFINITY, f64::min),
+        nodes: system.scenes.iter().map(Scene::line_nodes).sum(),
     }
 }
 
@@ -157,19 +45,6 @@ fn surface(system: &MovingSystem) -> Option<EndMotion> {
 
 /// Stability limit of RK4 on the imaginary axis, by the frequency.
 const RK4_LIMIT: f64 = 2.785;
-/// Share of the stability limit of explicit methods that a step is chosen by.
-const EXPLICIT_SHARE: f64 = 0.45;
-
-impl MotionSettings {
-    /// Why a step of an explicit method is unstable, on the lines as they are divided at the start or on the bed; nothing where it is not.
-    #[must_use]
-    pub fn instability(&self, system: &MovingSystem) -> Option<String> {
-        let explicit = self.method == Method::Rk4;
-        let (limit, at) = explicit.then(|| stability_limit(system))??;
-        (self.time_step_s > limit).then(|| above_limit(self.time_step_s, limit, &at))
-    }
-}
-
 /// The stability limit of explicit steps \[s\], and what sets it: a segment of a line, or what lands on the bed by itself.
 fn stability_limit(system: &MovingSystem) -> Option<(f64, String)> {
     let of_lines = limit_of_lines(system);
@@ -304,14 +179,6 @@ fn own_period(system: &MovingSystem) -> f64 {
     }
 }
 
-/// The longest step that a file which sets none allows, where that is alpha's to vary \[s\].
-fn longest_allowed(given: &Solver, system: &MovingSystem) -> f64 {
-    let own = given
-        .longest_step_s
-        .filter(|_| given.method == Method::Alpha);
-    own.unwrap_or_else(|| longest_step(system))
-}
-
 /// The longest step that sees what is prescribed; error control shortens it where it must.
 fn longest_step(system: &MovingSystem) -> f64 {
     let own = own_period(system);
@@ -331,17 +198,6 @@ fn swing_period(network: &Network) -> f64 {
     TAU * (length / network.gravity.max(1.0)).sqrt()
 }
 
-/// Period of a line bouncing along itself \[s\].
-fn bounce_period(scene: &Scene) -> f64 {
-    let line = &scene.line;
-    let compliance: f64 = line
-        .segments
-        .iter()
-        .map(|s| s.axial.length / s.axial.ea)
-        .sum();
-    TAU * (line.mass.iter().sum::<f64>() * compliance).sqrt()
-}
-
 /// Distance and speed of the waves by the spectral moments of their surface: of a regular wave its height, twice the amplitude.
 fn wave_scale(system: &MovingSystem) -> Option<(f64, f64)> {
     let height = surface(system)?;
@@ -353,9 +209,9 @@ fn wave_scale(system: &MovingSystem) -> Option<(f64, f64)> {
 }
 
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: of the longest line and its fall by its own length or, where
-/// nothing but prescribed motion, waves and a start off the equilibrium disturb a system at rest, of [`RESPONSE`] times these. It is the
+/// nothing but prescribed motion, waves and a start off the equilibrium disturb a system at rest, of these. It is the
 /// same for every duration, so that a run resumed up to a later end takes the steps of one that is as long.
-fn motion_scale(system: &MovingSystem) -> (f64, f64) {
+pub(super) fn scale_of_motion(system: &MovingSystem) -> (f64, f64) {
     let network = &system.network;
     let lengths = network.lines.iter().map(Line::length);
     let length = lengths.fold(1.0, f64::max);
@@ -390,12 +246,9 @@ fn motion_scale(system: &MovingSystem) -> (f64, f64) {
             fast + fall,
         )
     });
-    let (far, fast) = moved
+    let moved = moved
         .chain(turned)
         .chain(off_rest)
         .fold((0.0_f64, 0.0_f64), |a, b| (a.0.max(b.0), a.1.max(b.1)));
-    if far <= 0.0 || fast <= 0.0 {
-        return (length, speed);
-    }
-    (length.min(RESPONSE * far), speed.min(RESPONSE * fast))
+    motion_scale((length, speed), moved)
 }
