@@ -14,7 +14,7 @@ use super::spec::JobSpec;
 use super::status::JobStatus;
 use crate::files::lock::{self, LockFile};
 use crate::files::shallow::shallow;
-use crate::files::{Target, disk, read};
+use crate::files::{WriteTarget, disk, read};
 use crate::strays::Hidden;
 use crate::visible;
 
@@ -119,7 +119,7 @@ impl JobFolder {
     pub(super) fn write_status(&self, status: &JobStatus) -> io::Result<()> {
         let text = toml::to_string(status).map_err(io::Error::other)?;
         let text = visible::toml(&text);
-        Ok(Target::replacing(&self.path.join(STATUS)).write(text.as_bytes())?)
+        Ok(WriteTarget::replacing(&self.path.join(STATUS)).write(text.as_bytes())?)
     }
 
     /// Takes the job for this process; nothing where another has it.

@@ -14,7 +14,7 @@ use super::folder::{CASE, FILES, JobFolder, REQUEST};
 use super::identity::host;
 use super::spec::Submission;
 use crate::files::lock::LockFile;
-use crate::files::{Target, disk};
+use crate::files::{WriteTarget, disk};
 use crate::places::state_dir;
 use crate::strays::{self, Hidden};
 use crate::visible;
@@ -217,7 +217,7 @@ fn fill(hidden: &Path, submission: &Submission) -> Result<(), JobError> {
     disk::create_private_dir(hidden).map_err(JobError::io(hidden))?;
     let write = |name: &str, text: &str| {
         let path = hidden.join(name);
-        let written = Target::new(&path).write(text.as_bytes());
+        let written = WriteTarget::new(&path).write(text.as_bytes());
         written.map_err(|error| JobError::io(&path)(error.into()))
     };
     if let Some(text) = &submission.text {

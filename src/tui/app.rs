@@ -37,7 +37,7 @@ use crate::background::lower_priority;
 use crate::chart::Glyphs;
 use crate::crash_log;
 use crate::run::job::JobEvent;
-use seacable_base::files::{Target, disk, root};
+use seacable_base::files::{WriteTarget, disk, root};
 
 /// How the workbench is opened.
 #[derive(Debug, Clone, Default)]
@@ -579,7 +579,7 @@ impl App<'_> {
         let kept = case_library::state_dir().and_then(|dir| {
             disk::create_dir_all(&dir)?;
             let path = dir.join("copied.txt");
-            Target::replacing(&path).write(text.as_bytes())?;
+            WriteTarget::replacing(&path).write(text.as_bytes())?;
             Ok(path)
         });
         let words = match kept {

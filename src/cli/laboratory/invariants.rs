@@ -6,7 +6,7 @@ use std::process::ExitCode;
 use super::args::SystemsArgs;
 use super::random_refusals::frequent;
 use crate::{BAD_RESULT, CommandError, output};
-use seacable_base::files::{Target, disk};
+use seacable_base::files::{WriteTarget, disk};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
 use seacable_studies::laboratory::invariants::{
@@ -163,7 +163,7 @@ fn write(folder: &Path, outcomes: &[Outcome], all: bool) -> Result<(), CommandEr
     disk::create_dir_all(folder).map_err(CommandError::Output)?;
     let put = |name: String, text: &str| {
         let path = folder.join(name);
-        Target::replacing(&path)
+        WriteTarget::replacing(&path)
             .write(text.as_bytes())
             .map_err(failed)
     };

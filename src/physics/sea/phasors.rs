@@ -122,11 +122,11 @@ impl Four {
 
 /// Series of the sine, cosine and exponential of small numbers.
 #[derive(Clone, Copy)]
-pub(super) struct Series {
+pub(super) struct PowerSeries {
     long: bool,
 }
 
-impl Series {
+impl PowerSeries {
     /// Below this the short ones are exact to rounding; the long ones up to [`REACH`].
     pub(super) const SHORT: f64 = 0.0625;
 
@@ -201,13 +201,13 @@ pub(super) trait FieldPhasors {
 }
 
 /// Phasors that are worked out where they are asked for.
-pub(super) struct Fresh {
+pub(super) struct ComputedPhasors {
     t: f64,
     along: f64,
     z: f64,
 }
 
-impl Fresh {
+impl ComputedPhasors {
     /// At a time \[s\].
     pub(super) const fn at(t: f64) -> Self {
         Self {
@@ -218,7 +218,7 @@ impl Fresh {
     }
 }
 
-impl Phasors for Fresh {
+impl Phasors for ComputedPhasors {
     #[inline(always)]
     fn time(&self, _: usize, four: &Four) -> Phasor {
         four.by_time(self.t)
@@ -235,13 +235,13 @@ impl Phasors for Fresh {
     }
 }
 
-impl FieldPhasors for Fresh {
+impl FieldPhasors for ComputedPhasors {
     fn of(&mut self, _: usize) -> impl Anchored {
         Self::at(self.t)
     }
 }
 
-impl Anchored for Fresh {
+impl Anchored for ComputedPhasors {
     fn along(&self) -> f64 {
         self.along
     }

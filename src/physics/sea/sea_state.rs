@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Component;
-use super::phasors::{FieldPhasors, Fresh};
+use super::phasors::{ComputedPhasors, FieldPhasors};
 use super::waves::{Surface, WaterMotion, WaveField};
 use crate::CurrentGrid;
 use crate::numerics::V3;
@@ -77,7 +77,7 @@ impl Sea {
     /// asks for it. Stretching goes by the surface of all fields together.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
-        self.flow_by(t, place, surface, &mut Fresh::at(t))
+        self.flow_by(t, place, surface, &mut ComputedPhasors::at(t))
     }
 
     /// The same with the phasors of each field.

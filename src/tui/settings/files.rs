@@ -6,7 +6,7 @@ use crate::{
     case::{Diagnostic, render_all},
     visible,
 };
-use seacable_base::files::{Target, disk, read};
+use seacable_base::files::{WriteTarget, disk, read};
 use std::{
     io::ErrorKind,
     path::{Path, PathBuf},
@@ -31,7 +31,7 @@ pub fn made_keys_file() -> std::io::Result<PathBuf> {
         if let Some(dir) = path.parent() {
             disk::create_dir_all(dir)?;
         }
-        Target::new(&path).write(bindings::listing::default_file().as_bytes())?;
+        WriteTarget::new(&path).write(bindings::listing::default_file().as_bytes())?;
     }
     Ok(path)
 }

@@ -23,7 +23,7 @@ use super::{
     Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, MotionName, Seabed, Section,
     TensionInterpolation, Traveller, WaveKind, Waves,
 };
-use crate::physics::rope::{Between, TensionTable};
+use crate::physics::rope::{TableInterpolation, TensionTable};
 
 impl Case {
     /// A case of this title with these ends, without materials and sections; all else as in a file that leaves it out.
@@ -41,7 +41,7 @@ impl Case {
     }
 }
 
-impl From<TensionInterpolation> for Between {
+impl From<TensionInterpolation> for TableInterpolation {
     fn from(given: TensionInterpolation) -> Self {
         match given {
             TensionInterpolation::Smooth => Self::Smooth,

@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::StudyValue;
 use crate::files::shallow::shallow;
-use crate::files::{Target, WriteError, disk, read};
+use crate::files::{WriteError, WriteTarget, disk, read};
 use crate::run::VERSION;
 use crate::run::store::{self, DirectoryLock, StoreError, lock_directory};
 use crate::seal::{Digest, SealedPart};
@@ -329,7 +329,7 @@ impl SweepFolder {
     }
 
     fn write(&self, name: &str, content: &[u8]) -> Result<(), SweepError> {
-        Target::replacing(&self.dir.join(name)).write(content)?;
+        WriteTarget::replacing(&self.dir.join(name)).write(content)?;
         Ok(())
     }
 }
@@ -408,7 +408,7 @@ fn fill(dir: &Path, files: &[(&str, &str)]) -> Result<(), SweepError> {
         source,
     })?;
     for (name, text) in files {
-        Target::new(&dir.join(name)).write(text.as_bytes())?;
+        WriteTarget::new(&dir.join(name)).write(text.as_bytes())?;
     }
     Ok(())
 }
