@@ -12,7 +12,7 @@ use std::hint::black_box;
 
 use rustix::time::{ClockId, clock_gettime};
 use seacable::extremes::convergence::MeanEstimate;
-use seacable::extremes::greatest::{PeakSample, Question};
+use seacable::extremes::greatest::{GreatestQuestion, PeakSample};
 use seacable::extremes::moments::mean_crossing_rate;
 use seacable::extremes::spectrum::welch;
 use seacable::extremes::threshold::{ThresholdChoice, ThresholdSearch};
@@ -124,8 +124,8 @@ fn peaks(values: &[f64]) -> PeakSample {
     PeakSample::global_maxima(values, STEP).unwrap()
 }
 
-fn question(statistic: Statistic, method: IntervalMethod) -> Question {
-    Question {
+fn question(statistic: Statistic, method: IntervalMethod) -> GreatestQuestion {
+    GreatestQuestion {
         statistic,
         hours: 3.0,
         level: 0.95,

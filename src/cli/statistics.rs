@@ -15,7 +15,7 @@ use seacable_numerics::statistics::Statistics as Moments;
 use seacable_report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
 use seacable_runs::run::Quantity;
 use seacable_runs::run::store::{ChannelRows, channel_rows, read_results};
-use seacable_statistics::fatigue::component::Component;
+use seacable_statistics::fatigue::component::FatigueComponent;
 use seacable_statistics::fatigue::curve_file::read_curve;
 use seacable_statistics::fatigue::curve_library::{PUBLISHED, published};
 use seacable_studies::study::record_statistics::{
@@ -204,7 +204,7 @@ fn numerical(summaries: &[Vec<Quantity>], id: &ChannelId, of: Statistic) -> Opti
 }
 
 /// The component of a published curve or of a file.
-fn component(args: &StatisticsArgs, name: &str) -> Result<Component, CommandError> {
+fn component(args: &StatisticsArgs, name: &str) -> Result<FatigueComponent, CommandError> {
     let wrong =
         |why: String| CommandError::Usage(format!("--fatigue {}: {why}.", visible::text(name)));
     if let Some(curve) = published(name) {
@@ -229,7 +229,7 @@ fn component(args: &StatisticsArgs, name: &str) -> Result<Component, CommandErro
 
 fn fatigue_of(
     records: &[ChannelRecord],
-    component: &Component,
+    component: &FatigueComponent,
     errors: [Option<f64>; 2],
 ) -> Result<FatigueView, String> {
     let found = record_statistics::fatigue(records, component);

@@ -4,7 +4,7 @@ use seacable_base::number::{range as range_text, si, with_error};
 use seacable_display::table::{Align, Cell, CellStyle, Table};
 use seacable_model::case::ChannelId;
 use seacable_statistics::extremes::interval::Interval;
-use seacable_statistics::extremes::spectrum::Spectrum;
+use seacable_statistics::extremes::spectrum::SpectralDensity;
 use seacable_studies::study::record_statistics::{
     ExtremeQuestion, GreatestValue, RecordFatigue, RecordStatistics,
 };
@@ -79,7 +79,7 @@ pub fn moments(channels: &[ChannelView]) -> Table {
         })
         .cell("spectral peak", Align::Decimal, |row| {
             let spectrum = row.statistics.spectrum.as_ref().ok();
-            let peak = spectrum.map(Spectrum::peak_frequency).filter(|f| *f > 0.0);
+            let peak = spectrum.map(SpectralDensity::peak_frequency).filter(|f| *f > 0.0);
             peak.map_or_else(Cell::none, |peak| Cell::plain(si(1.0 / peak, "s")))
         })
         .cell("independent values", Align::Right, |row| {

@@ -11,8 +11,8 @@ use ratatui::layout::Rect;
 use self::picture_memo::PictureMemo;
 use super::theme::Theme;
 use crate::chart::{
-    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, Picture, PlotFrame,
-    Readout, Series,
+    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, LimitLine, Picture, PlotFrame,
+    Readout, ReferenceLine, Series,
 };
 use crate::number;
 
@@ -126,7 +126,7 @@ impl PlotPane {
         }
         for (i, x) in self.marks.iter().enumerate() {
             let label = format!("{}: {}", i + 1, number::si(*x, &chart.x.unit));
-            let mark = Limit::new(label, LimitLine::Vertical(*x));
+            let mark = ReferenceLine::new(label, LimitLine::Vertical(*x));
             chart.limits.push(mark);
         }
         chart

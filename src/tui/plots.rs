@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::state::RunCurves;
 use super::state::runs_view::{Charted, CoarseAnswer};
-use crate::chart::{AxisRange, Chart, Limit, LimitLine};
+use crate::chart::{AxisRange, Chart, LimitLine, ReferenceLine};
 use crate::comparison::points_less;
 use crate::report::figures::{FigureAxis, FigureData, FigureId, PlottedRun};
 use crate::run::Run;
@@ -179,7 +179,7 @@ fn subtract(chart: &mut Chart, held: &Chart, name: &str) {
     chart.title = format!("{}, less {name}", chart.title);
     chart.y.label = "difference".to_owned();
     chart.y.range = None;
-    chart.limits = vec![Limit::new("", LimitLine::Horizontal(0.0))];
+    chart.limits = vec![ReferenceLine::new("", LimitLine::Horizontal(0.0))];
 }
 
 /// Whether a label is this name, or this name of some run.

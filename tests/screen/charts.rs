@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use proptest::prelude::*;
 use seacable::case::{self, shipped::SHIPPED};
 use seacable::chart::{
-    Axis, AxisScale, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series,
-    draw, marker, readout,
+    Axis, AxisScale, Chart, Glyphs, GridMap, LimitLine, PictureCell, PicturePart, ReferenceLine,
+    Series, draw, marker, readout,
 };
 use seacable::report::figures::{FigureData, FigureId, PlottedRun};
 use seacable::run::job::{self, Request};
@@ -43,7 +43,7 @@ fn tensions() -> Chart {
             Series::new("polyester|wire", 2, tension(30.0, 2.4e6)),
             Series::new("wire|payload", 3, tension(30.0, 1.96e6)),
         ],
-        limits: vec![Limit {
+        limits: vec![ReferenceLine {
             label: "hanging weight 3.77 MN".to_owned(),
             line: LimitLine::Horizontal(3.766e6),
         }],
@@ -424,8 +424,8 @@ prop_compose! {
             title, x, y, cursor, equal_scale, ends,
             series: series.collect(),
             limits: vec![
-                Limit { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },
-                Limit { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
+                ReferenceLine { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },
+                ReferenceLine { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
             ],
             legend: true,
             cursor_y: field.as_ref().map(|(_, first, _)| *first),

@@ -17,7 +17,7 @@ use seacable_statistics::extremes::coverage::{
 use seacable_statistics::extremes::sequential_study::{
     self, Rule, SequentialOutcome, SequentialStudy,
 };
-use seacable_statistics::extremes::target::Target;
+use seacable_statistics::extremes::target::ExtremesTarget;
 
 /// Level of the intervals, and the error of the rules.
 const LEVEL: f64 = 0.95;
@@ -68,8 +68,11 @@ fn coverage(args: &IntervalsArgs) -> Table {
     };
     let figures = |n: usize| {
         [
-            ("90 % quantile".to_owned(), Target::quantile(0.9)),
-            (format!("expected of {n}"), Target::expected(n as f64)),
+            ("90 % quantile".to_owned(), ExtremesTarget::quantile(0.9)),
+            (
+                format!("expected of {n}"),
+                ExtremesTarget::expected(n as f64),
+            ),
         ]
     };
     let studies = LAWS.into_iter().flat_map(|(law, distribution)| {
@@ -119,7 +122,10 @@ fn rules(args: &IntervalsArgs) -> Table {
     let rules = [
         ("fractile 0.37, any law", Rule::Fractile(0.37)),
         ("fractile 0.5, any law", Rule::Fractile(0.5)),
-        ("mean, Gumbel's law", Rule::Gumbel(Target::expected(1.0), 5)),
+        (
+            "mean, Gumbel's law",
+            Rule::Gumbel(ExtremesTarget::expected(1.0), 5),
+        ),
     ];
     let studies = rules
         .into_iter()

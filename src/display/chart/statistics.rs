@@ -48,10 +48,10 @@ pub fn of_curve(points: &[(f64, f64)], window: AxisRange) -> Option<CurveStatist
 }
 
 /// The two ends of a piece of a curve.
-type Piece = ((f64, f64), (f64, f64));
+type CurvePiece = ((f64, f64), (f64, f64));
 
 /// The part of a piece inside the window; the outer absence says that the curve runs backwards.
-fn inside(a: (f64, f64), b: (f64, f64), window: AxisRange) -> Option<Option<Piece>> {
+fn inside(a: (f64, f64), b: (f64, f64), window: AxisRange) -> Option<Option<CurvePiece>> {
     if !(a.0.is_finite() && a.1.is_finite() && b.0.is_finite() && b.1.is_finite()) {
         return Some(None);
     }

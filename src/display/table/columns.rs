@@ -85,7 +85,7 @@ pub struct Columns<'a, R> {
 
 /// A table under construction with a record a column and a quantity a row.
 #[derive(Debug, Clone)]
-pub struct Comparison<R> {
+pub struct ComparisonTable<R> {
     records: Vec<Option<R>>,
     table: Table,
 }
@@ -117,10 +117,10 @@ impl Table {
         title: impl Into<String>,
         corner: &str,
         records: &[(&str, Option<R>)],
-    ) -> Comparison<R> {
+    ) -> ComparisonTable<R> {
         let mut columns = vec![Column::left(corner)];
         columns.extend(records.iter().map(|(head, _)| Column::decimal(head)));
-        Comparison {
+        ComparisonTable {
             records: records.iter().map(|(_, record)| *record).collect(),
             table: Self {
                 columns,
@@ -188,7 +188,7 @@ impl<'a, R> Columns<'a, R> {
     }
 }
 
-impl<R: Copy> Comparison<R> {
+impl<R: Copy> ComparisonTable<R> {
     /// A quantity read from each of the records, a dash where there is none.
     #[must_use]
     pub fn number<N: Into<Option<f64>>>(

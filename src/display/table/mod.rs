@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 use crate::visible;
 
-pub use columns::{Columns, Comparison, NumberFormat};
+pub use columns::{Columns, ComparisonTable, NumberFormat};
 pub use layout::{ColumnPlace, LineKind, StyledText, TableLayout, TableLine};
 
 /// A table: columns, rows of cells, notes.

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Complex;
 
 use seacable_base::number::{digits, si};
-use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_display::chart::{Axis, Chart, LimitLine, ReferenceLine, Series};
 use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use seacable_systems::ship::loads::PlanarLoad;
 use seacable_systems::ship::mooring::MooringSolution;
@@ -51,13 +51,13 @@ pub fn moments(statics: &StaticAnalysis) -> Chart {
     }
 }
 
-fn marks(statics: &StaticAnalysis) -> Vec<Limit> {
+fn marks(statics: &StaticAnalysis) -> Vec<ReferenceLine> {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let headings = equilibria.iter().map(|one| {
         let heading = LimitLine::Vertical(one.yaw.heading.to_degrees());
-        Limit::new(one.yaw.stability.label(), heading)
+        ReferenceLine::new(one.yaw.stability.label(), heading)
     });
-    std::iter::once(Limit::new("", LimitLine::Horizontal(0.0)))
+    std::iter::once(ReferenceLine::new("", LimitLine::Horizontal(0.0)))
         .chain(headings)
         .collect()
 }

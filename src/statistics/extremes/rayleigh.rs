@@ -117,7 +117,7 @@ fn check_peaks(peaks: f64) -> Result<(), ExtremesError> {
 mod tests {
     use super::super::peaks::global_maxima;
     use super::super::spectrum::welch;
-    use super::super::target::Target;
+    use super::super::target::ExtremesTarget;
     use super::super::weibull::WeibullFit;
     use super::*;
     use crate::numerics::random::Random;
@@ -175,7 +175,8 @@ mod tests {
             shape += fit.shape / f64::from(seeds as u32);
             scale += fit.scale / f64::from(seeds as u32);
             peak += mean(&peaks) / f64::from(seeds as u32);
-            most += fit.value(Target::most_probable(1000.0)).unwrap() / f64::from(seeds as u32);
+            most +=
+                fit.value(ExtremesTarget::most_probable(1000.0)).unwrap() / f64::from(seeds as u32);
             let moments = welch(&unit, 0.5, Some(800)).unwrap().moments(0.2);
             rate += NarrowBand::of_spectrum(0.0, &moments).unwrap().rate / f64::from(seeds as u32);
         }

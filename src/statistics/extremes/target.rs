@@ -19,14 +19,14 @@ pub enum Statistic {
 
 /// A figure of the greatest of a number of independent values of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target {
+pub struct ExtremesTarget {
     /// The figure.
     pub statistic: Statistic,
     /// The number of values, 1 or more and not necessarily whole: of hourly maxima the hours, of peaks the peaks in the time.
     pub greatest_of: f64,
 }
 
-impl Target {
+impl ExtremesTarget {
     /// The quantile of a single value.
     #[must_use]
     pub const fn quantile(probability: f64) -> Self {
@@ -189,11 +189,18 @@ mod tests {
 
     #[test]
     fn exceedance_of_the_greatest() {
-        let target = Target::quantile_of_greatest(0.5, 1e12);
+        let target = ExtremesTarget::quantile_of_greatest(0.5, 1e12);
         let exact = (2.0_f64.ln() / 1e12).ln();
         assert!((target.ln_exceedance().unwrap() - exact).abs() < 1e-10);
-        assert!(Target::quantile(1.0).check().is_err() && Target::expected(0.5).check().is_err());
-        assert!(Target::most_probable(1.0).check_for_peaks().is_err());
-        assert_eq!(Target::most_probable(1.0).check(), Ok(()));
+        assert!(
+            ExtremesTarget::quantile(1.0).check().is_err()
+                && ExtremesTarget::expected(0.5).check().is_err()
+        );
+        assert!(
+            ExtremesTarget::most_probable(1.0)
+                .check_for_peaks()
+                .is_err()
+        );
+        assert_eq!(ExtremesTarget::most_probable(1.0).check(), Ok(()));
     }
 }

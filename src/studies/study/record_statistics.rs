@@ -5,14 +5,14 @@
 
 use crate::extremes::ExtremesError;
 use crate::extremes::convergence::MeanEstimate;
-use crate::extremes::greatest::{PeakSample, Question};
+use crate::extremes::greatest::{GreatestQuestion, PeakSample};
 use crate::extremes::gumbel;
 use crate::extremes::interval::{Interval, IntervalMethod};
 use crate::extremes::moments::mean_crossing_rate;
-use crate::extremes::spectrum::{Spectrum, welch};
-use crate::extremes::target::{Statistic, Target};
+use crate::extremes::spectrum::{SpectralDensity, welch};
+use crate::extremes::target::{ExtremesTarget, Statistic};
 use crate::extremes::threshold::{ThresholdChoice, ThresholdSearch};
-use crate::fatigue::component::Component;
+use crate::fatigue::component::FatigueComponent;
 use crate::fatigue::damage::{Damage, DamageError, MeanLoad, damage};
 use crate::fatigue::mean_stress::MeanCorrection;
 use crate::fatigue::rainflow::{Cycle, three_point};
@@ -122,7 +122,7 @@ pub struct RecordStatistics {
     /// Up-crossings of the mean per second.
     pub crossing_rate: Result<f64, ExtremesError>,
     /// The spectrum of the longest record.
-    pub spectrum: Result<Spectrum, ExtremesError>,
+    pub spectrum: Result<SpectralDensity, ExtremesError>,
     /// The greatest value by each method, or why there is none.
     pub greatest: Vec<(ExtremeMethod, Result<GreatestValue, ExtremesError>)>,
     /// Length of all records together \[s\].
@@ -197,7 +197,7 @@ pub fn greatest(
     method: ExtremeMethod,
     question: ExtremeQuestion,
 ) -> Result<GreatestValue, ExtremesError> {
-    let ask = |statistic: Statistic, method: IntervalMethod| Question {
+    let ask = |statistic: Statistic, method: IntervalMethod| GreatestQuestion {
         statistic,
         hours: question.hours,
         level: question.level,
@@ -271,7 +271,7 @@ fn by_gumbel(
     let maxima: Vec<f64> = maxima.collect();
     let hours = records.iter().map(ChannelRecord::duration).sum::<f64>() / 3600.0 / found as f64;
     let by = |statistic| {
-        let target = Target {
+        let target = ExtremesTarget {
             statistic,
             greatest_of: question.hours / hours,
         };
@@ -303,7 +303,7 @@ pub struct RecordFatigue {
 /// A tension that the curve cannot take, or records without duration.
 pub fn fatigue(
     records: &[ChannelRecord],
-    component: &Component,
+    component: &FatigueComponent,
 ) -> Result<RecordFatigue, FatigueError> {
     let all: f64 = records
         .iter()

@@ -10,7 +10,7 @@ use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
 use crate::extremes::gumbel;
 use crate::extremes::interval::IntervalMethod;
-use crate::extremes::target::{Statistic, Target};
+use crate::extremes::target::{ExtremesTarget, Statistic};
 use crate::study::record_statistics::FEWEST_RUNS;
 
 /// The least values of a sea against their limit, line by line.
@@ -109,7 +109,7 @@ fn most_probable(
     let lengths = found.iter().filter_map(|(run, _)| run.length());
     let hours = lengths.sum::<f64>() / 3600.0 / found.len() as f64;
     let statistics = &question.statistics;
-    let target = Target {
+    let target = ExtremesTarget {
         statistic: Statistic::MostProbable,
         greatest_of: statistics.hours / hours,
     };

@@ -17,7 +17,7 @@ use super::{
 use crate::case::{ChannelQuantity, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
-use crate::fatigue::spectral::SpectralMoments;
+use crate::fatigue::spectral::TensionMoments;
 use crate::kinds::FileType;
 use crate::study::points::{BaseCase, Setting, side_by_side};
 use crate::study::vary::Variation;
@@ -339,7 +339,7 @@ impl SeaQuestion {
             return Ok(0.0);
         }
         let by = |moment: f64, order: i32| moment / TAU.powi(order);
-        let moments = SpectralMoments::new(m0, by(m1, 1), by(m2, 2), by(m4, 4));
+        let moments = TensionMoments::new(m0, by(m1, 1), by(m2, 2), by(m4, 4));
         let moments = moments.map_err(|error| error.to_string())?;
         let refused = |error: crate::fatigue::spectral::SpectralError| error.to_string();
         let rate = match moments.dirlik(&component, channel.mean).map_err(refused)? {
