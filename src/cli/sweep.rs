@@ -17,7 +17,7 @@ use super::{
     sweep_window,
 };
 use seacable_base::visible;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::sweep::{SweepPage, SweepReport};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_studies::study::sweep::{
@@ -143,7 +143,7 @@ fn told(
         return Ok(status);
     }
     let worst = report.seas.and_then(|seas| seas.worst());
-    let passes = worst.is_none_or(|worst| worst == Verdict::Passes);
+    let passes = worst.is_none_or(|worst| worst == UtilisationVerdict::Passes);
     Ok(match report.view.is_complete() && passes {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),

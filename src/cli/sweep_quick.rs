@@ -13,7 +13,7 @@ use super::{
     sweep_compute::{pool, words},
 };
 use seacable_base::visible;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::quick_look::QuickView;
 use seacable_studies::study::points::PointOutcome;
 use seacable_studies::study::seas::{Difference, QuickSeas, StoredRun, look_at_seas};
@@ -79,7 +79,7 @@ pub(super) fn quick(
         return Ok(status);
     }
     let passes = view.seas().worst();
-    let passes = passes.is_none_or(|worst| worst == Verdict::Passes);
+    let passes = passes.is_none_or(|worst| worst == UtilisationVerdict::Passes);
     Ok(match passes && found.without.is_empty() {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),

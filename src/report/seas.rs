@@ -8,7 +8,7 @@ use super::number::duration;
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_base::number::{digits, range as range_text, si, with_error};
 use seacable_model::case::{CheckKind, GreatestMethod, StatisticsInputs};
-use seacable_model::checks::utilisation::{Utilisation, Verdict};
+use seacable_model::checks::utilisation::{Utilisation, UtilisationVerdict};
 use seacable_studies::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
 
 /// The rows that are printed of a check's places; all stand in checks.csv.
@@ -420,7 +420,7 @@ impl SeasView<'_> {
     #[must_use]
     pub fn checks_json(&self) -> Value {
         json!({
-            "verdict": self.worst().map(Verdict::word),
+            "verdict": self.worst().map(UtilisationVerdict::word),
             "rows": self.checks_table().to_json(),
             "missing": self.not_compared().collect::<Vec<_>>(),
         })
@@ -428,7 +428,7 @@ impl SeasView<'_> {
 
     /// The worst verdict of all checks; nothing where there are none with load cases.
     #[must_use]
-    pub fn worst(&self) -> Option<Verdict> {
+    pub fn worst(&self) -> Option<UtilisationVerdict> {
         self.results
             .checks
             .iter()
@@ -441,9 +441,9 @@ impl SeasView<'_> {
 fn verdict_cell(check: &CheckResult) -> Cell {
     check.verdict().map_or_else(Cell::none, |verdict| {
         let style = match verdict {
-            Verdict::Passes => return Cell::plain(verdict.word()),
-            Verdict::Open => CellStyle::Warn,
-            Verdict::Fails => CellStyle::Bad,
+            UtilisationVerdict::Passes => return Cell::plain(verdict.word()),
+            UtilisationVerdict::Open => CellStyle::Warn,
+            UtilisationVerdict::Fails => CellStyle::Bad,
         };
         Cell::new(verdict.word(), style)
     })

@@ -3,7 +3,7 @@
 use super::chart::{Axis, Chart, Series};
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_base::number::si;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_studies::study::points::Setting;
 use seacable_studies::study::window::{WindowKey, WindowRow};
 
@@ -39,7 +39,7 @@ impl WindowView<'_> {
                 None => Cell::none(),
             })
             .cell("there it", Align::Left, |(_, row)| match row.bracket.fails {
-                Some((_, Verdict::Open)) => Cell::new(Verdict::Open.word(), CellStyle::Warn),
+                Some((_, UtilisationVerdict::Open)) => Cell::new(UtilisationVerdict::Open.word(), CellStyle::Warn),
                 Some((_, verdict)) => Cell::plain(verdict.word()),
                 None => Cell::none(),
             })

@@ -151,7 +151,7 @@ pub fn properties(
 ) -> Result<LineProperties, NominalDiameterError> {
     let d = checked(nominal_m)?;
     let break_load = line_type.break_load.value.value(d, 0.0);
-    let by_law = |law: &Sourced<super::Law>| Property {
+    let by_law = |law: &Sourced<super::DiameterLaw>| Property {
         value: law.value.value(d, break_load),
         formula: law.value.formula(),
         source: law.source.into(),

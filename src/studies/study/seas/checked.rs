@@ -5,7 +5,7 @@ use super::records::Series;
 use super::scene::CheckedScene;
 use crate::case::{CheckAnalysis, CheckCondition, CheckInputs, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
-use crate::checks::utilisation::{Estimate, Utilisation, Verdict};
+use crate::checks::utilisation::{Estimate, Utilisation, UtilisationVerdict};
 
 /// How much of a limit is used at a place.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,9 +65,9 @@ impl CheckResult {
 
     /// The worst that any row says; nothing without rows. What could not be compared leaves it open.
     #[must_use]
-    pub fn verdict(&self) -> Option<Verdict> {
+    pub fn verdict(&self) -> Option<UtilisationVerdict> {
         let worst = self.rows.iter().map(|row| row.used.verdict()).max();
-        let open = (!self.missing.is_empty()).then_some(Verdict::Open);
+        let open = (!self.missing.is_empty()).then_some(UtilisationVerdict::Open);
         worst.max(open)
     }
 }
@@ -324,7 +324,7 @@ mod tests {
         let row = compared(&check, 0, &tension(), &scene()).unwrap();
         near(row.used.value, 1.67 * 3.0 / 8.0);
         near(row.used.both[1], 1.67 * (3.0 + 0.05 + 0.2) / 8.0);
-        assert_eq!(row.used.verdict(), Verdict::Passes);
+        assert_eq!(row.used.verdict(), UtilisationVerdict::Passes);
         assert_eq!((row.load_case, row.time), (Some(3), Some(71.5)));
     }
 
@@ -369,7 +369,7 @@ mod tests {
         let bed = "kind = \"bed-clearance\"\nof = [\"clump\"]\nlimit_m = 4.0\n";
         let row = compared(&check(bed), 0, &height, &scene()).unwrap();
         near(row.used.value, 4.0 / 5.0);
-        assert_eq!(row.used.verdict(), Verdict::Open);
+        assert_eq!(row.used.verdict(), UtilisationVerdict::Open);
     }
 
     #[test]
@@ -385,10 +385,10 @@ mod tests {
         };
         assert_eq!(
             (used(0.0).value, used(0.0).verdict()),
-            (0.0, Verdict::Passes)
+            (0.0, UtilisationVerdict::Passes)
         );
-        assert_eq!(used(-5.0).verdict(), Verdict::Passes);
-        assert_eq!(used(5.0).verdict(), Verdict::Fails);
+        assert_eq!(used(-5.0).verdict(), UtilisationVerdict::Passes);
+        assert_eq!(used(5.0).verdict(), UtilisationVerdict::Fails);
     }
 
     #[test]
@@ -429,8 +429,8 @@ mod tests {
             missing: Vec::new(),
             open_seas: Vec::new(),
         };
-        assert_eq!(result.verdict(), Some(Verdict::Passes));
+        assert_eq!(result.verdict(), Some(UtilisationVerdict::Passes));
         result.missing.push("nothing".to_owned());
-        assert_eq!(result.verdict(), Some(Verdict::Open));
+        assert_eq!(result.verdict(), Some(UtilisationVerdict::Open));
     }
 }

@@ -34,7 +34,7 @@ pub use scene::CheckedScene;
 
 use crate::case::{CheckKind, StatisticsInputs};
 use crate::checks::resolved::Check;
-use crate::checks::utilisation::{Estimate, Verdict};
+use crate::checks::utilisation::{Estimate, UtilisationVerdict};
 use crate::run::Quantity;
 use crate::study::points::PointOutcome;
 use crate::study::vary::Variation;
@@ -160,13 +160,13 @@ impl SeaQuestion {
     pub fn is_settled(&self, number: usize, sea: &Sea, runs: &[Option<StoredRun>]) -> bool {
         let found = self.one(number, sea, runs);
         found.rows.iter().all(|rows| {
-            let of = |wanted: Verdict| {
+            let of = |wanted: UtilisationVerdict| {
                 rows.iter()
                     .flatten()
                     .filter(move |row| row.used.verdict() == wanted)
             };
-            let fails = of(Verdict::Fails).next().is_some();
-            fails || of(Verdict::Open).all(|row| row.used.needs_finer_runs())
+            let fails = of(UtilisationVerdict::Fails).next().is_some();
+            fails || of(UtilisationVerdict::Open).all(|row| row.used.needs_finer_runs())
         })
     }
 

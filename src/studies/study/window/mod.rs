@@ -11,7 +11,7 @@ pub use bracket::Bracket;
 
 use crate::case::StudyValue;
 use crate::case::load_cases::{LoadCaseKey, LoadCases};
-use crate::checks::utilisation::Verdict;
+use crate::checks::utilisation::UtilisationVerdict;
 use crate::study::points::Setting;
 use crate::study::seas::{CheckRow, Sea, SeaResults};
 use crate::study::vary::{Variation, VariedKey};
@@ -152,7 +152,7 @@ impl WindowKey {
 }
 
 /// What the checks say of a sea: the worst of them, and the row that governs. A sea in which nothing could be compared is open.
-fn said(results: &SeaResults, sea: usize) -> (Verdict, Option<Governing>) {
+fn said(results: &SeaResults, sea: usize) -> (UtilisationVerdict, Option<Governing>) {
     let rows = results.checks.iter().flat_map(|check| {
         let of_sea = check.rows.iter().filter(move |row| row.sea == Some(sea));
         of_sea.map(move |row| (check, row))
@@ -167,11 +167,11 @@ fn said(results: &SeaResults, sea: usize) -> (Verdict, Option<Governing>) {
         .iter()
         .any(|check| check.open_seas.contains(&sea));
     match worst {
-        None => (Verdict::Open, None),
+        None => (UtilisationVerdict::Open, None),
         Some((check, row)) => {
             let verdict = row.used.verdict();
             let verdict = if open {
-                verdict.max(Verdict::Open)
+                verdict.max(UtilisationVerdict::Open)
             } else {
                 verdict
             };
