@@ -151,7 +151,7 @@
 //! # Modes
 //!
 //! `K x = omega² M x` at rest, without drag, by shift-invert block Lanczos ([`lowest`](crate::modes::lowest)); none is missing by
-//! the count of negative pivots of `K - mu M` ([`Pencil::count_below`](crate::modes::Pencil::count_below)). WKB theory:
+//! the count of negative pivots of `K - mu M` ([`Pencil::count_below`](crate::modes::ModePencil::count_below)). WKB theory:
 //! `EI k⁴ + T k² = m omega²`, `(2 EI k³ + T k) a² = const` ([`modes::wave_number`](crate::modes::wave_number)).
 //!
 //! # Energy balance

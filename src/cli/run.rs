@@ -20,7 +20,7 @@ use seacable_runs::run::{
     Run, RunInfo, RunState,
     job::{self, JobEvent, Request},
     resume_request,
-    store::{self, Recorder, RunLocation},
+    store::{self, RunLocation, StoringRecorder},
 };
 use seacable_studies::study::seas::SeaQuestion;
 use serde_json::json;
@@ -132,7 +132,7 @@ pub(super) fn stored(
         Some(dir) => RunLocation::Exactly(dir.clone()),
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
-    let mut recorder = Recorder::begin(&place, info.clone(), case_text)?;
+    let mut recorder = StoringRecorder::begin(&place, info.clone(), case_text)?;
     if let Some(dir) = &args.resume {
         strays::remove(dir, &[]);
     }

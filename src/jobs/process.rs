@@ -22,7 +22,7 @@ use super::{socket, turn};
 use crate::background::lower_priority;
 use crate::files::lock::LockFile;
 use crate::grace;
-use crate::run::store::Recorder;
+use crate::run::store::StoringRecorder;
 
 /// How often the status file is written, where nothing but the progress changes.
 const WRITE: Duration = Duration::from_secs(1);
@@ -198,7 +198,7 @@ fn turn_of(
 
 /// Computes and stores a run, as `seacable run` does.
 fn run(request: &JobRequest, spec: &JobSpec, board: &Board, cancel: &AtomicBool) -> JobStatus {
-    let begun = Recorder::begin(
+    let begun = StoringRecorder::begin(
         &spec.place(),
         request.initial_info(),
         &request.stored_text(),

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::modes::{LineModes, ModeKind, Pencil, WkbMedium, lowest, of_case};
+use seacable::modes::{LineModes, ModeKind, ModePencil, WkbMedium, lowest, of_case};
 use seacable::numerics::{BlockBand, V3};
 use seacable::solve::{Factors, Kinematics, Residual};
 
@@ -321,7 +321,7 @@ fn every_mode_of_a_short_line_can_be_had() {
     let found = of_case(&case, 100).unwrap();
     assert_eq!(found.modes.len(), 9);
     // From the fundamental swing to the axial modes, each orthogonal to the others.
-    let mut pencil = Pencil::new(&found.scene, &found.rest);
+    let mut pencil = ModePencil::new(&found.scene, &found.rest);
     let pairs = lowest(&mut pencil, 100).unwrap();
     for (i, a) in pairs.iter().enumerate() {
         for (j, b) in pairs.iter().enumerate() {

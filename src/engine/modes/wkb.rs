@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use super::Pencil;
+use super::ModePencil;
 use crate::numerics::V3;
 use crate::numerics::quadrature::cumulative_trapezoid;
 use crate::numerics::roots::{Bracket, bisect};
@@ -72,7 +72,7 @@ impl WkbMedium {
             let after = if i < last { arc[i + 1] - arc[i] } else { 0.0 };
             0.5 * (before + after)
         };
-        let pencil = Pencil::new(scene, rest);
+        let pencil = ModePencil::new(scene, rest);
         let plane = super::LinePlane::of(&rest.x[..nodes]);
         let across: Vec<V3> = plane.across(&rest.x[..nodes]);
         let mass = |i: usize| across[i].dot(&(pencil.mass(i) * across[i])) / held(i);

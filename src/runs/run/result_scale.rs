@@ -6,7 +6,7 @@ use crate::case::{ChannelId, Statistic};
 /// The results of a run over this time \[s\] that have an accuracy, each with what that is a share of, in its unit.
 #[must_use]
 pub fn result_scales(duration_s: f64, run: &Run) -> Vec<(QuantityId, f64)> {
-    let scales = Scales {
+    let scales = ResultScales {
         duration_s,
         summary: &run.summary,
         history: &run.history,
@@ -18,14 +18,14 @@ pub fn result_scales(duration_s: f64, run: &Run) -> Vec<(QuantityId, f64)> {
 }
 
 /// What results are a part of.
-pub(super) struct Scales<'a> {
+pub(super) struct ResultScales<'a> {
     /// Simulated time \[s\].
     pub(super) duration_s: f64,
     pub(super) summary: &'a [Quantity],
     pub(super) history: &'a History,
 }
 
-impl Scales<'_> {
+impl ResultScales<'_> {
     /// The range of its channel; of what is at rest or along the line its magnitude; of a time the duration. None of
     /// what is zero but for rounding, of places along the line, and of what is neither of a channel nor of the line.
     pub(super) fn of(&self, q: &Quantity) -> Option<f64> {

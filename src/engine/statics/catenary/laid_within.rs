@@ -15,7 +15,7 @@ use super::end_stiffness::EndStiffness;
 use super::error::CatenaryError;
 use super::line::{CatenaryLine, SectionProperties};
 use super::profile::{PieceLaw, ProfileBuilder};
-use super::solution::{LocalFrame, Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, LocalFrame, Solution, StartingUnknown};
 
 /// Greatest number of Newton steps.
 const MOST_STEPS: u32 = 200;
@@ -143,7 +143,7 @@ impl CatenaryLine<'_> {
         let candidate = Candidate {
             ends: [(found[0].end, 0.0), (found[1].end, 0.0)],
             on_bed: whole,
-            shape: Shape::WhollyOnBed,
+            shape: CatenaryShape::WhollyOnBed,
             iterations: steps,
             residual: (k * (miss - 4.0 * f64::EPSILON * whole)).max(0.0)
                 / found[0].end.max(found[1].end),

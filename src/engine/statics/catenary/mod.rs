@@ -65,7 +65,7 @@ pub use end_stiffness::EndStiffness;
 pub use error::CatenaryError;
 pub use line::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 pub use profile::ProfilePoint;
-pub use solution::{Shape, Solution};
+pub use solution::{CatenaryShape, Solution};
 
 use solution::StartingUnknown;
 

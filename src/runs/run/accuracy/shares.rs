@@ -2,7 +2,7 @@
 
 use crate::numerics::richardson::OBSERVED;
 use crate::run::compute::Computed;
-use crate::run::result_scale::Scales;
+use crate::run::result_scale::ResultScales;
 use crate::run::{Quantity, QuantityId};
 
 /// Share of the results that must be as accurate as asked.
@@ -14,7 +14,7 @@ pub(super) struct AllowedErrors(Vec<(QuantityId, f64)>);
 impl AllowedErrors {
     /// Of a run over this time \[s\].
     pub(super) fn of(duration_s: f64, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
-        let scales = Scales {
+        let scales = ResultScales {
             duration_s,
             summary,
             history: &run.record.history,
