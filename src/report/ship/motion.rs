@@ -7,7 +7,7 @@ use seacable_display::chart::{Axis, Chart, Series};
 use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use seacable_numerics::statistics::{Statistics, expected_gaussian_maximum};
 use seacable_physics::sea::{DEGREES, Moments};
-use seacable_systems::ship::motion::{DegreeOfFreedom, NarrowBand};
+use seacable_systems::ship::motion::{DegreeOfFreedom, SparseBand};
 use seacable_systems::ship::quantities::{UNITS, scale};
 use seacable_systems::ship::{MotionAnalysis, WaveRealisation};
 
@@ -225,7 +225,7 @@ fn notes(analysis: &MotionAnalysis) -> Vec<String> {
 }
 
 /// The warning that a band has too few frequencies in the record.
-fn too_narrow(narrow: &NarrowBand) -> String {
+fn too_narrow(narrow: &SparseBand) -> String {
     let (low, high) = narrow.band.edges();
     let frequencies = match narrow.frequencies {
         1 => "1 frequency".to_owned(),

@@ -10,7 +10,7 @@ use seacable_systems::system::analysis::offset::OffsetPoint;
 use seacable_systems::system::analysis::periods::{NaturalModes, SystemMode};
 use seacable_systems::system::analysis::seek::Sought;
 use seacable_systems::system::analysis::watch_circle::WatchCircle;
-use seacable_systems::system::equilibrium::Equilibrium;
+use seacable_systems::system::equilibrium::SystemEquilibrium;
 use seacable_systems::system::model::GoalInputs;
 use seacable_systems::system::stability::Stability;
 
@@ -267,11 +267,11 @@ pub fn periods(solved: &SolvedSystem, found: &NaturalModes) -> Table {
 
 /// The equilibria found, the one that the report is of first: where the free bodies are, how each rests, what the lines carry.
 #[must_use]
-pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) -> Table {
+pub fn equilibria(solved: &SolvedSystem, others: &[(SystemEquilibrium, Stability)]) -> Table {
     let network = &solved.network;
     let first = (&solved.rest, &solved.stability);
     let others = others.iter().map(|(rest, how)| (rest, how));
-    let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
+    let all: Vec<(&SystemEquilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
     let free: Vec<usize> = (0..network.bodies.len())
         .filter(|body| network.bodies[*body].turns())
         .collect();
@@ -286,7 +286,7 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
         });
     for body in &free {
         let name = &network.bodies[*body].name;
-        let pose = |rest: &Equilibrium| rest.placement.bodies[*body];
+        let pose = |rest: &SystemEquilibrium| rest.placement.bodies[*body];
         let (places, angles) = (format!("{name}: x, y, z"), "roll, pitch, yaw");
         table = table
             .text(&places, |(rest, _)| {

@@ -8,7 +8,7 @@ use super::bounds::Contact;
 use super::build::{AgedParts, build, divide};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
-use super::equilibrium::{Equilibrium, SystemError};
+use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::errors_at_rest::ErrorsAtRest;
 use super::immersion::Immersion;
 use super::model::SystemFile;
@@ -38,7 +38,7 @@ pub struct SolvedSystem {
     /// How its lines aged, if they did.
     pub age: Option<SettledAge>,
     /// At rest.
-    pub rest: Equilibrium,
+    pub rest: SystemEquilibrium,
     /// How it rests.
     pub stability: Stability,
     /// Its numerical errors.

@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::CoupledError;
-use super::model::{CoupledModel, Variant};
+use super::model::{CoupledModel, ShipVariant};
 use super::time_domain::integrate;
 use crate::numerics::V3;
 use crate::ship::stability::PlanarDynamics;
@@ -141,7 +141,7 @@ fn release(
     let [surge, sway, yaw] = shape.map(|u| scale * u.re);
     let period = TAU / root.im.abs();
     let step = period / STEPS;
-    let variant = Variant {
+    let variant = ShipVariant {
         segments: model.settings.segments,
         step_s: step,
         duration_s: PERIODS * period,

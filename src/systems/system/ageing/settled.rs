@@ -7,7 +7,7 @@
 use super::material::AgedState;
 use super::pieces::{AgeingLine, aged, depths, lines, varying};
 use crate::system::build::{AgedParts, build};
-use crate::system::equilibrium::Equilibrium;
+use crate::system::equilibrium::SystemEquilibrium;
 use crate::system::model::SystemFile;
 use crate::system::network::Network;
 use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
@@ -48,8 +48,8 @@ pub struct SettledAge {
 pub fn settle(
     file: &SystemFile,
     network: &Network,
-    rest: &Equilibrium,
-) -> Result<Option<(Network, Equilibrium, SettledAge)>, UnsolvedSystem> {
+    rest: &SystemEquilibrium,
+) -> Result<Option<(Network, SystemEquilibrium, SettledAge)>, UnsolvedSystem> {
     let Some(ageing) = &file.ageing else {
         return Ok(None);
     };

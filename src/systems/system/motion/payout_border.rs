@@ -6,7 +6,7 @@
 use super::joints::Role;
 use super::line_ends::LineEnds;
 use super::moving_system::MovingSystem;
-use super::payout::{Drive, Friction, PaidEnd, Payout};
+use super::payout::{Drive, PaidEnd, Payout, PointFriction};
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, V3};
 use crate::scene::DrumPull;
@@ -274,10 +274,10 @@ impl Equation {
     }
 
     /// Adds the friction on a point that slides between these pulls.
-    fn rub(&mut self, friction: &Friction, rate: f64, pulls: &[DrumPull; 2], c: Factors) {
+    fn rub(&mut self, friction: &PointFriction, rate: f64, pulls: &[DrumPull; 2], c: Factors) {
         let force = pulls[0].pull + pulls[1].pull;
         let (size, coefficient) = (force.norm(), friction.coefficient);
-        let (share, slope) = Friction::share(rate);
+        let (share, slope) = PointFriction::share(rate);
         let full = friction.constant + coefficient * size;
         (self.full, self.slope) = (full, full * slope);
         self.friction = full * share;
@@ -318,7 +318,7 @@ impl DrivenPayout {
         let change = -self.right * c.damping;
         let force = match &system.network.payouts[self.number].drive {
             Drive::Winch(winch) => winch.force(by.rate + change).0,
-            Drive::Slide(_) => by.full * Friction::share(by.rate + change).0,
+            Drive::Slide(_) => by.full * PointFriction::share(by.rate + change).0,
             Drive::Rate(_) | Drive::Table(_) => 0.0,
         };
         (force - by.force() - by.slope * change).abs() / by.stiffness

@@ -27,7 +27,7 @@ pub(super) struct PointLoad {
 }
 
 /// The surface over a point.
-struct Surface {
+struct SurfaceOverPoint {
     /// Share of its volume under water.
     share: f64,
     /// Derivative of the share by place \[1/m\].
@@ -66,7 +66,7 @@ pub(super) fn point_load(
         by_height,
         integral,
     } = Immersion::of(network, point, x.z - surface);
-    let immersion = Surface {
+    let immersion = SurfaceOverPoint {
         share,
         by_place: (V3::z() - slope) * by_height,
     };
@@ -89,7 +89,7 @@ fn wave_inertia(
     point: &FreePoint,
     (x, v): (&V3, &V3),
     flow: &WaterMotion,
-    immersion: &Surface,
+    immersion: &SurfaceOverPoint,
     load: &mut PointLoad,
 ) {
     let displaced = if network.gravity > 0.0 {
@@ -113,7 +113,7 @@ fn drag(
     point: &FreePoint,
     (x, v): (&V3, &V3),
     waves: Option<&WaterMotion>,
-    immersion: &Surface,
+    immersion: &SurfaceOverPoint,
     load: &mut PointLoad,
 ) {
     if point.drag_area == V3::zeros() || immersion.share == 0.0 {

@@ -52,7 +52,7 @@ struct SystemUnderWay<'a> {
 
 /// What changes a system.
 #[derive(Debug, Clone, Copy)]
-enum Change {
+enum SystemChange {
     /// An end is let go.
     Release(Release),
     /// The mesh at an end that is paid out is no longer good.
@@ -232,7 +232,7 @@ impl SystemUnderWay<'_> {
 
 impl UnderWay for SystemUnderWay<'_> {
     type System = MovingSystem;
-    type Change = Change;
+    type Change = SystemChange;
 
     fn system(&self) -> &MovingSystem {
         &self.system
@@ -260,36 +260,36 @@ impl UnderWay for SystemUnderWay<'_> {
         first.map_or(f64::INFINITY, |release| release.time)
     }
 
-    fn due(&mut self, has_come: &dyn Fn(f64) -> bool, state: &SystemState) -> Option<Change> {
+    fn due(&mut self, has_come: &dyn Fn(f64) -> bool, state: &SystemState) -> Option<SystemChange> {
         while has_come(self.next_change())
             && let Some(release) = self.releases.pop_front()
         {
             if !self.system.is_released(release, state) {
-                return Some(Change::Release(release));
+                return Some(SystemChange::Release(release));
             }
             self.happened.push(gone_before(&self.system, release));
         }
         None
     }
 
-    fn by_state(&self, time: f64, state: &SystemState) -> Option<Change> {
-        let release = by_tension(&self.system, state, time).map(Change::Release);
-        release.or_else(|| self.system.end_mesh(state).map(Change::Mesh))
+    fn by_state(&self, time: f64, state: &SystemState) -> Option<SystemChange> {
+        let release = by_tension(&self.system, state, time).map(SystemChange::Release);
+        release.or_else(|| self.system.end_mesh(state).map(SystemChange::Mesh))
     }
 
     fn change(
         &mut self,
-        change: Change,
+        change: SystemChange,
         time: f64,
         state: &mut SystemState,
         method: &mut MethodState,
     ) -> Result<Option<NodeChange>, String> {
         match change {
-            Change::Release(release) => {
+            SystemChange::Release(release) => {
                 self.release(release, state);
                 Ok(None)
             }
-            Change::Mesh(end) => self.remesh(end, time, state, method).map(Some),
+            SystemChange::Mesh(end) => self.remesh(end, time, state, method).map(Some),
         }
     }
 

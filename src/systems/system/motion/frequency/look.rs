@@ -5,7 +5,7 @@ use nalgebra::Matrix6;
 use super::Complex;
 use super::channel::{ChannelReader, QuickChannel};
 use super::drag::DragAverager;
-use super::excitation::{Excitation, Reader};
+use super::excitation::{Excitation, ExcitationReader};
 use super::linear_system::{Amplitudes, LinearSystem};
 use super::mean::mean_position;
 use super::single_line;
@@ -84,7 +84,7 @@ fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> 
         )
     })?;
     let mut border = Border::new(system, &mean);
-    let excitations = Reader::new(system, &mean, &mut border).all();
+    let excitations = ExcitationReader::new(system, &mean, &mut border).all();
     let mut linear = LinearSystem::new(&mut border, system, &mean);
     let (responses, turns, missed) = respond(&mut border, &mut linear, &excitations)?;
     let mut reader = ChannelReader::new(channels, system, border.bodies().to_vec(), &mean);
