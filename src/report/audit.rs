@@ -5,7 +5,7 @@ use super::document::Report;
 use super::table::{NumberFormat, Table};
 use super::text::WIDTH;
 use seacable_base::number::{digits, percent, si, with_error};
-use seacable_foreign::audit::finding::Finding;
+use seacable_foreign::audit::finding::AuditFinding;
 use seacable_foreign::audit::lumped::relaxation::Ended;
 use seacable_foreign::audit::mesh::LineAudit;
 use seacable_foreign::audit::start::StartAudit;
@@ -77,7 +77,7 @@ fn summary(audit: &Audit) -> String {
 }
 
 /// A finding in words: where, what, and what to do.
-fn words(audit: &Audit, number: usize, finding: &Finding) -> String {
+fn words(audit: &Audit, number: usize, finding: &AuditFinding) -> String {
     let place = match &finding.span {
         Some(span) => {
             let (line, column) = settings::row_and_column(&audit.text, span);
@@ -231,7 +231,7 @@ fn by_rk2_words(by_rk2: &StepByRk2) -> String {
 #[must_use]
 pub fn findings(audit: &Audit) -> Table {
     const EVERY_DIGIT: NumberFormat = NumberFormat::With(|value| format!("{value}"));
-    let place = |finding: &Finding| {
+    let place = |finding: &AuditFinding| {
         let span = finding.span.as_ref();
         span.map(|span| settings::row_and_column(&audit.text, span))
     };

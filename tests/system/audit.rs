@@ -1,6 +1,6 @@
 //! The second opinion on files of MoorDyn: what it repeats of that program, what it finds, and that it finds nothing where nothing is.
 
-use seacable::audit::finding::{Finding, Topic};
+use seacable::audit::finding::{AuditFinding, Topic};
 use seacable::audit::lumped::equilibrium::{Unknowns, at_rest, stiffness};
 use seacable::audit::lumped::forces::Loads;
 use seacable::audit::lumped::relaxation::{
@@ -136,7 +136,7 @@ fn topics(audit: &Audit) -> Vec<Topic> {
     audit.findings.iter().map(|finding| finding.topic).collect()
 }
 
-fn about<'a>(audit: &'a Audit, subject: &str) -> &'a Finding {
+fn about<'a>(audit: &'a Audit, subject: &str) -> &'a AuditFinding {
     let mut all = audit.findings.iter();
     all.find(|finding| finding.subject == subject)
         .unwrap_or_else(|| panic!("nothing about {subject}: {}", page(audit)))

@@ -14,7 +14,7 @@ pub mod step;
 pub mod wave_pressure;
 
 use self::exact::ExactLine;
-use self::finding::{Finding, Topic};
+use self::finding::{AuditFinding, Topic};
 use self::lumped::LumpedModel;
 use self::mesh::LineAudit;
 use self::start::StartAudit;
@@ -49,7 +49,7 @@ pub struct Audit {
     /// What was not judged, and why.
     pub not_judged: Vec<String>,
     /// What was found, in the order of its topics.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<AuditFinding>,
 }
 
 /// Audits a file with this text.
@@ -79,7 +79,7 @@ pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, V
             for one in &found {
                 let one = imported.at_its_row(one, file, text);
                 audit.findings.push(
-                    Finding::new(Topic::Equilibrium, &one.key, &one.problem, &*one.remedy)
+                    AuditFinding::new(Topic::Equilibrium, &one.key, &one.problem, &*one.remedy)
                         .at(&one.span),
                 );
             }

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Audit;
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use super::lumped::LumpedModel;
 use super::lumped::spectrum::{FastestMode, Scheme, fastest};
 use super::start::step_of;
@@ -156,7 +156,7 @@ fn inaccurate(
     step: f64,
     (line, period, error): &(String, f64, f64),
     modes: &[FastestMode],
-) -> Finding {
+) -> AuditFinding {
     let what = format!(
         "steps of {} leave an error of {} in the first axial period of line {line}, {}",
         si(step, "s"),
@@ -165,7 +165,7 @@ fn inaccurate(
     );
     let left = |step: f64| scheme.period_error(&first_axial(*period), step);
     let mends = |step: f64| left(step) <= PERIOD && growth(scheme, modes, step) <= GROWTH;
-    let finding = |remedy: String| Finding::new(Topic::Step, "dtM", what, remedy);
+    let finding = |remedy: String| AuditFinding::new(Topic::Step, "dtM", what, remedy);
     match shortened(step, mends) {
         Some(tried) => finding(format!(
             "choose dtM {} or less, with which an error of {} is left",
@@ -192,7 +192,7 @@ fn unstable(
     step: f64,
     is_given: bool,
     (longest, mode, modes): (Option<f64>, &FastestMode, &[FastestMode]),
-) -> Finding {
+) -> AuditFinding {
     let origin = match is_given {
         true => "",
         false => ", the default by the Courant number,",
@@ -212,7 +212,7 @@ fn unstable(
         ),
         None => (0.3 / mode.frequency, otherwise_stable(scheme, mode, modes)),
     };
-    Finding::new(Topic::Step, "dtM", what, remedy).figure(step, limit, "s")
+    AuditFinding::new(Topic::Step, "dtM", what, remedy).figure(step, limit, "s")
 }
 
 /// What makes a mode stable that grows with every step of a scheme: damping, or another scheme, each as far as it was tried and does.

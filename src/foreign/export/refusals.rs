@@ -13,7 +13,7 @@ use crate::system::parts::sections;
 #[must_use]
 pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
     let file = &solved.file;
-    let mut found = Found::default();
+    let mut found = FoundRefusals::default();
     let name = target.name();
     found.add(
         file.ageing.is_some(),
@@ -158,9 +158,9 @@ fn is_smooth(solved: &SolvedSystem) -> bool {
 
 /// What was found so far.
 #[derive(Debug, Default)]
-struct Found(Vec<Unsayable>);
+struct FoundRefusals(Vec<Unsayable>);
 
-impl Found {
+impl FoundRefusals {
     fn add(&mut self, is: bool, key: impl Into<String>, what: &str) {
         if is {
             self.0.push(Unsayable {
@@ -171,7 +171,7 @@ impl Found {
     }
 }
 
-fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found) {
+fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut FoundRefusals) {
     let key = |key: &str| format!("bodies.{name}.{key}");
     if target == Target::MapPlusPlus {
         // The program that calls MAP++ knows the body.
@@ -262,7 +262,7 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
 }
 
 /// Added mass of a free point that displaces nothing, coefficients that differ along its axes, and how it bears on the bed.
-fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found) {
+fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut FoundRefusals) {
     let key = |key: &str| format!("points.{name}.{key}");
     found.add(
         point.bed_area_m2.is_some(),
@@ -296,7 +296,7 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
 }
 
 /// Added mass of bodies in a line that displace nothing, and drag of bodies that are aligned with it; a file of MAP++ has neither.
-fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
+fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
     for (number, section) in line.sections.iter().enumerate() {
         let clump = section.clump();
         let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
@@ -318,7 +318,7 @@ fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
     }
 }
 
-fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut Found) {
+fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut FoundRefusals) {
     let key = |key: &str| format!("lines.{}.{key}", line.name);
     let breaks = [line.break_s, line.break_n].iter().any(Option::is_some);
     found.add(

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::{Bend, Elasticity, LumpedLine, LumpedModel, LumpedPoint};
+use super::{Bend, LumpedModel, LumpedPoint, ModelLine, SegmentElasticity};
 use crate::import::mooring::{
-    Attachment, Damping, Hold, Line, LineType, Mass, Mooring, Rod, Stiffness,
+    Attachment, Damping, Hold, Mass, Mooring, MooringLine, MooringLineType, Rod, Stiffness,
 };
 use crate::import::to_case::sea::SeaOfCase;
 use crate::numerics::V3;
@@ -142,7 +142,7 @@ fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2
 fn add_line(
     model: &mut LumpedModel,
     mooring: &Mooring,
-    line: &Line,
+    line: &MooringLine,
     nodes: &EndNodes,
     refined: usize,
 ) -> Result<(), String> {
@@ -153,15 +153,15 @@ fn add_line(
         return Err("its mass is given in water".to_owned());
     };
     let elasticity = match &of.stiffness.value {
-        Stiffness::Constant(ea) => Elasticity::Constant(*ea),
+        Stiffness::Constant(ea) => SegmentElasticity::Constant(*ea),
         Stiffness::Viscoelastic { slow, .. } => {
             model.creeps = true;
-            Elasticity::Constant(*slow)
+            SegmentElasticity::Constant(*slow)
         }
         Stiffness::Table(rows) => {
             let mut rows = rows.clone();
             rows.retain(|row| row[0] > 0.0);
-            Elasticity::Table(rows)
+            SegmentElasticity::Table(rows)
         }
         Stiffness::Syrope(_) => return Err("a Syrope rope depends on its past".to_owned()),
     };
@@ -197,7 +197,7 @@ fn add_line(
             );
         }
     }
-    model.lines.push(LumpedLine {
+    model.lines.push(ModelLine {
         nodes: all,
         segment,
         elasticity,
@@ -256,8 +256,8 @@ fn clamp(
 /// Inner nodes of a line between its ends: a catenary, with a bed where an end is on it, straight where there is none.
 fn shape(
     model: &LumpedModel,
-    of: &LineType,
-    line: &Line,
+    of: &MooringLineType,
+    line: &MooringLine,
     ends: [usize; 2],
     segments: usize,
 ) -> Vec<V3> {

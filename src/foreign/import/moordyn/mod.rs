@@ -17,9 +17,9 @@ pub mod water_kinematics;
 use std::path::Path;
 
 use self::files::Files;
-use self::sections::{Section, Sections};
+use self::sections::{SectionTitle, Sections};
 use super::fault::{Fault, without_followers};
-use super::mooring::{Hold, Mooring, Point, Program};
+use super::mooring::{Hold, Mooring, MooringPoint, Program};
 use super::size;
 use super::words::Row;
 use super::{cable_dyn, map_plus_plus};
@@ -70,14 +70,17 @@ pub fn read_into(
     };
     for (section, needed) in [
         (
-            Section::Points,
+            SectionTitle::Points,
             mooring.rods.is_empty() && mooring.bodies.is_empty(),
         ),
         (
-            Section::Lines,
+            SectionTitle::Lines,
             mooring.rods.is_empty() && mooring.bodies.is_empty(),
         ),
-        (Section::LineTypes, sections.block(Section::Lines).is_some()),
+        (
+            SectionTitle::LineTypes,
+            sections.block(SectionTitle::Lines).is_some(),
+        ),
     ] {
         if needed && sections.block(section).is_none() {
             faults.push(Fault::new(
@@ -89,7 +92,7 @@ pub fn read_into(
         }
     }
     if sections
-        .block(Section::Outputs)
+        .block(SectionTitle::Outputs)
         .is_some_and(|block| !block.rows.is_empty())
     {
         mooring.passed_over.push("OUTPUTS".to_owned());
@@ -97,7 +100,7 @@ pub fn read_into(
     if faults.is_empty() && mooring.lines.is_empty() && !has_bodies(&mooring) {
         faults.push(Fault::new(
             sections
-                .block(Section::Lines)
+                .block(SectionTitle::Lines)
                 .map_or(0..0, |block| block.span.clone()),
             "LINES",
             "the file has no lines, and no body or rod that is free, pinned or coupled",
@@ -129,43 +132,43 @@ fn assembled(
     faults: &mut Vec<Fault>,
 ) -> Mooring {
     let block = |section| sections.block(section);
-    let first = block(Section::LineTypes).is_some_and(line_types::is_first_version);
+    let first = block(SectionTitle::LineTypes).is_some_and(line_types::is_first_version);
     mooring.program = match first {
         true => Program::MoorDyn1,
         false => Program::MoorDyn,
     };
-    if let Some(types) = block(Section::LineTypes) {
+    if let Some(types) = block(SectionTitle::LineTypes) {
         line_types::read_line_types(types, files, &mut mooring, faults);
     }
-    if let Some(types) = block(Section::RodTypes) {
+    if let Some(types) = block(SectionTitle::RodTypes) {
         line_types::read_rod_types(types, &mut mooring, faults);
     }
-    if let Some(bodies) = block(Section::Bodies) {
+    if let Some(bodies) = block(SectionTitle::Bodies) {
         parts::read_bodies(bodies, &mut mooring, faults);
     }
-    if let Some(rods) = block(Section::Rods) {
+    if let Some(rods) = block(SectionTitle::Rods) {
         parts::read_rods(rods, &mut mooring, faults);
     }
-    if let Some(points) = block(Section::Points) {
+    if let Some(points) = block(SectionTitle::Points) {
         parts::read_points(points, &mut mooring, faults);
     }
-    if let Some(lines) = block(Section::Lines) {
+    if let Some(lines) = block(SectionTitle::Lines) {
         parts::read_lines(lines, &mut mooring, faults);
     }
-    if let Some(failures) = block(Section::Failure) {
+    if let Some(failures) = block(SectionTitle::Failure) {
         events::read_failures(failures, &mut mooring, faults);
     }
-    if let Some(past) = block(Section::SyropeIc) {
+    if let Some(past) = block(SectionTitle::SyropeIc) {
         events::read_past(past, &mut mooring, faults);
     }
-    if let Some(rows) = block(Section::Control) {
+    if let Some(rows) = block(SectionTitle::Control) {
         let what = "lines that another program's controller drives";
         events::read_unmodelled(rows, "control", what, &mut mooring);
     }
-    if let Some(rows) = block(Section::ExternalLoads) {
+    if let Some(rows) = block(SectionTitle::ExternalLoads) {
         loads::read(rows, &mut mooring, faults);
     }
-    if let Some(rows) = block(Section::Options) {
+    if let Some(rows) = block(SectionTitle::Options) {
         options::read_options(rows, files, &mut mooring, faults);
     }
     without_depth(&mut mooring);
@@ -174,7 +177,8 @@ fn assembled(
 
 /// Takes a depth of 0 for one that is not given, as `MoorDyn` does, which then has the bed at the deepest fixed point.
 fn without_depth(mooring: &mut Mooring) {
-    let is_below = |point: &Point| point.hold.value == Hold::Fixed && point.place[2].value < 0.0;
+    let is_below =
+        |point: &MooringPoint| point.hold.value == Hold::Fixed && point.place[2].value < 0.0;
     let is_zero = mooring
         .sea
         .depth

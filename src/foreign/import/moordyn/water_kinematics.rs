@@ -5,7 +5,7 @@
 //! is linear, beyond them constant. Values are looked for by their names, which stand behind them, or else by the lines of the form.
 
 use crate::import::fault::Fault;
-use crate::import::mooring::{CurrentProfile, Unmodelled};
+use crate::import::mooring::{MooringCurrent, Unmodelled};
 use crate::import::words::{Row, Word};
 
 /// The line of `WaveKinMod` and of `CurrentMod`, from 0, where nothing names them.
@@ -23,7 +23,7 @@ const MOST_ROWS: usize = 100;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WaterKinematics {
     /// A steady current.
-    pub current: Option<CurrentProfile>,
+    pub current: Option<MooringCurrent>,
     /// What is not modelled.
     pub unmodelled: Vec<Unmodelled>,
     /// What is said of it.
@@ -133,11 +133,11 @@ fn sign(rows: &[(usize, [f64; 3])], depths_too: bool) -> Option<f64> {
     }
 }
 
-fn profile(name: &str, rows: &[(usize, [f64; 3])], sign: f64) -> CurrentProfile {
+fn profile(name: &str, rows: &[(usize, [f64; 3])], sign: f64) -> MooringCurrent {
     let rows = rows.iter().map(|(_, [z, x, y])| [sign * z, *x, *y]);
     let mut rows: Vec<[f64; 3]> = rows.collect();
     rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
-    CurrentProfile {
+    MooringCurrent {
         file: name.to_owned(),
         rows,
     }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::columns;
-use crate::import::beside::Beside;
+use crate::import::beside::ReferencedFile;
 use crate::import::mooring::{Mooring, Program};
 use crate::padding::at_left;
 
@@ -16,7 +16,7 @@ const COMMENT_COLUMN: usize = 40;
 pub struct CaseText<'t> {
     source: LineStarts,
     program: Option<Program>,
-    beside: Option<(&'t Beside, LineStarts)>,
+    beside: Option<(&'t ReferencedFile, LineStarts)>,
     /// What is written.
     pub text: String,
     /// Of each of its lines, the bytes of the source that it comes from.
@@ -83,7 +83,7 @@ impl<'t> CaseText<'t> {
     }
 
     /// The file beside the source that bytes are of.
-    fn beside_of(&self, span: &Range<usize>) -> Option<&(&'t Beside, LineStarts)> {
+    fn beside_of(&self, span: &Range<usize>) -> Option<&(&'t ReferencedFile, LineStarts)> {
         let beside = self.beside.as_ref();
         beside.filter(|(beside, _)| beside.holds(span))
     }

@@ -75,7 +75,7 @@ fn options(mooring: &Mooring, is_started: bool) -> (Vec<String>, Vec<String>) {
     let settings = settings.into_iter().filter(|one| !is_taken(&one.name));
     let (physics, others): (Vec<_>, Vec<_>) =
         settings.partition(|one| PHYSICS.contains(&one.name.as_str()));
-    let names = |all: Vec<&crate::import::mooring::Setting>| -> Vec<String> {
+    let names = |all: Vec<&crate::import::mooring::ProgramSetting>| -> Vec<String> {
         all.iter().map(|one| one.written.clone()).collect()
     };
     let mut others = names(others);
@@ -159,7 +159,7 @@ fn parts(context: &Context<'_>) -> Vec<String> {
         &ids,
         "along those of the earth in MoorDyn, the same while they are not turned",
     );
-    let is_dropped = |(number, point): &(usize, &crate::import::mooring::Point)| {
+    let is_dropped = |(number, point): &(usize, &crate::import::mooring::MooringPoint)| {
         // Of free ones it is said where they are left out or fall.
         let is_elsewhere = matches!(point.hold.value, Hold::Body(_) | Hold::Free);
         !is_elsewhere && !context.is_used(Attachment::Point(*number))

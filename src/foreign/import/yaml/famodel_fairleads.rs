@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::load;
 use super::mapping::Mapping;
-use super::tree::{Node, shortened};
+use super::tree::{YamlNode, shortened};
 use crate::import::fault::{Fault, line_and_column};
 use crate::import::moordyn::files::Files;
 use crate::import::mooring::Given;
@@ -62,7 +62,7 @@ pub fn fairleads(
 /// The fairleads of a platform in a file of its own.
 fn included(
     name: &str,
-    node: &Node<'_>,
+    node: &YamlNode<'_>,
     path: &str,
     folder: &Path,
     faults: &mut Vec<Fault>,
@@ -96,7 +96,7 @@ fn included(
             return None;
         }
     };
-    let Some(root) = document.root().filter(Node::is_mapping) else {
+    let Some(root) = document.root().filter(YamlNode::is_mapping) else {
         let problem = format!(
             "the file `{}` is no YAML file of a platform",
             shortened(name)
@@ -111,7 +111,7 @@ fn included(
     };
     let node = root
         .get("platform")
-        .filter(Node::is_mapping)
+        .filter(YamlNode::is_mapping)
         .unwrap_or(root);
     let platform = Mapping {
         node,

@@ -6,11 +6,13 @@ use super::mapping::{Lookup, Mapping, find, listed};
 use super::system::Named;
 use super::tree::shortened;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Damping, Given, Hold, LineType, Mass, Point, Stiffness};
+use crate::import::mooring::{
+    Damping, Given, Hold, Mass, MooringLineType, MooringPoint, Stiffness,
+};
 
 /// A piece of a line of one type.
 #[derive(Debug, Clone)]
-pub struct Section {
+pub struct LinePiece {
     /// Its row.
     pub span: Range<usize>,
     /// Its type, by its place in the list.
@@ -27,7 +29,7 @@ pub struct LineConfig {
     /// Horizontal distance of anchor and fairlead \[m\].
     pub span: Given<f64>,
     /// Its sections, one at least.
-    pub sections: Vec<Section>,
+    pub sections: Vec<LinePiece>,
 }
 
 /// A connector between sections.
@@ -40,14 +42,14 @@ struct Connector {
 
 /// The parts that an array is of.
 #[derive(Debug, Clone)]
-pub struct Parts {
+pub struct ArrayParts {
     /// Line types.
-    pub types: Named<LineType>,
+    pub types: Named<MooringLineType>,
     connectors: Named<Connector>,
     configs: Named<LineConfig>,
 }
 
-impl Parts {
+impl ArrayParts {
     /// Reads the tables of an array.
     pub fn read(root: &Mapping<'_>, faults: &mut Vec<Fault>) -> Self {
         let types = table(root, "mooring_line_types", faults, line_type);
@@ -94,12 +96,12 @@ impl Parts {
 
     /// A point with the mass, volume and drag of a connector.
     #[must_use]
-    pub fn connector(&self, connector: Option<usize>, point: Point) -> Point {
+    pub fn connector(&self, connector: Option<usize>, point: MooringPoint) -> MooringPoint {
         let found = connector.and_then(|number| self.connectors.entries.get(number)?.as_ref());
         let Some(found) = found else {
             return point;
         };
-        Point {
+        MooringPoint {
             mass: found.mass.clone(),
             volume: found.volume.clone(),
             drag_area: found.drag_area.clone(),
@@ -109,9 +111,9 @@ impl Parts {
 
     /// A point of nothing but rope.
     #[must_use]
-    pub fn no_connector(span: &Range<usize>) -> Point {
+    pub fn no_connector(span: &Range<usize>) -> MooringPoint {
         let none = || Given::new(0.0, span.clone());
-        Point {
+        MooringPoint {
             id: String::new(),
             span: span.clone(),
             hold: Given::new(Hold::Free, span.clone()),
@@ -149,7 +151,7 @@ fn table<T>(
     named
 }
 
-fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<LineType> {
+fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<MooringLineType> {
     let diameter = row.positive("d_vol", faults);
     let mass = row.not_negative("m", faults);
     let stiffness = row.positive("EA", faults);
@@ -160,7 +162,7 @@ fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<L
     };
     let (mass, stiffness) = (mass?, stiffness?);
     let none = || Given::new(0.0, row.node.span());
-    Some(LineType {
+    Some(MooringLineType {
         name: name.to_owned(),
         span: row.node.key_span(),
         diameter: diameter?,
@@ -195,7 +197,7 @@ fn config(
     }
     let list = row.required("sections", REMEDY, faults)?;
     let items = list.items().unwrap_or_default();
-    let mut sections: Vec<Section> = Vec::new();
+    let mut sections: Vec<LinePiece> = Vec::new();
     let mut is_valid = true;
     for (number, node) in items.into_iter().enumerate() {
         let path = format!("{}[{}]", row.key("sections"), number + 1);
@@ -244,7 +246,7 @@ fn config(
     })
 }
 
-fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Option<Section> {
+fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Option<LinePiece> {
     let name = item.word("type", "name a line type", faults);
     let of_type = name.and_then(|name| {
         find(
@@ -256,7 +258,7 @@ fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Opt
         )
     });
     let length = item.positive("length", faults);
-    Some(Section {
+    Some(LinePiece {
         span: item.node.span(),
         of_type: of_type?,
         length: length?,

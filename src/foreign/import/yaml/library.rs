@@ -2,7 +2,7 @@
 
 use super::load;
 use super::mapping::Mapping;
-use super::tree::{Node, in_a_row, shortened};
+use super::tree::{YamlNode, in_a_row, shortened};
 use crate::case::Diagnostic;
 use crate::import::fault::{self, Fault, GREATEST_FAULTS};
 use crate::line_types::{Library, LibraryType, OuterDiameter, Polynomial, UnreadType};
@@ -77,7 +77,7 @@ pub fn read(text: &str, file: &str) -> Result<Library, Vec<Diagnostic>> {
 
 /// Reads the types one by one; `faults` are those of the table as a whole.
 fn types(
-    root: Option<Node<'_>>,
+    root: Option<YamlNode<'_>>,
     faults: &mut Vec<Fault>,
     put: &mut dyn FnMut(String, Result<LibraryType, Vec<Fault>>),
 ) {
