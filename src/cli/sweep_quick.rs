@@ -16,7 +16,7 @@ use seacable_base::visible;
 use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::quick_look::QuickView;
 use seacable_studies::study::points::PointOutcome;
-use seacable_studies::study::seas::{Difference, QuickSeas, StoredRun, look_at_seas};
+use seacable_studies::study::seas::{Difference, QuickSeas, StoredLoadCase, look_at_seas};
 use seacable_studies::study::sweep::{SweepFolder, SweepPlan, SweepProgress, SweepResults};
 
 /// What has no quick looks.
@@ -117,14 +117,14 @@ fn in_time(
         };
         sweep.compute_some(Some(&folder), &wanted, stop.cancel(), &told)
     });
-    let mut runs: Vec<Option<StoredRun>> = vec![None; sweep.variation.points.len()];
+    let mut runs: Vec<Option<StoredLoadCase>> = vec![None; sweep.variation.points.len()];
     let mut cost_s = 0.0;
     for (index, outcome) in &computed {
         let run = outcome
             .as_ref()
             .and_then(|outcome: &PointOutcome| outcome.as_ref().ok());
         cost_s += run.map_or(0.0, |run| run.info.cost.cpu_s);
-        runs[*index] = outcome.as_ref().and_then(StoredRun::of);
+        runs[*index] = outcome.as_ref().and_then(StoredLoadCase::of);
     }
     let differences = sampled.iter();
     let differences = differences.flat_map(|sea| found.differences(*sea, &runs, question));

@@ -9,7 +9,9 @@ use super::table::{Align, Cell, CellStyle, Table};
 use seacable_base::number::{digits, range as range_text, si, with_error};
 use seacable_model::case::{CheckKind, GreatestMethod, StatisticsInputs};
 use seacable_model::checks::utilisation::{Utilisation, UtilisationVerdict};
-use seacable_studies::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
+use seacable_studies::study::seas::{
+    CheckResult, CheckRow, PlaceLoads, RecordedSeries, SeaGroup, SeaResults,
+};
 
 /// The rows that are printed of a check's places; all stand in checks.csv.
 const MOST_PLACES: usize = 40;
@@ -26,7 +28,7 @@ pub struct SeasView<'a> {
 /// A sea with the loads at the place of its greatest tension.
 struct SeaRow<'a> {
     number: usize,
-    sea: &'a Sea,
+    sea: &'a SeaGroup,
     loads: Option<&'a PlaceLoads>,
 }
 
@@ -345,7 +347,7 @@ impl SeasView<'_> {
             .enumerate();
         let rows = seas
             .flat_map(|(number, (sea, loads))| loads.iter().map(move |loads| (number, sea, loads)));
-        let rows: Vec<(usize, &Sea, &PlaceLoads)> = rows.collect();
+        let rows: Vec<(usize, &SeaGroup, &PlaceLoads)> = rows.collect();
         let plain = |value: Option<f64>| {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
         };
@@ -456,19 +458,21 @@ fn governing(check: &CheckResult, read: impl FnOnce(&CheckRow) -> Cell) -> Cell 
 
 /// The loads at the place of the greatest tension.
 fn greatest_tension(loads: &[PlaceLoads]) -> Option<&PlaceLoads> {
-    let tensions = loads.iter().filter(|loads| loads.series == Series::Tension);
+    let tensions = loads
+        .iter()
+        .filter(|loads| loads.series == RecordedSeries::Tension);
     let value = |loads: &&PlaceLoads| loads.greatest.estimate.value;
     tensions.max_by(|a, b| value(a).total_cmp(&value(b)))
 }
 
 /// What a series is called in a table.
-pub(super) const fn series_word(series: Series) -> &'static str {
+pub(super) const fn series_word(series: RecordedSeries) -> &'static str {
     match series {
-        Series::Tension => "tension",
-        Series::Uplift => "uplift",
-        Series::Offset => "offset",
-        Series::Height => "height",
-        Series::BedClearance => "height above the bed",
+        RecordedSeries::Tension => "tension",
+        RecordedSeries::Uplift => "uplift",
+        RecordedSeries::Offset => "offset",
+        RecordedSeries::Height => "height",
+        RecordedSeries::BedClearance => "height above the bed",
     }
 }
 

@@ -14,7 +14,7 @@ use super::number::duration;
 use super::table::{Align, Cell, CellStyle, LineKind, Table};
 use seacable_base::number::si;
 use seacable_model::case::{Spacing, StudyValue};
-use seacable_studies::study::points::Point;
+use seacable_studies::study::points::StudyPoint;
 use seacable_studies::study::vary::{Variation, VariedKey};
 
 /// Curves of a chart, at most; a finer grid is drawn as a map.
@@ -38,7 +38,7 @@ pub struct VariationView<'a> {
 /// A point with its number.
 struct PointRow<'a> {
     number: usize,
-    point: &'a Point,
+    point: &'a StudyPoint,
     outcome: &'a PointView,
 }
 

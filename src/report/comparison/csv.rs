@@ -1,7 +1,7 @@
 //! A comparison for other programs: one row an item and run, every digit kept.
 
 use seacable_runs::run::Quantity;
-use seacable_studies::comparison::{Change, Comparison, error_bar, letter};
+use seacable_studies::comparison::{Comparison, ResultChange, error_bar, letter};
 
 /// Columns of the table.
 const COLUMNS: [&str; 12] = [
@@ -89,7 +89,7 @@ fn of_result(
     unit: &str,
     run: usize,
     value: Option<&Quantity>,
-    change: Option<Change>,
+    change: Option<ResultChange>,
 ) -> Row {
     let mut row = plain("result", name, unit, run, number(value.map(|q| q.value)));
     let bar = value.and_then(error_bar);

@@ -13,7 +13,7 @@ mod settings;
 mod shapes;
 mod validation;
 
-pub use agreement::{Agreement, Change, change, error_bar, is_beyond_error};
+pub use agreement::{Agreement, ResultChange, change, error_bar, is_beyond_error};
 pub use channels::{ChannelExtremes, ComparedChannel};
 pub use curves::{CurveDifference, difference, differences, points_less};
 pub use inputs::{ComparedInput, InputValue};

@@ -64,7 +64,7 @@ impl Setting {
 
 /// A point at which a case is computed.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Point {
+pub struct StudyPoint {
     /// What is set there.
     pub settings: Vec<Setting>,
 }

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::tree::{length, list, listed, number, put, word};
-use super::variant::Variant;
+use super::variant::SystemVariant;
 use crate::numerics::random::Random;
 
 /// The name of the point; that of the second part is the line's with this after it.
@@ -12,8 +12,8 @@ const BETWEEN: &str = "between";
 const FEWEST: i64 = 8;
 
 /// None where no line can be divided: those that bend pass their moment on, and what is paid out or breaks is one line.
-pub(super) fn divided(system: &Table, random: &mut Random) -> Option<Variant> {
-    let mut variant = Variant::of(system.clone());
+pub(super) fn divided(system: &Table, random: &mut Random) -> Option<SystemVariant> {
+    let mut variant = SystemVariant::of(system.clone());
     let file = &mut variant.file;
     let bending: Vec<String> = super::tree::named(file, "materials")
         .filter(|(_, material)| number(material, "ei_n_m2").is_some_and(|ei| ei > 0.0))

@@ -1,7 +1,7 @@
 //! How much of the limit of a check the seas use.
 
 use super::loads::{Extreme, PlaceLoads};
-use super::records::Series;
+use super::records::RecordedSeries;
 use super::scene::CheckedScene;
 use crate::case::{CheckAnalysis, CheckCondition, CheckInputs, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
@@ -85,21 +85,21 @@ pub(super) fn is_for(check: &Check, condition: CheckCondition, scene: &CheckedSc
 
 /// The series that a check reads; none for what is not read of records by place.
 #[must_use]
-pub(super) const fn series(kind: CheckKind) -> &'static [Series] {
+pub(super) const fn series(kind: CheckKind) -> &'static [RecordedSeries] {
     match kind {
         CheckKind::SafetyFactor | CheckKind::PartialFactors | CheckKind::LeastTension => {
-            &[Series::Tension]
+            &[RecordedSeries::Tension]
         }
-        CheckKind::Uplift => &[Series::Uplift],
-        CheckKind::Offset => &[Series::Offset],
-        CheckKind::BedClearance => &[Series::Height, Series::BedClearance],
-        CheckKind::SurfaceClearance => &[Series::Height],
+        CheckKind::Uplift => &[RecordedSeries::Uplift],
+        CheckKind::Offset => &[RecordedSeries::Offset],
+        CheckKind::BedClearance => &[RecordedSeries::Height, RecordedSeries::BedClearance],
+        CheckKind::SurfaceClearance => &[RecordedSeries::Height],
         CheckKind::BendRadius | CheckKind::Fatigue => &[],
     }
 }
 
 /// A load with the limit that it is held to.
-struct Held<'a> {
+struct CheckedLoad<'a> {
     load: Estimate,
     limit: f64,
     /// Where and when the load was seen.
@@ -108,7 +108,7 @@ struct Held<'a> {
     is_least: bool,
 }
 
-impl<'a> Held<'a> {
+impl<'a> CheckedLoad<'a> {
     fn most(load: Estimate, limit: f64, extreme: &'a Extreme) -> Self {
         Self {
             load,
@@ -167,38 +167,40 @@ fn held<'a>(
     check: &Check,
     loads: &'a PlaceLoads,
     scene: &CheckedScene,
-) -> Result<Held<'a>, String> {
+) -> Result<CheckedLoad<'a>, String> {
     let inputs = &check.inputs;
     let (greatest, least) = (&loads.greatest, &loads.least);
     let length = inputs.limit_m.unwrap_or(0.0);
     Ok(match check.kind {
         CheckKind::SafetyFactor => {
             let load = scaled(&greatest.estimate, inputs.factor.unwrap_or(1.0));
-            Held::most(load, strength(inputs, loads, scene)?, greatest)
+            CheckedLoad::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::PartialFactors => {
             let load = by_partial_factors(inputs, loads);
-            Held::most(load, strength(inputs, loads, scene)?, greatest)
+            CheckedLoad::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::LeastTension => {
             let limit = match inputs.limit_n {
                 Some(limit) => limit,
                 None => strength(inputs, loads, scene)?,
             };
-            Held::least(least.estimate, limit, least)
+            CheckedLoad::least(least.estimate, limit, least)
         }
-        CheckKind::Uplift => Held::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest),
-        CheckKind::Offset => Held::most(greatest.estimate, length, greatest),
-        CheckKind::BedClearance if loads.series == Series::BedClearance => {
-            Held::least(least.estimate, length, least)
+        CheckKind::Uplift => {
+            CheckedLoad::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest)
+        }
+        CheckKind::Offset => CheckedLoad::most(greatest.estimate, length, greatest),
+        CheckKind::BedClearance if loads.series == RecordedSeries::BedClearance => {
+            CheckedLoad::least(least.estimate, length, least)
         }
         CheckKind::BedClearance => {
             let depth = scene.depth;
             let depth = depth.ok_or("the sea bed is not level, or there is none")?;
-            Held::least(shifted(&least.estimate, 1.0, depth), length, least)
+            CheckedLoad::least(shifted(&least.estimate, 1.0, depth), length, least)
         }
         CheckKind::SurfaceClearance => {
-            Held::least(shifted(&greatest.estimate, -1.0, 0.0), length, greatest)
+            CheckedLoad::least(shifted(&greatest.estimate, -1.0, 0.0), length, greatest)
         }
         CheckKind::BendRadius | CheckKind::Fatigue => {
             return Err("it is not read of records by place".to_owned());
@@ -281,7 +283,7 @@ mod tests {
 
     fn tension() -> PlaceLoads {
         PlaceLoads {
-            series: Series::Tension,
+            series: RecordedSeries::Tension,
             place: "chain@120|b".to_owned(),
             mean: estimate(2e6, 1e4, 2e4),
             deviation: 1e5,
@@ -361,7 +363,7 @@ mod tests {
         near(row.used.value, 0.5);
         near(row.used.both[1], 0.5 / 0.75);
         let height = PlaceLoads {
-            series: Series::Height,
+            series: RecordedSeries::Height,
             place: "clump".to_owned(),
             least: extreme(estimate(-195.0, 0.5, 1.0)),
             ..tension()
@@ -376,7 +378,7 @@ mod tests {
     fn a_limit_of_zero_is_kept_or_passed() {
         let used = |value: f64| {
             let uplift = PlaceLoads {
-                series: Series::Uplift,
+                series: RecordedSeries::Uplift,
                 greatest: extreme(Estimate::exact(value)),
                 ..tension()
             };

@@ -4,7 +4,7 @@
 use super::SeaQuestion;
 use super::checked::CheckRow;
 use super::looks::taken;
-use super::records::RunRecord;
+use super::records::SeaRunRecord;
 use crate::case::{CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
@@ -17,7 +17,7 @@ use crate::study::record_statistics::FEWEST_RUNS;
 pub(super) fn rows(
     check: &Check,
     sea: usize,
-    runs: &[RunRecord],
+    runs: &[SeaRunRecord],
     question: &SeaQuestion,
 ) -> Vec<Result<CheckRow, String>> {
     let lines = question.scene.lines.iter();
@@ -38,12 +38,12 @@ const NOTHING_BENDS: &str =
 fn row(
     check: &Check,
     (sea, line): (usize, &str),
-    runs: &[RunRecord],
+    runs: &[SeaRunRecord],
     question: &SeaQuestion,
 ) -> Option<CheckRow> {
     let id = check.least_along(line)?;
     let found = runs.iter().filter_map(|run| Some((run, run.result(&id)?)));
-    let found: Vec<Found<'_>> = found.collect();
+    let found: Vec<LeastOfRun<'_>> = found.collect();
     let least = found.iter().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
     let (run, (least, _)) = least?;
     let errors = found.iter().filter_map(|(_, (_, error))| *error);
@@ -74,7 +74,7 @@ fn row(
 }
 
 /// A run, and its least value with its numerical error.
-type Found<'a> = (&'a RunRecord, (f64, Option<f64>));
+type LeastOfRun<'a> = (&'a SeaRunRecord, (f64, Option<f64>));
 
 /// The line, and the stretch of it that a check holds; nothing of checks and lines of which it holds no least value.
 pub(super) fn place(check: &Check, line: &str) -> Option<String> {
@@ -100,7 +100,7 @@ fn turned(kind: CheckKind, value: f64) -> f64 {
 /// The most probable least value, its interval, and how it was found.
 fn most_probable(
     kind: CheckKind,
-    found: &[Found<'_>],
+    found: &[LeastOfRun<'_>],
     least: f64,
     question: &SeaQuestion,
 ) -> (f64, Option<[f64; 2]>, GreatestMethod) {

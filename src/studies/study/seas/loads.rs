@@ -1,7 +1,7 @@
 //! The load of a sea at a place: its mean and its greatest and least value, each with the error of the sample and the numerical one.
 
 use super::looks::taken;
-use super::records::{RunRecord, Series};
+use super::records::{RecordedSeries, SeaRunRecord};
 use crate::case::{GreatestMethod, Statistic, StatisticsInputs};
 use crate::checks::utilisation::Estimate;
 use crate::numerics::statistics::Statistics;
@@ -31,7 +31,7 @@ pub struct Extreme {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaceLoads {
     /// The series.
-    pub series: Series,
+    pub series: RecordedSeries,
     /// The place.
     pub place: String,
     /// The mean of all records.
@@ -49,12 +49,12 @@ pub struct PlaceLoads {
 /// Finds what the runs of a sea do at a place; nothing where they have no such record.
 #[must_use]
 pub(super) fn loads_at(
-    runs: &[RunRecord],
-    (series, place): (Series, &str),
+    runs: &[SeaRunRecord],
+    (series, place): (RecordedSeries, &str),
     question: &StatisticsInputs,
     is_random: bool,
 ) -> Option<PlaceLoads> {
-    let found: Vec<(&RunRecord, ChannelRecord)> = runs
+    let found: Vec<(&SeaRunRecord, ChannelRecord)> = runs
         .iter()
         .filter_map(|run| Some((run, run.series(series, place)?)))
         .filter(|(_, record)| !record.values.is_empty())
@@ -121,15 +121,15 @@ pub(super) fn loads_at(
 /// The most extreme value of all runs.
 struct Seen<'a> {
     value: f64,
-    run: &'a RunRecord,
+    run: &'a SeaRunRecord,
     time: Option<f64>,
 }
 
 /// The greatest or least value of all runs over every step, with its run and its time: where the run kept none for it, that of the row
 /// nearest to it.
 fn most_extreme<'a>(
-    found: &[(&'a RunRecord, ChannelRecord)],
-    (series, place): (Series, &str),
+    found: &[(&'a SeaRunRecord, ChannelRecord)],
+    (series, place): (RecordedSeries, &str),
     of: Statistic,
 ) -> Option<Seen<'a>> {
     let sign = if of == Statistic::Min { -1.0 } else { 1.0 };

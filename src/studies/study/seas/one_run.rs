@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::{SeaQuestion, SeaResults, StoredRun};
+use super::{SeaQuestion, SeaResults, StoredLoadCase};
 use crate::run::Quantity;
-use crate::study::points::{BaseCase, Point};
+use crate::study::points::{BaseCase, StudyPoint};
 use crate::study::vary::Variation;
 use crate::study::vary::system::SystemPoint;
 use crate::system::SolvedSystem;
@@ -13,7 +13,7 @@ impl SeaResults {
     /// Of a stored run, its directory and its results.
     #[must_use]
     pub fn of_run(dir: &Path, summary: &[Quantity], question: &SeaQuestion) -> Self {
-        let run = StoredRun {
+        let run = StoredLoadCase {
             dir: dir.to_owned(),
             summary: summary.to_vec(),
         };
@@ -41,7 +41,7 @@ fn as_in_the_file() -> Variation {
     Variation {
         base: BaseCase::new("", ""),
         keys: Vec::new(),
-        points: vec![Point::default()],
+        points: vec![StudyPoint::default()],
         probability: None,
         is_grid: true,
     }

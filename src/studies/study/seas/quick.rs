@@ -9,10 +9,11 @@ use std::time::Instant;
 
 use super::fatigue::{FatiguePlace, SeaFatigue};
 use super::loads::{Extreme, PlaceLoads};
-use super::records::Series;
+use super::records::RecordedSeries;
 use super::subject::subject;
 use super::{
-    OneSea, Sea, SeaDamage, SeaQuestion, SeaResults, StoredRun, checked, nothing_recorded, seas,
+    OneSea, SeaDamage, SeaGroup, SeaQuestion, SeaResults, StoredLoadCase, checked,
+    nothing_recorded, seas,
 };
 use crate::case::{ChannelQuantity, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
@@ -79,7 +80,7 @@ pub fn look_at_seas(
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Option<SeaLookOutcome>> {
     let all = seas(variation, &question.scene);
-    let one = |sea: Sea| {
+    let one = |sea: SeaGroup| {
         let settings = &variation.points[sea.load_cases[0]].settings;
         match FileType::of_text(&variation.base.text) {
             FileType::System => of_system(&variation.base, settings),
@@ -180,7 +181,7 @@ impl QuickSeas {
     pub fn sampled(&self, count: usize) -> Vec<usize> {
         let greatest = |sea: usize| {
             let loads = self.results.loads[sea].iter();
-            let tensions = loads.filter(|loads| loads.series == Series::Tension);
+            let tensions = loads.filter(|loads| loads.series == RecordedSeries::Tension);
             tensions
                 .map(|loads| loads.greatest.estimate.value)
                 .fold(f64::NEG_INFINITY, f64::max)
@@ -212,7 +213,7 @@ impl QuickSeas {
     pub fn differences(
         &self,
         sea: usize,
-        runs: &[Option<StoredRun>],
+        runs: &[Option<StoredLoadCase>],
         question: &SeaQuestion,
     ) -> Vec<Difference> {
         let in_time = question.one(sea, &self.results.seas[sea], runs).loads;
@@ -230,7 +231,7 @@ impl QuickSeas {
 }
 
 impl SeaQuestion {
-    fn no_look(&self, number: usize, sea: &Sea) -> OneSea {
+    fn no_look(&self, number: usize, sea: &SeaGroup) -> OneSea {
         let why = format!("sea {} has no quick look", number + 1);
         let rows = self.checks.iter().map(|check| {
             let is_for = checked::is_for(check, sea.condition, &self.scene);
@@ -244,7 +245,7 @@ impl SeaQuestion {
         }
     }
 
-    fn one_look(&self, number: usize, sea: &Sea, look: &SeaLook) -> OneSea {
+    fn one_look(&self, number: usize, sea: &SeaGroup, look: &SeaLook) -> OneSea {
         let loads = self.quick_loads(sea, look);
         let (mut rows, mut fatigue) = (Vec::new(), Vec::new());
         for check in &self.checks {
@@ -255,7 +256,7 @@ impl SeaQuestion {
                 false => SeaFatigue::new(),
             };
             if is_for && check.kind == CheckKind::Fatigue && damages.is_empty() {
-                own.push(Err(nothing_recorded(check, Series::Tension)));
+                own.push(Err(nothing_recorded(check, RecordedSeries::Tension)));
             }
             rows.push(own);
             fatigue.push(damages);
@@ -269,12 +270,14 @@ impl SeaQuestion {
     }
 
     /// Loads of tensions, and of what checks ask for.
-    fn quick_loads(&self, sea: &Sea, look: &SeaLook) -> Vec<PlaceLoads> {
-        let is_asked = |series: Series| {
+    fn quick_loads(&self, sea: &SeaGroup, look: &SeaLook) -> Vec<PlaceLoads> {
+        let is_asked = |series: RecordedSeries| {
             let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
-            series == Series::Tension || kinds.any(|of| of.contains(&series))
+            series == RecordedSeries::Tension || kinds.any(|of| of.contains(&series))
         };
-        let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
+        let asked = RecordedSeries::ALL
+            .into_iter()
+            .filter(|series| is_asked(*series));
         let hours = self.statistics.hours;
         let loads = asked.flat_map(|series| {
             let places = look.fine.channels.iter();
@@ -282,9 +285,9 @@ impl SeaQuestion {
                 places.filter(move |channel| quantity(series) == Some(channel.id.quantity));
             places.filter_map(move |channel| {
                 let place = channel.id.place.as_str();
-                let fine = Numbers::of(&look.fine, series, place, hours)?;
+                let fine = SeriesNumbers::of(&look.fine, series, place, hours)?;
                 let coarse = look.coarse.as_ref();
-                let coarse = coarse.map(|coarse| Numbers::of(coarse, series, place, hours));
+                let coarse = coarse.map(|coarse| SeriesNumbers::of(coarse, series, place, hours));
                 Some(place_loads(
                     (series, place),
                     sea,
@@ -353,32 +356,32 @@ impl SeaQuestion {
 }
 
 /// The channels whose places a series has; none of what is along lines.
-const fn quantity(series: Series) -> Option<ChannelQuantity> {
+const fn quantity(series: RecordedSeries) -> Option<ChannelQuantity> {
     match series {
-        Series::Tension => Some(ChannelQuantity::Tension),
-        Series::Uplift => Some(ChannelQuantity::Uplift),
-        Series::Offset => Some(ChannelQuantity::X),
-        Series::Height => Some(ChannelQuantity::Z),
-        Series::BedClearance => None,
+        RecordedSeries::Tension => Some(ChannelQuantity::Tension),
+        RecordedSeries::Uplift => Some(ChannelQuantity::Uplift),
+        RecordedSeries::Offset => Some(ChannelQuantity::X),
+        RecordedSeries::Height => Some(ChannelQuantity::Z),
+        RecordedSeries::BedClearance => None,
     }
 }
 
 /// What a look says of a series at a place.
-struct Numbers {
+struct SeriesNumbers {
     mean: f64,
     deviation: f64,
     greatest: f64,
     least: f64,
 }
 
-impl Numbers {
-    fn of(look: &QuickLook, series: Series, place: &str, hours: f64) -> Option<Self> {
+impl SeriesNumbers {
+    fn of(look: &QuickLook, series: RecordedSeries, place: &str, hours: f64) -> Option<Self> {
         let find = |quantity: ChannelQuantity| {
             let mut channels = look.channels.iter();
             channels.find(|channel| channel.id.quantity == quantity && channel.id.place == place)
         };
         let channel = find(quantity(series)?)?;
-        if series == Series::Offset {
+        if series == RecordedSeries::Offset {
             return Some(Self::offset(
                 channel,
                 find(ChannelQuantity::Y)?,
@@ -416,17 +419,17 @@ impl Numbers {
 
 /// Loads with the error of the mesh: three times what Richardson's extrapolation of second order gives.
 fn place_loads(
-    (series, place): (Series, &str),
-    sea: &Sea,
-    fine: &Numbers,
-    coarse: Option<&Numbers>,
+    (series, place): (RecordedSeries, &str),
+    sea: &SeaGroup,
+    fine: &SeriesNumbers,
+    coarse: Option<&SeriesNumbers>,
 ) -> PlaceLoads {
-    let estimate = |of: fn(&Numbers) -> f64| Estimate {
+    let estimate = |of: fn(&SeriesNumbers) -> f64| Estimate {
         value: of(fine),
         numerical: coarse.map(|coarse| (of(fine) - of(coarse)).abs()),
         sample: None,
     };
-    let extreme = |of: fn(&Numbers) -> f64| Extreme {
+    let extreme = |of: fn(&SeriesNumbers) -> f64| Extreme {
         estimate: estimate(of),
         method: GreatestMethod::Spectrum,
         seen: of(fine),

@@ -1,6 +1,6 @@
 //! Speed against error as tables and as a chart.
 
-use super::{Errors, SpeedPoint, SpeedStudy};
+use super::{SolutionErrors, SpeedPoint, SpeedStudy};
 use crate::chart::{Axis, Chart, Series};
 use crate::number::{digits, with_error};
 use crate::run::{Quantity, RunState};
@@ -16,7 +16,7 @@ pub fn table(study: &SpeedStudy) -> Table {
     let points: Vec<&SpeedPoint> = study.points.iter().chain([&study.reference]).collect();
     let failed = failed(&points);
     let is_reference = |point: &SpeedPoint| std::ptr::eq(point, &raw const study.reference);
-    let error = |point: &SpeedPoint, of: fn(&Errors) -> f64| {
+    let error = |point: &SpeedPoint, of: fn(&SolutionErrors) -> f64| {
         NumberFormat::Digits(3, "").cell(point.errors.as_ref().map(of))
     };
     let table = Table::of("", &points)
@@ -91,7 +91,7 @@ fn node_ns(point: &SpeedPoint) -> f64 {
 }
 
 /// Whether errors are not significant beside that of the reference.
-fn is_near(errors: &Errors, study: &SpeedStudy) -> bool {
+fn is_near(errors: &SolutionErrors, study: &SpeedStudy) -> bool {
     study.reference.errors.is_none_or(|own| {
         errors.tension_rms < SIGNIFICANT * own.tension_rms
             || errors.position_rms < SIGNIFICANT * own.position_rms

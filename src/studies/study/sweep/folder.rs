@@ -11,7 +11,7 @@
 //! | `checks.csv` | the share that each check leaves at each place in each sea |
 //! | `window.csv` | of a search: the limiting value of each sea |
 //! | `report.txt` | the page that is printed, in ASCII at 80 columns |
-//! | `slurm.toml`, `array.sh`, `tasks` | of a sweep on a cluster: see [`slurm`](super::slurm) and [`Part`](super::Part) |
+//! | `slurm.toml`, `array.sh`, `tasks` | of a sweep on a cluster: see [`slurm`](super::slurm) and [`Part`](super::SweepPart) |
 //!
 //! The runs are the record of what is done: a sweep that goes on reads those that came to their end. The folder appears in one step.
 
@@ -201,7 +201,7 @@ impl SweepFolder {
         Self::opened(dir, true)
     }
 
-    /// The same to compute a [`Part`](super::Part) of it, while others compute theirs and a program watches them: nobody is excluded.
+    /// The same to compute a [`Part`](super::SweepPart) of it, while others compute theirs and a program watches them: nobody is excluded.
     ///
     /// # Errors
     /// It is no sweep, or was changed.

@@ -13,7 +13,7 @@ use crate::files::read;
 use crate::files::shallow::shallow;
 use crate::run::RunState;
 use crate::study::points::PointOutcome;
-use crate::study::seas::{SeaResults, StoredRun};
+use crate::study::seas::{SeaResults, StoredLoadCase};
 use crate::study::vary::system::SystemOutcome;
 
 /// Load cases without a run of a sweep that has ended, of which it is asked whether the case refuses them: each takes a parsing.
@@ -160,8 +160,8 @@ impl SweepSnapshot {
             SnapshotOutcomes::Runs(runs, _) => {
                 let stored = runs
                     .iter()
-                    .map(|run| run.as_ref().and_then(|run| StoredRun::of(run)));
-                let stored: Vec<Option<StoredRun>> = stored.collect();
+                    .map(|run| run.as_ref().and_then(|run| StoredLoadCase::of(run)));
+                let stored: Vec<Option<StoredLoadCase>> = stored.collect();
                 Some(SeaResults::of(&sweep.variation, &stored, question))
             }
         }

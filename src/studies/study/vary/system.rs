@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::super::points::{BaseCase, Point, Setting, reasons, side_by_side};
+use super::super::points::{BaseCase, Setting, StudyPoint, reasons, side_by_side};
 use super::Variation;
 use crate::study::studied;
 use crate::system::SolvedSystem;
@@ -55,8 +55,8 @@ pub fn compute(
     cancel: &AtomicBool,
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Option<SystemOutcome>> {
-    let points: Vec<&Point> = variation.points.iter().collect();
-    let one = |point: &Point| {
+    let points: Vec<&StudyPoint> = variation.points.iter().collect();
+    let one = |point: &StudyPoint| {
         let solved = solve(&variation.base, &point.settings)?;
         Ok(SystemPoint::of(&solved, results))
     };

@@ -4,7 +4,7 @@ use crate::checks::utilisation::UtilisationVerdict;
 
 /// What is known of the limiting value of one sea, by places among the values tried, which rise.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bracket {
+pub struct LimitBracket {
     count: usize,
     /// The place of the greatest value known to pass.
     pub passes: Option<usize>,
@@ -12,7 +12,7 @@ pub struct Bracket {
     pub fails: Option<(usize, UtilisationVerdict)>,
 }
 
-impl Bracket {
+impl LimitBracket {
     /// Among so many values.
     #[must_use]
     pub const fn new(count: usize) -> Self {
@@ -52,8 +52,8 @@ mod tests {
     use super::*;
 
     /// The bracket of a limit between places, and how many were tried.
-    fn sought(limit: f64) -> (Bracket, usize) {
-        let mut bracket = Bracket::new(33);
+    fn sought(limit: f64) -> (LimitBracket, usize) {
+        let mut bracket = LimitBracket::new(33);
         let mut tries = 0;
         loop {
             let next = bracket.next();
@@ -99,11 +99,11 @@ mod tests {
 
     #[test]
     fn what_is_not_settled_is_not_passed_and_says_so() {
-        let mut bracket = Bracket::new(5);
+        let mut bracket = LimitBracket::new(5);
         bracket.take(0, UtilisationVerdict::Passes);
         bracket.take(4, UtilisationVerdict::Open);
         assert_eq!(bracket.fails, Some((4, UtilisationVerdict::Open)));
         assert_eq!(bracket.next(), [2]);
-        assert_eq!(Bracket::new(1).next(), [0]);
+        assert_eq!(LimitBracket::new(1).next(), [0]);
     }
 }

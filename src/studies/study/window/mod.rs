@@ -7,13 +7,13 @@
 
 mod bracket;
 
-pub use bracket::Bracket;
+pub use bracket::LimitBracket;
 
 use crate::case::StudyValue;
 use crate::case::load_cases::{LoadCaseKey, LoadCases};
 use crate::checks::utilisation::UtilisationVerdict;
 use crate::study::points::Setting;
-use crate::study::seas::{CheckRow, Sea, SeaResults};
+use crate::study::seas::{CheckRow, SeaGroup, SeaResults};
 use crate::study::vary::{Variation, VariedKey};
 
 /// What is sought: a key with its values, which rise.
@@ -29,9 +29,9 @@ pub struct WindowKey {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindowRow {
     /// The sea, without the key that is sought.
-    pub sea: Sea,
+    pub sea: SeaGroup,
     /// Between which values it lies.
-    pub bracket: Bracket,
+    pub bracket: LimitBracket,
     /// What governs at the least value that does not pass: the check, the place and the share that is used.
     pub governing: Option<Governing>,
 }
@@ -88,13 +88,17 @@ impl WindowKey {
     ///
     /// # Errors
     /// The table sets the key too.
-    pub fn rows(&self, table: &Variation, seas: Vec<Sea>) -> Result<Vec<WindowRow>, WindowError> {
+    pub fn rows(
+        &self,
+        table: &Variation,
+        seas: Vec<SeaGroup>,
+    ) -> Result<Vec<WindowRow>, WindowError> {
         if table.keys.iter().any(|key| key.path == self.key.path) {
             return Err(WindowError::Twice(self.key.path.clone()));
         }
         let rows = seas.into_iter().map(|sea| WindowRow {
             sea,
-            bracket: Bracket::new(self.values.len()),
+            bracket: LimitBracket::new(self.values.len()),
             governing: None,
         });
         Ok(rows.collect())
