@@ -264,7 +264,7 @@ fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// A figure with its name.
-type Figure<T> = (&'static str, fn(&T) -> f64);
+type NamedFigure<T> = (&'static str, fn(&T) -> f64);
 /// One that may be missing.
 type PossibleFigure<T> = (&'static str, fn(&T) -> Option<f64>);
 
@@ -282,7 +282,7 @@ fn number(value: Option<f64>) -> Cell {
 
 /// Moments, in the unit of the channel where they have one.
 fn with_moments(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
-    let moments: [Figure<Moments>; 7] = [
+    let moments: [NamedFigure<Moments>; 7] = [
         ("mean", |s| s.mean),
         ("deviation", |s| s.deviation),
         ("skewness", |s| s.skewness),
@@ -308,7 +308,7 @@ fn with_moments(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView>
 
 /// Greatest values with the ends of their intervals, in the unit of the channel.
 fn with_greatest(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
-    let figures: [Figure<GreatestValue>; 6] = [
+    let figures: [NamedFigure<GreatestValue>; 6] = [
         ("most probable", |g| g.most_probable.estimate),
         ("most probable, low", |g| g.most_probable.low),
         ("most probable, high", |g| g.most_probable.high),

@@ -15,7 +15,7 @@ use super::folder::JobFolder;
 use super::jobs_dir::JobsDir;
 use super::launch::Launcher;
 use super::server::Server;
-use super::spec::{JobSpec, Work};
+use super::spec::{JobComputation, JobSpec};
 use super::status::{JobPhase, JobStatus, LoadCaseProgress};
 use super::sweep::{SweepEvent, SweepRequest, compute_sweep};
 use super::{socket, turn};
@@ -170,8 +170,8 @@ fn work(folder: &JobFolder, board: &Board, cancel: &AtomicBool) -> JobStatus {
         Ok(Some(_turn)) => {
             board.change(|status| status.phase = JobPhase::Running);
             match spec.work(folder.text()) {
-                Ok(Work::Run(request)) => run(&request, &spec, board, cancel),
-                Ok(Work::Sweep(request)) => sweep(&request, board, cancel),
+                Ok(JobComputation::Run(request)) => run(&request, &spec, board, cancel),
+                Ok(JobComputation::Sweep(request)) => sweep(&request, board, cancel),
                 Err(why) => failed(why),
             }
         }

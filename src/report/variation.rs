@@ -5,7 +5,7 @@ mod head;
 mod outcome;
 mod system;
 
-pub use outcome::{PointView, ResultColumn, ResultView};
+pub use outcome::{OutcomeColumn, PointView, ResultView};
 
 use std::ops::Range;
 
@@ -28,7 +28,7 @@ const MOST_FAILURES: usize = 100;
 pub struct VariationView<'a> {
     variation: &'a Variation,
     /// The results shown.
-    results: Vec<ResultColumn>,
+    results: Vec<OutcomeColumn>,
     /// What became of each point.
     outcomes: Vec<PointView>,
     /// Whether the points are runs, which have a cost and may be stored.

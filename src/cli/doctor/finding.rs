@@ -27,7 +27,7 @@ impl Health {
 
 /// Something that was looked at.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Finding {
+pub(crate) struct DoctorFinding {
     /// What it belongs to.
     pub topic: &'static str,
     /// What was looked at.
@@ -40,7 +40,7 @@ pub(crate) struct Finding {
     pub remedy: String,
 }
 
-impl Finding {
+impl DoctorFinding {
     pub(super) fn fine(topic: &'static str, name: &str, value: impl Into<String>) -> Self {
         Self {
             topic,

@@ -138,13 +138,13 @@ pub fn stiffness(design: &Design) -> Table {
 }
 
 /// Name, format and value of a coefficient of the stiffness matrix.
-type Coefficient = (&'static str, NumberFormat, fn(&StiffnessMatrix) -> f64);
+type StiffnessCoefficient = (&'static str, NumberFormat, fn(&StiffnessMatrix) -> f64);
 
 fn tension_and_torsion(design: &Design) -> Vec<StiffnessRow> {
     const N: NumberFormat = NumberFormat::Si("N");
     const NM: NumberFormat = NumberFormat::Si("N m");
     let has_core = design.layout.centre.is_some();
-    let quantities: [Coefficient; 6] = [
+    let quantities: [StiffnessCoefficient; 6] = [
         ("EA, ends fixed", N, |m| m.ea(EndRotation::Fixed)),
         ("EA, ends free to rotate", N, |m| m.ea(EndRotation::Free)),
         (

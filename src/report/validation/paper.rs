@@ -29,10 +29,10 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
         Block::Paragraph(about.cite.clone()),
         Block::Paragraph(counts(paper)),
     ];
-    let lines: Vec<Line<'_>> = paper
+    let lines: Vec<StatementLine<'_>> = paper
         .statements
         .iter()
-        .map(|one| Line::of(one, files))
+        .map(|one| StatementLine::of(one, files))
         .collect();
     let of = |wanted: &dyn Fn(&Answer) -> bool| {
         let chosen = lines.iter().filter(|line| wanted(&line.judged.answer));
@@ -80,13 +80,13 @@ fn counts(paper: &JudgedPaper<'_>) -> String {
 }
 
 /// A statement with the row that is farthest off among those that test it.
-struct Line<'a> {
+struct StatementLine<'a> {
     judged: &'a JudgedStatement<'a>,
     row: Option<&'a ValidationRow>,
     second: Option<&'a ValidationRow>,
 }
 
-impl<'a> Line<'a> {
+impl<'a> StatementLine<'a> {
     fn of(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
         let farthest = |names: &Option<Vec<String>>| {
             let rows = names.iter().flatten().filter_map(|name| row(name, files));
@@ -114,14 +114,14 @@ fn distance(row: &ValidationRow) -> f64 {
 }
 
 /// Statements without agreement, the farthest off first, each reason once.
-fn unanswered(title: &str, mut lines: Vec<&Line<'_>>) -> Vec<Block> {
+fn unanswered(title: &str, mut lines: Vec<&StatementLine<'_>>) -> Vec<Block> {
     if lines.is_empty() {
         return Vec::new();
     }
-    let far = |line: &Line<'_>| line.row.map_or(0.0, distance);
+    let far = |line: &StatementLine<'_>| line.row.map_or(0.0, distance);
     lines.sort_by(|a, b| far(b).total_cmp(&far(a)));
     let mut reasons: Vec<&str> = Vec::new();
-    let numbered: Vec<(usize, &Line<'_>)> = lines
+    let numbered: Vec<(usize, &StatementLine<'_>)> = lines
         .into_iter()
         .map(|line| {
             let reason = match &line.judged.answer {
@@ -172,7 +172,7 @@ fn tolerances(row: Option<&ValidationRow>) -> Cell {
 }
 
 /// What a second reading gives: its difference, and whether that is within the tolerance.
-fn second(line: &Line<'_>) -> Cell {
+fn second(line: &StatementLine<'_>) -> Cell {
     let (Some(answer), Some(row)) = (&line.judged.second, line.second) else {
         return Cell::default();
     };
@@ -185,7 +185,7 @@ fn second(line: &Line<'_>) -> Cell {
 }
 
 /// Statements that agree, a line each.
-fn results(title: &str, lines: &[&Line<'_>]) -> Table {
+fn results(title: &str, lines: &[&StatementLine<'_>]) -> Table {
     Table::of(title, lines)
         .text("printed", |line| line.says())
         .cell("computed", Align::Right, |line| {
@@ -202,7 +202,7 @@ fn results(title: &str, lines: &[&Line<'_>]) -> Table {
 }
 
 /// The notes of the rows, each once.
-fn notes(lines: &[&Line<'_>]) -> impl Iterator<Item = String> {
+fn notes(lines: &[&StatementLine<'_>]) -> impl Iterator<Item = String> {
     let mut said: Vec<String> = Vec::new();
     for line in lines {
         let Some(note) = line.row.and_then(|row| row.note.as_deref()) else {

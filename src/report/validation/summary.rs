@@ -99,25 +99,25 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
 }
 
 /// Rows of one origin, by kind.
-struct Origin {
+struct OriginRows {
     name: &'static str,
     of: fn(&ValidationRow, bool) -> bool,
 }
 
-const ORIGINS: [Origin; 4] = [
-    Origin {
+const ORIGINS: [OriginRows; 4] = [
+    OriginRows {
         name: "rows of the papers' files",
         of: |row, paper| paper && row.kind != RowKind::ClosedForm,
     },
-    Origin {
+    OriginRows {
         name: "other programs and measurements",
         of: |row, paper| !paper && row.kind.is_evidence(),
     },
-    Origin {
+    OriginRows {
         name: "of these other files, fitted or echoed",
         of: |row, paper| !paper && matches!(row.kind, RowKind::Fitted | RowKind::Echoed),
     },
-    Origin {
+    OriginRows {
         name: "closed forms of our own",
         of: |row, _| row.kind == RowKind::ClosedForm,
     },

@@ -11,7 +11,7 @@ use seacable_studies::study::vary::Variation;
 
 /// A result that is shown.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ResultColumn {
+pub struct OutcomeColumn {
     /// Its name.
     pub name: String,
     /// Its unit.
@@ -134,7 +134,7 @@ impl<'a> VariationView<'a> {
         outcomes: &[Option<PointOutcome>],
         results: &[QuantityId],
     ) -> Self {
-        let columns = results.iter().map(|id| ResultColumn {
+        let columns = results.iter().map(|id| OutcomeColumn {
             name: id.to_string(),
             unit: id.unit(),
         });

@@ -1,6 +1,6 @@
 //! The variation of a system of lines.
 
-use super::{PointView, ResultColumn, ResultView, VariationView};
+use super::{OutcomeColumn, PointView, ResultView, VariationView};
 use seacable_base::number::{si, with_error};
 use seacable_model::case::StudyValue;
 use seacable_studies::study::points::StudyPoint;
@@ -20,7 +20,7 @@ impl<'a> VariationView<'a> {
         outcomes: &[Option<SystemOutcome>],
         results: &[String],
     ) -> Self {
-        let columns = results.iter().map(|name| ResultColumn {
+        let columns = results.iter().map(|name| OutcomeColumn {
             name: name.clone(),
             unit: unit(name).to_owned(),
         });

@@ -2,7 +2,7 @@
 
 use crate::case::TextDigest;
 use crate::jobs::list::JobEntry;
-use crate::jobs::{JobPhase, JobSpec, JobState as FolderState};
+use crate::jobs::{JobFolderState as FolderState, JobPhase, JobSpec};
 use crate::state::JobState;
 use crate::state::job_process::{FoundJob, JobProcess};
 
