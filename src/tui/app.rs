@@ -22,7 +22,7 @@ use super::key::KeyPress;
 use super::memory_keeper::MemoryKeeper;
 use super::msg::{Effect, Msg};
 use super::screen_memory::file;
-use super::settings::Settings;
+use super::settings::UserSettings;
 use super::state::sweep_request::SweepMsg;
 use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
@@ -117,7 +117,7 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         earlier.screen = None;
     }
     let var = |name: &str| std::env::var(name).ok();
-    let settings = Settings::load();
+    let settings = UserSettings::load();
     let remembered = settings.config.glyphs.or_else(recovery::remembered_glyphs);
     let capabilities = capabilities::decide(options.glyphs, remembered, &var);
     if !capabilities.colour {

@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use crossbeam_channel::{Receiver, bounded};
 
 use self::file_watch::FileWatch;
-use self::index_worker::{IndexWorker, Question};
+use self::index_worker::{IndexQuestion, IndexWorker};
 use self::job_processes::JobProcesses;
 use self::open::read_case;
 use self::ordered_worker::OrderedWorker;
@@ -35,11 +35,11 @@ use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery::{self, RecoveredEdits};
 use super::screen_memory::file;
-use super::settings::Settings;
+use super::settings::UserSettings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::part_request::PartRequest;
-use super::state::parts::{Part, PartView};
+use super::state::parts::{PartView, ScreenPart};
 use super::state::report::ReportRequest;
 use super::state::sweep_request::SweepMsg;
 use super::state::trials::TrialsOf;
@@ -220,7 +220,7 @@ impl EffectRunner {
                 Msg::ShipComputed(ship.stop, computed.ok().flatten())
             }),
             Effect::MakePart(request) => match request.key.part {
-                Part::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
+                ScreenPart::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
                 _ => self.tables.perform(move || vec![make_part(*request)]),
             },
             Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
@@ -239,9 +239,9 @@ impl EffectRunner {
             Effect::Vary(path, variation) => {
                 self.aside(move || Msg::Varied(Box::new(VariedRuns::new(path, &variation))))
             }
-            Effect::ListRuns { files, results } => {
-                self.runs.ask(Question::List { files, results }, &self.out)
-            }
+            Effect::ListRuns { files, results } => self
+                .runs
+                .ask(IndexQuestion::List { files, results }, &self.out),
             Effect::Compare {
                 runs,
                 width,
@@ -259,7 +259,7 @@ impl EffectRunner {
                 let kept = file::keep_session(&session);
                 warning(kept, "The lines of commands cannot be kept")
             }),
-            Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
+            Effect::RefreshRuns => self.runs.ask(IndexQuestion::Refresh, &self.out),
             effect => self.files(effect),
         }
     }
@@ -450,7 +450,7 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             beside,
         } => read_run_case(dir, wanted, &beside),
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
-        Effect::ReadSettings => Msg::SettingsRead(Box::new(Settings::load())),
+        Effect::ReadSettings => Msg::SettingsRead(Box::new(UserSettings::load())),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         Effect::WriteMade(request) => match request.text() {

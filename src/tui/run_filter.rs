@@ -9,13 +9,13 @@ use super::state::{RunColumn, RunEntry, RunList};
 
 /// What the words of a filter are looked for in.
 #[derive(Debug, Clone)]
-pub struct RunText {
+pub struct FilterText {
     text: Utf32String,
     /// The letters and digits that it has.
     letters: LetterSet,
 }
 
-impl RunText {
+impl FilterText {
     /// The text of a run.
     #[must_use]
     pub fn new(run: &RunEntry) -> Self {
@@ -138,7 +138,7 @@ impl RunFilter {
 
     /// Whether a run of a list passes; its text is needed where there are words.
     #[must_use]
-    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&RunText>) -> bool {
+    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&FilterText>) -> bool {
         let met = |condition: &Condition| condition.is_met(list, run);
         if !self.conditions.iter().all(met) {
             return false;
@@ -251,7 +251,7 @@ mod tests {
         let list = RunList::empty(true);
         let method = |word: &str| RunEntry::session(TextDigest::of(""), word.to_owned());
         let passes = |typed: &str, run: &RunEntry| {
-            RunFilter::new(typed).passes(&list, run, Some(&RunText::new(run)))
+            RunFilter::new(typed).passes(&list, run, Some(&FilterText::new(run)))
         };
         let (plain, accented) = (method("quasi-static"), method("\u{e9}tat \u{e0} rest"));
         for (typed, run, expected) in [

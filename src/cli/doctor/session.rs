@@ -10,7 +10,7 @@ use seacable_base::{crash_log, places, visible};
 use seacable_jobs::list::JobEntry;
 use seacable_jobs::{JobsDir, survival};
 use seacable_runs::run::store::DEFAULT_ROOT;
-use seacable_tui::settings::{Settings, config_file, keys_file};
+use seacable_tui::settings::{UserSettings, config_file, keys_file};
 
 const TOPIC: &str = "session";
 
@@ -26,7 +26,7 @@ pub(super) fn findings(around: &Surroundings<'_>) -> Vec<DoctorFinding> {
 
 /// The files of keys and settings, each fault a finding of its own.
 fn settings() -> Vec<DoctorFinding> {
-    let settings = Settings::load();
+    let settings = UserSettings::load();
     let file = |name: &str, path: std::io::Result<std::path::PathBuf>| match path {
         Ok(path) if path.exists() => DoctorFinding::fine(TOPIC, name, visible::path(&path)),
         Ok(path) => DoctorFinding::fine(TOPIC, name, format!("none ({})", visible::path(&path))),

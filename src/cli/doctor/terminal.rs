@@ -5,7 +5,7 @@ use std::process::Command;
 use super::finding::{DoctorFinding, Surroundings};
 use seacable_display::chart::Glyphs;
 use seacable_tui::recovery::remembered_glyphs;
-use seacable_tui::settings::Settings;
+use seacable_tui::settings::UserSettings;
 use seacable_tui::terminal::capabilities::{decide, synchronizes};
 use seacable_tui::view::layout::SMALLEST;
 
@@ -58,7 +58,11 @@ fn term(around: &Surroundings<'_>) -> DoctorFinding {
 }
 
 fn colour(around: &Surroundings<'_>) -> DoctorFinding {
-    let palette = Settings::load().config.palette.unwrap_or_default().name();
+    let palette = UserSettings::load()
+        .config
+        .palette
+        .unwrap_or_default()
+        .name();
     let value = match around.set("NO_COLOR") {
         Some(_) => "none: NO_COLOR is set".to_owned(),
         None => format!("the terminal's own sixteen, theme {palette}"),
@@ -84,7 +88,7 @@ fn locale(around: &Surroundings<'_>) -> DoctorFinding {
 
 /// The characters that are drawn, and why.
 fn glyphs(around: &Surroundings<'_>) -> DoctorFinding {
-    let config = Settings::load().config.glyphs;
+    let config = UserSettings::load().config.glyphs;
     let remembered = remembered_glyphs();
     let found = decide(None, config.or(remembered), &|name| (around.var)(name));
     let name = match found.glyphs {

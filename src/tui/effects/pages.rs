@@ -7,7 +7,7 @@ use super::outbox::Outbox;
 use crate::case::Case;
 use crate::chart::Glyphs;
 use crate::comparison::Comparison;
-use crate::msg::{ComparedRun, Msg, StudyRequest};
+use crate::msg::{Msg, RunToCompare, StudyRequest};
 use crate::number::duration;
 use crate::report::effects::TornadoView;
 use crate::report::{comparison, physics};
@@ -18,13 +18,13 @@ use crate::study::{effects, physics as scene_physics};
 
 /// Reads the runs that are not in memory, and compares all with the first.
 pub(super) fn compare(
-    runs: Vec<ComparedRun>,
+    runs: Vec<RunToCompare>,
     width: usize,
     glyphs: Glyphs,
 ) -> Result<String, String> {
-    let read = |run: ComparedRun| match run {
-        ComparedRun::Memory(run) => Ok(run),
-        ComparedRun::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
+    let read = |run: RunToCompare| match run {
+        RunToCompare::Memory(run) => Ok(run),
+        RunToCompare::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
     };
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();

@@ -1,6 +1,6 @@
 //! The files of the settings, read.
 
-use super::{Settings, config, config_file, keys_file};
+use super::{UserSettings, config, config_file, keys_file};
 use crate::bindings;
 use crate::{
     case::{Diagnostic, render_all},
@@ -36,7 +36,7 @@ pub fn made_keys_file() -> std::io::Result<PathBuf> {
     Ok(path)
 }
 
-impl Settings {
+impl UserSettings {
     /// Reads both files; one that is not there sets nothing.
     #[must_use]
     pub fn load() -> Self {

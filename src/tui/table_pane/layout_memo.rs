@@ -11,7 +11,7 @@ pub(super) struct LayoutMemo(RefCell<Option<LaidOut>>);
 
 /// What a layout depends on besides the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct LayoutKey {
+pub(super) struct LayoutMemoKey {
     /// Head of the column that sorts, and whether the greatest comes first.
     pub(super) sort: Option<(String, bool)>,
     /// Heads of the columns that are hidden.
@@ -24,7 +24,7 @@ pub(super) struct LayoutKey {
 #[derive(Debug)]
 struct LaidOut {
     table: Table,
-    key: LayoutKey,
+    key: LayoutMemoKey,
     layout: Arc<TableLayout>,
 }
 
@@ -33,7 +33,7 @@ impl LayoutMemo {
     pub(super) fn of(
         &self,
         table: &Table,
-        key: LayoutKey,
+        key: LayoutMemoKey,
         lay_out: impl FnOnce() -> TableLayout,
     ) -> Arc<TableLayout> {
         let mut last = self.0.borrow_mut();
@@ -77,7 +77,7 @@ mod tests {
         let made = std::cell::Cell::new(0);
         let table = |n: usize| Table::of("", &[n]).count("n", |n| n).build();
         let lay_out = |n, sort: Option<&str>, width| {
-            let key = LayoutKey {
+            let key = LayoutMemoKey {
                 sort: sort.map(|head| (head.to_owned(), false)),
                 hidden: Vec::new(),
                 filter: String::new(),
