@@ -40,13 +40,13 @@ fn main() {
     row(
         "moments",
         each(&|values| {
-            black_box(Statistics::of(values));
+            black_box(Statistics::of_values(values));
             black_box(mean_crossing_rate(values, STEP)).unwrap();
         }),
     );
     row(
         "mean with its error",
-        each(&|values| drop(black_box(MeanEstimate::of(values)))),
+        each(&|values| drop(black_box(MeanEstimate::of_record(values)))),
     );
     row(
         "spectrum",

@@ -33,7 +33,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         return system::system(args, file, &stop);
     }
     if let Some(dir) = &args.resume
-        && FileType::of(&dir.join(store::CASE)) == FileType::System
+        && FileType::of_path(&dir.join(store::CASE)) == FileType::System
     {
         return system::resume(args, dir, &stop);
     }

@@ -34,7 +34,7 @@ struct AxisNeighbours {
 }
 
 impl AxisNeighbours {
-    fn of(axis: &[f64], value: f64) -> Self {
+    fn of_value(axis: &[f64], value: f64) -> Self {
         let next = axis.partition_point(|known| *known <= value);
         if next == 0 || next == axis.len() {
             let at = next.saturating_sub(1);
@@ -119,7 +119,7 @@ impl CurrentGrid {
     pub fn at(&self, t: f64, place: &V3) -> (V3, M3) {
         let at = [t, place.x, place.y, place.z];
         let [times, x, y, z] =
-            [0, 1, 2, 3].map(|k: usize| AxisNeighbours::of(&self.axes[k], at[k]));
+            [0, 1, 2, 3].map(|k: usize| AxisNeighbours::of_value(&self.axes[k], at[k]));
         let mut velocity = V3::zeros();
         let mut gradient = M3::zeros();
         for (it, wt, _) in times.neighbours() {
@@ -140,7 +140,7 @@ impl CurrentGrid {
     /// The steady current at a time \[s\].
     #[must_use]
     pub fn frozen(&self, t: f64) -> Self {
-        let cell = AxisNeighbours::of(&self.axes[0], t);
+        let cell = AxisNeighbours::of_value(&self.axes[0], t);
         let count = self.velocity.len() / self.axes[0].len();
         let mut velocity = vec![V3::zeros(); count];
         for (it, share, _) in cell.neighbours() {

@@ -22,7 +22,7 @@ pub fn narrow(found: &LineModes) -> Table {
 }
 
 fn columns(found: &LineModes, wide: bool) -> Table {
-    let medium = WkbMedium::of(&found.scene, &found.rest);
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest);
     let wkb = |mode: &NamedMode| {
         let across = matches!(mode.mode.kind, ModeKind::InPlane | ModeKind::OutOfPlane);
         let medium = medium.as_ref().filter(|_| across)?;

@@ -45,7 +45,10 @@ struct MomentsRow {
 }
 
 fn rows(record: &IrregularRecord, duration: f64) -> [MomentsRow; 3] {
-    let (asked, made) = (record.spectrum.moments(), Moments::of(&record.components));
+    let (asked, made) = (
+        record.spectrum.moments(),
+        Moments::of_components(&record.components),
+    );
     let run = over(&record.components, duration);
     let (quantity, factor) = if record.of_waves {
         ("Hs = 4 sqrt(m0) [m]", 4.0)

@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn letters_decide_only_what_the_matcher_would() {
         let list = RunList::empty(true);
-        let method = |word: &str| RunEntry::session(TextDigest::of(""), word.to_owned());
+        let method = |word: &str| RunEntry::session(TextDigest::of_text(""), word.to_owned());
         let passes = |typed: &str, run: &RunEntry| {
             RunFilter::new(typed).passes(&list, run, Some(&FilterText::new(run)))
         };

@@ -480,7 +480,7 @@ fn a_beam_under_tension() {
     }
     let errors = [25, 50, 100].map(|n| frequencies(&on(n))[6] / frequencies(&on(400))[6] - 1.0);
     second_order("beam under tension", &errors.map(f64::abs));
-    let medium = WkbMedium::of(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
     for n in 1..5 {
         assert!((medium.frequency_hz(n).unwrap() / exact(n) - 1.0).abs() < 1e-3);
     }
@@ -498,7 +498,7 @@ fn wkb_theory_nears_the_modes_of_an_upright_line_as_they_rise() {
          ends.b.position_m = [0.0, 0.0, 0.0]",
     );
     let found = of_case(&case, 16).unwrap();
-    let medium = WkbMedium::of(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
     assert!((medium.tension[800] - 500.0).abs() < 10.0);
     let all = of_kind(&found, ModeKind::InPlane);
     let off: Vec<f64> = all

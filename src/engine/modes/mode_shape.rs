@@ -22,7 +22,7 @@ pub struct LinePlane {
 impl LinePlane {
     /// The plane nearest to these points; of a straight line the upright one, of an upright line that of x and z.
     #[must_use]
-    pub fn of(points: &[V3]) -> Self {
+    pub fn nearest_to(points: &[V3]) -> Self {
         let middle = points.iter().sum::<V3>() / points.len().max(1) as f64;
         let spread: M3 = points
             .iter()
@@ -115,7 +115,7 @@ impl Mode {
 /// Describes eigenpairs of a line whose nodes lie at these points.
 #[must_use]
 pub fn modes_of(pencil: &ModePencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Vec<Mode> {
-    let plane = LinePlane::of(points);
+    let plane = LinePlane::nearest_to(points);
     let tangents = tangents(points);
     let mut from = 0;
     while from < pairs.len() {

@@ -57,7 +57,7 @@ impl Fault {
             problem: shortened(self.problem.clone()),
             remedy: shortened(self.remedy.clone()).into_boxed_str(),
             span: self.span.clone(),
-            excerpt: Excerpt::of(text, &self.span),
+            excerpt: Excerpt::of_span(text, &self.span),
         }
     }
 }

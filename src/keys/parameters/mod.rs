@@ -93,7 +93,7 @@ pub fn absent(root: &TomlNode, name: &str) -> (String, String) {
 impl Parameters {
     /// The values of a table of parameters, and what is wrong with it.
     fn of_table(node: &TomlNode) -> (Self, Vec<Finding>) {
-        let (values, found) = ParameterResolution::of(node);
+        let (values, found) = ParameterResolution::values_of_table(node);
         (Self { values }, found)
     }
 

@@ -49,7 +49,7 @@ pub(super) struct ParameterResolution<'a> {
 
 impl<'a> ParameterResolution<'a> {
     /// The values of the parameters of a table, and what is wrong with them.
-    pub(super) fn of(table: &'a TomlNode) -> (BTreeMap<String, f64>, Vec<Finding>) {
+    pub(super) fn values_of_table(table: &'a TomlNode) -> (BTreeMap<String, f64>, Vec<Finding>) {
         let entries = table.entries();
         let keys = entries.iter().map(|entry| entry.key.as_str());
         let mut resolution = Self {

@@ -20,7 +20,7 @@ pub(super) fn divide(
     let node = tree
         .find(path)
         .ok_or_else(|| format!("There is no {} in this file.", shown(path)))?;
-    let parts = DividedLengths::of(node, path, at_m)?;
+    let parts = DividedLengths::of_node(node, path, at_m)?;
     match (schema.what, path) {
         ("case", [line, _]) if line == "line" => section_of_case(schema, text, path, &parts),
         ("system", [lines, _, sections, _]) if lines == "lines" && sections == "sections" => {
@@ -43,7 +43,7 @@ struct DividedLengths {
 }
 
 impl DividedLengths {
-    fn of(node: &TomlNode, path: &[String], at_m: &str) -> Result<Self, String> {
+    fn of_node(node: &TomlNode, path: &[String], at_m: &str) -> Result<Self, String> {
         let whole = node.get("length_m").and_then(TomlNode::number);
         let whole = whole.ok_or_else(|| {
             format!(

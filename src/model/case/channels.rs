@@ -43,7 +43,7 @@ pub enum LineEnd {
 /// The channels of a case, in their order.
 #[must_use]
 pub fn channels(case: &Case) -> Vec<ChannelSpec> {
-    RecordingConditions::of(case).channels()
+    RecordingConditions::of_case(case).channels()
 }
 
 /// What of a case decides which channels its run records.
@@ -93,7 +93,7 @@ pub(crate) struct RecordedEnd<'a> {
 }
 
 impl<'a> RecordingConditions<'a> {
-    fn of(case: &'a Case) -> Self {
+    fn of_case(case: &'a Case) -> Self {
         let end = |end: &'a End| RecordedEnd {
             name: &end.name,
             kind: end.kind,

@@ -76,7 +76,7 @@ impl CountedLine {
 impl AlongPlan {
     /// Of the checks that count along a line.
     #[must_use]
-    pub fn of(checks: &[Check], line: &CountedLine) -> Self {
+    pub fn of_checks(checks: &[Check], line: &CountedLine) -> Self {
         let mut plan = Self::default();
         for check in checks.iter().filter(|check| check.is_along()) {
             let counted = match check.section {

@@ -92,7 +92,7 @@ impl Sea {
         let mut whole = Surface::default();
         if needed {
             for (number, field) in self.fields.iter().enumerate() {
-                whole.add(&field.surface_at(t, place, &mut phasors.of(number)));
+                whole.add(&field.surface_at(t, place, &mut phasors.of_field(number)));
             }
         }
         let mut flow = whole.over(WaterMotion {
@@ -100,7 +100,7 @@ impl Sea {
             ..WaterMotion::default()
         });
         for (number, field) in self.fields.iter().enumerate() {
-            let part = field.flow_under(t, place, &whole, &mut phasors.of(number));
+            let part = field.flow_under(t, place, &whole, &mut phasors.of_field(number));
             flow.velocity += part.velocity;
             flow.gradient += part.gradient;
             flow.acceleration += part.acceleration;

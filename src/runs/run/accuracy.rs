@@ -249,8 +249,8 @@ impl<C: Searchable> AccuracySearch<'_, C> {
             error_estimate::by_companions(refinable, run, &known)
         })?;
         let duration = self.own.duration_s();
-        let allowed = AllowedErrors::of(duration, run, &estimates.summary, self.accuracy);
-        let shares = Shares::of(self.parts(), &allowed, &estimates.summary);
+        let allowed = AllowedErrors::of_run(duration, run, &estimates.summary, self.accuracy);
+        let shares = Shares::of_results(self.parts(), &allowed, &estimates.summary);
         let (best, share) = (self.reached(), shares.reached());
         self.idle = if share < GAIN * best {
             0

@@ -69,7 +69,11 @@ pub(super) struct Companions<'a> {
 
 impl<'a> Companions<'a> {
     /// Computes those that the case names, or those that tell the errors at the least cost, side by side where there are cores.
-    pub(super) fn of(case: &'a dyn Refinable, run: &'a Computed, cancel: &'a AtomicBool) -> Self {
+    pub(super) fn of_run(
+        case: &'a dyn Refinable,
+        run: &'a Computed,
+        cancel: &'a AtomicBool,
+    ) -> Self {
         if let Some(coarsenings) = named(case) {
             return Self::coarsened_by(case, run, &coarsenings, &[], cancel);
         }

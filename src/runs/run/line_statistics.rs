@@ -68,7 +68,7 @@ pub fn evaluate(
         let both = (statistic == Statistic::Mean).then(both).flatten();
         return both.and_then(|(a, b)| standing_wave_ratio(a, b));
     }
-    let values = NodeValues::of(profile, quantity);
+    let values = NodeValues::of_profile(profile, quantity);
     let value = match statistic {
         Statistic::Max => extreme_of(values.greatest, |new, old| new > old)?.1,
         Statistic::Min => extreme_of(values.smallest, |new, old| new < old)?.1,
@@ -110,7 +110,7 @@ struct NodeValues {
 }
 
 impl NodeValues {
-    fn of(profile: &Profile, quantity: LineQuantity) -> Self {
+    fn of_profile(profile: &Profile, quantity: LineQuantity) -> Self {
         let (p, ropes) = (profile, &profile.ropes);
         let heights = || -> Vec<f64> { p.nodes.iter().map(|node| node[2]).collect() };
         match quantity {

@@ -79,7 +79,7 @@ impl Cheaper {
 impl Outlook {
     /// By the steps that both methods take where no error shortens them.
     #[must_use]
-    pub fn of(steps: &StepLengths) -> Self {
+    pub fn of_steps(steps: &StepLengths) -> Self {
         let StepLengths { limit, given, .. } = steps;
         let [within, behind] = &steps.limited_by;
         let bound = format!("its step is bound to {limit:.2e} s by {within}");

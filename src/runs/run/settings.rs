@@ -202,7 +202,7 @@ pub(super) fn outlook(case: &Case, scene: &Scene) -> Outlook {
     let of = section_of(case, scene, segment);
     let given = case.solver.time_step_s;
     let step = |limit| given.unwrap_or_else(|| automatic_step(scene, limit));
-    Outlook::of(&StepLengths {
+    Outlook::of_steps(&StepLengths {
         duration: case.solver.duration_s,
         limit,
         limited_by: [

@@ -131,11 +131,11 @@ fn records() {
                 "{record:?} {step}"
             );
         }
-        if let Ok(found) = MeanEstimate::of(&record) {
+        if let Ok(found) = MeanEstimate::of_record(&record) {
             let numbers = [found.mean, found.error, found.batch_error, found.effective];
             assert!(numbers.iter().all(|v| v.is_finite()), "{found:?}");
         }
-        if let Ok(found) = Halves::of(&record) {
+        if let Ok(found) = Halves::of_record(&record) {
             assert!(found.p_value >= 0.0 && found.p_value <= 1.0, "{found:?}");
         }
         let threshold = number(&mut random);

@@ -139,7 +139,7 @@ impl UnitFigure {
         Self {
             ln_exceedance: target.ln_exceedance(),
             count: target.greatest_of,
-            greatest: ExponentialMaximum::of(target.greatest_of),
+            greatest: ExponentialMaximum::of_count(target.greatest_of),
         }
     }
 

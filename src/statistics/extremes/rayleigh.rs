@@ -83,7 +83,7 @@ impl NarrowBand {
     /// Where the number of peaks is not above 1.
     pub fn expected(&self, peaks: f64) -> Result<f64, ExtremesError> {
         check_peaks(peaks)?;
-        let root = ExponentialMaximum::of(peaks).ln_moment(0.5).0.exp();
+        let root = ExponentialMaximum::of_count(peaks).ln_moment(0.5).0.exp();
         Ok(self.mean + self.deviation * 2.0_f64.sqrt() * root)
     }
 
@@ -167,7 +167,7 @@ mod tests {
         let seeds = 12;
         for seed in 0..seeds {
             let values = record(seed, 8000);
-            let statistics = Statistics::of(&values);
+            let statistics = Statistics::of_values(&values);
             let unit: Vec<f64> = values.iter().map(|v| v / statistics.deviation).collect();
             let maxima = global_maxima(&unit);
             let peaks: Vec<f64> = maxima.iter().map(|m| m.value).collect();

@@ -120,7 +120,7 @@ pub(super) struct ExponentialMaximum {
 }
 
 impl ExponentialMaximum {
-    pub(super) fn of(count: f64) -> Self {
+    pub(super) fn of_count(count: f64) -> Self {
         // Down to -90: powers up to 30 of the greatest value have their mass above it.
         const STEP: f64 = 0.25;
         let point = |i: i32| {
@@ -172,14 +172,14 @@ mod tests {
 
     #[test]
     fn moments_of_the_greatest_exponential() {
-        let one = ExponentialMaximum::of(1.0);
+        let one = ExponentialMaximum::of_count(1.0);
         for power in [0.1, 0.5, 1.0, 2.0, 5.0, 20.0] {
             let exact = ln_gamma(1.0 + power);
             assert!((one.ln_moment(power).0 - exact).abs() < 1e-12, "{power}");
         }
         // The harmonic number of 1000.
         let harmonic: f64 = (1..=1000).map(|k| 1.0 / f64::from(k)).sum();
-        let many = ExponentialMaximum::of(1000.0);
+        let many = ExponentialMaximum::of_count(1000.0);
         assert!((many.ln_moment(1.0).0 - harmonic.ln()).abs() < 1e-13);
         assert!((many.mean(|z| z) - harmonic).abs() < 1e-12);
         let (h, slope) = (1e-5, many.ln_moment(0.5).1);

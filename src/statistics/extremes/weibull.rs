@@ -123,7 +123,7 @@ fn negative_logs(values: &[f64], location: f64) -> Result<Vec<f64>, ExtremesErro
 fn offset(target: ExtremesTarget) -> Offset {
     match target.ln_exceedance() {
         Some(ln_exceedance) => Offset::Linear(-(-ln_exceedance).ln()),
-        None => Offset::Expected(ExponentialMaximum::of(target.greatest_of)),
+        None => Offset::Expected(ExponentialMaximum::of_count(target.greatest_of)),
     }
 }
 

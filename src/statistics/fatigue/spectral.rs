@@ -57,7 +57,7 @@ impl TensionMoments {
     /// # Errors
     /// Lengths that differ; frequencies that do not rise from zero or more; densities that are negative or not finite; a
     /// spectrum without energy.
-    pub fn of(frequencies: &[f64], densities: &[f64]) -> Result<Self, SpectralError> {
+    pub fn of_spectrum(frequencies: &[f64], densities: &[f64]) -> Result<Self, SpectralError> {
         let (n, d) = (frequencies.len(), densities.len());
         if n != d || n < 2 {
             return Err(SpectralError::Lengths {

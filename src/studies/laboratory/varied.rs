@@ -29,7 +29,7 @@ pub fn settings(name: &str, case: &Case, seed: u64, count: usize) -> Vec<BarSett
 #[must_use]
 pub fn varied(case: &Case, seed: u64, number: u64) -> Case {
     // Every case has its own stream.
-    let title = TextDigest::of(&case.case.title).0;
+    let title = TextDigest::of_text(&case.case.title).0;
     let mut by = RandomFactors(Random::new(seed ^ title, number));
     let mut case = case.clone();
     let finer = by.factor(SEGMENTS);

@@ -146,7 +146,7 @@ impl RecordStatistics {
         let methods = ExtremeMethod::ALL.into_iter();
         let greatest = methods.map(|method| (method, greatest(records, method, question)));
         Some(Self {
-            moments: Statistics::of(&all),
+            moments: Statistics::of_values(&all),
             mean: pooled_mean(records),
             crossing_rate: mean_crossing_rate(&longest.values, longest.step),
             spectrum: welch(&longest.values, longest.step, None),
@@ -163,7 +163,7 @@ impl RecordStatistics {
 pub fn pooled_mean(records: &[ChannelRecord]) -> Result<MeanEstimate, ExtremesError> {
     let each: Result<Vec<MeanEstimate>, _> = records
         .iter()
-        .map(|record| MeanEstimate::of(&record.values))
+        .map(|record| MeanEstimate::of_record(&record.values))
         .collect();
     let each = each?;
     let all: f64 = records

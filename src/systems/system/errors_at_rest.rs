@@ -123,7 +123,7 @@ impl FinerSystem {
         let lines = network.lines.iter();
         let divided = lines.filter_map(|line| line.discretised.as_ref());
         let order = divided
-            .map(|line| MeshOrder::of(line.case()))
+            .map(|line| MeshOrder::of_case(line.case()))
             .fold(MeshOrder::SECOND, MeshOrder::lower);
         Ok(Self {
             network: finer,

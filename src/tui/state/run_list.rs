@@ -373,13 +373,13 @@ impl RunList {
         let RunColumn::Input(at) = column else {
             return None;
         };
-        self.columns.inputs.get(at)?.of(run.number?)
+        self.columns.inputs.get(at)?.value_in_run(run.number?)
     }
 
     /// The value of a result of a run.
     #[must_use]
     pub fn result(&self, run: &RunEntry, at: usize) -> Option<&MeasuredResult> {
-        self.columns.results.get(at)?.of(run.number?)
+        self.columns.results.get(at)?.result_in_run(run.number?)
     }
 
     /// The columns of the table: inputs that differ among its rows, then results, then the rest.

@@ -62,7 +62,7 @@ impl VariantPlan {
             };
             CaseVariant {
                 at,
-                digest: TextDigest::of(&text),
+                digest: TextDigest::of_text(&text),
                 rows: rows(FileType::Line, &text),
                 text,
                 case,

@@ -78,7 +78,7 @@ impl Solution {
     /// as the root of `d`.
     #[must_use]
     pub fn end_stiffness(&self, friction: f64) -> EndStiffness {
-        let response = LineCompliance::of(self, friction);
+        let response = LineCompliance::of_line(self, friction);
         let up = self.frame.up;
         let mut out = EndStiffness::default();
         let motions = [(1.0, 0.0, 0.0), (0.0, up, 0.0), (0.0, 0.0, up)];
@@ -110,7 +110,7 @@ struct LineCompliance {
 type Bays = SmallVec<[BayCompliance; 2]>;
 
 impl LineCompliance {
-    fn of(line: &Solution, friction: f64) -> Self {
+    fn of_line(line: &Solution, friction: f64) -> Self {
         let pieces = line.pieces.slice();
         let bays = bays(line);
         let bed = grounded_compliance(pieces);

@@ -58,7 +58,7 @@ impl RubbedPart {
 }
 
 impl Side {
-    fn of(sections: &[SectionProperties], friction: f64, at_place: f64) -> Self {
+    fn of_sections(sections: &[SectionProperties], friction: f64, at_place: f64) -> Self {
         let mut near = at_place;
         let mut parts = Vec::with_capacity(sections.len());
         for section in sections {
@@ -109,7 +109,8 @@ impl CatenaryLine<'_> {
             .iter()
             .map(|section| section.length_m / section.ea_n)
             .sum();
-        let sides_at = |at_place: f64| [0, 1].map(|i| Side::of(&sides[i], bed.friction, at_place));
+        let sides_at =
+            |at_place: f64| [0, 1].map(|i| Side::of_sections(&sides[i], bed.friction, at_place));
         let both =
             |sides: &[Side; 2], of: fn(&RubbedPart) -> f64| sides[0].sum(of) + sides[1].sum(of);
         let give = |part: &RubbedPart| part.taut() / part.ea;

@@ -67,7 +67,7 @@ pub(super) fn loads_at(
         .iter()
         .flat_map(|record| record.values.iter().copied())
         .collect();
-    let moments = Statistics::of(&all);
+    let moments = Statistics::of_values(&all);
     // What never changes has no sample.
     let is_random = is_random && moments.max > moments.min;
     let numerical = |of: Statistic| {

@@ -157,7 +157,7 @@ impl SweepFolder {
     ) -> Result<Self, SweepError> {
         let base = &variation.base;
         let table = table(variation);
-        let digest = |text: &str| Digest::of(text.as_bytes()).part();
+        let digest = |text: &str| Digest::of_bytes(text.as_bytes()).part();
         let info = SweepInfo {
             version: VERSION.to_owned(),
             case_file: base.file(),

@@ -69,7 +69,7 @@ impl Variation {
             VariedKey {
                 path: key.path.clone(),
                 field: key.field,
-                range: ValueRange::of(values),
+                range: ValueRange::of_values(values),
             }
         });
         let keys: Vec<VariedKey> = varied.collect();

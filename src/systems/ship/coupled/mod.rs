@@ -79,7 +79,7 @@ impl CoupledAnalysis {
             settings: settings.clone(),
             step: settings.step_s,
             statistics: statistics
-                .map(|record| Statistics::of(counted(record, from)))
+                .map(|record| Statistics::of_values(counted(record, from)))
                 .collect(),
             time_errors: errors(&whole, fine, from, 4.0 / 3.0),
             mesh_errors: errors(&whole, coarse, from, 1.0 / 3.0),

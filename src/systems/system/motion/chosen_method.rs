@@ -38,7 +38,7 @@ pub(super) fn chosen(
         let why = "alpha: there is no line whose segments bind the steps of RK4";
         return Some((by(MotionMethod::Alpha), why.to_owned()));
     };
-    let outlook = Outlook::of(&steps);
+    let outlook = Outlook::of_steps(&steps);
     if let Some(why) = outlook.clear {
         return Some((by(MotionMethod::Alpha), why));
     }

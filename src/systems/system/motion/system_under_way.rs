@@ -158,7 +158,7 @@ fn plan(begun: &Start, channels: &Channels, settings: &MotionSettings) -> Record
 /// The response of the lines, and each of them where the system rests.
 fn response(asked: AskedResponse, begun: &Start) -> RecordedResponse {
     let lines = begun.system.lines(&begun.state);
-    let at_rest = lines.map(|(scene, state)| WkbMedium::of(scene, state));
+    let at_rest = lines.map(|(scene, state)| WkbMedium::of_line_at_rest(scene, state));
     RecordedResponse {
         asked,
         at_rest: at_rest.collect(),

@@ -35,7 +35,7 @@ pub(super) fn found_job(entry: &JobEntry, state: JobState) -> FoundJob {
             host: entry.host.clone(),
             case: spec.map(|spec| spec.case.clone()).unwrap_or_default(),
             label: spec.map(|spec| spec.label.clone()).unwrap_or_default(),
-            text: TextDigest::of(&text),
+            text: TextDigest::of_text(&text),
             method: String::new(),
             duration_s: progress.map_or(0.0, |progress| progress.duration),
             results: entry.results(),
