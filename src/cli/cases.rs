@@ -157,7 +157,7 @@ impl<'w, K: FileKind> EditedFile<'w, K> {
         words: &'w [String],
         options: &ImportOptions,
     ) -> Result<Self, CommandError> {
-        let opened = OpenedFile::of::<K>(file, options).map_err(CommandError::Invalid)?;
+        let opened = OpenedFile::of_bytes::<K>(file, options).map_err(CommandError::Invalid)?;
         Self::of_opened(opened, edits(words)?)
     }
 

@@ -200,7 +200,7 @@ fn of_file_at_rest(path: &Path, order: &ReportOrder) -> Result<String, CommandEr
             if solved.file.solver.is_some() {
                 return Err(runs_first(path));
             }
-            let analyses = Analyses::of(&solved);
+            let analyses = Analyses::of_system(&solved);
             let rows = validation::rows(&solved, None);
             order.written(&ReportSubject::System(&solved, &analyses, &rows, &fields))
         }

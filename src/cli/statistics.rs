@@ -116,7 +116,7 @@ pub(super) fn statistics(args: &StatisticsArgs) -> Result<ExitCode, CommandError
         level: args.level,
     };
     let views = records.into_par_iter().filter_map(|(id, records)| {
-        let statistics = RecordStatistics::of(&records, question)?;
+        let statistics = RecordStatistics::of_records(&records, question)?;
         let errors = [Statistic::Max, Statistic::Min].map(|of| numerical(&summaries, &id, of));
         let fatigue = component
             .as_ref()
@@ -178,7 +178,7 @@ fn records(args: &StatisticsArgs) -> Result<(Vec<Records>, Vec<Vec<Quantity>>), 
 /// Adds the records of a run.
 fn add(records: &mut Vec<Records>, rows: &ChannelRows) -> Result<(), String> {
     for (id, values) in rows.ids.iter().zip(&rows.values) {
-        let record = ChannelRecord::of(&rows.time, values).ok_or_else(|| {
+        let record = ChannelRecord::of_history(&rows.time, values).ok_or_else(|| {
             let rows = rows.time.len();
             format!("its history has {rows} rows from there on, too few or at uneven times")
         })?;

@@ -50,7 +50,7 @@ pub(super) fn quick(
         };
         look_at_seas(&sweep.variation, question, stop.cancel(), &told)
     });
-    let found = QuickSeas::of(&sweep.variation, &looks, question);
+    let found = QuickSeas::of_looks(&sweep.variation, &looks, question);
     let sampled = found.sampled(usize::from(args.sampled.unwrap_or(0)));
     let runs = match sampled.is_empty() || stop.status().is_some() {
         true => SampledRuns::default(),
@@ -124,7 +124,7 @@ fn in_time(
             .as_ref()
             .and_then(|outcome: &PointOutcome| outcome.as_ref().ok());
         cost_s += run.map_or(0.0, |run| run.info.cost.cpu_s);
-        runs[*index] = outcome.as_ref().and_then(StoredLoadCase::of);
+        runs[*index] = outcome.as_ref().and_then(StoredLoadCase::of_outcome);
     }
     let differences = sampled.iter();
     let differences = differences.flat_map(|sea| found.differences(*sea, &runs, question));

@@ -61,7 +61,7 @@ pub(super) fn system(
     let solved = &file.computed;
     let analyses = match args.json {
         true => Analyses::of_object(solved),
-        false => Analyses::of(solved),
+        false => Analyses::of_system(solved),
     };
     if let Some(stopped) = stop.status() {
         return Ok(stopped);

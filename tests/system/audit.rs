@@ -362,11 +362,11 @@ fn forces_are_the_gradient_of_the_energy_and_the_stiffness_theirs() {
             })
             .collect();
         let still = vec![V3::zeros(); x.len()];
-        let mut loads = Loads::of(&model);
+        let mut loads = Loads::of_model(&model);
         model.evaluate(&x, &still, 0.0, &mut loads);
         let force = loads.force.clone();
         let scale = force.iter().map(V3::norm).fold(0.0, f64::max);
-        let unknowns = Unknowns::of(&model);
+        let unknowns = Unknowns::of_model(&model);
         let matrix = stiffness(&model, &unknowns, &x);
         let size = 1e-5;
         for node in (0..x.len()).filter(|node| model.free[*node]) {
@@ -385,9 +385,9 @@ fn forces_are_the_gradient_of_the_energy_and_the_stiffness_theirs() {
                 );
                 let column = unknowns.first[node].unwrap() + axis;
                 let tangent = matrix.column(column);
-                let mut ahead = Loads::of(&model);
+                let mut ahead = Loads::of_model(&model);
                 model.evaluate(&moved(size), &still, 0.0, &mut ahead);
-                let mut behind = Loads::of(&model);
+                let mut behind = Loads::of_model(&model);
                 model.evaluate(&moved(-size), &still, 0.0, &mut behind);
                 let greatest = tangent.amax();
                 for other in (0..x.len()).filter(|node| model.free[*node]) {

@@ -154,7 +154,7 @@ pub fn find_at_rest(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec
             "begin nearer to the equilibrium that is meant",
         ));
     }
-    let names = Names::of(mooring);
+    let names = Names::of_mooring(mooring);
     let lengths = mooring.lines.iter().map(|line| line.length.value);
     let longest = lengths.fold(0.0, f64::max);
     let much = (ASIDE * longest).max(ASIDE_M);

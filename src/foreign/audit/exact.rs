@@ -25,7 +25,7 @@ impl<'s> ExactLine<'s> {
     pub fn all(mooring: &Mooring, solved: &'s SolvedSystem) -> Vec<Option<Self>> {
         let mut all = vec![None; mooring.lines.len()];
         let whole = solved.rest.balance.lines.iter().zip(&solved.network.lines);
-        let chains = chains(mooring, &LineJoints::of(mooring));
+        let chains = chains(mooring, &LineJoints::of_mooring(mooring));
         for (number, (chain, (at_rest, line))) in chains.iter().zip(whole).enumerate() {
             let ends = [line.from, line.to].map(|p| solved.rest.placement.points[p]);
             let lengths = chain.pieces.iter();

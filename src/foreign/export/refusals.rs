@@ -11,7 +11,7 @@ use crate::system::parts::sections;
 
 /// All of it.
 #[must_use]
-pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
+pub fn refusals(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
     let file = &solved.file;
     let mut found = FoundRefusals::default();
     let name = target.name();
@@ -286,10 +286,10 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
         ("drag_area_m2", &point.drag_area_m2),
         ("added_mass_kg", &point.added_mass_kg),
     ];
-    for (of, value) in both {
+    for (name, value) in both {
         found.add(
             value.alike().is_none(),
-            key(of),
+            key(name),
             "a drag area or added mass of a point that differs along its axes",
         );
     }

@@ -250,7 +250,7 @@ pub fn ropes(solved: &SolvedRopeway, results: &ModelResults) -> Table {
 /// The difference between the finite-element check and the model, by its causes; absent without a check.
 #[must_use]
 pub fn weight_check(solved: &SolvedRopeway) -> Option<Table> {
-    let check = WeightCheck::of(solved).ok()?;
+    let check = WeightCheck::of_ropeway(solved).ok()?;
     let model_n = check.lighter.max_tension_n;
     let rows = [
         ("end tension of the check", check.tension_n),

@@ -24,7 +24,8 @@ impl ReportSubject<'_> {
                 ..
             }) => {
                 // Writing to memory does not fail.
-                let bytes = comparison::csv(&Comparison::of(&[other, run])).unwrap_or_default();
+                let bytes =
+                    comparison::csv(&Comparison::of_runs(&[other, run])).unwrap_or_default();
                 String::from_utf8_lossy(&bytes).into_owned()
             }
             Self::Run(subject) => written(&results(subject.run)),

@@ -258,7 +258,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     inputs(&mut page, fields, !about.source.trim().is_empty());
     page.heading("Results");
     results(&mut page, run);
-    let rows = validation::rows_of(solved, &ComparedRun::of(run));
+    let rows = validation::rows_of(solved, &ComparedRun::of_run(run));
     if !rows.is_empty() {
         page.heading("Published values");
         text::add_validation(&mut page, &rows);

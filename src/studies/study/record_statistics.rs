@@ -35,7 +35,7 @@ pub struct ChannelRecord {
 impl ChannelRecord {
     /// Of the rows of a history, whose last one may follow earlier than the others.
     #[must_use]
-    pub fn of(time: &[f64], values: &[f64]) -> Option<Self> {
+    pub fn of_history(time: &[f64], values: &[f64]) -> Option<Self> {
         let step = time.get(1)? - time[0];
         let even = time
             .windows(2)
@@ -132,7 +132,7 @@ pub struct RecordStatistics {
 impl RecordStatistics {
     /// Of the records of a channel; nothing without any value.
     #[must_use]
-    pub fn of(records: &[ChannelRecord], question: ExtremeQuestion) -> Option<Self> {
+    pub fn of_records(records: &[ChannelRecord], question: ExtremeQuestion) -> Option<Self> {
         let all: Vec<f64> = records
             .iter()
             .flat_map(|r| r.values.iter().copied())
@@ -393,7 +393,7 @@ mod tests {
     #[test]
     fn a_narrow_band_has_the_extremes_of_rayleigh() {
         let records = records();
-        let found = RecordStatistics::of(&records, QUESTION).unwrap();
+        let found = RecordStatistics::of_records(&records, QUESTION).unwrap();
         let mean = found.mean.unwrap();
         assert!(
             (mean.mean - 1e6).abs() < 4.0 * mean.error.max(mean.batch_error),
@@ -445,13 +445,13 @@ mod tests {
 
     #[test]
     fn records_are_rows_at_even_steps() {
-        let of = |time: &[f64]| ChannelRecord::of(time, &vec![1.0; time.len()]);
+        let of = |time: &[f64]| ChannelRecord::of_history(time, &vec![1.0; time.len()]);
         assert_eq!(of(&[0.0, 0.5, 1.0]).unwrap().duration(), 1.0);
         // The last row may come early.
         assert_eq!(of(&[0.0, 0.5, 1.0, 1.2]).unwrap().duration(), 1.0);
         for uneven in [&[][..], &[1.0], &[0.0, 0.5, 0.7, 1.2], &[0.0, 0.0]] {
             assert_eq!(of(uneven), None, "{uneven:?}");
         }
-        assert!(RecordStatistics::of(&[], QUESTION).is_none());
+        assert!(RecordStatistics::of_records(&[], QUESTION).is_none());
     }
 }

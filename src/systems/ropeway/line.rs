@@ -120,7 +120,7 @@ fn line_equilibrium(
     let last = scene.nodes() - 1;
     let cargo = scene.labels.clumps.first().map_or(0, |node| *node);
     let at = state.x[cargo];
-    let line = ropeway.platform.height_m + ElasticRope::of(ropeway).geometry.line_m(at.x);
+    let line = ropeway.platform.height_m + ElasticRope::of_ropeway(ropeway).geometry.line_m(at.x);
     DiscretisedEquilibrium {
         nodes: state.x.iter().map(|p| (p.x, p.z)).collect(),
         horizontal_n: scene.end_force(0, state).x.abs(),

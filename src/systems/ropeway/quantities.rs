@@ -149,7 +149,7 @@ pub fn value(ropeway: &SolvedRopeway, results: &ModelResults, name: &str) -> Res
             .as_ref()
             .map(read)
             .map_err(unsolved("inextensible model")),
-        Check(read) => WeightCheck::of(ropeway).map(|check| read(&check)),
+        Check(read) => WeightCheck::of_ropeway(ropeway).map(|check| read(&check)),
         Parabola(read) => results
             .parabola
             .map(read)

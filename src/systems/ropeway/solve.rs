@@ -48,7 +48,7 @@ pub struct ModelResults {
 /// A setting without a solution.
 pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, RopewayError> {
     let length_m = elastic::length_m(ropeway)?;
-    let rope = ElasticRope::of(ropeway);
+    let rope = ElasticRope::of_ropeway(ropeway);
     // Every model needs a position of the cargo on the rope.
     rope.with_cargo(length_m, ropeway.cargo.position)?;
     let stored_m = ropeway.stored_m();

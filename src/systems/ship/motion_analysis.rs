@@ -62,7 +62,10 @@ impl MotionAnalysis {
     /// # Errors
     /// [`MotionError`].
     #[must_use]
-    pub fn of(statics: &StaticAnalysis, folder: &Path) -> Option<Result<Self, MotionError>> {
+    pub fn of_statics(
+        statics: &StaticAnalysis,
+        folder: &Path,
+    ) -> Option<Result<Self, MotionError>> {
         statics.ship.motion.as_ref()?;
         Some(Self::new(statics, folder))
     }

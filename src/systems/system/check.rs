@@ -23,7 +23,7 @@ use crate::reference::published_history;
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
-    let by_name = ByName::of(keys);
+    let by_name = ByName::of_keys(keys);
     for (name, point) in &keys.points {
         found.extend(place_of(point));
         found.extend(bearing(keys, point));

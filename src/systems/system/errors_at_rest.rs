@@ -82,7 +82,7 @@ impl ErrorsAtRest {
 
     /// The errors of a system at rest.
     #[must_use]
-    pub fn of(network: &Network, rest: &SystemEquilibrium) -> Self {
+    pub fn of_equilibrium(network: &Network, rest: &SystemEquilibrium) -> Self {
         let lines = &rest.balance.lines;
         let unknown = Self::unknown(network);
         if lines.iter().all(|line| line.discretised.is_none()) {
@@ -91,7 +91,7 @@ impl ErrorsAtRest {
                 ..unknown
             };
         }
-        match FinerSystem::of(network, rest) {
+        match FinerSystem::of_equilibrium(network, rest) {
             Ok(finer) => finer.errors(network, rest),
             Err(why) => Self {
                 companion: Some(Err(why)),
@@ -115,7 +115,7 @@ impl ErrorsAtRest {
 }
 
 impl FinerSystem {
-    fn of(network: &Network, rest: &SystemEquilibrium) -> Result<Self, String> {
+    fn of_equilibrium(network: &Network, rest: &SystemEquilibrium) -> Result<Self, String> {
         let finer = network.refined(RATIO);
         let finer = finer.map_err(|error| not_divided(error).problem)?;
         let found = search_near(&finer, &rest.placement);

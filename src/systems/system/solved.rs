@@ -65,7 +65,7 @@ impl SolvedSystem {
             return self.rest.contact(point) == Contact::Surface;
         }
         let z = self.rest.placement.points[point].z;
-        let wet = Immersion::of(&self.network, free, z);
+        let wet = Immersion::of_point(&self.network, free, z);
         wet.share > 0.0 && wet.share < 1.0
     }
 }
@@ -104,7 +104,7 @@ fn held_until_dropped(mut network: Network, ages: bool) -> (Network, Vec<String>
 pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
     let solved = solve_without_errors(file, LineForms::ClosedWhereKnown)?;
     Ok(SolvedSystem {
-        errors: ErrorsAtRest::of(&solved.network, &solved.rest),
+        errors: ErrorsAtRest::of_equilibrium(&solved.network, &solved.rest),
         ..solved
     })
 }

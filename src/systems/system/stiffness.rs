@@ -52,7 +52,7 @@ struct Whole {
 
 impl Whole {
     fn new(network: &Network, rest: &SystemEquilibrium) -> Result<Self, UnsolvedLine> {
-        let freedoms = Freedoms::of(network, UnknownBodies::All);
+        let freedoms = Freedoms::of_network(network, UnknownBodies::All);
         let near = Some(rest.balance.lines.as_slice());
         let at = &rest.placement;
         let balance = balance(network, &freedoms, at, LinePhysics::Full, near)?;

@@ -28,7 +28,7 @@ pub(super) fn compare(
     };
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
-    let page = comparison::report(&Comparison::of(&all), &all, width);
+    let page = comparison::report(&Comparison::of_runs(&all), &all, width);
     Ok(page.to_text(width, glyphs))
 }
 

@@ -236,7 +236,7 @@ pub fn read_title(path: &Path) -> Result<FileTitle, Vec<Diagnostic>> {
 }
 
 fn read<K: FileKind>(bytes: FileBytes) -> Result<K, Vec<Diagnostic>> {
-    let opened = OpenedFile::of::<K>(bytes, &ImportOptions::default())?;
+    let opened = OpenedFile::of_bytes::<K>(bytes, &ImportOptions::default())?;
     Ok(opened.read::<K>()?.content)
 }
 

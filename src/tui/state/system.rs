@@ -172,7 +172,7 @@ impl DocumentKind for SystemView {
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
-        self.analyses = Some(Arc::new(Analyses::of(&self.solved)));
+        self.analyses = Some(Arc::new(Analyses::of_system(&self.solved)));
         let rows = validation::rows(&self.solved, None);
         self.checks = ValidationTable::edited(rows, edited);
     }

@@ -83,7 +83,7 @@ struct EndNodes {
 }
 
 impl EndNodes {
-    fn of(&self, at: Attachment) -> Result<usize, String> {
+    fn node_at(&self, at: Attachment) -> Result<usize, String> {
         match at {
             Attachment::Point(point) => Ok(self.points[point]),
             Attachment::Rod(rod, end) => Ok(self.rods[rod][end]),
@@ -171,7 +171,10 @@ fn add_line(
         Damping::Ratio(ratio) => ratio * segment * (elasticity.initial() * mass).sqrt(),
         Damping::Two(slow, _) => slow,
     };
-    let ends = [nodes.of(line.ends[0].value)?, nodes.of(line.ends[1].value)?];
+    let ends = [
+        nodes.node_at(line.ends[0].value)?,
+        nodes.node_at(line.ends[1].value)?,
+    ];
     let inner = shape(model, of, line, ends, segments);
     let first = model.start.len();
     model.free.extend(inner.iter().map(|_| true));

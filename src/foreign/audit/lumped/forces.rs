@@ -18,7 +18,7 @@ pub struct Loads {
 impl Loads {
     /// Room for the nodes of a model.
     #[must_use]
-    pub fn of(model: &LumpedModel) -> Self {
+    pub fn of_model(model: &LumpedModel) -> Self {
         Self {
             force: vec![V3::zeros(); model.start.len()],
             mass: vec![M3::zeros(); model.start.len()],

@@ -50,7 +50,7 @@ pub fn read_bodies(
         parts::read_bodies(block, mooring, faults);
         return Vec::new();
     }
-    let table = SectionTable::of(block, &COLUMNS, NEEDED, faults);
+    let table = SectionTable::of_block(block, &COLUMNS, NEEDED, faults);
     let mut found = table.read(faults, body);
     unique(&mut found, |(one, _)| (&one.id, &one.span), "body", faults);
     let mut points = Vec::new();
@@ -208,5 +208,5 @@ fn renumber(hold: &mut Hold, kept: &[usize]) {
 
 /// Bodies by their identifiers.
 pub fn index(mooring: &Mooring) -> Index {
-    Index::of(mooring.bodies.iter().map(|body| body.id.as_str()))
+    Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str()))
 }

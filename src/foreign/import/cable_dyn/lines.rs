@@ -45,9 +45,9 @@ pub fn read_points(
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) -> AtRods {
-    let table = SectionTable::of(block, &POINT_COLUMNS, PLAIN_POINT, faults);
+    let table = SectionTable::of_block(block, &POINT_COLUMNS, PLAIN_POINT, faults);
     let on_bodies = bodies::index(mooring);
-    let ends = Ends::of(mooring);
+    let ends = Ends::of_mooring(mooring);
     let mut turbines = Vec::new();
     let mut found = table.read(faults, |row| {
         one_turbine(row, mooring, &mut turbines)?;
@@ -132,19 +132,19 @@ pub fn read_lines(
     let header = rows.next().map(Row::words).unwrap_or_default();
     let is_short = !header.iter().any(|word| word.is("LineType"));
     let table = match is_short {
-        true => SectionTable::of(block, &SHORT_LINE, SHORT_NEEDED, faults),
-        false => SectionTable::of(block, &LINE_COLUMNS, SHORT_NEEDED, faults),
+        true => SectionTable::of_block(block, &SHORT_LINE, SHORT_NEEDED, faults),
+        false => SectionTable::of_block(block, &LINE_COLUMNS, SHORT_NEEDED, faults),
     };
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let to = Ends::of(mooring);
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let to = Ends::of_mooring(mooring);
     let found = table.read(faults, |row| line_row(row, (&to, &types)));
     let mut named: Vec<(Given<String>, LineRow)> =
         found.into_iter().map(|row| (id(&row), row)).collect();
     unique(&mut named, |(id, _)| (&id.value, &id.span), "line", faults);
-    let index = Index::of(named.iter().map(|(id, _)| id.value.as_str()));
+    let index = Index::of_identifiers(named.iter().map(|(id, _)| id.value.as_str()));
     let mut pieces: Vec<Vec<LineSection>> = named.iter().map(|_| Vec::new()).collect();
     if let Some(block) = sections {
-        let table = SectionTable::of(block, &SECTION_COLUMNS, SECTION_COLUMNS.len(), faults);
+        let table = SectionTable::of_block(block, &SECTION_COLUMNS, SECTION_COLUMNS.len(), faults);
         for (line, piece) in table.read(faults, |row| piece(row, (&index, &types))) {
             pieces[line].push(piece);
         }

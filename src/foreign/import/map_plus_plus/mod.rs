@@ -143,7 +143,7 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
 }
 
 fn line_types(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &TYPE_COLUMNS, NEEDED, faults);
+    let table = SectionTable::of_block(block, &TYPE_COLUMNS, NEEDED, faults);
     let mut unused = Vec::new();
     let mut found = table.read(faults, |row| {
         let mass = row.not_negative(2)?;
@@ -263,8 +263,8 @@ fn node(row: &TableRow<'_, '_>) -> Result<MooringPoint, Fault> {
 fn lines(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let table = SectionTable::with_marks(block, &LINE_COLUMNS, 5, faults);
     let mut flags = Flags::default();
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let nodes = Index::of(mooring.points.iter().map(|node| node.id.as_str()));
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let nodes = Index::of_identifiers(mooring.points.iter().map(|node| node.id.as_str()));
     let mut found = table.read(faults, |row| {
         let end = |column: usize| {
             let word = row.words[column];

@@ -24,9 +24,9 @@ const PAST_COLUMNS: [HeaderColumn; 3] = [
 
 /// Reads what comes off.
 pub fn read_failures(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &FAILURE_COLUMNS, 5, faults);
-    let to = Ends::of(mooring);
-    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
+    let table = SectionTable::of_block(block, &FAILURE_COLUMNS, 5, faults);
+    let to = Ends::of_mooring(mooring);
+    let by_id = Index::of_identifiers(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.failures = table.read(faults, |row| {
         let time = row.not_negative(3)?;
         let tension = row.not_negative(4)?;
@@ -60,8 +60,8 @@ pub fn read_failures(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &m
 
 /// Reads the past of ropes.
 pub fn read_past(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &PAST_COLUMNS, 3, faults);
-    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
+    let table = SectionTable::of_block(block, &PAST_COLUMNS, 3, faults);
+    let by_id = Index::of_identifiers(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.past_tensions = table.read(faults, |row| {
         let greatest = row.not_negative(1)?;
         let mean = row.not_negative(2)?;

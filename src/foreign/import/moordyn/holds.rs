@@ -25,7 +25,7 @@ struct WordParts<'w> {
 }
 
 impl<'w> WordParts<'w> {
-    fn of(word: &'w str) -> Self {
+    fn of_word(word: &'w str) -> Self {
         let end = |text: &str, of: fn(&char) -> bool| {
             text.find(|letter: char| !of(&letter)).unwrap_or(text.len())
         };
@@ -50,7 +50,7 @@ pub fn hold(
 ) -> Result<Given<Hold>, Fault> {
     let word = row.words[column];
     let lower = word.text.to_lowercase();
-    let parts = WordParts::of(&lower);
+    let parts = WordParts::of_word(&lower);
     let given = |hold| Ok(Given::new(hold, word.span()));
     let pinned = |hold: Hold| Hold::Pinned(Box::new(hold));
     let is_pin = |word: &str| PINNED.contains(&word);
@@ -129,7 +129,7 @@ pub fn idle_numbers<'w>(words: impl Iterator<Item = Word<'w>>) -> Option<String>
     let mut found: Vec<&str> = Vec::new();
     for word in words {
         let lower = word.text.to_lowercase();
-        let parts = WordParts::of(&lower);
+        let parts = WordParts::of_word(&lower);
         let names_another = parts.letters == "body" || turbine(&lower).is_some();
         if !parts.number.is_empty() && !names_another && !found.contains(&word.text) {
             found.push(word.text);
@@ -165,10 +165,10 @@ pub struct Ends {
 impl Ends {
     /// Those of a mooring.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         Self {
-            points: Index::of(mooring.points.iter().map(|point| point.id.as_str())),
-            rods: Index::of(mooring.rods.iter().map(|rod| rod.id.as_str())),
+            points: Index::of_identifiers(mooring.points.iter().map(|point| point.id.as_str())),
+            rods: Index::of_identifiers(mooring.rods.iter().map(|rod| rod.id.as_str())),
         }
     }
 }
@@ -188,7 +188,7 @@ pub fn attachment(
         .strip_prefix("rod")
         .or_else(|| lower.strip_prefix('r'));
     if let Some(rest) = rod {
-        let parts = WordParts::of(rest);
+        let parts = WordParts::of_word(rest);
         let number = parts.number;
         let end = match (parts.letters, parts.more) {
             ("", "a") => 0,

@@ -112,7 +112,7 @@ pub fn read_line_types(
                 .to_owned(),
         );
     }
-    let table = SectionTable::of(block, columns, required, faults);
+    let table = SectionTable::of_block(block, columns, required, faults);
     let mut unmodelled = Vec::new();
     let mut found: Vec<MooringLineType> = table.read(faults, |row| {
         match program {
@@ -145,7 +145,7 @@ fn has_shear(block: &SectionBlock<'_>) -> bool {
 
 /// Reads the rod types.
 pub fn read_rod_types(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &ROD_COLUMNS, 7, faults);
+    let table = SectionTable::of_block(block, &ROD_COLUMNS, 7, faults);
     let mut found = table.read(faults, |row| {
         Ok(RodType {
             name: row.words[0].text.to_owned(),
@@ -234,7 +234,7 @@ enum CoefficientOrder {
 
 impl CoefficientOrder {
     /// The order in which a program reads them where the header does not name them.
-    fn of(program: Program) -> Self {
+    fn of_program(program: Program) -> Self {
         match program {
             Program::MoorDyn1 => Self::AddedMass,
             Program::CableDyn => Self::DragPair,
@@ -263,7 +263,7 @@ fn coefficients_by_name<'t>(
     };
     let header = block.rows.iter().map(named).find(|named| named.len() == 4);
     let Some(header) = header else {
-        return CoefficientOrder::of(program);
+        return CoefficientOrder::of_program(program);
     };
     let order: Vec<WaterCoefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
     let of_cables = program == Program::CableDyn;

@@ -42,11 +42,11 @@ struct Objects {
 /// Reads the loads onto the points and bodies that were read before.
 pub fn read(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let objects = Objects {
-        points: Index::of(mooring.points.iter().map(|point| point.id.as_str())),
-        bodies: Index::of(mooring.bodies.iter().map(|body| body.id.as_str())),
-        rods: Index::of(mooring.rods.iter().map(|rod| rod.id.as_str())),
+        points: Index::of_identifiers(mooring.points.iter().map(|point| point.id.as_str())),
+        bodies: Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str())),
+        rods: Index::of_identifiers(mooring.rods.iter().map(|rod| rod.id.as_str())),
     };
-    let table = SectionTable::of(block, &COLUMNS, COLUMNS.len(), faults);
+    let table = SectionTable::of_block(block, &COLUMNS, COLUMNS.len(), faults);
     let found = table.read(faults, |row| load(row, &objects));
     for (object, load) in found {
         match object {

@@ -47,7 +47,7 @@ pub fn read_into(
         Some(rest) => (rest, start + '\u{feff}'.len_utf8()),
         None => (text, start),
     };
-    let sections = Sections::of(text, start);
+    let sections = Sections::of_text(text, start);
     let too_large = size::check(&sections);
     if !too_large.is_empty() {
         return Err(too_large);

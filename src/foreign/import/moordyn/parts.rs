@@ -99,7 +99,7 @@ const LINE_COLUMNS_1: [HeaderColumn; 7] = [
 
 /// Reads the bodies.
 pub fn read_bodies(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &BODY_COLUMNS, 14, faults);
+    let table = SectionTable::of_block(block, &BODY_COLUMNS, 14, faults);
     let none = Index::default();
     let mut found = table.read(faults, |row| body(row, (mooring, &none)));
     mooring.remarks.extend(idle_numbers(table.words(1)));
@@ -192,9 +192,9 @@ fn counts<const N: usize>(
 
 /// Reads the rods.
 pub fn read_rods(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = SectionTable::of(block, &ROD_COLUMNS, 10, faults);
+    let table = SectionTable::of_block(block, &ROD_COLUMNS, 10, faults);
     let bodies = bodies_of(mooring);
-    let types = TypeIndex::of(mooring.rod_types.iter().map(|of| of.name.as_str()));
+    let types = TypeIndex::of_names(mooring.rod_types.iter().map(|of| of.name.as_str()));
     let mut found = table.read(faults, |row| rod(row, (mooring, &bodies), &types));
     mooring.remarks.extend(idle_numbers(table.words(2)));
     unique(&mut found, |one| (&one.id, &one.span), "rod", faults);
@@ -202,7 +202,7 @@ pub fn read_rods(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut V
 }
 
 fn bodies_of(mooring: &Mooring) -> Index {
-    Index::of(mooring.bodies.iter().map(|body| body.id.as_str()))
+    Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str()))
 }
 
 fn rod(
@@ -232,7 +232,7 @@ pub fn read_points(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut
         true => (&LOADED_POINT_COLUMNS, 12),
         false => (&POINT_COLUMNS, 9),
     };
-    let table = SectionTable::of(block, columns, required, faults);
+    let table = SectionTable::of_block(block, columns, required, faults);
     let mut turbines: Vec<String> = Vec::new();
     let bodies = bodies_of(mooring);
     let mut found = table.read(faults, |row| {
@@ -326,9 +326,9 @@ pub fn read_lines(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut 
         true => (&LINE_COLUMNS_1, [4, 5, 2, 3]),
         false => (&LINE_COLUMNS, [2, 3, 4, 5]),
     };
-    let table = SectionTable::of(block, columns, 6, faults);
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let to = Ends::of(mooring);
+    let table = SectionTable::of_block(block, columns, 6, faults);
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let to = Ends::of_mooring(mooring);
     let mut found = table.read(faults, |row| line(row, (&to, &types), at));
     let asks = |word: Word<'_>| word.text != "-" && word.text != "0";
     if table.words(OUTPUT_FLAGS).any(asks) {

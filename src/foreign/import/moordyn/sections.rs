@@ -150,7 +150,7 @@ pub struct Sections<'t> {
 impl<'t> Sections<'t> {
     /// Cuts a text whose first byte is counted as `start`.
     #[must_use]
-    pub fn of(text: &'t str, start: usize) -> Self {
+    pub fn of_text(text: &'t str, start: usize) -> Self {
         let mut sections = Self::default();
         let mut open = true;
         for row in Row::all_from(text, start) {
@@ -276,7 +276,7 @@ mod tests {
 
     #[test]
     fn sections_hold_their_rows() {
-        let sections = Sections::of(FILE, 0);
+        let sections = Sections::of_text(FILE, 0);
         assert_eq!(sections.faults, []);
         assert_eq!(sections.head[0].text, "some title");
         let rows = |section| sections.block(section).unwrap().rows.len();
@@ -288,10 +288,10 @@ mod tests {
     #[test]
     fn a_title_that_is_not_known_says_which_is_meant() {
         let text = FILE.replace("LINE TYPES Chain studless 0.018m", "LINE TYPPES");
-        let faults = Sections::of(&text, 0).faults;
+        let faults = Sections::of_text(&text, 0).faults;
         assert_eq!(faults.len(), 1);
         assert!(faults[0].remedy.contains("LINE TYPES"), "{faults:?}");
         let twice = format!("{FILE}--- LINE TYPES ---\n");
-        assert_eq!(Sections::of(&twice, 0).faults.len(), 1);
+        assert_eq!(Sections::of_text(&twice, 0).faults.len(), 1);
     }
 }

@@ -26,7 +26,7 @@ impl<'t> SectionTable<'t> {
     ///
     /// # Errors
     /// The header is missing, or names columns where the program reads others.
-    pub fn of(
+    pub fn of_block(
         block: &SectionBlock<'t>,
         columns: &[HeaderColumn],
         required: usize,
@@ -76,7 +76,7 @@ impl<'t> SectionTable<'t> {
     ) -> Self {
         Self {
             marks: true,
-            ..Self::of(block, columns, required, faults)
+            ..Self::of_block(block, columns, required, faults)
         }
     }
 

@@ -28,7 +28,7 @@ pub struct LineJoints {
 impl LineJoints {
     /// Those of a mooring.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         let mut joints = Self::default();
         for (number, line) in mooring.lines.iter().enumerate() {
             for (end, attached) in line.ends.iter().enumerate() {

@@ -19,7 +19,7 @@ const FEWEST: usize = 2;
 pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
     let mooring = context.mooring;
     let ways = Ways {
-        pasts: Pasts::of(mooring),
+        pasts: Pasts::of_mooring(mooring),
         failures: failures_by_line(mooring),
     };
     for chain in chains(mooring, &context.joints) {

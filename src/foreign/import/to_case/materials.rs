@@ -12,7 +12,7 @@ use crate::import::mooring::{
 
 /// Writes the materials that lines are made of. Ropes whose strain depends on their past are one for each past.
 pub fn write(case: &mut CaseText<'_>, mooring: &Mooring, names: &Names) {
-    let pasts = Pasts::of(mooring);
+    let pasts = Pasts::of_mooring(mooring);
     let mut written = HashSet::new();
     for (number, line) in mooring.lines.iter().enumerate() {
         let name = name_of(mooring, names, &pasts, number);
@@ -45,7 +45,7 @@ pub struct Pasts {
 impl Pasts {
     /// Those of a mooring; of a line that is named twice the first counts.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         let mut pasts = Self::default();
         for (number, past) in mooring.past_tensions.iter().enumerate() {
             for line in &past.lines {

@@ -42,15 +42,15 @@ pub fn case_of(
     let coupled = coupled_parts(mooring);
     let context = Context {
         has_vessel: coupled > 1 && !motion.is_of_each() || coupled > 0 && motion.is_of_one_body(),
-        names: Names::of(mooring),
-        joints: LineJoints::of(mooring),
+        names: Names::of_mooring(mooring),
+        joints: LineJoints::of_mooring(mooring),
         on_bodies: OnBody::all(mooring),
         mooring,
         sea,
         motion,
     };
     let left_out = unmodelled::leave_out(&context, options)?;
-    let mut case = CaseText::of(source, mooring);
+    let mut case = CaseText::of_mooring(source, mooring);
     head(&mut case, &context, file, (&left_out, &options.without));
     let in_air = is_in_air(mooring);
     sea::write(&mut case, mooring, options, &context.sea, in_air);

@@ -131,7 +131,7 @@ impl CoupledMotion {
         match &self.layout {
             Layout::Vessel => self.write_table(case, 0, [0.0; 6]),
             Layout::Each(_) => {
-                let Some((first, rest)) = self.of(CoupledPart::Body(body)) else {
+                let Some((first, rest)) = self.start_of_part(CoupledPart::Body(body)) else {
                     return;
                 };
                 match is_pinned {
@@ -145,7 +145,7 @@ impl CoupledMotion {
 
     /// Writes the motion of a point.
     pub fn write_point(&self, case: &mut CaseText<'_>, point: usize) {
-        if let Some((first, rest)) = self.of(CoupledPart::Point(point)) {
+        if let Some((first, rest)) = self.start_of_part(CoupledPart::Point(point)) {
             self.write_places(case, first, rest);
         }
     }
@@ -172,7 +172,7 @@ impl CoupledMotion {
     }
 
     /// The first column of a part, and where the part is at first, which its table is relative to.
-    fn of(&self, part: CoupledPart) -> Option<(usize, [f64; 6])> {
+    fn start_of_part(&self, part: CoupledPart) -> Option<(usize, [f64; 6])> {
         let Layout::Each(parts) = &self.layout else {
             return None;
         };

@@ -200,7 +200,7 @@ fn shared_lines(
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
-    let Some(table) = Mapping::of(*shared, root.key("array_mooring"), faults) else {
+    let Some(table) = Mapping::of_node(*shared, root.key("array_mooring"), faults) else {
         return;
     };
     if let Some(depths) = table.get("bathymetry") {

@@ -182,7 +182,7 @@ fn system<'d>(
         ));
         return None;
     };
-    let table = Mapping::of(node, systems.key(&shortened(text)), faults)?;
+    let table = Mapping::of_node(node, systems.key(&shortened(text)), faults)?;
     let mut lines = Vec::new();
     for row in rows(
         &table,

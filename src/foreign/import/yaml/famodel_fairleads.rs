@@ -29,7 +29,7 @@ pub fn fairleads(
 ) -> Option<Fairleads> {
     let remedy = "a platform has `rFair` and `zFair`, or `fairleads`";
     if let Some(node) = root.get("platform") {
-        return of_platform(&Mapping::of(node, "platform", faults)?, None, faults);
+        return of_platform(&Mapping::of_node(node, "platform", faults)?, None, faults);
     }
     let list = root.required("platforms", remedy, faults)?;
     let items = list.items().unwrap_or_default();
@@ -55,7 +55,7 @@ pub fn fairleads(
         .filter(|scalar| scalar.tag.as_deref() == Some("!include"))
     {
         Some(scalar) => included(&scalar.text, node, &path, folder, faults),
-        None => of_platform(&Mapping::of(*node, path, faults)?, None, faults),
+        None => of_platform(&Mapping::of_node(*node, path, faults)?, None, faults),
     }
 }
 

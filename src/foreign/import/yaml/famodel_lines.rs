@@ -86,7 +86,7 @@ impl ArrayParts {
         }
         let found = find(
             name,
-            &Lookup::of(&self.configs.names),
+            &Lookup::of_names(&self.configs.names),
             "configuration",
             key,
             faults,
@@ -142,7 +142,7 @@ fn table<T>(
         return named;
     };
     for (name, node) in table.node.entries().unwrap_or_default() {
-        let row = Mapping::of(node, table.key(&shortened(name)), faults);
+        let row = Mapping::of_node(node, table.key(&shortened(name)), faults);
         named.names.push(name.to_owned());
         named
             .entries
@@ -201,7 +201,7 @@ fn config(
     let mut is_valid = true;
     for (number, node) in items.into_iter().enumerate() {
         let path = format!("{}[{}]", row.key("sections"), number + 1);
-        let Some(item) = Mapping::of(node, path, faults) else {
+        let Some(item) = Mapping::of_node(node, path, faults) else {
             is_valid = false;
             continue;
         };
@@ -210,7 +210,7 @@ fn config(
             let key = item.key("connectorType");
             let connector = find(
                 &name,
-                &Lookup::of(connectors),
+                &Lookup::of_names(connectors),
                 "connector type",
                 key,
                 faults,
@@ -251,7 +251,7 @@ fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Opt
     let of_type = name.and_then(|name| {
         find(
             &name,
-            &Lookup::of(types),
+            &Lookup::of_names(types),
             "line type",
             item.key("type"),
             faults,

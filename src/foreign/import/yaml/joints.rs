@@ -32,7 +32,11 @@ pub struct PlatformJoints<'d> {
 
 impl<'d> PlatformJoints<'d> {
     /// The joints of `components: floating_platform`, if there is one.
-    pub fn of(root: &Mapping<'d>, components: &Mapping<'d>, faults: &mut Vec<Fault>) -> Self {
+    pub fn of_components(
+        root: &Mapping<'d>,
+        components: &Mapping<'d>,
+        faults: &mut Vec<Fault>,
+    ) -> Self {
         let mut all = Self::default();
         let Some(platform) = components.optional_mapping("floating_platform") else {
             return all;

@@ -81,7 +81,7 @@ fn types(
     faults: &mut Vec<Fault>,
     put: &mut dyn FnMut(String, Result<LibraryType, Vec<Fault>>),
 ) {
-    let Some(root) = root.and_then(|root| Mapping::of(root, "", faults)) else {
+    let Some(root) = root.and_then(|root| Mapping::of_node(root, "", faults)) else {
         return;
     };
     let remedy = "a library of MoorPy has a table `lineProps` with the coefficients of each type";
@@ -100,7 +100,7 @@ fn types(
     }
     for (name, node) in entries {
         let mut own = Vec::new();
-        let row = Mapping::of(node, table.key(&shortened(name)), &mut own);
+        let row = Mapping::of_node(node, table.key(&shortened(name)), &mut own);
         let read = row.and_then(|row| line_type(name, &row, &mut own));
         let read = read.filter(|_| own.is_empty());
         put(in_a_row(name), read.ok_or(own));

@@ -22,7 +22,7 @@ const GREATEST_COUNT: usize = 4_000_000;
 /// The first fault of its syntax; what is too large or has several documents.
 pub fn load(text: &str) -> Result<(YamlDocument, Vec<Fault>), Fault> {
     let text_without_mark = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let places = Places::of(text_without_mark, text.len() - text_without_mark.len());
+    let places = Places::of_text(text_without_mark, text.len() - text_without_mark.len());
     let mut loader = Loader::new(places);
     for event in Parser::new_from_str(text_without_mark) {
         let (event, span) = event.map_err(|error| loader.syntax(&error, text))?;
@@ -53,7 +53,7 @@ struct Places {
 }
 
 impl Places {
-    fn of(text: &str, offset: usize) -> Self {
+    fn of_text(text: &str, offset: usize) -> Self {
         let bytes = || text.char_indices().map(|(byte, _)| byte).collect();
         Self {
             bytes: (!text.is_ascii()).then(bytes),

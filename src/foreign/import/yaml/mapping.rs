@@ -21,7 +21,7 @@ pub struct Mapping<'d> {
 
 impl<'d> Mapping<'d> {
     /// A mapping at a path; nothing, with its fault, if the node is none.
-    pub fn of(
+    pub fn of_node(
         node: YamlNode<'d>,
         path: impl Into<String>,
         faults: &mut Vec<Fault>,
@@ -90,7 +90,7 @@ impl<'d> Mapping<'d> {
     /// The mapping of a key that must be there.
     pub fn mapping(&self, key: &str, remedy: &str, faults: &mut Vec<Fault>) -> Option<Self> {
         let node = self.required(key, remedy, faults)?;
-        Self::of(node, self.key(key), faults)
+        Self::of_node(node, self.key(key), faults)
     }
 
     /// The mapping of a key, if there is one.
@@ -131,7 +131,7 @@ impl<'d> Mapping<'d> {
                 Some(name) => format!("{}.{}", self.key(key), shortened(name)),
                 None => format!("{}[{}]", self.key(key), number + 1),
             };
-            Self::of(node, path, faults)
+            Self::of_node(node, path, faults)
         });
         named.collect()
     }
@@ -286,7 +286,7 @@ pub struct Lookup<'n> {
 impl<'n> Lookup<'n> {
     /// Of a list; of two names that are the same the first counts.
     #[must_use]
-    pub fn of(names: &'n [String]) -> Self {
+    pub fn of_names(names: &'n [String]) -> Self {
         let mut places = HashMap::new();
         for (place, name) in names.iter().enumerate() {
             places.entry(name.as_str()).or_insert(place);

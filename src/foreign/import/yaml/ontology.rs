@@ -33,7 +33,7 @@ pub fn read(root: &Mapping<'_>) -> Result<Mooring, Vec<Fault>> {
         .unwrap_or_default()
         .to_owned();
     if let Some(components) = root.mapping("components", "give the parts", &mut faults) {
-        let joints = PlatformJoints::of(root, &components, &mut faults);
+        let joints = PlatformJoints::of_components(root, &components, &mut faults);
         let remedy = "a moored turbine has `components: mooring` with nodes, lines and line_types";
         if let Some(table) = components.mapping("mooring", remedy, &mut faults) {
             system(&table, &joints, &mut mooring, &mut faults);

@@ -144,7 +144,7 @@ pub fn lines(
 ) -> Vec<MooringLine> {
     let rows = table.mappings("lines", LINE, faults);
     let path = table.key("lines");
-    let [by_point, by_type] = [&points.names, &types.names].map(|names| Lookup::of(names));
+    let [by_point, by_type] = [&points.names, &types.names].map(|names| Lookup::of_names(names));
     let read = |row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>| {
         let what = dialect.points.1;
         let ends = dialect.ends.map(|key| {

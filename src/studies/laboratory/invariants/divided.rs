@@ -13,7 +13,7 @@ const FEWEST: i64 = 8;
 
 /// None where no line can be divided: those that bend pass their moment on, and what is paid out or breaks is one line.
 pub(super) fn divided(system: &Table, random: &mut Random) -> Option<SystemVariant> {
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     let file = &mut variant.file;
     let bending: Vec<String> = super::tree::named(file, "materials")
         .filter(|(_, material)| number(material, "ei_n_m2").is_some_and(|ei| ei > 0.0))

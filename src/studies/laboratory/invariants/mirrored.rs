@@ -10,7 +10,7 @@ pub(super) fn mirrored(system: &Table) -> SystemVariant {
         mirrored: true,
         ..Space::default()
     };
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     space.apply(&mut variant.file);
     variant.space = space;
     variant

@@ -21,7 +21,7 @@ pub(super) fn moved(system: &Table) -> SystemVariant {
         shift,
         ..Space::default()
     };
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     space.apply(&mut variant.file);
     variant.space = space;
     variant

@@ -12,7 +12,7 @@ const BY_HALF: f64 = 8.0;
 const STEP_TOLERANCE: f64 = 2e-5;
 
 pub(super) fn refined(system: &Table) -> SystemVariant {
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     for line in listed(&mut variant.file, "lines") {
         let before = number(line, "segments").unwrap_or(SEGMENTS as f64);
         put(line, "segments", Value::Integer(2 * before as i64));
@@ -22,7 +22,7 @@ pub(super) fn refined(system: &Table) -> SystemVariant {
 
 /// None of a system that does not move.
 pub(super) fn halved(system: &Table) -> Option<SystemVariant> {
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     let solver = variant.file.get_mut("solver")?.as_table_mut()?;
     change(solver, "time_step_s", |step| 0.5 * step);
     let before = number(solver, "step_tolerance").unwrap_or(STEP_TOLERANCE);

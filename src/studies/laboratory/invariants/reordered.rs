@@ -10,7 +10,7 @@ use super::variant::SystemVariant;
 type NewNames = BTreeMap<String, String>;
 
 pub(super) fn reordered(system: &Table) -> SystemVariant {
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     let file = &mut variant.file;
     let lines: Vec<String> = listed(file, "lines")
         .filter_map(|line| Some(line.get("name")?.as_str()?.to_owned()))

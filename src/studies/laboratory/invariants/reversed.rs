@@ -8,7 +8,7 @@ use super::tree::{change, exchange, length, list, listed, number, put, word};
 use super::variant::SystemVariant;
 
 pub(super) fn reversed(system: &Table) -> SystemVariant {
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     let mut names = Vec::new();
     for line in listed(&mut variant.file, "lines") {
         reverse(line);

@@ -13,7 +13,7 @@ pub(super) fn turned(system: &Table) -> SystemVariant {
         turn: TURN_DEG.to_radians(),
         ..Space::default()
     };
-    let mut variant = SystemVariant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     space.apply(&mut variant.file);
     variant.space = space;
     variant

@@ -24,7 +24,7 @@ pub struct SystemVariant {
 
 impl SystemVariant {
     /// A file with the names and places of the system.
-    pub(super) fn of(file: Table) -> Self {
+    pub(super) fn of_file(file: Table) -> Self {
         Self {
             file,
             ends: BTreeMap::new(),

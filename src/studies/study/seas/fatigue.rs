@@ -79,7 +79,7 @@ fn along(runs: &[SeaRunRecord], check: &Check) -> SeaFatigue {
     let spots = first.iter().enumerate().map(|(order, spot)| {
         let line = errors
             .entry(spot.line.clone())
-            .or_insert_with(|| LineErrors::of(runs, &spot.line));
+            .or_insert_with(|| LineErrors::of_runs(runs, &spot.line));
         let same: Vec<&FatigueSpot> = each
             .iter()
             .filter_map(|own| own.get(order).filter(|other| is_same(spot, other)))
@@ -133,7 +133,7 @@ struct LineErrors {
 }
 
 impl LineErrors {
-    fn of(runs: &[SeaRunRecord], line: &str) -> Self {
+    fn of_runs(runs: &[SeaRunRecord], line: &str) -> Self {
         let greatest = |of: &dyn Fn(&SeaRunRecord) -> Option<f64>| {
             let all: Option<Vec<f64>> = runs.iter().map(of).collect();
             all?.into_iter().reduce(f64::max)

@@ -87,7 +87,7 @@ impl SeaResults {
     /// Of the stored runs of a variation, by load case; seas side by side on the caller's threads. A sea is read, summed up and let
     /// go, so that memory holds the records of as many seas as there are threads.
     #[must_use]
-    pub fn of(
+    pub fn of_runs(
         variation: &Variation,
         runs: &[Option<StoredLoadCase>],
         question: &SeaQuestion,
@@ -148,7 +148,7 @@ impl SeaResults {
 impl StoredLoadCase {
     /// Of what became of a load case; nothing where it has no stored results.
     #[must_use]
-    pub fn of(outcome: &PointOutcome) -> Option<Self> {
+    pub fn of_outcome(outcome: &PointOutcome) -> Option<Self> {
         let run = outcome.as_ref().ok()?;
         Some(Self {
             dir: run.dir.clone()?,

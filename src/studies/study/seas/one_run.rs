@@ -17,7 +17,7 @@ impl SeaResults {
             dir: dir.to_owned(),
             summary: summary.to_vec(),
         };
-        Self::of(&as_in_the_file(), &[Some(run)], question)
+        Self::of_runs(&as_in_the_file(), &[Some(run)], question)
     }
 
     /// Of a system at rest.
@@ -25,7 +25,7 @@ impl SeaResults {
     pub fn of_equilibrium(solved: &SolvedSystem, question: &SeaQuestion) -> Self {
         let names = question.rest_names();
         let wanted: Vec<String> = names.iter().map(|name| name.name.clone()).collect();
-        let outcome = Ok(SystemPoint::of(solved, &wanted));
+        let outcome = Ok(SystemPoint::of_system(solved, &wanted));
         Self::at_rest(&as_in_the_file(), &[Some(outcome)], (&names, question))
     }
 

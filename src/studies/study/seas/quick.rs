@@ -98,7 +98,7 @@ fn of_system(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
         .solver
         .as_ref()
         .is_some_and(|s| s.error_estimate);
-    SeaLook::of(clock, estimates, |coarsening| {
+    SeaLook::with_estimates(clock, estimates, |coarsening| {
         quick_look(&solved, coarsening)
     })
 }
@@ -107,13 +107,13 @@ fn of_line(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
     let clock = Instant::now();
     let case = base.request(settings)?.case;
     let estimates = case.solver.error_estimate;
-    SeaLook::of(clock, estimates, |coarsening| {
+    SeaLook::with_estimates(clock, estimates, |coarsening| {
         quick_look_at_line(&case, coarsening)
     })
 }
 
 impl SeaLook {
-    fn of(
+    fn with_estimates(
         clock: Instant,
         estimates: bool,
         look: impl Fn(usize) -> Result<QuickLook, UnsolvedSystem>,
@@ -132,7 +132,7 @@ impl SeaLook {
 impl QuickSeas {
     /// Of the looks at the seas of a variation.
     #[must_use]
-    pub fn of(
+    pub fn of_looks(
         variation: &Variation,
         looks: &[Option<SeaLookOutcome>],
         question: &SeaQuestion,
@@ -285,9 +285,10 @@ impl SeaQuestion {
                 places.filter(move |channel| quantity(series) == Some(channel.id.quantity));
             places.filter_map(move |channel| {
                 let place = channel.id.place.as_str();
-                let fine = SeriesNumbers::of(&look.fine, series, place, hours)?;
+                let fine = SeriesNumbers::of_look(&look.fine, series, place, hours)?;
                 let coarse = look.coarse.as_ref();
-                let coarse = coarse.map(|coarse| SeriesNumbers::of(coarse, series, place, hours));
+                let coarse =
+                    coarse.map(|coarse| SeriesNumbers::of_look(coarse, series, place, hours));
                 Some(place_loads(
                     (series, place),
                     sea,
@@ -375,7 +376,7 @@ struct SeriesNumbers {
 }
 
 impl SeriesNumbers {
-    fn of(look: &QuickLook, series: RecordedSeries, place: &str, hours: f64) -> Option<Self> {
+    fn of_look(look: &QuickLook, series: RecordedSeries, place: &str, hours: f64) -> Option<Self> {
         let find = |quantity: ChannelQuantity| {
             let mut channels = look.channels.iter();
             channels.find(|channel| channel.id.quantity == quantity && channel.id.place == place)

@@ -144,7 +144,7 @@ impl SeaRunRecord {
                 values,
                 extremes,
             }),
-            _ => ChannelRecord::of(&self.rows.time, &values),
+            _ => ChannelRecord::of_history(&self.rows.time, &values),
         };
         found.map(|record| ChannelRecord { extremes, ..record })
     }

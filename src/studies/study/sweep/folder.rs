@@ -176,10 +176,10 @@ impl SweepFolder {
             Some(dir) => (dir.to_owned(), appear(dir, &files)?),
             None => below(Path::new(store::DEFAULT_ROOT), &base.file(), &files)?,
         };
-        Ok(Self::of(dir, info.load_cases, lock))
+        Ok(Self::of_folder(dir, info.load_cases, lock))
     }
 
-    fn of(dir: PathBuf, count: usize, lock: Option<DirectoryLock>) -> Self {
+    fn of_folder(dir: PathBuf, count: usize, lock: Option<DirectoryLock>) -> Self {
         Self {
             dir,
             digits: count.to_string().len().max(4),
@@ -241,7 +241,7 @@ impl SweepFolder {
                 return Err(damaged(dir, name, reason.to_owned()));
             }
         }
-        let folder = Self::of(dir.to_owned(), info.load_cases, lock);
+        let folder = Self::of_folder(dir.to_owned(), info.load_cases, lock);
         Ok((
             folder,
             StoredSweep {

@@ -187,9 +187,9 @@ impl Sweep {
         };
         let stored = outcomes
             .iter()
-            .map(|outcome| outcome.as_ref().and_then(StoredLoadCase::of));
+            .map(|outcome| outcome.as_ref().and_then(StoredLoadCase::of_outcome));
         let stored: Vec<Option<StoredLoadCase>> = stored.collect();
-        Some(SeaResults::of(&self.variation, &stored, question))
+        Some(SeaResults::of_runs(&self.variation, &stored, question))
     }
 }
 

@@ -47,7 +47,7 @@ impl Sweep {
                 });
             };
             for (index, outcome) in self.compute_some(Some(folder), &wanted, cancel, &told) {
-                runs[index] = outcome.as_ref().and_then(StoredLoadCase::of);
+                runs[index] = outcome.as_ref().and_then(StoredLoadCase::of_outcome);
                 outcomes[index] = outcome;
             }
             before += wanted.len();

@@ -21,7 +21,7 @@ pub struct SystemPoint {
 impl SystemPoint {
     /// The results of these names of a system at rest.
     #[must_use]
-    pub fn of(solved: &SolvedSystem, results: &[String]) -> Self {
+    pub fn of_system(solved: &SolvedSystem, results: &[String]) -> Self {
         let read = |name: &String| {
             value(solved, name).map(|value| SystemResult {
                 value,
@@ -58,7 +58,7 @@ pub fn compute(
     let points: Vec<&StudyPoint> = variation.points.iter().collect();
     let one = |point: &StudyPoint| {
         let solved = solve(&variation.base, &point.settings)?;
-        Ok(SystemPoint::of(&solved, results))
+        Ok(SystemPoint::of_system(&solved, results))
     };
     side_by_side(points, cancel, one, |done, of, _, _| told(done, of))
 }

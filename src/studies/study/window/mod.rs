@@ -68,7 +68,7 @@ impl WindowKey {
     ///
     /// # Errors
     /// Values that are words or do not rise.
-    pub fn of(varied: &VariedKey) -> Result<Self, WindowError> {
+    pub fn of_varied_key(varied: &VariedKey) -> Result<Self, WindowError> {
         let numbers = varied.range.values.iter().map(StudyValue::number);
         let numbers: Option<Vec<f64>> = numbers.collect();
         let values = numbers.ok_or_else(|| WindowError::Words(varied.path.clone()))?;

@@ -61,7 +61,7 @@ impl FreeDecay {
             .map(|(a, b)| {
                 (
                     a.time,
-                    filter.of(&((a.q - b.q) * 0.5), &((a.v - b.v) * 0.5)),
+                    filter.amplitude(&((a.q - b.q) * 0.5), &((a.v - b.v) * 0.5)),
                 )
             })
             .collect();
@@ -103,7 +103,7 @@ impl ModalFilter {
         })
     }
 
-    fn of(&self, q: &Vector3<f64>, v: &Vector3<f64>) -> Complex<f64> {
+    fn amplitude(&self, q: &Vector3<f64>, v: &Vector3<f64>) -> Complex<f64> {
         (0..3)
             .map(|i| self.by_displacement[i] * q[i] + self.by_velocity[i] * v[i])
             .sum()

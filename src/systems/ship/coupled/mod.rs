@@ -57,7 +57,7 @@ impl CoupledAnalysis {
         motion: Option<&MotionAnalysis>,
         stop: &AtomicBool,
     ) -> Result<Self, CoupledError> {
-        let model = CoupledModel::of(statics)?;
+        let model = CoupledModel::of_statics(statics)?;
         let settings = model.settings;
         let waves = statics.ship.motion.as_ref();
         let waves = waves.zip(motion.and_then(MotionAnalysis::response));

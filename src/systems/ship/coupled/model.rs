@@ -67,7 +67,7 @@ impl<'a> CoupledModel<'a> {
     ///
     /// # Errors
     /// [`CoupledError::Missing`].
-    pub fn of(statics: &'a StaticAnalysis) -> Result<Self, CoupledError> {
+    pub fn of_statics(statics: &'a StaticAnalysis) -> Result<Self, CoupledError> {
         let missing = CoupledError::Missing;
         let ship = &statics.ship;
         let settings = ship.coupled.as_ref();

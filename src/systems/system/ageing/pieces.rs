@@ -55,7 +55,7 @@ fn pieces<'a>(
     let mut found = Vec::new();
     let mut before = 0.0;
     for part in parts {
-        let of = MaterialAgeing::of(ageing, &part.name);
+        let of = MaterialAgeing::of_material(ageing, &part.name);
         let varies = of.is_some_and(|of| of.varies());
         let count = if varies { ageing.pieces } else { 1 };
         let length_m = part.length_m / count as f64;

@@ -57,7 +57,7 @@ pub fn settle(
     if lines.is_empty() {
         return Ok(None);
     }
-    let mut iteration = Iteration::of(&lines, depths(&lines, network, rest));
+    let mut iteration = Iteration::of_depths(&lines, depths(&lines, network, rest));
     let mut start = rest.placement.clone();
     for round in 1..=MOST_ROUNDS {
         let (parts, states) = aged(&lines, &iteration.depths, network.density);
@@ -113,7 +113,7 @@ struct Iteration {
 }
 
 impl Iteration {
-    fn of(lines: &[AgeingLine<'_>], depths: Vec<f64>) -> Self {
+    fn of_depths(lines: &[AgeingLine<'_>], depths: Vec<f64>) -> Self {
         Self {
             varying: varying(lines),
             moved: Vec::new(),

@@ -50,7 +50,7 @@ pub struct OffsetCurve {
 impl Analyses {
     /// Works them out.
     #[must_use]
-    pub fn of(solved: &SolvedSystem) -> Self {
+    pub fn of_system(solved: &SolvedSystem) -> Self {
         let (file, network, rest) = (&solved.file, &solved.network, &solved.rest);
         Self {
             periods: periods(network, rest),

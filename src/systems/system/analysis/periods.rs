@@ -82,7 +82,7 @@ const LOWEST: usize = 60;
 /// # Errors
 /// A body with a mass and no inertia; a line without a solution; what has no mass and nothing holds, in a large part.
 pub fn periods(network: &Network, rest: &SystemEquilibrium) -> Result<NaturalModes, String> {
-    let all = Freedoms::of(network, UnknownBodies::All);
+    let all = Freedoms::of_network(network, UnknownBodies::All);
     let stiffness = stiffness(network, rest, &all)?;
     let (mut found, mut greatest, mut bound) = (Vec::new(), 0.0_f64, f64::INFINITY);
     for part in parts(network, rest, &all, &stiffness) {
@@ -416,7 +416,7 @@ mod tests {
         }
         let solved = parse_stored::<SystemFile>(&text, "chain.toml").unwrap();
         let (network, rest) = (&solved.network, &solved.rest);
-        let all = Freedoms::of(network, UnknownBodies::All);
+        let all = Freedoms::of_network(network, UnknownBodies::All);
         let stiffness = stiffness(network, rest, &all).unwrap();
         let parts = parts(network, rest, &all, &stiffness);
         let [part] = &parts[..] else {

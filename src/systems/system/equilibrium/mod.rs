@@ -124,7 +124,7 @@ fn found(
     most_steps: usize,
     relaxed: bool,
 ) -> Result<SystemEquilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
     let mut search =
         SystemEquilibriumSearch::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
     let ended = search.run_from_level(most_steps, relaxed);
@@ -136,7 +136,7 @@ fn found(
 /// # Errors
 /// [`SystemError`].
 pub fn search_near(network: &Network, near: &Placement) -> Result<SystemEquilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
     let mut search =
         SystemEquilibriumSearch::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
     let ended = search.run_in_full(MOST_STEPS, true);
@@ -151,7 +151,7 @@ pub fn search_downhill(
     network: &Network,
     from: &Placement,
 ) -> Result<SystemEquilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
     let mut search =
         SystemEquilibriumSearch::begin(network, freedoms, from.clone(), LinePhysics::Full)?;
     let relaxed = search.relax(MOST_STEPS);
@@ -188,7 +188,7 @@ impl<'a> SystemEquilibriumSearch<'a> {
         mut placement: Placement,
         physics: LinePhysics,
     ) -> Result<Self, SystemError> {
-        let bounds = Bounds::of(network, &freedoms);
+        let bounds = Bounds::of_network(network, &freedoms);
         placement.carry(network);
         bounds.keep(network, &freedoms, &mut placement);
         let here =

@@ -62,7 +62,7 @@ mod tests {
         "#;
         let solved = parse_stored::<SystemFile>(text, "trial.toml").unwrap();
         let network = &solved.network;
-        let freedoms = Freedoms::of(network, UnknownBodies::Free);
+        let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
         let place = solved.rest.placement.clone();
         let search =
             SystemEquilibriumSearch::begin(network, freedoms, place, LinePhysics::Full).unwrap();

@@ -49,7 +49,7 @@ pub const STATISTICS: [Statistic; 4] = [
 
 impl ChannelResult {
     /// Of a channel, by the single numbers of its run that are of it.
-    pub(super) fn of(channel: &Channel, own: &[&Quantity]) -> Self {
+    pub(super) fn of_channel(channel: &Channel, own: &[&Quantity]) -> Self {
         let of_statistic = |wanted: Statistic, in_window: bool| {
             let is = |q: &&&Quantity| {
                 matches!(&q.id, QuantityId::Statistic { statistic, within, .. }
@@ -98,7 +98,7 @@ impl ChannelResult {
             }
         }
         let own = |channel: &Channel| by_name.get(&channel.id.to_string());
-        let result = |channel| Self::of(channel, own(channel).map_or(&[], Vec::as_slice));
+        let result = |channel| Self::of_channel(channel, own(channel).map_or(&[], Vec::as_slice));
         channels.iter().map(result).collect()
     }
 }

@@ -43,7 +43,7 @@ pub(super) struct Around<'a> {
 
 impl<'a> Around<'a> {
     /// Of a joint.
-    pub(super) fn of(joints: &'a State, joint: usize) -> Self {
+    pub(super) fn of_joint(joints: &'a State, joint: usize) -> Self {
         Self {
             waves: joints.wave_flow.get(joint),
             grip: joints.memory.grips.get(joint),
@@ -65,7 +65,7 @@ pub(super) fn point_load(
         share,
         by_height,
         integral,
-    } = Immersion::of(network, point, x.z - surface);
+    } = Immersion::of_point(network, point, x.z - surface);
     let immersion = SurfaceOverPoint {
         share,
         by_place: (V3::z() - slope) * by_height,

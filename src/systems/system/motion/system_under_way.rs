@@ -72,7 +72,7 @@ pub(super) fn compute<'a>(
         iterations: begun.iterations,
         ..Work::default()
     };
-    let channels = Channels::of(&begun.system);
+    let channels = Channels::of_system(&begun.system);
     let recorder = Recorder::new(plan(&begun, &channels, settings), events, cancel);
     let Start { system, state, .. } = begun;
     let subject = SystemUnderWay {

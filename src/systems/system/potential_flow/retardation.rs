@@ -56,7 +56,7 @@ struct Points {
 
 impl Points {
     /// Of functions at even times \[s\].
-    fn of(functions: &[RetardationFunction], step: f64) -> Self {
+    fn of_functions(functions: &[RetardationFunction], step: f64) -> Self {
         let count = functions.first().map_or(2, |f| f.value.len());
         let fours = functions.len().div_ceil(LANES);
         let mut numbers = vec![[0.0; LANES]; 3 * fours * count];
@@ -134,7 +134,7 @@ impl Retardation {
             step,
             rate: 1.0 / step,
             sixth: 1.0 / (6.0 * step),
-            points: Points::of(&functions, step),
+            points: Points::of_functions(&functions, step),
             functions,
             at_infinity: Matrix6::zeros(),
             error: 0.0,

@@ -63,7 +63,7 @@ pub fn compute<S: SceneAtRest>(
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(usize, usize, &str),
 ) -> Result<RestStudy, SpeedError> {
-    let meshes = Meshes::of(scene);
+    let meshes = Meshes::of_scene(scene);
     let ways = scene.ways();
     let planned = |finest: usize| -> Vec<(Way, Vec<usize>)> {
         let each = ways
@@ -124,7 +124,7 @@ struct Meshes {
 }
 
 impl Meshes {
-    fn of(scene: &impl SceneAtRest) -> Self {
+    fn of_scene(scene: &impl SceneAtRest) -> Self {
         let divided = scene.divided();
         Self {
             own: divided.segments(),

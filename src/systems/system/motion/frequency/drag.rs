@@ -115,7 +115,7 @@ impl<'a> DragAverager<'a> {
             .wave_flow
             .resize(joints.x.len(), WaterMotion::default());
         Self {
-            still: FrequencyTangents::of(border, &still, mean, BY_VELOCITY),
+            still: FrequencyTangents::at_state(border, &still, mean, BY_VELOCITY),
             system,
             mean,
             border,
@@ -127,7 +127,7 @@ impl<'a> DragAverager<'a> {
 
     /// The drag for a spread of velocities.
     pub(super) fn average(&mut self, spread: &Spread) -> LinearDrag {
-        let roots = Roots::of(spread);
+        let roots = Roots::of_spread(spread);
         let one = [(MEAN_LENGTH, 1.0)];
         let lengths = if self.has_current { &LENGTHS[..] } else { &one };
         let mut sum = zero_like(&self.still);
@@ -200,7 +200,7 @@ impl<'a> DragAverager<'a> {
         if self.system.stations.iter().all(std::ops::Range::is_empty) {
             return loads;
         }
-        let roots = Roots::of(spread);
+        let roots = Roots::of_spread(spread);
         let corners = DIRECTIONS.iter().filter(|(_, w)| *w < 26.0 / 840.0);
         let corners: Vec<V3> = corners.map(|(direction, _)| *direction).collect();
         for direction in &corners {

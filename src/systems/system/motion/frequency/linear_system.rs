@@ -100,7 +100,7 @@ fn complex(block: &M3) -> Matrix3<Complex> {
 
 impl FrequencyTangents {
     /// By these factors at a state.
-    pub(super) fn of(
+    pub(super) fn at_state(
         border: &mut Border,
         system: &MovingSystem,
         state: &SystemState,
@@ -127,7 +127,9 @@ impl<'a> LinearSystem<'a> {
             stiffness,
         };
         let lines = 0..mean.lines.len();
-        let ends: Vec<LineEnds> = lines.map(|line| LineEnds::of(system, mean, line)).collect();
+        let ends: Vec<LineEnds> = lines
+            .map(|line| LineEnds::of_line(system, mean, line))
+            .collect();
         let condensations = mean.lines.iter().zip(&ends).map(|(line, ends)| {
             let plain = Condensation::new(line.x.len());
             match ends.turn() {
@@ -136,9 +138,9 @@ impl<'a> LinearSystem<'a> {
             }
         });
         Self {
-            mass: FrequencyTangents::of(border, system, mean, c(1.0, 0.0, 0.0)),
-            damping: FrequencyTangents::of(border, system, mean, c(0.0, 1.0, 0.0)),
-            stiffness: FrequencyTangents::of(border, system, mean, c(0.0, 0.0, 1.0)),
+            mass: FrequencyTangents::at_state(border, system, mean, c(1.0, 0.0, 0.0)),
+            damping: FrequencyTangents::at_state(border, system, mean, c(0.0, 1.0, 0.0)),
+            stiffness: FrequencyTangents::at_state(border, system, mean, c(0.0, 0.0, 1.0)),
             condensations: condensations.collect(),
             ends,
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),

@@ -57,7 +57,7 @@ pub struct QuickLook {
 /// What has no quick look, or does not come to rest.
 pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
     let begun = start(solved, coarsening as f64)?;
-    let mut found = look(&begun, Channels::of(&begun.system))?;
+    let mut found = look(&begun, Channels::of_system(&begun.system))?;
     found.warnings.extend(loads_without_effect(solved));
     Ok(found)
 }
@@ -142,7 +142,12 @@ fn respond(
     let mut turns = Turns {
         averager: DragAverager::new(system, mean, border, excitations.len()),
         radiation: radiation.collect(),
-        spread: Spread::of(system, mean, excitations.iter().map(|one| (one, None)), 1.0),
+        spread: Spread::of_excitations(
+            system,
+            mean,
+            excitations.iter().map(|one| (one, None)),
+            1.0,
+        ),
         linear,
         excitations,
         made: 0,
@@ -166,7 +171,7 @@ impl Turns<'_, '_> {
             let responses = self.turn(stride)?;
             let moved = responses.iter().map(Some);
             let taken = self.excitations.iter().skip(stride / 2).step_by(stride);
-            let found = Spread::of(system, mean, taken.zip(moved), stride as f64);
+            let found = Spread::of_excitations(system, mean, taken.zip(moved), stride as f64);
             self.changed = found.change(&self.spread);
             match self.made {
                 // At first only the water moved.
