@@ -246,7 +246,7 @@ fn fatigue_of(
 
 /// The published curves.
 fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
-    let table = Table::of("Published curves", &PUBLISHED)
+    let table = Table::of_records("Published curves", &PUBLISHED)
         .text("curve", |curve| curve.id)
         .text("of", |curve| curve.title)
         .cell("m", Align::Decimal, |curve| {
@@ -270,7 +270,7 @@ type PossibleFigure<T> = (&'static str, fn(&T) -> Option<f64>);
 
 /// A row for each channel, with every digit.
 fn csv(views: &[ChannelView]) -> Table {
-    let table = Table::of("", views)
+    let table = Table::of_records("", views)
         .text("channel", |row| row.id.to_string())
         .text("unit", |row| row.id.quantity.unit());
     with_fatigue(with_greatest(with_moments(table))).build()

@@ -120,7 +120,7 @@ fn lines(audit: &Audit) -> Table {
     let tension = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| si(v, "N"));
     let is_divided = matches!(audit.program, Program::MoorDyn | Program::MoorDyn1);
     let bends = audit.lines.iter().any(|line| line.curvature.is_some());
-    let table = Table::of("Tension at end B at rest", &all)
+    let table = Table::of_records("Tension at end B at rest", &all)
         .text("line", |line| line.id.as_str())
         .text("exact", |line| tension(line.tension))
         .when(is_divided, |table| {
@@ -159,7 +159,7 @@ fn lines(audit: &Audit) -> Table {
 }
 
 fn starts(all: &[StartAudit]) -> Table {
-    let table = Table::of("Start of a run", all)
+    let table = Table::of_records("Start of a run", all)
         .text("by", |start| start.by)
         .text("ends", |start| match start.ended {
             None => "-".to_owned(),
@@ -236,7 +236,7 @@ pub fn findings(audit: &Audit) -> Table {
         span.map(|span| settings::row_and_column(&audit.text, span))
     };
     let number = |value: Option<u32>| value.map_or_else(String::new, |value| value.to_string());
-    Table::of("findings", &audit.findings)
+    Table::of_records("findings", &audit.findings)
         .text("topic", |finding| finding.topic.name())
         .text("line", |finding| number(place(finding).map(|at| at.0)))
         .text("column", |finding| number(place(finding).map(|at| at.1)))

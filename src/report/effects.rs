@@ -22,7 +22,7 @@ pub struct TornadoView<'a> {
 impl<'a> TornadoView<'a> {
     /// The effects on a result; nothing where the case does not have it.
     #[must_use]
-    pub fn of(effects: &'a InputEffects, id: &QuantityId) -> Option<Self> {
+    pub fn of_result(effects: &'a InputEffects, id: &QuantityId) -> Option<Self> {
         Some(Self {
             effects,
             base: effects.result(id)?,
@@ -45,7 +45,7 @@ impl<'a> TornadoView<'a> {
         let greatest = greatest.fold(0.0, f64::max);
         let title = format!("{}: {}", self.base.id, result_text(self.base));
         let moving = self.moving();
-        Table::of(title, &moving)
+        Table::of_records(title, &moving)
             .text("input", |(number, effect)| {
                 format!("[{number}] {}", effect.input.path)
             })
@@ -109,7 +109,7 @@ impl<'a> TornadoView<'a> {
             None => Cell::none(),
         };
         let moving = self.moving();
-        Table::of("", &moving)
+        Table::of_records("", &moving)
             .text("input", |(number, effect)| {
                 format!("[{number}] {}", varied(effect.input))
             })
@@ -168,7 +168,7 @@ impl<'a> TornadoView<'a> {
         let input = |value: fn(&VariedInput) -> f64| {
             move |row: &(usize, InputEffect<'a>)| number(Some(value(row.1.input)))
         };
-        Table::of("", &self.rows)
+        Table::of_records("", &self.rows)
             .count("rank", |row| row.0)
             .text("result", |_| self.base.id.to_string())
             .text("unit", |_| self.base.unit())

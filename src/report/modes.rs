@@ -30,7 +30,7 @@ fn columns(found: &LineModes, wide: bool) -> Table {
     };
     let vibrates = |mode: &NamedMode| mode.mode.eigenvalue > 0.0;
     let numbered: Vec<(usize, &NamedMode)> = (1..).zip(&found.modes).collect();
-    Table::of("", &numbered)
+    Table::of_records("", &numbered)
         .count("mode", |(number, _)| *number)
         .cell("frequency [Hz]", Align::Decimal, |(_, mode)| {
             frequency(mode)

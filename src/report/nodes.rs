@@ -96,9 +96,11 @@ fn some(profile: &Profile, wanted: impl Fn(usize) -> bool) -> Table {
     let is_marked = |node: usize| columns.iter().any(|c| c.mark_at(node).is_some());
     let nodes = (0..profile.nodes.len()).filter(|node| wanted(*node) || is_marked(*node));
     let nodes: Vec<usize> = nodes.collect();
-    let table = columns.iter().fold(Table::of("", &nodes), |table, column| {
-        table.cell(column.head, Align::Decimal, |node| column.cell(*node))
-    });
+    let table = columns
+        .iter()
+        .fold(Table::of_records("", &nodes), |table, column| {
+            table.cell(column.head, Align::Decimal, |node| column.cell(*node))
+        });
     table
         .cell("greatest", Align::Left, |node| {
             Cell::new(marks(&columns, *node), CellStyle::Warn)

@@ -50,7 +50,7 @@ impl QuickView<'_> {
     #[must_use]
     pub fn differences(&self) -> Table {
         let rows: Vec<&Difference> = self.differences.iter().collect();
-        let table = Table::of("Quick looks beside runs in time", &rows)
+        let table = Table::of_records("Quick looks beside runs in time", &rows)
             .text("sea and place", place)
             .cell("mean", Align::Decimal, |row| {
                 Cell::plain(si(row.in_time.mean.value, row.quick.series.unit()))

@@ -21,7 +21,7 @@ pub fn table(case: &Case) -> Table {
     let duration = case.solver.duration_s;
     let rows: Vec<MomentsRow> = records.iter().flat_map(|r| rows(r, duration)).collect();
     let digits = NumberFormat::Digits(4, "");
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("record", |row| &row.name)
         .text("quantity", |row| row.quantity)
         .number("asked for", digits, |row| row.spectrum)

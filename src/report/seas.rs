@@ -57,7 +57,7 @@ impl SeasView<'_> {
         let checks = self.results.checks.iter();
         let checks = checks.filter(|check| check.verdict().is_some());
         let checks: Vec<(usize, &CheckResult)> = checks.enumerate().collect();
-        let table = Table::of("Verdict", &checks)
+        let table = Table::of_records("Verdict", &checks)
             .text("check", |(number, check)| {
                 format!("{} [{}]", check.check.name, number + 1)
             })
@@ -198,7 +198,7 @@ impl SeasView<'_> {
             ),
             false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),
         };
-        Table::of("Tension by sea", &rows)
+        Table::of_records("Tension by sea", &rows)
             .count("sea", |row| row.number + 1)
             .text("settings", |row| row.sea.words())
             .when(probabilities, |table| {
@@ -255,7 +255,7 @@ impl SeasView<'_> {
         rows.sort_by(|a, b| b.row.load.value.total_cmp(&a.row.load.value));
         rows.truncate(MOST_PLACES);
         let damage = |value: f64| format!("{value:.3e}");
-        let table = Table::of("Fatigue", &rows)
+        let table = Table::of_records("Fatigue", &rows)
             .text("check", |row| row.check.check.name.clone())
             .text("place", |row| row.row.place.clone())
             .cell("damage in service", Align::Right, |row| Cell::plain(damage(row.row.load.value)))
@@ -298,7 +298,7 @@ impl SeasView<'_> {
         let whole = |value: Option<usize>| {
             Cell::plain(value.map_or_else(String::new, |value| (value + 1).to_string()))
         };
-        Table::of("", &rows)
+        Table::of_records("", &rows)
             .text("check", |(check, _)| check.check.name.clone())
             .text("verdict", |(_, row)| row.used.verdict().word())
             .cell("sea", Align::Right, |(_, row)| whole(row.sea))
@@ -351,7 +351,7 @@ impl SeasView<'_> {
         let plain = |value: Option<f64>| {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
         };
-        Table::of("", &rows)
+        Table::of_records("", &rows)
             .count("sea", |(number, ..)| number + 1)
             .text("settings", |(_, sea, _)| sea.words())
             .text("condition", |(_, sea, _)| sea.condition.name())

@@ -307,7 +307,7 @@ enum Due {
 
 impl Due {
     /// When what a message says is to be seen.
-    fn of(message: &Msg) -> Self {
+    fn of_message(message: &Msg) -> Self {
         match message {
             Msg::Recorded(..) | Msg::TrialProgress(..) | Msg::Sweep(SweepMsg::Progress(..)) => {
                 Self::Sometime
@@ -363,13 +363,13 @@ impl App<'_> {
             let (typed, heard): (Vec<Msg>, Vec<Msg>) = messages.into_iter().partition(is_typed);
             self.typed.extend(typed);
             for message in heard {
-                due = Some(Due::of(&message)).into_iter().chain(due).min();
+                due = Some(Due::of_message(&message)).into_iter().chain(due).min();
                 end = end.or(self.take(message)?);
             }
             while end.is_none() && !self.typed.is_empty() && self.key_hold().is_none() {
                 // A file that is done by now was answered before: its answer comes before the key.
                 for message in self.effects.poll() {
-                    due = Some(Due::of(&message)).into_iter().chain(due).min();
+                    due = Some(Due::of_message(&message)).into_iter().chain(due).min();
                     end = end.or(self.take(message)?);
                 }
                 if end.is_some() || self.key_hold().is_some() {

@@ -202,7 +202,7 @@ impl FileRead {
             files: BTreeMap::new(),
         };
         Self {
-            read: Reading::of(&file, text, content),
+            read: Reading::of_text(&file, text, content),
             path: file.path,
             recovered,
         }

@@ -136,7 +136,7 @@ impl PlotPane {
     pub fn draw(&self, chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
         let area = area.intersection(*buf.area());
         let size = (area.width.into(), area.height.into());
-        paint(&self.memo.of(chart, size, glyphs), area, buf, theme);
+        paint(&self.memo.picture(chart, size, glyphs), area, buf, theme);
     }
 
     /// What the visible series say at the cursor; nothing without a cursor.

@@ -31,7 +31,7 @@ impl FilterText {
             notes.note
         );
         Self {
-            letters: LetterSet::of(&text).unwrap_or(LetterSet::ALL),
+            letters: LetterSet::of_text(&text).unwrap_or(LetterSet::ALL),
             text: Utf32String::from(text),
         }
     }
@@ -46,7 +46,7 @@ impl LetterSet {
     const ALL: Self = Self(u64::MAX);
 
     /// Those of a text; nothing where others are taken for them, as accented letters are.
-    fn of(text: &str) -> Option<Self> {
+    fn of_text(text: &str) -> Option<Self> {
         let bit = |c: u8| match c.to_ascii_lowercase() {
             c @ b'a'..=b'z' => 1 << (c - b'a'),
             c @ b'0'..=b'9' => 1 << (26 + c - b'0'),
@@ -116,7 +116,7 @@ impl RunFilter {
         Self {
             conditions: conditions.into_iter().flatten().collect(),
             words: Pattern::parse(&words.join(" "), CaseMatching::Ignore, Normalization::Smart),
-            letters: LetterSet::of(&plain).unwrap_or(LetterSet(0)),
+            letters: LetterSet::of_text(&plain).unwrap_or(LetterSet(0)),
             only_letters: words.iter().all(|word| word.len() == 1) && plain.len() == words.len(),
             matcher: RefCell::new(Matcher::new(Config::DEFAULT)),
         }

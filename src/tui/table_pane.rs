@@ -217,7 +217,7 @@ impl TablePane {
             width,
         };
         self.memo
-            .of(table, key, || self.as_shown(table).layout(width))
+            .layout(table, key, || self.as_shown(table).layout(width))
     }
 
     /// Where the column under the cursor is in a layout: its first column of text and its width; nothing where the layout has no

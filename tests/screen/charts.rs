@@ -110,7 +110,7 @@ fn a_trajectory_to_equal_scale() {
 fn the_bed_force_on_a_clump_that_lands() {
     let text = |file: &str| SHIPPED.iter().find(|case| case.0 == file).unwrap().1;
     let parse = |file: &str| case::parse(text(file), file).unwrap();
-    let without_bed = FigureId::of(&parse("basics/pendulum.toml"));
+    let without_bed = FigureId::of_case(&parse("basics/pendulum.toml"));
     assert!(!without_bed.contains(&FigureId::BedForce));
     let mut clump = parse("hard/clump_on_bed.toml");
     (clump.solver.duration_s, clump.output.interval_s) = (4.0, 0.02);
@@ -123,7 +123,7 @@ fn the_bed_force_on_a_clump_that_lands() {
         id: "clump".to_owned(),
     };
     let run = job::execute(&request, &AtomicBool::new(false), &mut |_| {});
-    assert!(FigureId::of(&clump).contains(&FigureId::BedForce));
+    assert!(FigureId::of_case(&clump).contains(&FigureId::BedForce));
     let chart = FigureId::BedForce.figure().draw(&FigureData {
         case: Some(&clump),
         runs: &[PlottedRun::whole(&run, "")],

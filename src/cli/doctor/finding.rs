@@ -52,14 +52,14 @@ impl DoctorFinding {
     }
 
     pub(super) fn note(self, remedy: impl Into<String>) -> Self {
-        self.of(Health::Note, remedy)
+        self.with_health(Health::Note, remedy)
     }
 
     pub(super) fn problem(self, remedy: impl Into<String>) -> Self {
-        self.of(Health::Problem, remedy)
+        self.with_health(Health::Problem, remedy)
     }
 
-    fn of(self, health: Health, remedy: impl Into<String>) -> Self {
+    fn with_health(self, health: Health, remedy: impl Into<String>) -> Self {
         Self {
             health,
             remedy: remedy.into(),

@@ -101,7 +101,7 @@ fn coverage(args: &IntervalsArgs) -> Table {
         Ok(found) => Cell::plain(format!("{:.1} %", 100.0 * read(found))),
         Err(why) => Cell::plain(why.to_string()),
     };
-    Table::of("Intervals of 95 %: how often they hold the truth", &rows)
+    Table::of_records("Intervals of 95 %: how often they hold the truth", &rows)
         .text("law", |row| row.law)
         .count("values", |row| row.values)
         .text("figure", |row| row.figure.clone())
@@ -149,7 +149,7 @@ fn rules(args: &IntervalsArgs) -> Table {
         Ok(found) => Cell::plain(read(found)),
         Err(why) => Cell::plain(why.to_string()),
     };
-    Table::of("Seeds drawn until a verdict is settled, false with a probability of 5 % at most", &rows)
+    Table::of_records("Seeds drawn until a verdict is settled, false with a probability of 5 % at most", &rows)
         .text("rule", |row| row.rule)
         .cell("limit above the figure [deviations]", Align::Decimal, |row| Cell::plain(row.margin.to_string()))
         .cell("below the limit", Align::Decimal, |row| cell(row, |f| format!("{:.1} %", 100.0 * f.below)))

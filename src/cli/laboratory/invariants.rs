@@ -97,7 +97,7 @@ fn table(outcomes: &[InvariantOutcome]) -> Table {
         });
         apart.fold(0.0, f64::max)
     };
-    Table::of("Random systems held against themselves", &tallies)
+    Table::of_records("Random systems held against themselves", &tallies)
         .text("asked for", |tally| tally.name)
         .number("systems", COUNT, |tally| {
             tally.count(|held| *held != VariantOutcome::NotAsked)

@@ -39,7 +39,7 @@ pub(crate) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
             .map(|rest| rest.residual)
             .fold(0.0, f64::max)
     };
-    let table = Table::of("Random systems at rest", &tallies)
+    let table = Table::of_records("Random systems at rest", &tallies)
         .text("kind", |kind| kind.name)
         .number("solved", NumberFormat::Digits(6, ""), |kind| {
             count(kind.solved.len())

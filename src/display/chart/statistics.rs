@@ -91,7 +91,7 @@ pub fn table(chart: &Chart) -> Table {
     let place = |of: fn(&CurveStatistics) -> f64| {
         move |row: &(&Series, CurveStatistics)| Cell::plain(si(of(&row.1), x))
     };
-    Table::of(chart.title.as_str(), &rows)
+    Table::of_records(chart.title.as_str(), &rows)
         .text("curve", |row| row.0.label.clone())
         .cell("least", Align::Decimal, column(|s| s.least.0))
         .cell("at", Align::Decimal, place(|s| s.least.1))

@@ -102,7 +102,7 @@ impl Table {
 
     /// A table of records, one a row; the columns follow.
     #[must_use]
-    pub fn of<R>(title: impl Into<String>, records: &[R]) -> Columns<'_, R> {
+    pub fn of_records<R>(title: impl Into<String>, records: &[R]) -> Columns<'_, R> {
         let table = Self {
             rows: vec![Vec::new(); records.len()],
             ..Self::titled(title)
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn a_record_a_row_with_columns_that_a_condition_adds() {
         let table = |errors: bool| {
-            Table::of("Modes", &[1.5, 2.0])
+            Table::of_records("Modes", &[1.5, 2.0])
                 .count("mode", |hz| *hz)
                 .number("period", NumberFormat::Digits(3, "s"), |hz| 1.0 / hz)
                 .when(errors, |columns| {

@@ -16,7 +16,7 @@ pub fn results_table(comparison: &Comparison, narrow: bool) -> Table {
         .flat_map(|result| (1..runs).map(move |run| (result, run)))
         .collect();
     let other = if runs == 2 { "B" } else { "other" };
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("quantity", |(result, run)| named(result, *run, narrow))
         .when(runs > 2, |table| table.text("run", |(_, run)| letter(*run)))
         .cell("A", Align::Decimal, |(result, run)| match run {

@@ -66,7 +66,7 @@ fn marks(statics: &StaticAnalysis) -> Vec<ReferenceLine> {
 #[must_use]
 pub fn headings(statics: &StaticAnalysis) -> Table {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
-    Table::of("Equilibrium headings (eqs. 1 and 2)", equilibria)
+    Table::of_records("Equilibrium headings (eqs. 1 and 2)", equilibria)
         .number("heading", DEGREES, |one| one.yaw.heading)
         .cell("static stability", Align::Left, |one| static_stability(one.yaw.stability))
         .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
@@ -140,7 +140,7 @@ pub fn eigenvalues(statics: &StaticAnalysis) -> Option<Table> {
         let roots = one.dynamics.as_ref().and_then(PlanarDynamics::eigenvalues);
         roots.map_or_else(|| "-".to_owned(), |roots| complex(&roots))
     };
-    let table = Table::of("Dynamic stability of each heading (eq. 4 in the horizontal plane)", equilibria)
+    let table = Table::of_records("Dynamic stability of each heading (eq. 4 in the horizontal plane)", equilibria)
         .number("heading", DEGREES, |one| one.yaw.heading)
         .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
         .number("period", SECONDS, |one| times(one)?.0)
@@ -184,7 +184,7 @@ pub fn loads(statics: &StaticAnalysis) -> Option<Table> {
         let vanishes = *name == "total" && moment.abs() < rounding;
         if vanishes { 0.0 } else { moment }
     };
-    let table = Table::of(
+    let table = Table::of_records(
         format!("Environmental loads at {}", degrees(heading)),
         &rows,
     )
@@ -223,7 +223,7 @@ pub fn mooring(statics: &StaticAnalysis) -> Option<Table> {
         )
     });
     let title = format!("Mooring line at {}", degrees(equilibrium.yaw.heading));
-    let table = Table::of(title, &facts)
+    let table = Table::of_records(title, &facts)
         .text("quantity", |fact| fact.0)
         .text("value", |fact| fact.1.clone())
         .build()

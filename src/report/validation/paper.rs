@@ -32,7 +32,7 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
     let lines: Vec<StatementLine<'_>> = paper
         .statements
         .iter()
-        .map(|one| StatementLine::of(one, files))
+        .map(|one| StatementLine::of_statement(one, files))
         .collect();
     let of = |wanted: &dyn Fn(&Answer) -> bool| {
         let chosen = lines.iter().filter(|line| wanted(&line.judged.answer));
@@ -87,7 +87,7 @@ struct StatementLine<'a> {
 }
 
 impl<'a> StatementLine<'a> {
-    fn of(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
+    fn of_statement(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
         let farthest = |names: &Option<Vec<String>>| {
             let rows = names.iter().flatten().filter_map(|name| row(name, files));
             let fails = |row: &ValidationRow| row.outcome != Outcome::Pass;
@@ -145,7 +145,7 @@ fn unanswered(title: &str, mut lines: Vec<&StatementLine<'_>>) -> Vec<Block> {
     let has_second = numbered
         .iter()
         .any(|(_, line)| line.judged.second.is_some());
-    let mut table = Table::of(title, &numbered)
+    let mut table = Table::of_records(title, &numbered)
         .text("printed", |(_, line)| line.says())
         .cell("computed", Align::Right, |(_, line)| {
             line.row.map_or_else(Cell::none, table::computed)
@@ -186,7 +186,7 @@ fn second(line: &StatementLine<'_>) -> Cell {
 
 /// Statements that agree, a line each.
 fn results(title: &str, lines: &[&StatementLine<'_>]) -> Table {
-    Table::of(title, lines)
+    Table::of_records(title, lines)
         .text("printed", |line| line.says())
         .cell("computed", Align::Right, |line| {
             line.row.map_or_else(Cell::none, table::computed)
@@ -229,7 +229,7 @@ fn inputs_and_equations(statements: &[JudgedStatement<'_>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let equations = of(&|a| *a == Answer::Equation);
     if !equations.is_empty() {
-        let table = Table::of("Equations and methods", &equations)
+        let table = Table::of_records("Equations and methods", &equations)
             .text("printed", says)
             .text("code", |one| one.statement.code.clone().unwrap_or_default())
             .text("test", |one| one.statement.test.clone().unwrap_or_default())
@@ -238,7 +238,7 @@ fn inputs_and_equations(statements: &[JudgedStatement<'_>]) -> Vec<Block> {
     }
     let inputs = of(&|a| *a == Answer::Input);
     if !inputs.is_empty() {
-        let table = Table::of("Inputs", &inputs)
+        let table = Table::of_records("Inputs", &inputs)
             .text("printed", says)
             .text("key", |one| one.statement.input.clone().unwrap_or_default())
             .build();

@@ -75,7 +75,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         };
         Cell::new(format!("{}{second}", counts.not_reproduced), ink)
     };
-    Table::of("", &counted)
+    Table::of_records("", &counted)
         .text("paper", |(title, _)| (*title).to_owned())
         .cell("all", Align::Right, |(_, n)| count(n.printed))
         .cell("predicted", Align::Right, |(_, n)| count(n.predicted))
@@ -140,7 +140,7 @@ fn of_rows(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Table {
         let n = rows.iter().filter(|row| row.outcome == outcome).count();
         Cell::new(n.to_string(), if n == 0 { CellStyle::Dim } else { ink })
     };
-    Table::of("", &origins)
+    Table::of_records("", &origins)
         .text("rows of tables", |(name, _)| (*name).to_owned())
         .cell("all", Align::Right, |(_, rows)| {
             Cell::plain(rows.len().to_string())

@@ -28,7 +28,7 @@ impl VariationView<'_> {
         };
         let all = self.outcomes.len();
         let missing = rows.iter().any(|row| row.count < all);
-        Table::of("Extremes", &rows)
+        Table::of_records("Extremes", &rows)
             .text("result", |row| row.of.name.clone())
             .cell("least", Align::Decimal, |row| {
                 Cell::plain(row.least.1.text.clone())

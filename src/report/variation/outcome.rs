@@ -87,7 +87,7 @@ impl PointView {
         Self {
             results: results
                 .iter()
-                .map(|id| run.result(id).map(ResultView::of))
+                .map(|id| run.result(id).map(ResultView::of_quantity))
                 .collect(),
             reason: run.failure().map(|why| ("FAILED", why.to_owned())),
             remark: (warnings > 0).then(|| format!("{warnings} warning{plural}")),
@@ -99,7 +99,7 @@ impl PointView {
 }
 
 impl ResultView {
-    fn of(quantity: &Quantity) -> Self {
+    fn of_quantity(quantity: &Quantity) -> Self {
         Self {
             value: quantity.value,
             error: quantity.error_estimate(),

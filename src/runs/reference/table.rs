@@ -16,7 +16,7 @@ pub fn table(rows: &[ValidationRow]) -> Table {
     let numbered: Vec<(usize, &ValidationRow)> = (1..).zip(rows).collect();
     let notes = numbered.iter();
     let notes = notes.map(|(number, row)| format!("[{number}] {}", note(row)));
-    Table::of("", &numbered)
+    Table::of_records("", &numbered)
         .text("quantity", |(number, row)| {
             format!("[{number}] {}", row.name)
         })

@@ -293,7 +293,7 @@ fn cpu(clock: ClockId) -> f64 {
 #[must_use]
 pub fn table(rows: &[AccuracyRow]) -> Table {
     let found = |row: &AccuracyRow| row.1.as_ref().ok().cloned();
-    Table::of("Accuracy asked, and the true one", rows)
+    Table::of_records("Accuracy asked, and the true one", rows)
         .text("case", |row| row.0.name.clone())
         .number("asked", NumberFormat::Digits(2, ""), |row| row.0.asked)
         .text("said", move |row| match found(row) {
@@ -351,7 +351,7 @@ pub fn totals(rows: &[AccuracyRow]) -> Table {
         let within: usize = counted().map(|found| found.within).sum();
         (results > 0).then(|| within as f64 / results as f64)
     };
-    Table::of("All of them", &totals)
+    Table::of_records("All of them", &totals)
         .number("asked", NumberFormat::Digits(2, ""), |row| row.0)
         .number("cases", NumberFormat::Decimals(0, ""), |row| {
             row.1.len() as f64

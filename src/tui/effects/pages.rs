@@ -59,7 +59,7 @@ fn input_effects(
     tell: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Result<String, String> {
     let found = effects::compute::<Case>(&request.base, cancel, tell)?;
-    let Some(view) = TornadoView::of(&found, &request.result) else {
+    let Some(view) = TornadoView::of_result(&found, &request.result) else {
         return Err(format!(
             "The run of the case does not have `{}`.",
             request.result

@@ -48,7 +48,7 @@ impl Pane for NodesPane {
             return of_table.then_some("There is no finished run. `:run` runs the case.");
         };
         let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
-        (next && LineTable::of(&run).len() < 2).then_some("This run has one table of the line.")
+        (next && LineTable::of_run(&run).len() < 2).then_some("This run has one table of the line.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {

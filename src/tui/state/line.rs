@@ -92,7 +92,7 @@ impl LineView {
     /// A case as read, before its first solve.
     #[must_use]
     pub fn new(case: Case) -> Self {
-        let runs_view = RunsView::new(FigureId::of(&case), true);
+        let runs_view = RunsView::new(FigureId::of_case(&case), true);
         Self {
             runs_view,
             sweeps: SweepsView::default(),

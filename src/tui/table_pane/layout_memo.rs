@@ -30,7 +30,7 @@ struct LaidOut {
 
 impl LayoutMemo {
     /// The layout of a table as the user has it; made by `lay_out` where it is not that of the last time.
-    pub(super) fn of(
+    pub(super) fn layout(
         &self,
         table: &Table,
         key: LayoutMemoKey,
@@ -75,7 +75,7 @@ mod tests {
     fn a_layout_is_made_anew_when_anything_changes_that_it_depends_on() {
         let memo = LayoutMemo::default();
         let made = std::cell::Cell::new(0);
-        let table = |n: usize| Table::of("", &[n]).count("n", |n| n).build();
+        let table = |n: usize| Table::of_records("", &[n]).count("n", |n| n).build();
         let lay_out = |n, sort: Option<&str>, width| {
             let key = LayoutMemoKey {
                 sort: sort.map(|head| (head.to_owned(), false)),
@@ -83,7 +83,7 @@ mod tests {
                 filter: String::new(),
                 width,
             };
-            memo.of(&table(n), key, || {
+            memo.layout(&table(n), key, || {
                 made.set(made.get() + 1);
                 table(n).layout(width)
             });

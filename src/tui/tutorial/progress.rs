@@ -32,7 +32,7 @@ impl Tutorial {
     /// The step shown.
     #[must_use]
     pub fn shown(&self) -> TutorialStep {
-        TutorialStep::of(self.step)
+        TutorialStep::of_number(self.step)
     }
 
     /// Whether the user has done what the step asks for.

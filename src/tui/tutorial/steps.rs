@@ -29,7 +29,7 @@ pub const COUNT: usize = STEPS.len();
 impl TutorialStep {
     /// A step by its number, from 0; the last one beyond.
     #[must_use]
-    pub fn of(number: usize) -> Self {
+    pub fn of_number(number: usize) -> Self {
         STEPS[number.min(COUNT - 1)]
     }
 }

@@ -51,7 +51,7 @@ pub(super) struct SvgPlan {
 
 impl SvgPlan {
     /// A plan of about this height.
-    pub(super) fn of(chart: &Chart, height: f64) -> Self {
+    pub(super) fn of_chart(chart: &Chart, height: f64) -> Self {
         let title = wrap(&chart.title, title_columns(), WideWords::Broken);
         let title: Vec<String> = title.into_iter().filter(|line| !line.is_empty()).collect();
         let legend = legend::place(chart, ranges(chart), height);

@@ -195,7 +195,7 @@ fn middle(rows: &[WorkComparison], rho: f64) -> Option<f64> {
 #[must_use]
 pub fn comparison_table(rows: &[WorkComparison], variants: usize) -> Table {
     let title = "Steps of varying length beside the best constant step of the same error";
-    let mut table = Table::of(title, rows)
+    let mut table = Table::of_records(title, rows)
         .count("rho", |row| row.rho)
         .count("tolerance", |row| format!("{:.1e}", row.tolerance))
         .count("iterations", |row| format!("{:.0}", row.median.work));

@@ -19,7 +19,7 @@ pub fn table(study: &SpeedStudy) -> Table {
     let error = |point: &SpeedPoint, of: fn(&SolutionErrors) -> f64| {
         NumberFormat::Digits(3, "").cell(point.errors.as_ref().map(of))
     };
-    let table = Table::of("", &points)
+    let table = Table::of_records("", &points)
         .text("solver", |point| {
             if is_reference(point) {
                 "reference"
@@ -133,7 +133,7 @@ pub fn mesh_table(study: &SpeedStudy) -> Table {
     let part = |error: Option<f64>, unit: &str| {
         error.map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", digits(e, 2)))
     };
-    Table::of("Error of the mesh, as the case stands", &estimated)
+    Table::of_records("Error of the mesh, as the case stands", &estimated)
         .text("quantity", |q| q.name())
         .count("value and error", |q| {
             with_error(q.value, q.error_estimate(), &q.unit())

@@ -154,7 +154,7 @@ fn sweeps(effect: SweepEffect) -> Vec<Msg> {
         SweepEffect::List(file) => vec![SweepMsg::Listed(file, Vec::new())],
         SweepEffect::Read { dir, .. } => vec![SweepMsg::Read(dir, Err(long()))],
         SweepEffect::Check(snapshot) => {
-            let verdict = SweepVerdict::of(&snapshot);
+            let verdict = SweepVerdict::of_snapshot(&snapshot);
             vec![SweepMsg::Checked(snapshot.dir.clone(), Arc::new(verdict))]
         }
         SweepEffect::Compare(snapshot, request) => {
