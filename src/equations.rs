@@ -106,7 +106,7 @@
 //! Error of a step: in position `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991), in velocity by the second difference of
 //! a. The [step control](crate::dynamics::step_control) halves and doubles h; output times change no step. Its numerical
 //! damping and period elongation follow from the amplification matrix
-//! ([`NumericalDamping::of`](crate::dynamics::numerical_damping::NumericalDamping::of_oscillator)).
+//! ([`NumericalDamping::of_oscillator`](crate::dynamics::numerical_damping::NumericalDamping::of_oscillator)).
 //!
 //! # Quasi-static march
 //!
