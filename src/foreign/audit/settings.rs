@@ -3,7 +3,9 @@
 use super::finding::{AuditFinding, Topic};
 use super::wave_pressure;
 use crate::import::fault::line_and_column;
-use crate::import::mooring::{Damping, Hold, Mass, Mooring, Program, ProgramSetting, Stiffness};
+use crate::import::mooring::{
+    Damping, Hold, Mass, Mooring, MooringLineType, Program, ProgramSetting, Stiffness,
+};
 use crate::import::to_case::is_in_air;
 use crate::import::to_case::sea::SeaOfCase;
 use crate::number::{digits, si};
@@ -269,54 +271,55 @@ fn damping(mooring: &Mooring, findings: &mut Vec<AuditFinding>) {
         if !critical.is_finite() || critical <= 0.0 {
             continue;
         }
-        let subject = format!("line type {}", of.name);
-        let finding = match of.damping.value {
-            Damping::Coefficient(value)
-                if value > 0.0 && value <= RATIO_LIKE && value / critical < UNDAMPED =>
-            {
-                let what = format!(
-                    "internal damping of {} N s is {} of the critical damping of a segment: it damps nothing",
-                    digits(value, 4),
-                    digits(value / critical, 2)
-                );
-                let remedy = format!(
-                    "a share of the critical damping is written as -{}",
-                    digits(value, 4)
-                );
-                AuditFinding::new(Topic::Setting, subject, what, remedy)
-                    .figure(value, critical, "N s")
-            }
-            Damping::Ratio(ratio) if ratio > OVERDAMPED => {
-                let what = format!(
-                    "-{} is {} times the critical damping of a segment, {}",
-                    digits(ratio, 6),
-                    digits(ratio, 6),
-                    si(ratio * critical, "N s")
-                );
-                let remedy =
-                    "write a coefficient in N s without sign, or a share between -0.1 and -1";
-                AuditFinding::new(Topic::Setting, subject, what, remedy).figure(
-                    ratio * critical,
-                    critical,
-                    "N s",
-                )
-            }
-            Damping::Coefficient(value) if value > OVERDAMPED * critical => {
-                let what = format!(
-                    "internal damping of {} is {} times the critical damping of a segment",
-                    si(value, "N s"),
-                    digits(value / critical, 3)
-                );
-                let remedy = format!(
-                    "{} is critical; it also limits the time step",
-                    si(critical, "N s")
-                );
-                AuditFinding::new(Topic::Setting, subject, what, remedy)
-                    .figure(value, critical, "N s")
-            }
-            _ => continue,
-        };
-        findings.push(finding.at(&of.damping.span));
+        let finding = damping_of_type(of, critical);
+        findings.extend(finding.map(|finding| finding.at(&of.damping.span)));
+    }
+}
+
+/// What is wrong with the internal damping of a line type, by the critical damping of its shortest segment \[N s\].
+fn damping_of_type(of: &MooringLineType, critical: f64) -> Option<AuditFinding> {
+    let subject = format!("line type {}", of.name);
+    match of.damping.value {
+        Damping::Coefficient(value)
+            if value > 0.0 && value <= RATIO_LIKE && value / critical < UNDAMPED =>
+        {
+            let what = format!(
+                "internal damping of {} N s is {} of the critical damping of a segment: it damps nothing",
+                digits(value, 4),
+                digits(value / critical, 2)
+            );
+            let remedy = format!(
+                "a share of the critical damping is written as -{}",
+                digits(value, 4)
+            );
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(value, critical, "N s"))
+        }
+        Damping::Ratio(ratio) if ratio > OVERDAMPED => {
+            let what = format!(
+                "-{} is {} times the critical damping of a segment, {}",
+                digits(ratio, 6),
+                digits(ratio, 6),
+                si(ratio * critical, "N s")
+            );
+            let remedy = "write a coefficient in N s without sign, or a share between -0.1 and -1";
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(ratio * critical, critical, "N s"))
+        }
+        Damping::Coefficient(value) if value > OVERDAMPED * critical => {
+            let what = format!(
+                "internal damping of {} is {} times the critical damping of a segment",
+                si(value, "N s"),
+                digits(value / critical, 3)
+            );
+            let remedy = format!(
+                "{} is critical; it also limits the time step",
+                si(critical, "N s")
+            );
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(value, critical, "N s"))
+        }
+        _ => None,
     }
 }
 

@@ -107,29 +107,22 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
     let growth = growth(scheme, &modes, step);
     let longest = scheme.longest_step(&mode);
     let axial = axial(mooring, model, scheme, step);
-    let spans = [given, mooring.setting("cfl"), setting];
-    let span = spans
-        .into_iter()
-        .flatten()
-        .next()
-        .map(|one| one.span.clone());
-    let mut found = Vec::new();
-    if growth > GROWTH {
-        found.push(unstable(
+    let settings = given.or_else(|| mooring.setting("cfl")).or(setting);
+    let span = settings.map(|one| one.span.clone());
+    let too_long = axial.as_ref().filter(|axial| axial.2 > PERIOD);
+    let found = match growth > GROWTH {
+        true => Some(unstable(
             scheme,
             step,
             given.is_some(),
             (longest, &mode, &modes),
-        ));
-    } else if let Some(axial) = &axial
-        && axial.2 > PERIOD
-    {
-        found.push(inaccurate(scheme, step, axial, &modes));
-    }
-    for mut one in found {
-        one.span.clone_from(&span);
-        audit.findings.push(one);
-    }
+        )),
+        false => too_long.map(|axial| inaccurate(scheme, step, axial, &modes)),
+    };
+    audit.findings.extend(found.map(|mut one| {
+        one.span = span;
+        one
+    }));
     audit.step = Some(StepAudit {
         scheme: scheme.name(),
         step,

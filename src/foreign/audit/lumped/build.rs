@@ -152,19 +152,8 @@ fn add_line(
     let Mass::InAir(mass) = of.mass.value else {
         return Err("its mass is given in water".to_owned());
     };
-    let elasticity = match &of.stiffness.value {
-        Stiffness::Constant(ea) => SegmentElasticity::Constant(*ea),
-        Stiffness::Viscoelastic { slow, .. } => {
-            model.creeps = true;
-            SegmentElasticity::Constant(*slow)
-        }
-        Stiffness::Table(rows) => {
-            let mut rows = rows.clone();
-            rows.retain(|row| row[0] > 0.0);
-            SegmentElasticity::Table(rows)
-        }
-        Stiffness::Syrope(_) => return Err("a Syrope rope depends on its past".to_owned()),
-    };
+    let elasticity = elasticity(&of.stiffness.value)?;
+    model.creeps |= matches!(of.stiffness.value, Stiffness::Viscoelastic { .. });
     let damping = match of.damping.value {
         Damping::Coefficient(damping) => damping,
         // Of the critical damping of a segment in air, as MoorDyn takes it.
@@ -184,21 +173,13 @@ fn add_line(
     all.push(ends[1]);
     let number = model.lines.len();
     if of.bending.value > 0.0 {
-        model.bends.extend(all.windows(3).map(|nodes| Bend {
-            nodes: [nodes[0], nodes[1], nodes[2]],
-            ei: of.bending.value,
-            line: number,
-            length: segment,
-        }));
-        for (end, at) in line.ends.iter().enumerate() {
-            clamp(
-                model,
-                mooring,
-                at.value,
-                (&all, end),
-                (of.bending.value, number, segment),
-            );
-        }
+        bend(
+            model,
+            mooring,
+            line,
+            &all,
+            (of.bending.value, number, segment),
+        );
     }
     model.lines.push(ModelLine {
         nodes: all,
@@ -211,6 +192,45 @@ fn add_line(
         added_mass: [of.added_mass_normal.value, of.added_mass_tangential.value],
     });
     Ok(())
+}
+
+/// Adds the bending stiffness of a line over its nodes, and its clamps.
+fn bend(
+    model: &mut LumpedModel,
+    mooring: &Mooring,
+    line: &MooringLine,
+    nodes: &[usize],
+    (ei, number, segment): (f64, usize, f64),
+) {
+    model.bends.extend(nodes.windows(3).map(|nodes| Bend {
+        nodes: [nodes[0], nodes[1], nodes[2]],
+        ei,
+        line: number,
+        length: segment,
+    }));
+    for (end, at) in line.ends.iter().enumerate() {
+        clamp(
+            model,
+            mooring,
+            at.value,
+            (nodes, end),
+            (ei, number, segment),
+        );
+    }
+}
+
+/// The tension of segments by their strain.
+fn elasticity(stiffness: &Stiffness) -> Result<SegmentElasticity, String> {
+    match stiffness {
+        Stiffness::Constant(ea) => Ok(SegmentElasticity::Constant(*ea)),
+        Stiffness::Viscoelastic { slow, .. } => Ok(SegmentElasticity::Constant(*slow)),
+        Stiffness::Table(rows) => {
+            let mut rows = rows.clone();
+            rows.retain(|row| row[0] > 0.0);
+            Ok(SegmentElasticity::Table(rows))
+        }
+        Stiffness::Syrope(_) => Err("a Syrope rope depends on its past".to_owned()),
+    }
 }
 
 /// A line that bends and ends at a rod goes on in the direction of the rod, but for joints that turn: a node close behind its end holds it.

@@ -68,29 +68,7 @@ pub fn read_into(
         true => cable_dyn::assembled(mooring, &sections, &files, &mut faults),
         false => assembled(mooring, &sections, &files, &mut faults),
     };
-    for (section, needed) in [
-        (
-            SectionTitle::Points,
-            mooring.rods.is_empty() && mooring.bodies.is_empty(),
-        ),
-        (
-            SectionTitle::Lines,
-            mooring.rods.is_empty() && mooring.bodies.is_empty(),
-        ),
-        (
-            SectionTitle::LineTypes,
-            sections.block(SectionTitle::Lines).is_some(),
-        ),
-    ] {
-        if needed && sections.block(section).is_none() {
-            faults.push(Fault::new(
-                0..0,
-                section.title(),
-                format!("there is no section {}", section.title()),
-                "a mooring has LINE TYPES, POINTS and LINES",
-            ));
-        }
-    }
+    faults.extend(missing_sections(&mooring, &sections));
     if sections
         .block(SectionTitle::Outputs)
         .is_some_and(|block| !block.rows.is_empty())
@@ -98,14 +76,7 @@ pub fn read_into(
         mooring.passed_over.push("OUTPUTS".to_owned());
     }
     if faults.is_empty() && mooring.lines.is_empty() && !has_bodies(&mooring) {
-        faults.push(Fault::new(
-            sections
-                .block(SectionTitle::Lines)
-                .map_or(0..0, |block| block.span.clone()),
-            "LINES",
-            "the file has no lines, and no body or rod that is free, pinned or coupled",
-            "add a line: nothing in the file moves or comes to an equilibrium",
-        ));
+        faults.push(nothing_moves(&sections));
     }
     if faults.is_empty() {
         return Ok(mooring);
@@ -114,6 +85,40 @@ pub fn read_into(
     faults.sort_by_key(|fault| fault.span.start);
     faults.dedup();
     Err(faults)
+}
+
+/// Sections that a file needs and does not have.
+fn missing_sections(mooring: &Mooring, sections: &Sections<'_>) -> Vec<Fault> {
+    let has_lines_alone = mooring.rods.is_empty() && mooring.bodies.is_empty();
+    let has_lines = sections.block(SectionTitle::Lines).is_some();
+    let needed = [
+        (SectionTitle::Points, has_lines_alone),
+        (SectionTitle::Lines, has_lines_alone),
+        (SectionTitle::LineTypes, has_lines),
+    ];
+    let missing = needed
+        .into_iter()
+        .filter(|(section, needed)| *needed && sections.block(*section).is_none());
+    let fault = |(section, _): (SectionTitle, bool)| {
+        Fault::new(
+            0..0,
+            section.title(),
+            format!("there is no section {}", section.title()),
+            "a mooring has LINE TYPES, POINTS and LINES",
+        )
+    };
+    missing.map(fault).collect()
+}
+
+/// The fault of a file without lines in which nothing moves.
+fn nothing_moves(sections: &Sections<'_>) -> Fault {
+    let block = sections.block(SectionTitle::Lines);
+    Fault::new(
+        block.map_or(0..0, |block| block.span.clone()),
+        "LINES",
+        "the file has no lines, and no body or rod that is free, pinned or coupled",
+        "add a line: nothing in the file moves or comes to an equilibrium",
+    )
 }
 
 /// Whether a body, or a rod with a length, moves or comes to an equilibrium.

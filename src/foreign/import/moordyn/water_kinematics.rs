@@ -71,17 +71,7 @@ pub fn read(
     match current.and_then(|word| word.number()) {
         Some(0.0) => {}
         Some(1.0) => {
-            let table = table(&rows, line);
-            let Some((first, _)) = table.first() else {
-                let problem = "no row of numbers follows CurrentMod";
-                return Err(wrong(line, problem, "write rows z, x-current, y-current"));
-            };
-            let sign = sign(&table, depths_too).ok_or_else(|| {
-                let problem = "a height z is above the water";
-                let remedy = "give heights from still water up, 0 or below: -20 at a depth of 20 m";
-                wrong(*first, problem, remedy)
-            })?;
-            found.current = Some(profile(name, &table, sign));
+            found.current = Some(steady_current((&rows, line), name, depths_too, wrong)?);
         }
         Some(2.0) => put("currents", "the current of the host (CurrentMod 2)"),
         _ => {
@@ -95,6 +85,26 @@ pub fn read(
         ));
     }
     Ok(found)
+}
+
+/// The current of the table behind a line; `wrong` makes a fault of a line, a problem and its remedy.
+fn steady_current(
+    (rows, line): (&[Row<'_>], usize),
+    name: &str,
+    depths_too: bool,
+    wrong: impl Fn(usize, &str, &str) -> Fault,
+) -> Result<MooringCurrent, Fault> {
+    let table = table(rows, line);
+    let Some((first, _)) = table.first() else {
+        let problem = "no row of numbers follows CurrentMod";
+        return Err(wrong(line, problem, "write rows z, x-current, y-current"));
+    };
+    let sign = sign(&table, depths_too).ok_or_else(|| {
+        let problem = "a height z is above the water";
+        let remedy = "give heights from still water up, 0 or below: -20 at a depth of 20 m";
+        wrong(*first, problem, remedy)
+    })?;
+    Ok(profile(name, &table, sign))
 }
 
 /// The line, from 0, and the first word of the row that names a value; else those of the line where the form has it.

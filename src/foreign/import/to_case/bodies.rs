@@ -255,6 +255,12 @@ fn water(
             );
         }
     }
+    drag_and_waterplane(case, body, points);
+    loads(case, context, body);
+}
+
+/// Drag areas along the axes, and the stiffness of the waterplane.
+fn drag_and_waterplane(case: &mut CaseText<'_>, body: &MooringBody, points: &[&MooringPoint]) {
     let of_points: f64 = points.iter().map(|point| point.drag_area.value).sum();
     let area = body.drag_area.value;
     let along = [0, 1, 2].map(|axis| area[axis] + of_points);
@@ -272,7 +278,6 @@ fn water(
         let span = &body.waterplane.span;
         case.given("waterplane_stiffness", &six, span, "C33 C44 C55");
     }
-    loads(case, context, body);
 }
 
 /// Loads at the origin of a body, and its damping.

@@ -68,16 +68,9 @@ fn included(
     faults: &mut Vec<Fault>,
 ) -> Option<Fairleads> {
     let at = node.span();
-    let word = Word {
-        text: name,
-        start: at.start,
-    };
-    let text = match (Files { folder }).text(word, path) {
+    let text = match text_of_platform(name, &at, path, folder) {
         Ok(text) => text,
-        Err(mut fault) => {
-            fault.span = at;
-            fault.remedy =
-                "put it there: it has the place of the fairleads (rFair, zFair)".to_owned();
+        Err(fault) => {
             faults.push(fault);
             return None;
         }
@@ -121,6 +114,25 @@ fn included(
     let read = of_platform(&platform, Some(&at), &mut inside);
     faults.extend(inside.into_iter().map(outside));
     read
+}
+
+/// The text of the file of a platform that is named at a place.
+fn text_of_platform(
+    name: &str,
+    at: &Range<usize>,
+    path: &str,
+    folder: &Path,
+) -> Result<String, Fault> {
+    let word = Word {
+        text: name,
+        start: at.start,
+    };
+    let text = (Files { folder }).text(word, path);
+    text.map_err(|fault| Fault {
+        span: at.clone(),
+        remedy: "put it there: it has the place of the fairleads (rFair, zFair)".to_owned(),
+        ..fault
+    })
 }
 
 /// A fault of an included file where that is named, with its row there in the words.

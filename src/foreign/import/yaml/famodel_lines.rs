@@ -179,6 +179,18 @@ fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<M
     })
 }
 
+/// What the sections of a configuration are.
+const PIECES: &str = "each is `- connectorType: NAME`, or `- type: NAME` with a `length`";
+
+/// A fault where a configuration is given by half.
+fn refuse_half(row: &Mapping<'_>, faults: &mut Vec<Fault>) {
+    let symmetric = row.get("symmetric");
+    if let Some(symmetric) = symmetric.filter(|node| node.text() != Some("False")) {
+        let problem = "configurations that are given by half (symmetric) are not read";
+        faults.push(row.fault(&symmetric, "symmetric", problem, "write out all sections"));
+    }
+}
+
 /// A configuration: connectors and sections in turn, from the anchor on.
 fn config(
     row: &Mapping<'_>,
@@ -186,16 +198,9 @@ fn config(
     connectors: &[String],
     faults: &mut Vec<Fault>,
 ) -> Option<LineConfig> {
-    const REMEDY: &str = "each is `- connectorType: NAME`, or `- type: NAME` with a `length`";
     let span = row.positive("span", faults);
-    if let Some(symmetric) = row
-        .get("symmetric")
-        .filter(|node| node.text() != Some("False"))
-    {
-        let problem = "configurations that are given by half (symmetric) are not read";
-        faults.push(row.fault(&symmetric, "symmetric", problem, "write out all sections"));
-    }
-    let list = row.required("sections", REMEDY, faults)?;
+    refuse_half(row, faults);
+    let list = row.required("sections", PIECES, faults)?;
     let items = list.items().unwrap_or_default();
     let mut sections: Vec<LinePiece> = Vec::new();
     let mut is_valid = true;
@@ -206,7 +211,7 @@ fn config(
             continue;
         };
         if item.get("connectorType").is_some() {
-            let name = item.word("connectorType", REMEDY, faults)?;
+            let name = item.word("connectorType", PIECES, faults)?;
             let key = item.key("connectorType");
             let connector = find(
                 &name,
@@ -228,7 +233,7 @@ fn config(
             is_valid = false;
             let problem = "this is neither a connector nor a section of a line type";
             let span = item.node.span();
-            faults.push(Fault::new(span, item.path.clone(), problem, REMEDY));
+            faults.push(Fault::new(span, item.path.clone(), problem, PIECES));
         }
     }
     if sections.is_empty() && is_valid {
