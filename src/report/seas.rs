@@ -169,11 +169,6 @@ impl SeasView<'_> {
             })
             .collect();
         let probabilities = rows.iter().any(|row| row.sea.probability.is_some());
-        let missing: usize = self.results.without.iter().sum();
-        let methods = rows
-            .iter()
-            .filter_map(|row| Some(row.loads?.greatest.method.name()));
-        let methods: BTreeSet<&str> = methods.collect();
         let of = |row: &SeaRow<'_>, read: &dyn Fn(&PlaceLoads) -> String| {
             row.loads
                 .map_or_else(Cell::none, |loads| Cell::plain(read(loads)))
@@ -187,16 +182,6 @@ impl SeasView<'_> {
         let head = match is_random || by_spectrum {
             true => format!("greatest of {hours} h"),
             false => "greatest".to_owned(),
-        };
-        let note = match is_random {
-            _ if by_spectrum => format!(
-                "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
-            ),
-            true => format!(
-                "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {}: Gumbel's law takes the extremes of the runs over all their steps, the others the peaks of the rows. All places stand in seas.csv.",
-                methods.into_iter().collect::<Vec<_>>().join(" and ")
-            ),
-            false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),
         };
         Table::of_records("Tension by sea", &rows)
             .count("sea", |row| row.number + 1)
@@ -227,13 +212,40 @@ impl SeasView<'_> {
                 })
             })
             .build()
-            .noted([note])
-            .noted((missing > 0).then(|| match self.statistics.until_settled {
-                true => format!(
-                    "{missing} load cases were not needed or have no results. Looks after 5, 10, 20, ... seeds of a sea; their intervals hold at all looks together."
-                ),
-                false => format!("{missing} load cases have no results and are left out."),
-            }))
+            .noted([self.values_by_sea(&rows, is_random)])
+            .noted(self.missing_load_cases())
+    }
+
+    /// How many load cases have no results, if any.
+    fn missing_load_cases(&self) -> Option<String> {
+        let missing: usize = self.results.without.iter().sum();
+        (missing > 0).then(|| match self.statistics.until_settled {
+            true => format!(
+                "{missing} load cases were not needed or have no results. Looks after 5, 10, 20, ... seeds of a sea; their intervals hold at all looks together."
+            ),
+            false => format!("{missing} load cases have no results and are left out."),
+        })
+    }
+
+    /// What the values of the table of seas are.
+    fn values_by_sea(&self, rows: &[SeaRow<'_>], is_random: bool) -> String {
+        let hours = self.statistics.hours;
+        match is_random {
+            _ if self.is_by_spectrum() => format!(
+                "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
+            ),
+            true => {
+                let methods = rows
+                    .iter()
+                    .filter_map(|row| Some(row.loads?.greatest.method.name()));
+                let methods: BTreeSet<&str> = methods.collect();
+                format!(
+                    "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {}: Gumbel's law takes the extremes of the runs over all their steps, the others the peaks of the rows. All places stand in seas.csv.",
+                    methods.into_iter().collect::<Vec<_>>().join(" and ")
+                )
+            }
+            false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),
+        }
     }
 
     /// Life by each check of fatigue, place by place.

@@ -97,6 +97,24 @@ struct Timing {
     escape: Duration,
 }
 
+impl Timing {
+    const fn of_link(is_slow: bool) -> Self {
+        if is_slow {
+            Self {
+                answer: Duration::from_millis(100),
+                frame: Duration::from_millis(250),
+                escape: Duration::from_millis(400),
+            }
+        } else {
+            Self {
+                answer: Duration::ZERO,
+                frame: Duration::from_millis(100),
+                escape: Duration::from_millis(80),
+            }
+        }
+    }
+}
+
 /// Opens the workbench, and returns when the user quits.
 ///
 /// Ends the process itself, with the terminal restored, on SIGTERM, SIGHUP, a hang-up and a panic.
@@ -106,12 +124,8 @@ struct Timing {
 pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
-    let place = std::path::absolute(
-        options
-            .path
-            .as_ref()
-            .map_or(Path::new("."), |_| dir.as_path()),
-    )?;
+    let named = options.path.as_ref();
+    let place = std::path::absolute(named.map_or(Path::new("."), |_| dir.as_path()))?;
     let mut earlier = file::recall(&place);
     if options.fresh || options.tutorial {
         earlier.screen = None;
@@ -127,24 +141,9 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     }
     let mut effects = EffectRunner::new(dir)?;
     guard_panics(effects.outbox());
-    // What solvers share their work with goes behind the screen as they do; a pool that exists already stays as it is.
-    let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
-    drop(pool.build_global());
+    lower_priority_of_pool();
     let signals = Signals::register()?;
     let mut screen = Screen::enter(capabilities::synchronizes(&var))?;
-    let pace = if options.slow_link {
-        Timing {
-            answer: Duration::from_millis(100),
-            frame: Duration::from_millis(250),
-            escape: Duration::from_millis(400),
-        }
-    } else {
-        Timing {
-            answer: Duration::ZERO,
-            frame: Duration::from_millis(100),
-            escape: Duration::from_millis(80),
-        }
-    };
     let mut state = AppState::new(screen.size()?, capabilities);
     let flag = options.glyphs;
     let keeps_screen = options.keep_screen || settings.config.keep_screen;
@@ -162,7 +161,7 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         screen: &mut screen,
         signals,
         effects: &mut effects,
-        pace,
+        pace: Timing::of_link(options.slow_link),
         capabilities,
         typed: VecDeque::new(),
         awaited: None,
@@ -180,6 +179,12 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         Some(text) => Ok(io::stdout().write_all(text.as_bytes())?),
         None => Ok(()),
     }
+}
+
+/// What solvers share their work with goes behind the screen as they do; a pool that exists already stays as it is.
+fn lower_priority_of_pool() {
+    let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
+    drop(pool.build_global());
 }
 
 /// Lets jobs be processes that outlive the program, where there is a place to keep them.

@@ -210,6 +210,36 @@ impl EffectRunner {
                 let processes = self.processes.as_ref();
                 processes.map_or_else(Vec::new, |processes| processes.perform(effect))
             }
+            Effect::MakePart(request) => match request.key.part {
+                ScreenPart::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
+                _ => self.tables.perform(move || vec![make_part(*request)]),
+            },
+            Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
+            Effect::Watch(path) => {
+                self.watch.watch(path);
+                Vec::new()
+            }
+            Effect::Sweep(effect) => self.sweeps.perform(effect),
+            Effect::ListRuns { files, results } => self
+                .runs
+                .ask(IndexQuestion::List { files, results }, &self.out),
+            Effect::RefreshRuns => self.runs.ask(IndexQuestion::Refresh, &self.out),
+            Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
+            Effect::KeepScreen(directory, memory) => self.memory.perform(move || {
+                let kept = file::keep_screen(&directory, &memory);
+                warning(kept, "The state of the screen cannot be kept")
+            }),
+            Effect::KeepSession(session) => self.memory.perform(move || {
+                let kept = file::keep_session(&session);
+                warning(kept, "The lines of commands cannot be kept")
+            }),
+            effect => self.compute(effect),
+        }
+    }
+
+    /// Effects that compute something behind the screen, each on a thread of its own.
+    fn compute(&self, effect: Effect) -> Vec<Msg> {
+        match effect {
             Effect::FindModes { case, text } => self.aside(move || {
                 let found = modes::of_case(&case, COUNT);
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
@@ -219,11 +249,6 @@ impl EffectRunner {
                 let computed = catch_unwind(AssertUnwindSafe(|| ship.computed()));
                 Msg::ShipComputed(ship.stop, computed.ok().flatten())
             }),
-            Effect::MakePart(request) => match request.key.part {
-                ScreenPart::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
-                _ => self.tables.perform(move || vec![make_part(*request)]),
-            },
-            Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
             Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 Msg::RunRead(dir, run)
@@ -231,17 +256,9 @@ impl EffectRunner {
             Effect::Plan { case, text, file } => {
                 self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
             }
-            Effect::Watch(path) => {
-                self.watch.watch(path);
-                Vec::new()
-            }
-            Effect::Sweep(effect) => self.sweeps.perform(effect),
             Effect::Vary(path, variation) => {
                 self.aside(move || Msg::Varied(Box::new(VariedRuns::new(path, &variation))))
             }
-            Effect::ListRuns { files, results } => self
-                .runs
-                .ask(IndexQuestion::List { files, results }, &self.out),
             Effect::Compare {
                 runs,
                 width,
@@ -249,17 +266,7 @@ impl EffectRunner {
                 name,
             } => self.aside(move || Msg::Page(name, pages::compare(runs, width, glyphs), false)),
             Effect::Study(request, cancel) => self.study(*request, cancel),
-            Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
             Effect::MakeReport(request) => self.aside(move || make_report(*request)),
-            Effect::KeepScreen(directory, memory) => self.memory.perform(move || {
-                let kept = file::keep_screen(&directory, &memory);
-                warning(kept, "The state of the screen cannot be kept")
-            }),
-            Effect::KeepSession(session) => self.memory.perform(move || {
-                let kept = file::keep_session(&session);
-                warning(kept, "The lines of commands cannot be kept")
-            }),
-            Effect::RefreshRuns => self.runs.ask(IndexQuestion::Refresh, &self.out),
             effect => self.files(effect),
         }
     }

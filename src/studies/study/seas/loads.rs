@@ -63,24 +63,14 @@ pub(super) fn loads_at(
         return None;
     }
     let records: Vec<ChannelRecord> = found.iter().map(|(_, record)| record.clone()).collect();
-    let all: Vec<f64> = records
-        .iter()
-        .flat_map(|record| record.values.iter().copied())
-        .collect();
-    let moments = Statistics::of_values(&all);
+    let moments = moments(&records);
     // What never changes has no sample.
     let is_random = is_random && moments.max > moments.min;
-    let numerical = |of: Statistic| {
-        let errors = found
-            .iter()
-            .filter_map(|(run, _)| run.numerical(series, place, of));
-        errors.reduce(f64::max)
+    let numerical = |of: Statistic| numerical_error(&found, (series, place), of);
+    let sample = match is_random {
+        true => interval_of_mean(&records, moments.mean),
+        false => None,
     };
-    let mean = pooled_mean(&records).ok().filter(|_| is_random);
-    let sample = mean.map(|mean| {
-        let error = NORMAL_95 * mean.error.max(mean.batch_error);
-        [moments.mean - error, moments.mean + error]
-    });
     let extreme = |sign: f64, of: Statistic| {
         let Seen {
             value: seen,
@@ -116,6 +106,31 @@ pub(super) fn loads_at(
         least: extreme(-1.0, Statistic::Min)?,
         duration: records.iter().map(ChannelRecord::duration).sum(),
     })
+}
+
+/// The greatest numerical error of a statistic in the runs.
+fn numerical_error(
+    found: &[(&SeaRunRecord, ChannelRecord)],
+    (series, place): (RecordedSeries, &str),
+    of: Statistic,
+) -> Option<f64> {
+    let errors = found
+        .iter()
+        .filter_map(|(run, _)| run.numerical(series, place, of));
+    errors.reduce(f64::max)
+}
+
+/// Statistics of the values of all records.
+fn moments(records: &[ChannelRecord]) -> Statistics {
+    let values = records.iter().flat_map(|record| &record.values).copied();
+    Statistics::of_values(&values.collect::<Vec<f64>>())
+}
+
+/// The interval of the sample about a mean; nothing where the records are too short for it.
+fn interval_of_mean(records: &[ChannelRecord], mean: f64) -> Option<[f64; 2]> {
+    let pooled = pooled_mean(records).ok()?;
+    let error = NORMAL_95 * pooled.error.max(pooled.batch_error);
+    Some([mean - error, mean + error])
 }
 
 /// The most extreme value of all runs.
