@@ -166,7 +166,7 @@ impl<'a> ParameterResolution<'a> {
         let value = value.map_err(|found| not_finite(text.unwrap_or_default(), &found));
         match value.and_then(|value| as_data(&field(), value)) {
             Ok(TomlData::Float(value)) => {
-                self.progress[begun.parameter] = ParameterProgress::Known(value)
+                self.progress[begun.parameter] = ParameterProgress::Known(value);
             }
             Ok(_) => self.progress[begun.parameter] = ParameterProgress::Faulty,
             Err(fault) => self.report(begun.parameter, fault),

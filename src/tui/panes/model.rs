@@ -171,7 +171,7 @@ fn scene(painter: &mut Painter, area: Rect) {
                 if let Some(base) = &view.chart {
                     painter.chart(&section.view.chart(base), area);
                 }
-            })
+            });
         }
         _ => painter.part(area, ScreenPart::Drawing, |painter, view| {
             match &view.chart {

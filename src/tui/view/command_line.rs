@@ -26,11 +26,11 @@ impl Painter<'_> {
             let selected = i == line.cursor;
             match &found[i] {
                 CompletionCandidate::Command(command) => {
-                    painter.command_line(at, command, selected)
+                    painter.command_line(at, command, selected);
                 }
                 CompletionCandidate::Word(word) => painter.word_line(at, word, selected),
                 CompletionCandidate::Argument(argument) => {
-                    painter.argument_line(at, argument, selected)
+                    painter.argument_line(at, argument, selected);
                 }
             }
         });

@@ -45,7 +45,7 @@ fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<NumberRow>, Dia
         match numbers {
             Some(numbers) if numbers.is_empty() => {}
             Some(numbers) if columns.contains(&numbers.len()) => {
-                rows.push(NumberRow { numbers, span })
+                rows.push(NumberRow { numbers, span });
             }
             None if number == 0 => {}
             other => {
