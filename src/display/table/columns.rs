@@ -4,7 +4,7 @@
 //! use seacable_display::table::{NumberFormat, Table};
 //!
 //! let joints = [("vessel|chain", 3.94e6, Some(0.41)), ("wire|payload", 1.9e6, None)];
-//! let table = Table::of("Joints", &joints)
+//! let table = Table::of_records("Joints", &joints)
 //!     .text("joint", |joint| joint.0)
 //!     .number("tension", NumberFormat::Si("N"), |joint| joint.1)
 //!     .number("of breaking load", NumberFormat::Percent, |joint| joint.2)
