@@ -19,7 +19,7 @@ use std::time::{Duration, Instant};
 
 use pty::{Pty, Start, wait_until};
 use seacable::jobs::client::Connection;
-use seacable::jobs::{JobFolder, JobState};
+use seacable::jobs::{JobFolder, JobFolderState};
 use small::SMALL;
 
 /// Runs inside the program, and as processes.
@@ -110,7 +110,9 @@ fn end(screen: Pty) {
     let dir = screen.kill();
     for folder in folders(&dir) {
         folder.remove().unwrap();
-        wait_until("the job has ended", || folder.state() != JobState::Held);
+        wait_until("the job has ended", || {
+            folder.state() != JobFolderState::Held
+        });
     }
 }
 
@@ -186,5 +188,7 @@ fn bytes() {
         );
     }
     folder.remove().unwrap();
-    wait_until("the job has ended", || folder.state() != JobState::Held);
+    wait_until("the job has ended", || {
+        folder.state() != JobFolderState::Held
+    });
 }

@@ -12,7 +12,7 @@ use std::hint::black_box;
 
 use rustix::time::{ClockId, clock_gettime};
 use seacable::extremes::convergence::MeanEstimate;
-use seacable::extremes::greatest::{PeakSample, Question};
+use seacable::extremes::greatest::{GreatestQuestion, PeakSample};
 use seacable::extremes::moments::mean_crossing_rate;
 use seacable::extremes::spectrum::welch;
 use seacable::extremes::threshold::{ThresholdChoice, ThresholdSearch};
@@ -40,13 +40,13 @@ fn main() {
     row(
         "moments",
         each(&|values| {
-            black_box(Statistics::of(values));
+            black_box(Statistics::of_values(values));
             black_box(mean_crossing_rate(values, STEP)).unwrap();
         }),
     );
     row(
         "mean with its error",
-        each(&|values| drop(black_box(MeanEstimate::of(values)))),
+        each(&|values| drop(black_box(MeanEstimate::of_record(values)))),
     );
     row(
         "spectrum",
@@ -124,8 +124,8 @@ fn peaks(values: &[f64]) -> PeakSample {
     PeakSample::global_maxima(values, STEP).unwrap()
 }
 
-fn question(statistic: Statistic, method: IntervalMethod) -> Question {
-    Question {
+fn question(statistic: Statistic, method: IntervalMethod) -> GreatestQuestion {
+    GreatestQuestion {
         statistic,
         hours: 3.0,
         level: 0.95,

@@ -106,7 +106,7 @@
 //! Error of a step: in position `|beta - 1/6| h² |a1 - a0|` (Zienkiewicz and Xie 1991), in velocity by the second difference of
 //! a. The [step control](crate::dynamics::step_control) halves and doubles h; output times change no step. Its numerical
 //! damping and period elongation follow from the amplification matrix
-//! ([`NumericalDamping::of`](crate::dynamics::numerical_damping::NumericalDamping::of)).
+//! ([`NumericalDamping::of_oscillator`](crate::dynamics::numerical_damping::NumericalDamping::of_oscillator)).
 //!
 //! # Quasi-static march
 //!
@@ -151,7 +151,7 @@
 //! # Modes
 //!
 //! `K x = omega² M x` at rest, without drag, by shift-invert block Lanczos ([`lowest`](crate::modes::lowest)); none is missing by
-//! the count of negative pivots of `K - mu M` ([`Pencil::count_below`](crate::modes::Pencil::count_below)). WKB theory:
+//! the count of negative pivots of `K - mu M` ([`Pencil::count_below`](crate::modes::ModePencil::count_below)). WKB theory:
 //! `EI k⁴ + T k² = m omega²`, `(2 EI k³ + T k) a² = const` ([`modes::wave_number`](crate::modes::wave_number)).
 //!
 //! # Energy balance

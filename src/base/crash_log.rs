@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use crate::VERSION;
 use crate::clock::{now, rfc3339};
-use crate::files::{Target, disk, read};
+use crate::files::{WriteTarget, disk, read};
 use crate::places::state_dir;
 
 /// The last fault.
@@ -46,7 +46,7 @@ fn write(text: &str) -> io::Result<()> {
     if let Some(dir) = path.parent() {
         disk::create_dir_all(dir)?;
     }
-    Ok(Target::replacing(&path).write(text.as_bytes())?)
+    Ok(WriteTarget::replacing(&path).write(text.as_bytes())?)
 }
 
 /// The last fault, if any is known.

@@ -23,7 +23,7 @@ use std::io;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
-use self::disk::Beside;
+use self::disk::TemporaryFile;
 use self::strays::Hidden;
 
 /// What may happen to a file that exists at the target.
@@ -82,7 +82,7 @@ impl From<WriteError> for io::Error {
 
 /// A file to write.
 #[derive(Debug, Clone, Copy)]
-pub struct Target<'a> {
+pub struct WriteTarget<'a> {
     /// Where it goes.
     pub path: &'a Path,
     /// Files that the same command reads.
@@ -91,7 +91,7 @@ pub struct Target<'a> {
     pub existing: Existing<'a>,
 }
 
-impl<'a> Target<'a> {
+impl<'a> WriteTarget<'a> {
     /// A file that must not exist yet.
     #[must_use]
     pub fn new(path: &'a Path) -> Self {
@@ -178,7 +178,8 @@ impl<'a> Target<'a> {
         let directory = directory_of(self.path);
         strays::remove(directory, &[]);
         let prefix = strays::prefix(self.path.file_name().unwrap_or_default());
-        let mut beside = Beside::create(directory, &prefix, Hidden::File.suffix(), permissions)?;
+        let mut beside =
+            TemporaryFile::create(directory, &prefix, Hidden::File.suffix(), permissions)?;
         beside.fill(contents)?;
         beside.take_name(self.path, self.existing != Existing::Keep)?;
         disk::sync_directory(directory);
@@ -241,7 +242,7 @@ mod tests {
     fn a_new_file_is_written_with_the_usual_permissions() {
         let (dir, _) = place();
         let file = dir.path().join("new.txt");
-        Target::new(&file).write(b"new").unwrap();
+        WriteTarget::new(&file).write(b"new").unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "new");
         let plain = dir.path().join("plain.txt");
         File::create(&plain).unwrap();
@@ -254,12 +255,12 @@ mod tests {
     fn an_existing_file_is_replaced_only_where_allowed() {
         let (dir, file) = place();
         assert!(matches!(
-            Target::new(&file).write(b"new"),
+            WriteTarget::new(&file).write(b"new"),
             Err(WriteError::Exists(_))
         ));
         assert_eq!(fs::read_to_string(&file).unwrap(), "old");
         fs::set_permissions(&file, Permissions::from_mode(0o640)).unwrap();
-        Target::replacing(&file).write(b"new").unwrap();
+        WriteTarget::replacing(&file).write(b"new").unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "new");
         assert_eq!(file.metadata().unwrap().permissions().mode() & 0o777, 0o640);
         assert_eq!(names(&dir), ["old.txt"]);
@@ -272,9 +273,9 @@ mod tests {
         fs::hard_link(&file, &link).unwrap();
         let inputs = [file.clone()];
         for path in [&file, &link, &dir.path().join("./old.txt")] {
-            let target = Target {
+            let target = WriteTarget {
                 inputs: &inputs,
-                ..Target::replacing(path)
+                ..WriteTarget::replacing(path)
             };
             assert!(matches!(target.check(), Err(WriteError::IsInput(_))));
             assert!(matches!(target.write(b"new"), Err(WriteError::IsInput(_))));
@@ -288,7 +289,7 @@ mod tests {
         for (name, to) in [("link.txt", "old.txt"), ("dangling.txt", "absent.txt")] {
             let link = dir.path().join(name);
             std::os::unix::fs::symlink(to, &link).unwrap();
-            for target in [Target::new(&link), Target::replacing(&link)] {
+            for target in [WriteTarget::new(&link), WriteTarget::replacing(&link)] {
                 assert!(matches!(target.write(b"new"), Err(WriteError::IsLink(_))));
             }
         }
@@ -301,7 +302,7 @@ mod tests {
         let (dir, _) = place();
         for path in [dir.path(), Path::new("/dev/full")] {
             assert!(matches!(
-                Target::replacing(path).write(b"new"),
+                WriteTarget::replacing(path).write(b"new"),
                 Err(WriteError::NotRegular(_))
             ));
         }
@@ -310,14 +311,14 @@ mod tests {
     #[test]
     fn a_file_that_is_read_only_or_has_changed_is_kept() {
         let (dir, file) = place();
-        let target = Target {
+        let target = WriteTarget {
             existing: Existing::ReplaceIfUnchanged("other"),
-            ..Target::new(&file)
+            ..WriteTarget::new(&file)
         };
         assert!(matches!(target.write(b"new"), Err(WriteError::Changed(_))));
         fs::set_permissions(&file, Permissions::from_mode(0o444)).unwrap();
         assert!(matches!(
-            Target::replacing(&file).write(b"new"),
+            WriteTarget::replacing(&file).write(b"new"),
             Err(WriteError::ReadOnly(_))
         ));
         assert_eq!(fs::read_to_string(&file).unwrap(), "old");
@@ -328,13 +329,13 @@ mod tests {
     fn a_failure_leaves_no_temporary_file() {
         let (dir, file) = place();
         let absent = dir.path().join("absent/new.txt");
-        assert!(Target::new(&absent).check().is_err());
+        assert!(WriteTarget::new(&absent).check().is_err());
         assert!(matches!(
-            Target::new(&absent).write(b"new"),
+            WriteTarget::new(&absent).write(b"new"),
             Err(WriteError::Io { .. })
         ));
         let too_long = dir.path().join("x".repeat(300));
-        assert!(Target::new(&too_long).write(b"new").is_err());
+        assert!(WriteTarget::new(&too_long).write(b"new").is_err());
         assert_eq!(fs::read_to_string(&file).unwrap(), "old");
         assert_eq!(names(&dir), ["old.txt"]);
     }

@@ -28,7 +28,7 @@ pub struct Scale {
 impl Scale {
     /// The scale at which a number of this magnitude is shown.
     #[must_use]
-    pub fn of(magnitude: f64, unit: &str) -> Self {
+    pub fn of_magnitude(magnitude: f64, unit: &str) -> Self {
         let size = magnitude.abs();
         let prefixed = PREFIXED.contains(&unit);
         if prefixed && (1e3..1e15).contains(&size) {
@@ -90,7 +90,7 @@ pub fn with_error(value: f64, error: Option<f64>, unit: &str) -> String {
     let Some(error) = error.filter(|e| e.is_finite() && *e >= 0.0) else {
         return format!("{} (error not estimated)", si(value, unit));
     };
-    let scale = Scale::of(value.abs().max(error), unit);
+    let scale = Scale::of_magnitude(value.abs().max(error), unit);
     let (value, error) = (value / scale.factor, error / scale.factor);
     let decimals = supported_decimals(value, error);
     let unit = scale_unit(scale, unit);
@@ -108,7 +108,7 @@ pub fn coarse(value: f64, unit: &str) -> String {
     if !value.is_finite() {
         return "not available".to_owned();
     }
-    let scale = Scale::of(value, unit);
+    let scale = Scale::of_magnitude(value, unit);
     format!(
         "~{}{}{}",
         digits(value / scale.factor, 3),
@@ -123,7 +123,7 @@ pub fn range(least: f64, greatest: f64, unit: &str) -> String {
     if !least.is_finite() || !greatest.is_finite() {
         return "not available".to_owned();
     }
-    let scale = Scale::of(least.abs().max(greatest.abs()), unit);
+    let scale = Scale::of_magnitude(least.abs().max(greatest.abs()), unit);
     let [least, greatest] = [least, greatest].map(|end| end / scale.factor);
     let decimals = supported_decimals(greatest, 0.5 * (greatest - least));
     let (power, unit) = (scale.power(), scale_unit(scale, unit));
@@ -140,7 +140,7 @@ pub fn si(value: f64, unit: &str) -> String {
     if !value.is_finite() {
         return "not available".to_owned();
     }
-    let scale = Scale::of(value, unit);
+    let scale = Scale::of_magnitude(value, unit);
     let value = value / scale.factor;
     format!(
         "{}{}{}",

@@ -48,7 +48,7 @@ const BODY: &str = "[seal.body]\nsha256 = \"";
 
 impl Digest {
     /// That of some bytes.
-    pub fn of(bytes: &[u8]) -> Self {
+    pub fn of_bytes(bytes: &[u8]) -> Self {
         let mut digest = Self::default();
         digest.update(bytes);
         digest
@@ -96,7 +96,7 @@ impl SealedPart {
 
     /// Whether a text is it.
     pub fn is(&self, text: &str) -> bool {
-        Digest::of(text.as_bytes()).part() == *self
+        Digest::of_bytes(text.as_bytes()).part() == *self
     }
 }
 
@@ -113,7 +113,7 @@ pub fn sealed(checkpoint: &str, seal: Seal) -> Result<String, toml::ser::Error> 
 
 /// The table with the digest of all before it.
 fn tail(before: &str) -> String {
-    format!("{BODY}{}\"\n", Digest::of(before.as_bytes()).text())
+    format!("{BODY}{}\"\n", Digest::of_bytes(before.as_bytes()).text())
 }
 
 /// What a checkpoint holds, and its seal.
@@ -165,7 +165,7 @@ mod tests {
     use super::*;
 
     fn seal() -> Seal {
-        let part = |text: &str| Digest::of(text.as_bytes()).part();
+        let part = |text: &str| Digest::of_bytes(text.as_bytes()).part();
         Seal {
             case: part("case"),
             history: part("abc"),
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn the_digest_is_that_of_the_standard() {
         // FIPS 180-2, appendix B.1.
-        let mut digest = Digest::of(b"a");
+        let mut digest = Digest::of_bytes(b"a");
         digest.update(b"bc");
         let abc = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";
         assert_eq!(digest.part().sha256, abc);

@@ -8,7 +8,7 @@ use super::{CommandError, about_args::BindingsArgs, output};
 use seacable_base::visible;
 use seacable_model::case::render_all;
 use seacable_tui::bindings::listing::{self, ListedCommand};
-use seacable_tui::settings::{Settings, keys_file};
+use seacable_tui::settings::{UserSettings, keys_file};
 
 /// Exit status of a file of keys with faults.
 const FAULTS: u8 = 1;
@@ -18,7 +18,7 @@ pub(super) fn bindings(args: &BindingsArgs) -> Result<ExitCode, CommandError> {
         output::results(&listing::default_file(), args.ascii)?;
         return Ok(ExitCode::SUCCESS);
     }
-    let settings = Settings::load();
+    let settings = UserSettings::load();
     let listed = wanted(args, listing::commands(&settings.keys))?;
     if args.json {
         output::object(&object(&listed))?;

@@ -4,7 +4,7 @@ use seacable_base::visible;
 use std::path::{Path, PathBuf};
 
 use super::CommandError;
-use seacable_base::files::{root, walk::Search};
+use seacable_base::files::{root, walk::FileSearch};
 use seacable_foreign::import::ImportOptions;
 use seacable_foreign::open::OpenedFile;
 use seacable_model::case::{
@@ -157,7 +157,7 @@ impl<'w, K: FileKind> EditedFile<'w, K> {
         words: &'w [String],
         options: &ImportOptions,
     ) -> Result<Self, CommandError> {
-        let opened = OpenedFile::of::<K>(file, options).map_err(CommandError::Invalid)?;
+        let opened = OpenedFile::of_bytes::<K>(file, options).map_err(CommandError::Invalid)?;
         Self::of_opened(opened, edits(words)?)
     }
 
@@ -395,7 +395,7 @@ fn below(paths: &[PathBuf]) -> Result<ValidationFiles, CommandError> {
 
 /// The case files below a directory; those of stored runs are none.
 fn files_below(dir: &Path) -> Result<Vec<PathBuf>, CommandError> {
-    let search = Search {
+    let search = FileSearch {
         extension: "toml",
         except_with: store::RUN,
         depth: DEPTH,

@@ -23,7 +23,7 @@ pub(super) fn compare(args: &CompareArgs) -> Result<ExitCode, CommandError> {
     }
     let runs = args.runs.iter().map(|dir| store::read(dir));
     let runs: Vec<Run> = runs.collect::<Result<_, _>>()?;
-    let compared = Comparison::of(&runs.iter().collect::<Vec<&Run>>());
+    let compared = Comparison::of_runs(&runs.iter().collect::<Vec<&Run>>());
     let csv = comparison::csv(&compared).map_err(io::Error::other);
     let csv = csv.map_err(CommandError::Output)?;
     if let Some(file) = &file {

@@ -43,7 +43,7 @@ pub(super) fn effects(args: &EffectsArgs) -> Result<ExitCode, CommandError> {
     let mut tables: Vec<Table> = Vec::new();
     let mut csv = Table::default();
     for id in &ids {
-        let Some(view) = TornadoView::of(&found, id) else {
+        let Some(view) = TornadoView::of_result(&found, id) else {
             let what = format!("--result: the run of the case does not have `{id}`.");
             return Err(CommandError::Usage(what));
         };

@@ -86,7 +86,8 @@ fn text_of(path: &Path, options: &ImportOptions) -> Result<String, CommandError>
     let unreadable =
         |error| CommandError::Usage(format!("Reading {} failed: {error}", visible::path(path)));
     let file = FileBytes::read(path).readable().map_err(unreadable)?;
-    let opened = OpenedFile::of::<SystemFile>(file, options).map_err(CommandError::Invalid)?;
+    let opened =
+        OpenedFile::of_bytes::<SystemFile>(file, options).map_err(CommandError::Invalid)?;
     if !opened.is_foreign() {
         let what = format!(
             "{} is not a file of MoorDyn, MoorPy, MAP++ or CableDyn, which have rows of dashes between their tables, nor a design in YAML, nor a case of a line.",

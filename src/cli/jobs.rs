@@ -12,7 +12,8 @@ use seacable_base::visible;
 use seacable_display::table::{Cell, Column, Table};
 use seacable_jobs::list::JobEntry;
 use seacable_jobs::{
-    JobPhase, JobRequest, JobState, JobsDir, Launcher, Submission, client, identity, survival,
+    JobFolderState, JobPhase, JobRequest, JobSubmission, JobsDir, Launcher, client, identity,
+    survival,
 };
 use seacable_report::text::WIDTH;
 
@@ -84,7 +85,8 @@ pub(super) fn detach(
     let info = request.initial_info();
     let stem = request.file().trim_end_matches(".toml");
     let name = format!("{stem}, {}", info.settings.method);
-    let mut submission = Submission::of_run(request, &name, case).map_err(CommandError::Usage)?;
+    let mut submission =
+        JobSubmission::of_run(request, &name, case).map_err(CommandError::Usage)?;
     submission.spec.out = out.map(Path::to_owned);
     let submitted = Launcher::default().submit(&open()?, &submission);
     let folder = submitted
@@ -144,7 +146,9 @@ fn begin(jobs: &JobsDir) -> Result<ExitCode, CommandError> {
 /// Whether a job of this host waits where no process is left to begin it.
 fn is_stranded(entries: &[JobEntry]) -> bool {
     let mut here = entries.iter().filter(|entry| entry.host.is_none());
-    let is_alive = here.clone().any(|entry| entry.state == JobState::Held);
+    let is_alive = here
+        .clone()
+        .any(|entry| entry.state == JobFolderState::Held);
     // A process takes a moment to take its job.
     let is_old = |entry: &JobEntry| {
         let made = entry
@@ -154,7 +158,7 @@ fn is_stranded(entries: &[JobEntry]) -> bool {
             .and_then(|found| found.modified());
         made.is_ok_and(|made| made.elapsed().is_ok_and(|age| age > STARTING))
     };
-    !is_alive && here.any(|entry| entry.state == JobState::NotBegun && is_old(entry))
+    !is_alive && here.any(|entry| entry.state == JobFolderState::NotBegun && is_old(entry))
 }
 
 fn table(entries: &[JobEntry]) -> Table {
@@ -224,7 +228,7 @@ fn wait(jobs: &JobsDir, number: u64, shows: bool) -> Result<ExitCode, CommandErr
     // A queue whose processes were all killed goes on.
     let _ = Launcher::default().begin_waiting(jobs);
     let mut line = ProgressLine::new();
-    while matches!(entry.state, JobState::Held | JobState::NotBegun) {
+    while matches!(entry.state, JobFolderState::Held | JobFolderState::NotBegun) {
         if !entry.folder.exists() {
             return Err(CommandError::Usage(format!(
                 "Job {number} has ended, and a screen has shown it; `seacable` lists its run."

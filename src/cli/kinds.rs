@@ -49,7 +49,7 @@ pub(super) fn validation(
         FileType::Ship => {
             let (text, statics) = &cases::set_and_compute::<Ship>(text, set, path)?;
             let folder = path.parent().unwrap_or(Path::new(""));
-            let motion = MotionAnalysis::of(statics, folder);
+            let motion = MotionAnalysis::of_statics(statics, folder);
             let mut rows = ship::validation::rows(&statics.ship, motion.as_ref());
             let (_, edited) = kind::edited_rows::<Ship>(text, before);
             reference::set_edited_aside(&mut rows, &edited);

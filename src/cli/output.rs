@@ -11,7 +11,7 @@ use std::{
 };
 
 use super::{BAD_INPUT, CommandError, inputs};
-use seacable_base::files::{Existing, Target, WriteError};
+use seacable_base::files::{Existing, WriteError, WriteTarget};
 use seacable_base::visible;
 use seacable_display::{chart::Glyphs, plain};
 use seacable_runs::run::store;
@@ -106,8 +106,8 @@ impl<'a> OutputFile<'a> {
         })
     }
 
-    fn target(&self) -> Target<'_> {
-        Target {
+    fn target(&self) -> WriteTarget<'_> {
+        WriteTarget {
             path: self.path,
             inputs: &self.inputs,
             existing: if self.force {

@@ -34,7 +34,7 @@ pub(super) fn report(args: &ReportArgs) -> Result<ExitCode, CommandError> {
     let mut inputs: Vec<PathBuf> = vec![args.dir.clone()];
     inputs.extend(args.against.iter().chain(&args.study).cloned());
     let file = OutputFile::check(args.output.as_deref(), args.force, &inputs)?;
-    let order = Order {
+    let order = ReportOrder {
         format: format(args)?,
         // A file is the same whatever the terminal shows.
         glyphs: match (&file, args.ascii) {
@@ -83,13 +83,13 @@ fn format(args: &ReportArgs) -> Result<ReportFormat, CommandError> {
 }
 
 /// How a report is written.
-struct Order {
+struct ReportOrder {
     format: ReportFormat,
     glyphs: Glyphs,
     studies: Vec<StudyTable>,
 }
 
-impl Order {
+impl ReportOrder {
     fn written(&self, subject: &ReportSubject<'_>) -> Result<String, CommandError> {
         let written = subject.write(self.format, self.glyphs, &self.studies);
         written.map_err(CommandError::Invalid)
@@ -136,7 +136,7 @@ fn no_other_run(args: &ReportArgs) -> Result<(), CommandError> {
 }
 
 /// The report of a stored run.
-fn of_run(args: &ReportArgs, order: &Order) -> Result<String, CommandError> {
+fn of_run(args: &ReportArgs, order: &ReportOrder) -> Result<String, CommandError> {
     let run = store::read(&args.dir)?;
     let other = args.against.as_deref().map(store::read).transpose()?;
     order.written(&ReportSubject::Run(RunSubject {
@@ -148,7 +148,7 @@ fn of_run(args: &ReportArgs, order: &Order) -> Result<String, CommandError> {
 }
 
 /// The report of a sweep from its stored runs.
-fn of_sweep(dir: &Path, order: &Order) -> Result<String, CommandError> {
+fn of_sweep(dir: &Path, order: &ReportOrder) -> Result<String, CommandError> {
     let failed = |error: &dyn std::fmt::Display| CommandError::Usage(error.to_string());
     let (folder, stored) = SweepFolder::open_part(dir).map_err(|error| failed(&error))?;
     if stored.info.window.is_some() {
@@ -170,7 +170,7 @@ fn of_sweep(dir: &Path, order: &Order) -> Result<String, CommandError> {
 }
 
 /// The report of a file that is computed without a run.
-fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
+fn of_file_at_rest(path: &Path, order: &ReportOrder) -> Result<String, CommandError> {
     let file = FileBytes::read(path);
     match file.kind() {
         FileType::Line => Err(runs_first(path)),
@@ -200,7 +200,7 @@ fn of_file_at_rest(path: &Path, order: &Order) -> Result<String, CommandError> {
             if solved.file.in_time().is_some() {
                 return Err(runs_first(path));
             }
-            let analyses = Analyses::of(&solved);
+            let analyses = Analyses::of_system(&solved);
             let rows = validation::rows(&solved, None);
             order.written(&ReportSubject::System(&solved, &analyses, &rows, &fields))
         }

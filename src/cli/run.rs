@@ -20,7 +20,7 @@ use seacable_runs::run::{
     Run, RunInfo, RunState,
     job::{self, JobEvent, Request},
     resume_request,
-    store::{self, Recorder, RunLocation},
+    store::{self, RunLocation, StoringRecorder},
 };
 use seacable_studies::study::seas::SeaQuestion;
 use serde_json::json;
@@ -33,7 +33,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
         return system::system(args, file, &stop);
     }
     if let Some(dir) = &args.resume
-        && FileType::of(&dir.join(store::CASE)) == FileType::System
+        && FileType::of_path(&dir.join(store::CASE)) == FileType::System
     {
         return system::resume(args, dir, &stop);
     }
@@ -54,7 +54,7 @@ pub(super) fn run(args: &RunArgs) -> Result<ExitCode, CommandError> {
     let stored = stored(args, &info, &text, &stop, &mut |cancel, events| {
         job::execute_from(&request, from.as_ref(), cancel, events)
     })?;
-    let StoredRun { run, dir } = stored;
+    let RunWithFolder { run, dir } = stored;
     let found = verdict::of_run(&question, &run, &dir);
     let found = found.as_ref();
     if args.json {
@@ -111,7 +111,7 @@ fn request(args: &RunArgs, file: FileBytes) -> Result<Request, CommandError> {
 }
 
 /// A run, and the directory that holds it.
-pub(super) struct StoredRun {
+pub(super) struct RunWithFolder {
     pub(super) run: Run,
     pub(super) dir: PathBuf,
 }
@@ -127,12 +127,12 @@ pub(super) fn stored(
     case_text: &str,
     stop: &StopFlag,
     compute: Compute<'_>,
-) -> Result<StoredRun, CommandError> {
+) -> Result<RunWithFolder, CommandError> {
     let place = match &args.out {
         Some(dir) => RunLocation::Exactly(dir.clone()),
         None => RunLocation::Below(store::DEFAULT_ROOT.into()),
     };
-    let mut recorder = Recorder::begin(&place, info.clone(), case_text)?;
+    let mut recorder = StoringRecorder::begin(&place, info.clone(), case_text)?;
     if let Some(dir) = &args.resume {
         strays::remove(dir, &[]);
     }
@@ -153,7 +153,7 @@ pub(super) fn stored(
     });
     drop(line);
     let dir = recorder.finish(&mut run, stop.status().is_some())?;
-    Ok(StoredRun { run, dir })
+    Ok(RunWithFolder { run, dir })
 }
 
 /// Greatest number of warnings that are printed.

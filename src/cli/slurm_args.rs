@@ -1,6 +1,6 @@
 //! The arguments by which a sweep is computed on a cluster.
 
-use seacable_studies::study::sweep::Part;
+use seacable_studies::study::sweep::SweepPart;
 use seacable_studies::study::sweep::slurm::check_option;
 
 #[derive(Debug, clap::Args)]
@@ -20,7 +20,7 @@ pub(super) struct SlurmArgs {
 
     /// Compute only these load cases, as the tasks of an array do: store their runs, and write no results.
     #[arg(long, value_name = "A..B", requires = "resume")]
-    pub(super) part: Option<Part>,
+    pub(super) part: Option<SweepPart>,
 }
 
 fn at_least_one(word: &str) -> Result<usize, String> {

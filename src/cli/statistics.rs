@@ -15,7 +15,7 @@ use seacable_numerics::statistics::Statistics as Moments;
 use seacable_report::record_statistics::{ChannelView, FatigueView, fatigue, greatest, moments};
 use seacable_runs::run::Quantity;
 use seacable_runs::run::store::{ChannelRows, channel_rows, read_results};
-use seacable_statistics::fatigue::component::Component;
+use seacable_statistics::fatigue::component::FatigueComponent;
 use seacable_statistics::fatigue::curve_file::read_curve;
 use seacable_statistics::fatigue::curve_library::{PUBLISHED, published};
 use seacable_studies::study::record_statistics::{
@@ -116,7 +116,7 @@ pub(super) fn statistics(args: &StatisticsArgs) -> Result<ExitCode, CommandError
         level: args.level,
     };
     let views = records.into_par_iter().filter_map(|(id, records)| {
-        let statistics = RecordStatistics::of(&records, question)?;
+        let statistics = RecordStatistics::of_records(&records, question)?;
         let errors = [Statistic::Max, Statistic::Min].map(|of| numerical(&summaries, &id, of));
         let fatigue = component
             .as_ref()
@@ -178,7 +178,7 @@ fn records(args: &StatisticsArgs) -> Result<(Vec<Records>, Vec<Vec<Quantity>>), 
 /// Adds the records of a run.
 fn add(records: &mut Vec<Records>, rows: &ChannelRows) -> Result<(), String> {
     for (id, values) in rows.ids.iter().zip(&rows.values) {
-        let record = ChannelRecord::of(&rows.time, values).ok_or_else(|| {
+        let record = ChannelRecord::of_history(&rows.time, values).ok_or_else(|| {
             let rows = rows.time.len();
             format!("its history has {rows} rows from there on, too few or at uneven times")
         })?;
@@ -204,7 +204,7 @@ fn numerical(summaries: &[Vec<Quantity>], id: &ChannelId, of: Statistic) -> Opti
 }
 
 /// The component of a published curve or of a file.
-fn component(args: &StatisticsArgs, name: &str) -> Result<Component, CommandError> {
+fn component(args: &StatisticsArgs, name: &str) -> Result<FatigueComponent, CommandError> {
     let wrong =
         |why: String| CommandError::Usage(format!("--fatigue {}: {why}.", visible::text(name)));
     if let Some(curve) = published(name) {
@@ -229,7 +229,7 @@ fn component(args: &StatisticsArgs, name: &str) -> Result<Component, CommandErro
 
 fn fatigue_of(
     records: &[ChannelRecord],
-    component: &Component,
+    component: &FatigueComponent,
     errors: [Option<f64>; 2],
 ) -> Result<FatigueView, String> {
     let found = record_statistics::fatigue(records, component);
@@ -246,7 +246,7 @@ fn fatigue_of(
 
 /// The published curves.
 fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
-    let table = Table::of("Published curves", &PUBLISHED)
+    let table = Table::of_records("Published curves", &PUBLISHED)
         .text("curve", |curve| curve.id)
         .text("of", |curve| curve.title)
         .cell("m", Align::Decimal, |curve| {
@@ -264,13 +264,13 @@ fn listed(args: &StatisticsArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// A figure with its name.
-type Figure<T> = (&'static str, fn(&T) -> f64);
+type NamedFigure<T> = (&'static str, fn(&T) -> f64);
 /// One that may be missing.
 type PossibleFigure<T> = (&'static str, fn(&T) -> Option<f64>);
 
 /// A row for each channel, with every digit.
 fn csv(views: &[ChannelView]) -> Table {
-    let table = Table::of("", views)
+    let table = Table::of_records("", views)
         .text("channel", |row| row.id.to_string())
         .text("unit", |row| row.id.quantity.unit());
     with_fatigue(with_greatest(with_moments(table))).build()
@@ -282,7 +282,7 @@ fn number(value: Option<f64>) -> Cell {
 
 /// Moments, in the unit of the channel where they have one.
 fn with_moments(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
-    let moments: [Figure<Moments>; 7] = [
+    let moments: [NamedFigure<Moments>; 7] = [
         ("mean", |s| s.mean),
         ("deviation", |s| s.deviation),
         ("skewness", |s| s.skewness),
@@ -308,7 +308,7 @@ fn with_moments(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView>
 
 /// Greatest values with the ends of their intervals, in the unit of the channel.
 fn with_greatest(mut table: Columns<'_, ChannelView>) -> Columns<'_, ChannelView> {
-    let figures: [Figure<GreatestValue>; 6] = [
+    let figures: [NamedFigure<GreatestValue>; 6] = [
         ("most probable", |g| g.most_probable.estimate),
         ("most probable, low", |g| g.most_probable.low),
         ("most probable, high", |g| g.most_probable.high),

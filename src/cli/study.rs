@@ -21,7 +21,7 @@ use seacable_studies::study::{
     hard_cases::{self, HardCase, TrialRun},
     speed::{
         self, SpeedError,
-        at_rest::{self, AtRest},
+        at_rest::{self, SceneAtRest},
     },
     tally,
     timed::Timed,
@@ -122,7 +122,7 @@ fn speed_of_scene<C: Timed>(
 }
 
 /// Closed form and segments of a scene at rest, and what is recommended for each accuracy.
-fn speed_at_rest<S: AtRest>(
+fn speed_at_rest<S: SceneAtRest>(
     args: &SpeedArgs,
     file: Option<&OutputFile<'_>>,
     name: &str,

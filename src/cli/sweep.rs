@@ -11,13 +11,13 @@ use super::{
     sweep_args::SweepArgs,
     sweep_compute::compute,
     sweep_part,
-    sweep_plan::{Opened, planned, resumed},
+    sweep_plan::{OpenedSweep, planned, resumed},
     sweep_quick,
-    sweep_slurm::{self, Watched},
+    sweep_slurm::{self, WatchEnd},
     sweep_window,
 };
 use seacable_base::visible;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::sweep::{SweepPage, SweepReport};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_studies::study::sweep::{
@@ -80,8 +80,8 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
     }
     let outcomes = if args.slurm.slurm {
         match sweep_slurm::compute(args, &sweep, &folder, &stop)? {
-            Watched::Gathered(outcomes) => outcomes,
-            Watched::Left(status) => return Ok(status),
+            WatchEnd::Gathered(outcomes) => outcomes,
+            WatchEnd::Left(status) => return Ok(status),
         }
     } else {
         slurm_refusals::refuse_while_queued(&sweep, &folder)?;
@@ -143,7 +143,7 @@ fn told(
         return Ok(status);
     }
     let worst = report.seas.and_then(|seas| seas.worst());
-    let passes = worst.is_none_or(|worst| worst == Verdict::Passes);
+    let passes = worst.is_none_or(|worst| worst == UtilisationVerdict::Passes);
     Ok(match report.view.is_complete() && passes {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),
@@ -183,7 +183,7 @@ fn show(
 }
 
 /// A new sweep in its folder.
-fn begun(args: &SweepArgs) -> Result<Opened, CommandError> {
+fn begun(args: &SweepArgs) -> Result<OpenedSweep, CommandError> {
     let SweepPlan { sweep, question } = planned(args)?;
     let (variation, results) = (&sweep.variation, &sweep.results);
     slurm_refusals::check(args, results)?;

@@ -7,10 +7,10 @@ use super::{
     sweep_compute::pool, sweep_plan::resumed,
 };
 use seacable_base::visible;
-use seacable_studies::study::sweep::{Part, PartDone, SweepFolder, SweepResults};
+use seacable_studies::study::sweep::{PartDone, SweepFolder, SweepPart, SweepResults};
 
 /// Computes the part and prints one line.
-pub(super) fn compute(args: &SweepArgs, part: Part) -> Result<ExitCode, CommandError> {
+pub(super) fn compute(args: &SweepArgs, part: SweepPart) -> Result<ExitCode, CommandError> {
     let stop = StopFlag::listen()?;
     // Where a case is given, clap takes what --part requires for left out on purpose.
     let dir = args.resume.as_deref().ok_or_else(|| {
@@ -41,7 +41,7 @@ pub(super) fn compute(args: &SweepArgs, part: Part) -> Result<ExitCode, CommandE
 }
 
 /// What became of the part.
-fn line(part: Part, of: usize, done: &PartDone) -> String {
+fn line(part: SweepPart, of: usize, done: &PartDone) -> String {
     let counts = [
         (done.computed, "computed"),
         (done.stored_before, "stored before"),
@@ -69,7 +69,7 @@ mod tests {
 
     #[test]
     fn the_line_names_what_there_is() {
-        let part = Part { first: 9, last: 12 };
+        let part = SweepPart { first: 9, last: 12 };
         let done = PartDone {
             computed: 3,
             failed: 1,

@@ -19,7 +19,7 @@ use seacable_studies::study::sweep::{
 use seacable_systems::system::SystemFile;
 
 /// A sweep with its folder, what is asked of its seas, and the key whose limiting value is sought.
-pub(super) type Opened = (Sweep, SweepFolder, SeaQuestion, Option<String>);
+pub(super) type OpenedSweep = (Sweep, SweepFolder, SeaQuestion, Option<String>);
 
 /// The load cases of a file and of the options.
 pub(super) fn planned(args: &SweepArgs) -> Result<SweepPlan, CommandError> {
@@ -85,7 +85,7 @@ fn choices<'a>(args: &'a SweepArgs, csv: &'a [(String, String)]) -> PlanChoices<
 /// A sweep that was stopped, as its folder has it.
 pub(super) fn resumed(
     opened: Result<(SweepFolder, StoredSweep), SweepError>,
-) -> Result<Opened, CommandError> {
+) -> Result<OpenedSweep, CommandError> {
     let (folder, stored) = opened.map_err(|error| CommandError::Usage(error.to_string()))?;
     let window = stored.info.window.clone();
     let SweepPlan { sweep, question } = SweepPlan::of_stored(stored).map_err(refused)?;

@@ -13,10 +13,10 @@ use super::{
     sweep_compute::{pool, words},
 };
 use seacable_base::visible;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::quick_look::QuickView;
 use seacable_studies::study::points::PointOutcome;
-use seacable_studies::study::seas::{Difference, QuickSeas, StoredRun, look_at_seas};
+use seacable_studies::study::seas::{Difference, QuickSeas, StoredLoadCase, look_at_seas};
 use seacable_studies::study::sweep::{SweepFolder, SweepPlan, SweepProgress, SweepResults};
 
 /// What has no quick looks.
@@ -50,7 +50,7 @@ pub(super) fn quick(
         };
         look_at_seas(&sweep.variation, question, stop.cancel(), &told)
     });
-    let found = QuickSeas::of(&sweep.variation, &looks, question);
+    let found = QuickSeas::of_looks(&sweep.variation, &looks, question);
     let sampled = found.sampled(usize::from(args.sampled.unwrap_or(0)));
     let runs = match sampled.is_empty() || stop.status().is_some() {
         true => SampledRuns::default(),
@@ -79,7 +79,7 @@ pub(super) fn quick(
         return Ok(status);
     }
     let passes = view.seas().worst();
-    let passes = passes.is_none_or(|worst| worst == Verdict::Passes);
+    let passes = passes.is_none_or(|worst| worst == UtilisationVerdict::Passes);
     Ok(match passes && found.without.is_empty() {
         true => ExitCode::SUCCESS,
         false => ExitCode::from(BAD_RESULT),
@@ -117,14 +117,14 @@ fn in_time(
         };
         sweep.compute_some(Some(&folder), &wanted, stop.cancel(), &told)
     });
-    let mut runs: Vec<Option<StoredRun>> = vec![None; sweep.variation.points.len()];
+    let mut runs: Vec<Option<StoredLoadCase>> = vec![None; sweep.variation.points.len()];
     let mut cost_s = 0.0;
     for (index, outcome) in &computed {
         let run = outcome
             .as_ref()
             .and_then(|outcome: &PointOutcome| outcome.as_ref().ok());
         cost_s += run.map_or(0.0, |run| run.info.cost.cpu_s);
-        runs[*index] = outcome.as_ref().and_then(StoredRun::of);
+        runs[*index] = outcome.as_ref().and_then(StoredLoadCase::of_outcome);
     }
     let differences = sampled.iter();
     let differences = differences.flat_map(|sea| found.differences(*sea, &runs, question));

@@ -35,7 +35,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 const NAP: Duration = Duration::from_millis(50);
 
 /// How the watching ended.
-pub(super) enum Watched {
+pub(super) enum WatchEnd {
     /// All load cases have ended.
     Gathered(SweepOutcomes),
     /// A signal ended the watching; the array goes on.
@@ -60,7 +60,7 @@ pub(super) fn compute(
     sweep: &Sweep,
     folder: &SweepFolder,
     stop: &StopFlag,
-) -> Result<Watched, CommandError> {
+) -> Result<WatchEnd, CommandError> {
     if matches!(sweep.results, SweepResults::AtRest(_)) {
         return Err(slurm_refusals::at_rest());
     }
@@ -70,12 +70,12 @@ pub(super) fn compute(
         if submitted > 0
             && let Some(status) = watch.wait()?
         {
-            return Ok(Watched::Left(status));
+            return Ok(WatchEnd::Left(status));
         }
         let first = watch.record.submissions.is_empty();
         let missing = sweep.missing(folder, first).map_err(usage)?;
         if missing.is_empty() {
-            return watch.gather().map(Watched::Gathered);
+            return watch.gather().map(WatchEnd::Gathered);
         }
         if submitted == MOST_SUBMISSIONS {
             let Watch {

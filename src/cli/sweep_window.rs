@@ -95,7 +95,7 @@ fn key(word: &str, text: &str) -> Result<WindowKey, String> {
         _ => VariedKey::parse(word, text),
     };
     let varied = varied.map_err(|error| error.to_string())?;
-    WindowKey::of(&varied).map_err(|error| error.to_string())
+    WindowKey::of_varied_key(&varied).map_err(|error| error.to_string())
 }
 
 fn failed(error: &SweepError) -> CommandError {

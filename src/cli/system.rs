@@ -10,7 +10,7 @@ use super::{
     cases::EditedFile,
     jobs, output,
     progress::ProgressLine,
-    run::{StoredRun, accuracy, case_of, search, status, stored},
+    run::{RunWithFolder, accuracy, case_of, search, status, stored},
     signals::StopFlag,
     verdict,
 };
@@ -66,7 +66,7 @@ pub(super) fn system(
     let solved = &file.computed;
     let analyses = match args.json {
         true => Analyses::of_object(solved),
-        false => Analyses::of(solved),
+        false => Analyses::of_system(solved),
     };
     if let Some(stopped) = stop.status() {
         return Ok(stopped);
@@ -161,7 +161,7 @@ fn stored_run(
     let stored = stored(args, &info, &request.text, stop, &mut |cancel, events| {
         execute_from(request, from, cancel, events)
     })?;
-    let StoredRun { run, dir } = &stored;
+    let RunWithFolder { run, dir } = &stored;
     let found = verdict::of_run(&question, run, dir);
     let found = found.as_ref();
     if args.json {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use super::{BAD_RESULT, CommandError, output};
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::{text::WIDTH, verdict::RunVerdict};
 use seacable_runs::run::{Run, RunState};
 use seacable_studies::study::seas::SeaQuestion;
@@ -28,7 +28,7 @@ pub(crate) fn text(verdict: Option<&RunVerdict>) -> String {
 
 /// The exit status: that of the run, and where that is well, of checks that fail.
 pub(super) fn status(verdict: Option<&RunVerdict>, run: ExitCode) -> ExitCode {
-    let fails = verdict.and_then(RunVerdict::worst) == Some(Verdict::Fails);
+    let fails = verdict.and_then(RunVerdict::worst) == Some(UtilisationVerdict::Fails);
     match fails && run == ExitCode::SUCCESS {
         true => ExitCode::from(BAD_RESULT),
         false => run,

@@ -34,7 +34,7 @@ impl OpenedFile {
     /// # Errors
     ///
     /// A missing file, a directory, a binary file; everything that is wrong with a file of another program, each at its row.
-    pub fn of<K: FileKind>(
+    pub fn of_bytes<K: FileKind>(
         bytes: FileBytes,
         options: &ImportOptions,
     ) -> Result<Self, Vec<Diagnostic>> {
@@ -155,7 +155,7 @@ pub fn load_from<K: FileKind>(
     bytes: FileBytes,
     options: &ImportOptions,
 ) -> Result<LoadedFile<K::Computed>, Vec<Diagnostic>> {
-    let opened = OpenedFile::of::<K>(bytes, options)?;
+    let opened = OpenedFile::of_bytes::<K>(bytes, options)?;
     let read = opened.read::<K>()?;
     let whole_text = read.whole_text();
     let computed = read.compute().map_err(|found| opened.at_its_rows(found))?;

@@ -33,13 +33,13 @@ struct Content {
     channels: Vec<ChannelId>,
     /// Everything recorded, for those who follow later.
     record: DecimatedRecord,
-    followers: BTreeMap<u64, Follower>,
+    followers: BTreeMap<u64, BoardFollower>,
     next: u64,
     has_ended: bool,
 }
 
 #[derive(Debug, Default)]
-struct Follower {
+struct BoardFollower {
     wants_rows: bool,
     channels_due: bool,
     fresh: DecimatedRecord,
@@ -157,7 +157,7 @@ impl Board {
         let mut content = self.content();
         content.next += 1;
         let number = content.next;
-        content.followers.insert(number, Follower::default());
+        content.followers.insert(number, BoardFollower::default());
         number
     }
 

@@ -5,7 +5,7 @@ use std::net::Shutdown;
 use std::os::unix::net::UnixStream;
 use std::time::Duration;
 
-use super::folder::{JobFolder, JobState};
+use super::folder::{JobFolder, JobFolderState};
 use super::protocol::{FromJob, ToJob, line};
 use super::socket;
 use super::status::{JobPhase, JobStatus, VERSION};
@@ -121,16 +121,16 @@ pub fn cancel(folder: &JobFolder) -> Result<(), String> {
             return Ok(());
         }
         match folder.state() {
-            JobState::Ended(status) => {
+            JobFolderState::Ended(status) => {
                 return Err(format!("it is {} already", status.phase.word()));
             }
-            JobState::Killed(_) => return Err("its process has ended already".to_owned()),
+            JobFolderState::Killed(_) => return Err("its process has ended already".to_owned()),
             // It has no socket, or one of another version: the signal says the same.
-            JobState::Held if folder.process().is_some_and(|process| process.terminate()) => {
+            JobFolderState::Held if folder.process().is_some_and(|process| process.terminate()) => {
                 return Ok(());
             }
-            JobState::Held => std::thread::sleep(PAUSE),
-            JobState::NotBegun => {
+            JobFolderState::Held => std::thread::sleep(PAUSE),
+            JobFolderState::NotBegun => {
                 if withdraw(folder).map_err(|error| error.to_string())? {
                     return Ok(());
                 }

@@ -14,7 +14,7 @@ use super::spec::JobSpec;
 use super::status::JobStatus;
 use crate::files::lock::{self, LockFile};
 use crate::files::shallow::shallow;
-use crate::files::{Target, disk, read};
+use crate::files::{WriteTarget, disk, read};
 use crate::strays::Hidden;
 use crate::visible;
 
@@ -40,7 +40,7 @@ struct LockText {
 
 /// How a folder is found.
 #[derive(Debug, Clone, PartialEq)]
-pub enum JobState {
+pub enum JobFolderState {
     /// No process has begun to compute it.
     NotBegun,
     /// A process holds it.
@@ -119,7 +119,7 @@ impl JobFolder {
     pub(super) fn write_status(&self, status: &JobStatus) -> io::Result<()> {
         let text = toml::to_string(status).map_err(io::Error::other)?;
         let text = visible::toml(&text);
-        Ok(Target::replacing(&self.path.join(STATUS)).write(text.as_bytes())?)
+        Ok(WriteTarget::replacing(&self.path.join(STATUS)).write(text.as_bytes())?)
     }
 
     /// Takes the job for this process; nothing where another has it.
@@ -173,17 +173,17 @@ impl JobFolder {
 
     /// How it is found, on this host.
     #[must_use]
-    pub fn state(&self) -> JobState {
+    pub fn state(&self) -> JobFolderState {
         if self.is_held() {
-            return JobState::Held;
+            return JobFolderState::Held;
         }
         // Read after the lock was found free: what the process said last is there then.
         match self.status() {
-            None => JobState::NotBegun,
-            Some(status) if status.phase.has_ended() => JobState::Ended(status),
+            None => JobFolderState::NotBegun,
+            Some(status) if status.phase.has_ended() => JobFolderState::Ended(status),
             // It waited, or read its case: nothing is lost when another process begins anew.
-            Some(status) if status.results.is_none() => JobState::NotBegun,
-            Some(status) => JobState::Killed(status),
+            Some(status) if status.results.is_none() => JobFolderState::NotBegun,
+            Some(status) => JobFolderState::Killed(status),
         }
     }
 
@@ -230,26 +230,26 @@ mod tests {
     fn a_folder_says_how_its_job_is() {
         let dir = tempfile::tempdir().unwrap();
         let folder = jobs_dir(dir.path()).submit(&submission()).unwrap();
-        assert_eq!(folder.state(), JobState::NotBegun);
+        assert_eq!(folder.state(), JobFolderState::NotBegun);
         let lock = folder.take().unwrap().unwrap();
         assert_eq!(folder.process(), Some(ProcessIdentity::own()));
-        assert_eq!(folder.state(), JobState::Held);
+        assert_eq!(folder.state(), JobFolderState::Held);
         assert!(folder.take().unwrap().is_none());
         folder
             .write_status(&JobStatus::new(JobPhase::Running))
             .unwrap();
-        assert_eq!(folder.state(), JobState::Held);
+        assert_eq!(folder.state(), JobFolderState::Held);
         drop(lock);
-        assert_eq!(folder.state(), JobState::NotBegun);
+        assert_eq!(folder.state(), JobFolderState::NotBegun);
         let running = JobStatus {
             results: Some("runs/small-1".into()),
             ..JobStatus::new(JobPhase::Running)
         };
         folder.write_status(&running).unwrap();
-        assert_eq!(folder.state(), JobState::Killed(running));
+        assert_eq!(folder.state(), JobFolderState::Killed(running));
         let done = JobStatus::new(JobPhase::Done);
         folder.write_status(&done).unwrap();
-        assert_eq!(folder.state(), JobState::Ended(done));
+        assert_eq!(folder.state(), JobFolderState::Ended(done));
     }
 
     #[test]

@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 
 use super::folder::{CASE, FILES, JobFolder, REQUEST};
 use super::identity::host;
-use super::spec::Submission;
+use super::spec::JobSubmission;
 use crate::files::lock::LockFile;
-use crate::files::{Target, disk};
+use crate::files::{WriteTarget, disk};
 use crate::places::state_dir;
 use crate::strays::{self, Hidden};
 use crate::visible;
@@ -107,7 +107,7 @@ impl JobsDir {
     ///
     /// # Errors
     /// The folder cannot be written.
-    pub fn submit(&self, submission: &Submission) -> Result<JobFolder, JobError> {
+    pub fn submit(&self, submission: &JobSubmission) -> Result<JobFolder, JobError> {
         let numbers = self.dir.join(NUMBERS);
         // Numbers are given one by one, so that they are in the order of the requests.
         let mut last = LockFile::wait(&numbers).map_err(JobError::io(&numbers))?;
@@ -213,11 +213,11 @@ pub(super) fn hidden_name(number: u64, hidden: Hidden) -> OsString {
 }
 
 /// Makes the folder of a request, under a hidden name.
-fn fill(hidden: &Path, submission: &Submission) -> Result<(), JobError> {
+fn fill(hidden: &Path, submission: &JobSubmission) -> Result<(), JobError> {
     disk::create_private_dir(hidden).map_err(JobError::io(hidden))?;
     let write = |name: &str, text: &str| {
         let path = hidden.join(name);
-        let written = Target::new(&path).write(text.as_bytes());
+        let written = WriteTarget::new(&path).write(text.as_bytes());
         written.map_err(|error| JobError::io(&path)(error.into()))
     };
     if let Some(text) = &submission.text {
@@ -273,14 +273,14 @@ pub(super) mod tests {
         jobs
     }
 
-    pub(crate) fn submission() -> Submission {
+    pub(crate) fn submission() -> JobSubmission {
         let request = super::super::SweepRequest {
             kind: crate::kinds::FileType::Line,
             text: "[case]\n".to_owned(),
             path: "small.toml".into(),
             overrides: Vec::new(),
         };
-        Submission::of_sweep(&request, "load cases of small.toml").unwrap()
+        JobSubmission::of_sweep(&request, "load cases of small.toml").unwrap()
     }
 
     #[test]

@@ -5,9 +5,9 @@ use std::io;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::folder::{JobFolder, JobState};
+use super::folder::{JobFolder, JobFolderState};
 use super::jobs_dir::JobsDir;
-use super::spec::{JobSpec, Submission};
+use super::spec::{JobSpec, JobSubmission};
 use super::status::{JobPhase, JobStatus};
 use crate::files::disk;
 use crate::visible;
@@ -42,7 +42,11 @@ impl Launcher {
     ///
     /// # Errors
     /// The request cannot be kept, or no process be started for it; nothing is left of it then.
-    pub fn submit(&mut self, jobs: &JobsDir, submission: &Submission) -> Result<JobFolder, String> {
+    pub fn submit(
+        &mut self,
+        jobs: &JobsDir,
+        submission: &JobSubmission,
+    ) -> Result<JobFolder, String> {
         let folder = jobs.submit(submission).map_err(|error| error.to_string())?;
         let refused = match submission.spec.is_sweep() {
             true => self.start(&folder, &submission.spec).err(),
@@ -73,7 +77,7 @@ impl Launcher {
                 in_line += 1;
                 continue;
             }
-            if folder.state() != JobState::NotBegun {
+            if folder.state() != JobFolderState::NotBegun {
                 continue;
             }
             let tries = self.tries.get(&folder.number);

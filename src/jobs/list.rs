@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::de::IgnoredAny;
 
-use super::folder::{JobFolder, JobState};
+use super::folder::{JobFolder, JobFolderState};
 use super::jobs_dir::JobsDir;
 use super::spec::{JobSpec, plain};
 use super::status::{JobPhase, JobStatus};
@@ -25,7 +25,7 @@ pub struct JobEntry {
     /// What it computes, unless that cannot be read.
     pub spec: Result<JobSpec, String>,
     /// How it is found. Of another host it is what its files say.
-    pub state: JobState,
+    pub state: JobFolderState,
     /// What it said last.
     pub status: Option<JobStatus>,
 }
@@ -36,8 +36,8 @@ impl JobEntry {
     pub fn here(folder: JobFolder) -> Self {
         let state = folder.state();
         let status = match &state {
-            JobState::Ended(status) | JobState::Killed(status) => Some(status.clone()),
-            JobState::NotBegun | JobState::Held => folder.status(),
+            JobFolderState::Ended(status) | JobFolderState::Killed(status) => Some(status.clone()),
+            JobFolderState::NotBegun | JobFolderState::Held => folder.status(),
         };
         Self {
             spec: folder.spec().map_err(|error| error.to_string()),
@@ -51,9 +51,9 @@ impl JobEntry {
     fn elsewhere(host: String, folder: JobFolder) -> Self {
         let status = folder.status();
         let state = match &status {
-            Some(status) if status.phase.has_ended() => JobState::Ended(status.clone()),
-            Some(_) => JobState::Held,
-            None => JobState::NotBegun,
+            Some(status) if status.phase.has_ended() => JobFolderState::Ended(status.clone()),
+            Some(_) => JobFolderState::Held,
+            None => JobFolderState::NotBegun,
         };
         Self {
             spec: folder.spec().map_err(|error| error.to_string()),
@@ -90,13 +90,13 @@ impl JobEntry {
     #[must_use]
     pub fn word(&self) -> &'static str {
         match &self.state {
-            JobState::NotBegun => JobPhase::Queued.word(),
-            JobState::Held => {
+            JobFolderState::NotBegun => JobPhase::Queued.word(),
+            JobFolderState::Held => {
                 let phase = self.status.as_ref().map(|status| status.phase);
                 phase.unwrap_or(JobPhase::Queued).word()
             }
-            JobState::Ended(status) => status.phase.word(),
-            JobState::Killed(_) => "killed",
+            JobFolderState::Ended(status) => status.phase.word(),
+            JobFolderState::Killed(_) => "killed",
         }
     }
 
@@ -115,8 +115,8 @@ impl JobEntry {
             return why.clone();
         }
         let words = match (&self.state, &self.status) {
-            (JobState::Killed(_), _) => self.killed_words(),
-            (JobState::Ended(status), _) => status.message.clone().unwrap_or_default(),
+            (JobFolderState::Killed(_), _) => self.killed_words(),
+            (JobFolderState::Ended(status), _) => status.message.clone().unwrap_or_default(),
             (_, Some(status)) => status.progress_words(),
             (_, None) => String::new(),
         };
@@ -149,7 +149,10 @@ impl JobEntry {
     /// Whether it has ended so long ago that nobody looks for it any more.
     #[must_use]
     pub fn is_forgotten(&self) -> bool {
-        let has_ended = matches!(self.state, JobState::Ended(_) | JobState::Killed(_));
+        let has_ended = matches!(
+            self.state,
+            JobFolderState::Ended(_) | JobFolderState::Killed(_)
+        );
         let status = self.status.as_ref();
         self.host.is_none() && has_ended && status.is_some_and(|status| status.age_s() > KEPT_S)
     }

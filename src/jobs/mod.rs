@@ -38,10 +38,10 @@ mod sweep;
 mod turn;
 
 pub use crate::system::motion::job_request::JobRequest;
-pub use folder::{JobFolder, JobState};
+pub use folder::{JobFolder, JobFolderState};
 pub use jobs_dir::{JobError, JobsDir, slot_count};
 pub use launch::Launcher;
-pub use spec::{JobSpec, JobWork, Submission};
+pub use spec::{JobSpec, JobSubmission, JobWork};
 pub use status::{JobPhase, JobStatus};
 pub use sweep::on_all_cores_but_one;
 pub use sweep::{EndedSweep, SweepEvent, SweepRequest, compute_sweep};

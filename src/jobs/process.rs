@@ -15,14 +15,14 @@ use super::folder::JobFolder;
 use super::jobs_dir::JobsDir;
 use super::launch::Launcher;
 use super::server::Server;
-use super::spec::{JobSpec, Work};
+use super::spec::{JobComputation, JobSpec};
 use super::status::{JobPhase, JobStatus, LoadCaseProgress};
 use super::sweep::{SweepEvent, SweepRequest, compute_sweep};
 use super::{socket, turn};
 use crate::background::lower_priority;
 use crate::files::lock::LockFile;
 use crate::grace;
-use crate::run::store::Recorder;
+use crate::run::store::StoringRecorder;
 
 /// How often the status file is written, where nothing but the progress changes.
 const WRITE: Duration = Duration::from_secs(1);
@@ -170,8 +170,8 @@ fn work(folder: &JobFolder, board: &Board, cancel: &AtomicBool) -> JobStatus {
         Ok(Some(_turn)) => {
             board.change(|status| status.phase = JobPhase::Running);
             match spec.work(folder.text()) {
-                Ok(Work::Run(request)) => run(&request, &spec, board, cancel),
-                Ok(Work::Sweep(request)) => sweep(&request, board, cancel),
+                Ok(JobComputation::Run(request)) => run(&request, &spec, board, cancel),
+                Ok(JobComputation::Sweep(request)) => sweep(&request, board, cancel),
                 Err(why) => failed(why),
             }
         }
@@ -198,7 +198,7 @@ fn turn_of(
 
 /// Computes and stores a run, as `seacable run` does.
 fn run(request: &JobRequest, spec: &JobSpec, board: &Board, cancel: &AtomicBool) -> JobStatus {
-    let begun = Recorder::begin(
+    let begun = StoringRecorder::begin(
         &spec.place(),
         request.initial_info(),
         &request.stored_text(),

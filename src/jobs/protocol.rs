@@ -85,19 +85,19 @@ pub enum ToJob {
 impl Rows {
     /// What a record holds.
     #[must_use]
-    pub fn of(record: &DecimatedRecord) -> Self {
+    pub fn of_record(record: &DecimatedRecord) -> Self {
         let history = record.history();
         let values = history.channels.iter();
         Self {
             time: history.time.clone(),
             values: values.map(|c| Values(c.values.clone())).collect(),
-            shapes: record.shapes().iter().map(Shape::of).collect(),
+            shapes: record.shapes().iter().map(Shape::of_line_shape).collect(),
         }
     }
 }
 
 impl Shape {
-    fn of(shape: &LineShape) -> Self {
+    fn of_line_shape(shape: &LineShape) -> Self {
         Self {
             time: shape.time,
             line: shape.line,
@@ -164,7 +164,7 @@ mod tests {
             tension: vec![1e5, 2e5],
             ..LineShape::default()
         }]);
-        let text = line(&FromJob::Rows(Rows::of(&record))).unwrap();
+        let text = line(&FromJob::Rows(Rows::of_record(&record))).unwrap();
         assert!(text.ends_with('\n') && text.lines().count() == 1);
         assert!(text.contains("null"), "{text}");
         let Ok(FromJob::Rows(rows)) = serde_json::from_str(&text) else {

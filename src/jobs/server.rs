@@ -114,7 +114,9 @@ impl Server {
 
 fn messages(news: News) -> Vec<FromJob> {
     let channels = news.channels.map(FromJob::Channels);
-    let rows = news.rows.map(|record| FromJob::Rows(Rows::of(&record)));
+    let rows = news
+        .rows
+        .map(|record| FromJob::Rows(Rows::of_record(&record)));
     let status = news.status.map(|status| match news.has_ended {
         true => FromJob::Ended(status),
         false => FromJob::Status(status),

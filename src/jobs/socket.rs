@@ -23,7 +23,7 @@ struct ShortName {
 }
 
 impl ShortName {
-    fn of(path: &Path) -> io::Result<Self> {
+    fn of_path(path: &Path) -> io::Result<Self> {
         let (Some(dir), Some(name)) = (path.parent(), path.file_name()) else {
             return Err(io::ErrorKind::InvalidInput.into());
         };
@@ -51,7 +51,7 @@ pub(super) fn listen(folder: &JobFolder) -> io::Result<UnixListener> {
     let socket = folder.socket();
     // One of an earlier process of the job.
     let _ = crate::files::disk::remove_file(&socket);
-    UnixListener::bind(ShortName::of(&socket)?.path.as_path())
+    UnixListener::bind(ShortName::of_path(&socket)?.path.as_path())
 }
 
 /// Connects with the process of a job.
@@ -60,7 +60,7 @@ pub(super) fn listen(folder: &JobFolder) -> io::Result<UnixListener> {
 /// Nobody listens, or the folder is not the user's own.
 pub(super) fn connect(folder: &JobFolder) -> io::Result<UnixStream> {
     check_private(&folder.path).map_err(io::Error::other)?;
-    let name = ShortName::of(&folder.socket())?;
+    let name = ShortName::of_path(&folder.socket())?;
     UnixStream::connect(&name.path)
 }
 

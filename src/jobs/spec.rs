@@ -81,7 +81,7 @@ pub struct JobSpec {
 
 /// A request with the text of its case; a resumed run has its own.
 #[derive(Debug, Clone)]
-pub struct Submission {
+pub struct JobSubmission {
     /// The request.
     pub spec: JobSpec,
     /// The text.
@@ -90,14 +90,14 @@ pub struct Submission {
 
 /// What a job computes.
 #[derive(Debug, Clone)]
-pub enum Work {
+pub enum JobComputation {
     /// A run.
     Run(JobRequest),
     /// Load cases.
     Sweep(SweepRequest),
 }
 
-impl Submission {
+impl JobSubmission {
     /// A run that begins or is resumed, of the case in this file.
     ///
     /// # Errors
@@ -202,17 +202,19 @@ impl JobSpec {
     ///
     /// # Errors
     /// The text is not valid or missing, or the run cannot be resumed, in words.
-    pub fn work(&self, text: Option<String>) -> Result<Work, String> {
+    pub fn work(&self, text: Option<String>) -> Result<JobComputation, String> {
         self.roots.clone().adopt();
         let text = || text.ok_or_else(|| "the text of its case is missing".to_owned());
         Ok(match &self.work {
-            JobWork::Resume { run, until } => Work::Run(JobRequest::resumed_until(run, *until)?),
+            JobWork::Resume { run, until } => {
+                JobComputation::Run(JobRequest::resumed_until(run, *until)?)
+            }
             JobWork::Run {
                 system,
                 file,
                 overrides,
-            } => Work::Run(run_request(*system, text()?, file, overrides)?),
-            JobWork::Sweep { system, overrides } => Work::Sweep(SweepRequest {
+            } => JobComputation::Run(run_request(*system, text()?, file, overrides)?),
+            JobWork::Sweep { system, overrides } => JobComputation::Sweep(SweepRequest {
                 kind: match system {
                     true => FileType::System,
                     false => FileType::Line,

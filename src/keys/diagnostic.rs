@@ -46,7 +46,7 @@ pub struct Excerpt {
 
 impl Excerpt {
     /// The lines of a text that these bytes are in. Without a place there are none, and none where they are very long.
-    pub fn of(text: &str, span: &Range<usize>) -> Option<Box<Self>> {
+    pub fn of_span(text: &str, span: &Range<usize>) -> Option<Box<Self>> {
         if text.is_empty() || *span == (0..0) {
             return None;
         }
@@ -222,7 +222,7 @@ impl Finding {
             key: shortened(self.key),
             problem: shortened(self.problem),
             remedy: shortened(self.remedy).into_boxed_str(),
-            excerpt: Excerpt::of(text, &self.span),
+            excerpt: Excerpt::of_span(text, &self.span),
             span,
         }
     }

@@ -66,7 +66,7 @@ impl TomlNode {
     }
 
     /// The tree of a table that no file holds.
-    pub fn of(content: &Table) -> Self {
+    pub fn of_table(content: &Table) -> Self {
         table(content, &(0..0))
     }
 

@@ -74,7 +74,7 @@ pub fn lowest_modes(
 }
 
 /// Eigenvalue and vector.
-type Mode = (f64, DVector<f64>);
+type LowestMode = (f64, DVector<f64>);
 
 /// How many eigenvalues there are between two bounds.
 #[derive(Clone, Copy)]
@@ -203,11 +203,11 @@ impl<'a> Pencil<'a> {
     }
 
     /// The modes of a slice in ascending order.
-    fn modes_of(&self, slice: &Slice) -> Option<Vec<Mode>> {
+    fn modes_of(&self, slice: &Slice) -> Option<Vec<LowestMode>> {
         let Slice { low, high, count } = *slice;
         let shift = 0.5 * (low + high);
         let factors = EnvelopeLu::new(&self.shifted(shift))?;
-        let mut modes: Vec<Mode> = Vec::new();
+        let mut modes: Vec<LowestMode> = Vec::new();
         for round in 0..MOST_SEARCHES {
             if modes.len() >= count {
                 break;
@@ -227,13 +227,13 @@ impl<'a> Pencil<'a> {
     fn search(
         &self,
         (shift, factors): (f64, &EnvelopeLu),
-        known: &[Mode],
+        known: &[LowestMode],
         wanted: usize,
         round: usize,
-    ) -> Option<Vec<Mode>> {
+    ) -> Option<Vec<LowestMode>> {
         let size = self.masses.size();
         let most = (MOST_VECTORS * wanted.max(5)).min(size);
-        let mut space = Space::new(size, known, self.masses);
+        let mut space = Subspace::new(size, known, self.masses);
         let mut random = Random::new(1, round as u64);
         let start = DVector::from_fn(size, |_, _| random.uniform() - 0.5);
         let mut next = factors.solve(&self.masses.times(&start));
@@ -312,7 +312,7 @@ impl Ritz {
 }
 
 /// Vectors of unit mass that are orthogonal by mass, known ones first.
-struct Space {
+struct Subspace {
     known: usize,
     count: usize,
     vectors: DMatrix<f64>,
@@ -320,8 +320,8 @@ struct Space {
     moved: DMatrix<f64>,
 }
 
-impl Space {
-    fn new(size: usize, known: &[Mode], masses: &EnvelopeMatrix) -> Self {
+impl Subspace {
+    fn new(size: usize, known: &[LowestMode], masses: &EnvelopeMatrix) -> Self {
         let mut space = Self {
             known: known.len(),
             count: 0,
@@ -361,7 +361,7 @@ impl Space {
     }
 
     /// The first modes.
-    fn modes(&self, found: &Ritz, wanted: usize, shift: f64) -> Vec<Mode> {
+    fn modes(&self, found: &Ritz, wanted: usize, shift: f64) -> Vec<LowestMode> {
         let basis = self.vectors.columns(self.known, self.count - self.known);
         let greatest = found.order.first().map_or(0.0, |k| found.values[*k].abs());
         let first = found.order.iter().take(wanted);

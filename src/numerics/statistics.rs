@@ -61,7 +61,7 @@ pub struct Statistics {
 impl Statistics {
     /// Of values at equal steps; all zero without any.
     #[must_use]
-    pub fn of(values: &[f64]) -> Self {
+    pub fn of_values(values: &[f64]) -> Self {
         if values.is_empty() {
             return Self::default();
         }
@@ -187,14 +187,14 @@ mod tests {
         let values: Vec<f64> = (0..10_000)
             .map(|i| 3.0 + 2.0 * (f64::from(i) * 0.01 * 2.0 * PI).sin())
             .collect();
-        let s = Statistics::of(&values);
+        let s = Statistics::of_values(&values);
         assert!((s.mean - 3.0).abs() < 1e-12);
         assert!((s.deviation - 2.0_f64.sqrt()).abs() < 1e-12);
         assert!((s.rms - 11.0_f64.sqrt()).abs() < 1e-12);
         assert!(s.skewness.abs() < 1e-12 && (s.excess + 1.5).abs() < 1e-12);
         assert!((99..=100).contains(&s.crossings));
-        assert_eq!(Statistics::of(&[]), Statistics::default());
-        assert_eq!(Statistics::of(&[4.0, 4.0]).excess, 0.0);
+        assert_eq!(Statistics::of_values(&[]), Statistics::default());
+        assert_eq!(Statistics::of_values(&[4.0, 4.0]).excess, 0.0);
     }
 
     #[test]

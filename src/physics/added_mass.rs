@@ -49,7 +49,7 @@ impl AddedMass<Two> {
     /// Both halves.
     #[inline(always)]
     #[must_use]
-    pub fn of([first, second]: [AddedMass; 2]) -> Self {
+    pub fn of_halves([first, second]: [AddedMass; 2]) -> Self {
         Self {
             normal: Two::new([first.normal, second.normal]),
             tangential: Two::new([first.tangential, second.tangential]),

@@ -27,14 +27,14 @@ pub enum CurrentGridError {
 
 /// Neighbours along an axis: their numbers, the share of the second, and the derivative of that share.
 #[derive(Debug, Clone, Copy)]
-struct Cell {
+struct AxisNeighbours {
     at: [usize; 2],
     share: f64,
     slope: f64,
 }
 
-impl Cell {
-    fn of(axis: &[f64], value: f64) -> Self {
+impl AxisNeighbours {
+    fn of_value(axis: &[f64], value: f64) -> Self {
         let next = axis.partition_point(|known| *known <= value);
         if next == 0 || next == axis.len() {
             let at = next.saturating_sub(1);
@@ -118,7 +118,8 @@ impl CurrentGrid {
     #[must_use]
     pub fn at(&self, t: f64, place: &V3) -> (V3, M3) {
         let at = [t, place.x, place.y, place.z];
-        let [times, x, y, z] = [0, 1, 2, 3].map(|k: usize| Cell::of(&self.axes[k], at[k]));
+        let [times, x, y, z] =
+            [0, 1, 2, 3].map(|k: usize| AxisNeighbours::of_value(&self.axes[k], at[k]));
         let mut velocity = V3::zeros();
         let mut gradient = M3::zeros();
         for (it, wt, _) in times.neighbours() {
@@ -139,7 +140,7 @@ impl CurrentGrid {
     /// The steady current at a time \[s\].
     #[must_use]
     pub fn frozen(&self, t: f64) -> Self {
-        let cell = Cell::of(&self.axes[0], t);
+        let cell = AxisNeighbours::of_value(&self.axes[0], t);
         let count = self.velocity.len() / self.axes[0].len();
         let mut velocity = vec![V3::zeros(); count];
         for (it, share, _) in cell.neighbours() {

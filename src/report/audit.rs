@@ -5,7 +5,7 @@ use super::document::Report;
 use super::table::{NumberFormat, Table};
 use super::text::WIDTH;
 use seacable_base::number::{digits, percent, si, with_error};
-use seacable_foreign::audit::finding::Finding;
+use seacable_foreign::audit::finding::AuditFinding;
 use seacable_foreign::audit::lumped::relaxation::Ended;
 use seacable_foreign::audit::mesh::LineAudit;
 use seacable_foreign::audit::start::StartAudit;
@@ -77,7 +77,7 @@ fn summary(audit: &Audit) -> String {
 }
 
 /// A finding in words: where, what, and what to do.
-fn words(audit: &Audit, number: usize, finding: &Finding) -> String {
+fn words(audit: &Audit, number: usize, finding: &AuditFinding) -> String {
     let place = match &finding.span {
         Some(span) => {
             let (line, column) = settings::row_and_column(&audit.text, span);
@@ -120,7 +120,7 @@ fn lines(audit: &Audit) -> Table {
     let tension = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |v| si(v, "N"));
     let is_divided = matches!(audit.program, Program::MoorDyn | Program::MoorDyn1);
     let bends = audit.lines.iter().any(|line| line.curvature.is_some());
-    let table = Table::of("Tension at end B at rest", &all)
+    let table = Table::of_records("Tension at end B at rest", &all)
         .text("line", |line| line.id.as_str())
         .text("exact", |line| tension(line.tension))
         .when(is_divided, |table| {
@@ -159,7 +159,7 @@ fn lines(audit: &Audit) -> Table {
 }
 
 fn starts(all: &[StartAudit]) -> Table {
-    let table = Table::of("Start of a run", all)
+    let table = Table::of_records("Start of a run", all)
         .text("by", |start| start.by)
         .text("ends", |start| match start.ended {
             None => "-".to_owned(),
@@ -231,12 +231,12 @@ fn by_rk2_words(by_rk2: &StepByRk2) -> String {
 #[must_use]
 pub fn findings(audit: &Audit) -> Table {
     const EVERY_DIGIT: NumberFormat = NumberFormat::With(|value| format!("{value}"));
-    let place = |finding: &Finding| {
+    let place = |finding: &AuditFinding| {
         let span = finding.span.as_ref();
         span.map(|span| settings::row_and_column(&audit.text, span))
     };
     let number = |value: Option<u32>| value.map_or_else(String::new, |value| value.to_string());
-    Table::of("findings", &audit.findings)
+    Table::of_records("findings", &audit.findings)
         .text("topic", |finding| finding.topic.name())
         .text("line", |finding| number(place(finding).map(|at| at.0)))
         .text("column", |finding| number(place(finding).map(|at| at.1)))

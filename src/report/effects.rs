@@ -5,7 +5,7 @@ use super::number::{percent, si};
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_model::case::QuantityId;
 use seacable_runs::run::Quantity;
-use seacable_studies::study::effects::{Effect, InputEffects, InputTolerance, VariedInput};
+use seacable_studies::study::effects::{InputEffect, InputEffects, InputTolerance, VariedInput};
 
 /// Characters of a bar to either side of the middle, at least and at most, and what a line of the chart needs besides.
 const HALF: (usize, usize) = (9, 30);
@@ -16,13 +16,13 @@ const BESIDES: usize = 61;
 pub struct TornadoView<'a> {
     effects: &'a InputEffects,
     base: &'a Quantity,
-    rows: Vec<(usize, Effect<'a>)>,
+    rows: Vec<(usize, InputEffect<'a>)>,
 }
 
 impl<'a> TornadoView<'a> {
     /// The effects on a result; nothing where the case does not have it.
     #[must_use]
-    pub fn of(effects: &'a InputEffects, id: &QuantityId) -> Option<Self> {
+    pub fn of_result(effects: &'a InputEffects, id: &QuantityId) -> Option<Self> {
         Some(Self {
             effects,
             base: effects.result(id)?,
@@ -45,7 +45,7 @@ impl<'a> TornadoView<'a> {
         let greatest = greatest.fold(0.0, f64::max);
         let title = format!("{}: {}", self.base.id, result_text(self.base));
         let moving = self.moving();
-        Table::of(title, &moving)
+        Table::of_records(title, &moving)
             .text("input", |(number, effect)| {
                 format!("[{number}] {}", effect.input.path)
             })
@@ -63,7 +63,7 @@ impl<'a> TornadoView<'a> {
     }
 
     /// The rows of inputs that have an effect, or of which none could be computed.
-    fn moving(&self) -> Vec<(usize, &Effect<'a>)> {
+    fn moving(&self) -> Vec<(usize, &InputEffect<'a>)> {
         let rows = self.rows.iter().map(|(number, effect)| (*number, effect));
         rows.filter(|(_, effect)| !is_idle(effect)).collect()
     }
@@ -75,14 +75,14 @@ impl<'a> TornadoView<'a> {
     }
 
     /// The greater change by the size of the result.
-    fn share(&self, effect: &Effect<'_>) -> Option<f64> {
+    fn share(&self, effect: &InputEffect<'_>) -> Option<f64> {
         let changes = effect.changes.iter().flatten().copied();
         let greatest = changes.reduce(|a, b| if b.abs() > a.abs() { b } else { a })?;
         (self.base.value != 0.0).then(|| greatest / self.base.value.abs())
     }
 
     /// The greater change by the result, or that it is within the error.
-    fn verdict(&self, effect: &Effect<'_>) -> Cell {
+    fn verdict(&self, effect: &InputEffect<'_>) -> Cell {
         if effect.changes.iter().all(Option::is_none) {
             return Cell::new("no result", CellStyle::Bad);
         }
@@ -109,7 +109,7 @@ impl<'a> TornadoView<'a> {
             None => Cell::none(),
         };
         let moving = self.moving();
-        Table::of("", &moving)
+        Table::of_records("", &moving)
             .text("input", |(number, effect)| {
                 format!("[{number}] {}", varied(effect.input))
             })
@@ -159,13 +159,16 @@ impl<'a> TornadoView<'a> {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
         };
         let side = |place: usize| {
-            move |row: &(usize, Effect<'a>)| number(row.1.results[place].as_ref().ok().copied())
+            move |row: &(usize, InputEffect<'a>)| {
+                number(row.1.results[place].as_ref().ok().copied())
+            }
         };
-        let changed = |place: usize| move |row: &(usize, Effect<'a>)| number(row.1.changes[place]);
+        let changed =
+            |place: usize| move |row: &(usize, InputEffect<'a>)| number(row.1.changes[place]);
         let input = |value: fn(&VariedInput) -> f64| {
-            move |row: &(usize, Effect<'a>)| number(Some(value(row.1.input)))
+            move |row: &(usize, InputEffect<'a>)| number(Some(value(row.1.input)))
         };
-        Table::of("", &self.rows)
+        Table::of_records("", &self.rows)
             .count("rank", |row| row.0)
             .text("result", |_| self.base.id.to_string())
             .text("unit", |_| self.base.unit())
@@ -193,7 +196,7 @@ impl<'a> TornadoView<'a> {
 }
 
 /// Whether both results are those of the case itself to the last bit.
-fn is_idle(effect: &Effect<'_>) -> bool {
+fn is_idle(effect: &InputEffect<'_>) -> bool {
     effect.changes.iter().all(|change| *change == Some(0.0))
 }
 

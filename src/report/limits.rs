@@ -23,7 +23,7 @@ pub fn table(checks: &[LimitCheck]) -> Option<Table> {
         return None;
     }
     let arc = NumberFormat::Decimals(1, "");
-    let table = Table::of("", checks)
+    let table = Table::of_records("", checks)
         .text("section", |c| c.section.as_str())
         .number("greatest tension", NumberFormat::Si("N"), |c| c.tension.0)
         .number("at arc [m]", arc, |c| c.tension.1)

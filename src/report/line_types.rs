@@ -16,7 +16,7 @@ pub fn list() -> Table {
         let [least, greatest] = line.diameters_m.map(|length| digits(length * 1e3, 6));
         format!("{least} to {greatest}")
     };
-    let table = Table::of("Line types", LINE_TYPES)
+    let table = Table::of_records("Line types", LINE_TYPES)
         .text("type", |line| line.name)
         .text("what", |line| line.title)
         .text("nominal diameter [mm]", range)
@@ -37,7 +37,7 @@ pub fn library(library: &Library) -> Table {
         OuterDiameter::Times(ratio) => format!("{} d", digits(ratio, 4)),
         OuterDiameter::ByDensity(density) => format!("by {} kg/m^3", digits(density, 6)),
     };
-    let table = Table::of("Line types of the library", &library.types)
+    let table = Table::of_records("Line types of the library", &library.types)
         .text("type", |line| line.name.as_str())
         .text("mass", |line| format!("{} d^2", digits(line.mass, 6)))
         .text("outer diameter", outer)
@@ -55,7 +55,7 @@ pub fn library(library: &Library) -> Table {
 #[must_use]
 pub fn properties(line: &LineProperties) -> Table {
     let entries = entries(line);
-    let table = Table::of(title(line), &entries)
+    let table = Table::of_records(title(line), &entries)
         .text("property", |entry| entry.0)
         .text("value", |entry| si(entry.2.value, entry.1))
         .text("formula", |entry| entry.2.formula.as_str())
@@ -68,7 +68,7 @@ pub fn properties(line: &LineProperties) -> Table {
 pub fn data(line: &LineProperties) -> Table {
     const EVERY_DIGIT: NumberFormat = NumberFormat::With(|value| format!("{value}"));
     let entries = entries(line);
-    let table = Table::of(title(line), &entries)
+    let table = Table::of_records(title(line), &entries)
         .text("property", |entry| entry.0)
         .number("value", EVERY_DIGIT, |entry| entry.2.value)
         .text("unit", |entry| entry.1)

@@ -22,7 +22,7 @@ pub fn narrow(found: &LineModes) -> Table {
 }
 
 fn columns(found: &LineModes, wide: bool) -> Table {
-    let medium = WkbMedium::of(&found.scene, &found.rest);
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest);
     let wkb = |mode: &NamedMode| {
         let across = matches!(mode.mode.kind, ModeKind::InPlane | ModeKind::OutOfPlane);
         let medium = medium.as_ref().filter(|_| across)?;
@@ -30,7 +30,7 @@ fn columns(found: &LineModes, wide: bool) -> Table {
     };
     let vibrates = |mode: &NamedMode| mode.mode.eigenvalue > 0.0;
     let numbered: Vec<(usize, &NamedMode)> = (1..).zip(&found.modes).collect();
-    Table::of("", &numbered)
+    Table::of_records("", &numbered)
         .count("mode", |(number, _)| *number)
         .cell("frequency [Hz]", Align::Decimal, |(_, mode)| {
             frequency(mode)

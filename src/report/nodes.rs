@@ -5,13 +5,13 @@ use super::table::{Align, Cell, CellStyle, Table};
 use seacable_runs::run::Profile;
 
 /// A column of numbers: its head and values, and of those whose greatest value is marked the name and node of the mark.
-struct Numbers {
+struct NodeNumbers {
     head: &'static str,
     values: Vec<f64>,
     mark: Option<(&'static str, usize)>,
 }
 
-impl Numbers {
+impl NodeNumbers {
     fn new(head: &'static str, values: Vec<f64>) -> Self {
         let mark = None;
         Self { head, values, mark }
@@ -45,27 +45,27 @@ impl Numbers {
     }
 }
 
-fn columns(profile: &Profile) -> Vec<Numbers> {
+fn columns(profile: &Profile) -> Vec<NodeNumbers> {
     let axis = |i: usize| profile.nodes.iter().map(|p| p[i]).collect();
     let mut list = vec![
-        Numbers::new("arc [m]", profile.arc.clone()),
-        Numbers::new("x [m]", axis(0)),
-        Numbers::new("y [m]", axis(1)),
-        Numbers::new("z [m]", axis(2)),
-        Numbers::marked("tension [N]", &profile.tension, "tension"),
+        NodeNumbers::new("arc [m]", profile.arc.clone()),
+        NodeNumbers::new("x [m]", axis(0)),
+        NodeNumbers::new("y [m]", axis(1)),
+        NodeNumbers::new("z [m]", axis(2)),
+        NodeNumbers::marked("tension [N]", &profile.tension, "tension"),
     ];
     if profile.bends() {
-        let curvature = Numbers::marked("curvature [1/m]", &profile.curvature, "curvature");
+        let curvature = NodeNumbers::marked("curvature [1/m]", &profile.curvature, "curvature");
         list.extend([
             curvature,
-            Numbers::marked("moment [N m]", &profile.moment, "moment"),
+            NodeNumbers::marked("moment [N m]", &profile.moment, "moment"),
         ]);
     }
     list
 }
 
 /// The words of a node's marks: "tension, moment".
-fn marks(columns: &[Numbers], node: usize) -> String {
+fn marks(columns: &[NodeNumbers], node: usize) -> String {
     let words: Vec<&str> = columns.iter().filter_map(|c| c.mark_at(node)).collect();
     words.join(", ")
 }
@@ -96,9 +96,11 @@ fn some(profile: &Profile, wanted: impl Fn(usize) -> bool) -> Table {
     let is_marked = |node: usize| columns.iter().any(|c| c.mark_at(node).is_some());
     let nodes = (0..profile.nodes.len()).filter(|node| wanted(*node) || is_marked(*node));
     let nodes: Vec<usize> = nodes.collect();
-    let table = columns.iter().fold(Table::of("", &nodes), |table, column| {
-        table.cell(column.head, Align::Decimal, |node| column.cell(*node))
-    });
+    let table = columns
+        .iter()
+        .fold(Table::of_records("", &nodes), |table, column| {
+            table.cell(column.head, Align::Decimal, |node| column.cell(*node))
+        });
     table
         .cell("greatest", Align::Left, |node| {
             Cell::new(marks(&columns, *node), CellStyle::Warn)

@@ -13,7 +13,7 @@ use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::types::Type;
 
 /// A column of a table.
-struct Column {
+struct ParquetColumn {
     name: String,
     /// Its fields; nothing where they are empty.
     fields: Vec<Option<String>>,
@@ -26,7 +26,7 @@ struct Column {
 /// A text that is no table, or what the format refuses.
 pub fn of_csv(csv: &[u8]) -> Result<Vec<u8>, ParquetError> {
     let columns = columns(csv).map_err(|error| ParquetError::External(Box::new(error)))?;
-    let fields: Result<Vec<_>, ParquetError> = columns.iter().map(Column::field).collect();
+    let fields: Result<Vec<_>, ParquetError> = columns.iter().map(ParquetColumn::field).collect();
     let schema = Type::group_type_builder("table")
         .with_fields(fields?)
         .build()?;
@@ -45,7 +45,7 @@ pub fn of_csv(csv: &[u8]) -> Result<Vec<u8>, ParquetError> {
     Ok(file)
 }
 
-fn columns(csv: &[u8]) -> Result<Vec<Column>, csv::Error> {
+fn columns(csv: &[u8]) -> Result<Vec<ParquetColumn>, csv::Error> {
     let mut reader = csv::Reader::from_reader(csv);
     let names = reader.headers()?.clone();
     let mut fields = vec![Vec::new(); names.len()];
@@ -54,11 +54,14 @@ fn columns(csv: &[u8]) -> Result<Vec<Column>, csv::Error> {
             column.push((!field.is_empty()).then(|| field.to_owned()));
         }
     }
-    let columns = names.iter().zip(fields).map(|(name, fields)| Column {
-        name: name.to_owned(),
-        kind: kind(&fields),
-        fields,
-    });
+    let columns = names
+        .iter()
+        .zip(fields)
+        .map(|(name, fields)| ParquetColumn {
+            name: name.to_owned(),
+            kind: kind(&fields),
+            fields,
+        });
     Ok(columns.collect())
 }
 
@@ -75,7 +78,7 @@ fn kind(fields: &[Option<String>]) -> Kind {
     }
 }
 
-impl Column {
+impl ParquetColumn {
     fn field(&self) -> Result<Arc<Type>, ParquetError> {
         let text = (self.kind == Kind::BYTE_ARRAY).then_some(LogicalType::String);
         let field = Type::primitive_type_builder(&self.name, self.kind)

@@ -15,10 +15,11 @@ const LEAST: f64 = 1e-4;
 #[must_use]
 pub fn table(study: &PhysicsStudy, results: &[QuantityId]) -> Table {
     let rows: Vec<(usize, &PhysicsVariant)> = (1..).zip(&study.variants).collect();
-    let mut table = Table::of("", &rows).text("left out, or changed", |(number, variant)| {
-        let verdict = verdict(study, variant, results);
-        format!("[{number}] {}: {verdict}", variant.part.name)
-    });
+    let mut table =
+        Table::of_records("", &rows).text("left out, or changed", |(number, variant)| {
+            let verdict = verdict(study, variant, results);
+            format!("[{number}] {}: {verdict}", variant.part.name)
+        });
     for (place, id) in results.iter().enumerate() {
         table = table.cell(
             &format!("R{}", place + 1),
@@ -146,7 +147,7 @@ pub fn csv_table(study: &PhysicsStudy, results: &[QuantityId]) -> Table {
     let number =
         |value: Option<f64>| Cell::plain(value.map_or_else(String::new, |value| value.to_string()));
     let base = |id: &QuantityId| study.base.run.result(id);
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("left out", |(variant, _)| variant.part.name)
         .text("how", |(variant, _)| variant.part.how)
         .text("result", |(_, id)| id.to_string())

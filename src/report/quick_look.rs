@@ -6,7 +6,7 @@ use super::seas::{SeasView, series_word};
 use super::table::{Align, Cell, Table};
 use seacable_base::number::si;
 use seacable_model::case::StatisticsInputs;
-use seacable_studies::study::seas::{Difference, QuickSeas, Series};
+use seacable_studies::study::seas::{Difference, QuickSeas, RecordedSeries};
 
 /// The looks, and the runs that they are held against.
 #[derive(Debug, Clone, Copy)]
@@ -50,7 +50,7 @@ impl QuickView<'_> {
     #[must_use]
     pub fn differences(&self) -> Table {
         let rows: Vec<&Difference> = self.differences.iter().collect();
-        let table = Table::of("Quick looks beside runs in time", &rows)
+        let table = Table::of_records("Quick looks beside runs in time", &rows)
             .text("sea and place", place)
             .cell("mean", Align::Decimal, |row| {
                 Cell::plain(si(row.in_time.mean.value, row.quick.series.unit()))
@@ -146,7 +146,7 @@ impl QuickView<'_> {
 fn place(row: &&Difference) -> String {
     let (sea, place) = (row.sea + 1, &row.quick.place);
     match row.quick.series {
-        Series::Tension => format!("{sea} {place}"),
+        RecordedSeries::Tension => format!("{sea} {place}"),
         other => format!("{sea} {} {place}", series_word(other)),
     }
 }

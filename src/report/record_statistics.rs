@@ -4,7 +4,7 @@ use seacable_base::number::{range as range_text, si, with_error};
 use seacable_display::table::{Align, Cell, CellStyle, Table};
 use seacable_model::case::ChannelId;
 use seacable_statistics::extremes::interval::Interval;
-use seacable_statistics::extremes::spectrum::Spectrum;
+use seacable_statistics::extremes::spectrum::SpectralDensity;
 use seacable_studies::study::record_statistics::{
     ExtremeQuestion, GreatestValue, RecordFatigue, RecordStatistics,
 };
@@ -59,7 +59,7 @@ pub fn moments(channels: &[ChannelView]) -> Table {
     };
     let plain = |value: f64| Cell::plain(format!("{value:.3}"));
     let short = channels.iter().any(|row| row.statistics.mean.is_err());
-    Table::of("Statistics", channels)
+    Table::of_records("Statistics", channels)
         .text("channel", |row| row.id.to_string())
         .cell("mean", Align::Decimal, |row| match &row.statistics.mean {
             Ok(mean) => {
@@ -79,7 +79,7 @@ pub fn moments(channels: &[ChannelView]) -> Table {
         })
         .cell("spectral peak", Align::Decimal, |row| {
             let spectrum = row.statistics.spectrum.as_ref().ok();
-            let peak = spectrum.map(Spectrum::peak_frequency).filter(|f| *f > 0.0);
+            let peak = spectrum.map(SpectralDensity::peak_frequency).filter(|f| *f > 0.0);
             peak.map_or_else(Cell::none, |peak| Cell::plain(si(1.0 / peak, "s")))
         })
         .cell("independent values", Align::Right, |row| {
@@ -115,7 +115,7 @@ pub fn greatest(channels: &[ChannelView], question: ExtremeQuestion) -> Table {
     let notes: Vec<String> = notes.collect();
     let numbered: Vec<(usize, &GreatestRow<'_>)> = rows.iter().enumerate().collect();
     let percent = 100.0 * question.level;
-    Table::of(format!("Greatest of {} h", question.hours), &numbered)
+    Table::of_records(format!("Greatest of {} h", question.hours), &numbered)
         .text("channel", |(_, row)| row.channel.id.to_string())
         .text("method", |(_, row)| row.method)
         .cell("sample", Align::Right, |(_, row)| {
@@ -153,7 +153,7 @@ pub fn fatigue(channels: &[ChannelView], curve: &str, design_factor: f64) -> Tab
     });
     let notes: Vec<String> = notes.collect();
     let life = move |found: FatigueView| 1.0 / (design_factor * found.found.per_year);
-    Table::of(format!("Fatigue: {curve}"), channels)
+    Table::of_records(format!("Fatigue: {curve}"), channels)
         .text("channel", |row| row.id.to_string())
         .cell("cycles", Align::Right, |row| cell(row, |f| format!("{}", f.found.damage.cycles)))
         .cell("greatest range", Align::Decimal, |row| cell(row, |f| si(f.found.damage.greatest_range, "N")))

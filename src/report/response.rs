@@ -23,7 +23,7 @@ pub fn peaks(profile: &Profile) -> Table {
     let at = |values: &[f64], node: usize| values.get(node).copied();
     let note = (peaks > 0)
         .then(|| format!("{peaks} peaks; ripples below 1 % of the greatest are left out."));
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .cell("response", Align::Left, |(.., peak)| match peak {
             true => Cell::new("peak", CellStyle::Warn),
             false => Cell::plain("valley"),
@@ -88,7 +88,7 @@ fn waves_of(profile: &Profile, stretches: &[(&str, [f64; 2])]) -> Table {
         (count > 0.0).then(|| sum / count)
     };
     let (digits_2, decimals) = (NumberFormat::Digits(2, ""), NumberFormat::Decimals(1, ""));
-    Table::of("", stretches)
+    Table::of_records("", stretches)
         .text("section", |(name, _)| *name)
         .cell("peaks", Align::Right, |(_, at)| {
             let peaks = statistic(LineQuantity::RmsDisplacement, Statistic::Peaks, *at);

@@ -6,7 +6,7 @@ use seacable_model::case::{CheckInputs, RuleSet};
 /// The sets, by name.
 #[must_use]
 pub fn sets(sets: &[(&str, RuleSet)]) -> Table {
-    Table::of("Sets of rules", sets)
+    Table::of_records("Sets of rules", sets)
         .text("rules", |(name, _)| *name)
         .text("standard", |(_, set)| set.about.title.as_str())
         .text("edition", |(_, set)| set.about.edition.as_str())
@@ -22,7 +22,7 @@ pub fn sets(sets: &[(&str, RuleSet)]) -> Table {
 #[must_use]
 pub fn rules(set: &RuleSet) -> Table {
     let number = |value: Option<f64>| value.map_or_else(Cell::none, |v| Cell::plain(v.to_string()));
-    Table::of(&set.about.title, &set.checks)
+    Table::of_records(&set.about.title, &set.checks)
         .text("rule", |rule| rule.name.clone().unwrap_or_default())
         .text("kind", |rule| rule.kind.map_or("", |kind| kind.name()))
         .text("condition", |rule| rule.condition.name())

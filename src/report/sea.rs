@@ -21,7 +21,7 @@ pub fn table(case: &Case) -> Table {
     let duration = case.solver.duration_s;
     let rows: Vec<MomentsRow> = records.iter().flat_map(|r| rows(r, duration)).collect();
     let digits = NumberFormat::Digits(4, "");
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("record", |row| &row.name)
         .text("quantity", |row| row.quantity)
         .number("asked for", digits, |row| row.spectrum)
@@ -45,7 +45,10 @@ struct MomentsRow {
 }
 
 fn rows(record: &IrregularRecord, duration: f64) -> [MomentsRow; 3] {
-    let (asked, made) = (record.spectrum.moments(), Moments::of(&record.components));
+    let (asked, made) = (
+        record.spectrum.moments(),
+        Moments::of_components(&record.components),
+    );
     let run = over(&record.components, duration);
     let (quantity, factor) = if record.of_waves {
         ("Hs = 4 sqrt(m0) [m]", 4.0)

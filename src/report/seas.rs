@@ -8,8 +8,10 @@ use super::number::duration;
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_base::number::{digits, range as range_text, si, with_error};
 use seacable_model::case::{CheckKind, GreatestMethod, StatisticsInputs};
-use seacable_model::checks::utilisation::{Utilisation, Verdict};
-use seacable_studies::study::seas::{CheckResult, CheckRow, PlaceLoads, Sea, SeaResults, Series};
+use seacable_model::checks::utilisation::{Utilisation, UtilisationVerdict};
+use seacable_studies::study::seas::{
+    CheckResult, CheckRow, PlaceLoads, RecordedSeries, SeaGroup, SeaResults,
+};
 
 /// The rows that are printed of a check's places; all stand in checks.csv.
 const MOST_PLACES: usize = 40;
@@ -26,7 +28,7 @@ pub struct SeasView<'a> {
 /// A sea with the loads at the place of its greatest tension.
 struct SeaRow<'a> {
     number: usize,
-    sea: &'a Sea,
+    sea: &'a SeaGroup,
     loads: Option<&'a PlaceLoads>,
 }
 
@@ -55,7 +57,7 @@ impl SeasView<'_> {
         let checks = self.results.checks.iter();
         let checks = checks.filter(|check| check.verdict().is_some());
         let checks: Vec<(usize, &CheckResult)> = checks.enumerate().collect();
-        let table = Table::of("Verdict", &checks)
+        let table = Table::of_records("Verdict", &checks)
             .text("check", |(number, check)| {
                 format!("{} [{}]", check.check.name, number + 1)
             })
@@ -167,11 +169,6 @@ impl SeasView<'_> {
             })
             .collect();
         let probabilities = rows.iter().any(|row| row.sea.probability.is_some());
-        let missing: usize = self.results.without.iter().sum();
-        let methods = rows
-            .iter()
-            .filter_map(|row| Some(row.loads?.greatest.method.name()));
-        let methods: BTreeSet<&str> = methods.collect();
         let of = |row: &SeaRow<'_>, read: &dyn Fn(&PlaceLoads) -> String| {
             row.loads
                 .map_or_else(Cell::none, |loads| Cell::plain(read(loads)))
@@ -186,17 +183,7 @@ impl SeasView<'_> {
             true => format!("greatest of {hours} h"),
             false => "greatest".to_owned(),
         };
-        let note = match is_random {
-            _ if by_spectrum => format!(
-                "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
-            ),
-            true => format!(
-                "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {}: Gumbel's law takes the extremes of the runs over all their steps, the others the peaks of the rows. All places stand in seas.csv.",
-                methods.into_iter().collect::<Vec<_>>().join(" and ")
-            ),
-            false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),
-        };
-        Table::of("Tension by sea", &rows)
+        Table::of_records("Tension by sea", &rows)
             .count("sea", |row| row.number + 1)
             .text("settings", |row| row.sea.words())
             .when(probabilities, |table| {
@@ -225,13 +212,40 @@ impl SeasView<'_> {
                 })
             })
             .build()
-            .noted([note])
-            .noted((missing > 0).then(|| match self.statistics.until_settled {
-                true => format!(
-                    "{missing} load cases were not needed or have no results. Looks after 5, 10, 20, ... seeds of a sea; their intervals hold at all looks together."
-                ),
-                false => format!("{missing} load cases have no results and are left out."),
-            }))
+            .noted([self.values_by_sea(&rows, is_random)])
+            .noted(self.missing_load_cases())
+    }
+
+    /// How many load cases have no results, if any.
+    fn missing_load_cases(&self) -> Option<String> {
+        let missing: usize = self.results.without.iter().sum();
+        (missing > 0).then(|| match self.statistics.until_settled {
+            true => format!(
+                "{missing} load cases were not needed or have no results. Looks after 5, 10, 20, ... seeds of a sea; their intervals hold at all looks together."
+            ),
+            false => format!("{missing} load cases have no results and are left out."),
+        })
+    }
+
+    /// What the values of the table of seas are.
+    fn values_by_sea(&self, rows: &[SeaRow<'_>], is_random: bool) -> String {
+        let hours = self.statistics.hours;
+        match is_random {
+            _ if self.is_by_spectrum() => format!(
+                "The place of the greatest tension of each sea, and there: the mean, and the most probable greatest value of {hours} h of a normal process with the spectrum of a quick look, each with the error of the mesh. What is not linear is in neither. All places stand in the CSV."
+            ),
+            true => {
+                let methods = rows
+                    .iter()
+                    .filter_map(|row| Some(row.loads?.greatest.method.name()));
+                let methods: BTreeSet<&str> = methods.collect();
+                format!(
+                    "The place of the greatest tension of each sea, and there: the mean, the most probable greatest value of {hours} h with its numerical error, its interval of the sample. Found by {}: Gumbel's law takes the extremes of the runs over all their steps, the others the peaks of the rows. All places stand in seas.csv.",
+                    methods.into_iter().collect::<Vec<_>>().join(" and ")
+                )
+            }
+            false => "The place of the greatest tension, the mean there, and the greatest value with its numerical error. All places stand in seas.csv.".to_owned(),
+        }
     }
 
     /// Life by each check of fatigue, place by place.
@@ -253,7 +267,7 @@ impl SeasView<'_> {
         rows.sort_by(|a, b| b.row.load.value.total_cmp(&a.row.load.value));
         rows.truncate(MOST_PLACES);
         let damage = |value: f64| format!("{value:.3e}");
-        let table = Table::of("Fatigue", &rows)
+        let table = Table::of_records("Fatigue", &rows)
             .text("check", |row| row.check.check.name.clone())
             .text("place", |row| row.row.place.clone())
             .cell("damage in service", Align::Right, |row| Cell::plain(damage(row.row.load.value)))
@@ -296,7 +310,7 @@ impl SeasView<'_> {
         let whole = |value: Option<usize>| {
             Cell::plain(value.map_or_else(String::new, |value| (value + 1).to_string()))
         };
-        Table::of("", &rows)
+        Table::of_records("", &rows)
             .text("check", |(check, _)| check.check.name.clone())
             .text("verdict", |(_, row)| row.used.verdict().word())
             .cell("sea", Align::Right, |(_, row)| whole(row.sea))
@@ -345,11 +359,11 @@ impl SeasView<'_> {
             .enumerate();
         let rows = seas
             .flat_map(|(number, (sea, loads))| loads.iter().map(move |loads| (number, sea, loads)));
-        let rows: Vec<(usize, &Sea, &PlaceLoads)> = rows.collect();
+        let rows: Vec<(usize, &SeaGroup, &PlaceLoads)> = rows.collect();
         let plain = |value: Option<f64>| {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
         };
-        Table::of("", &rows)
+        Table::of_records("", &rows)
             .count("sea", |(number, ..)| number + 1)
             .text("settings", |(_, sea, _)| sea.words())
             .text("condition", |(_, sea, _)| sea.condition.name())
@@ -420,7 +434,7 @@ impl SeasView<'_> {
     #[must_use]
     pub fn checks_json(&self) -> Value {
         json!({
-            "verdict": self.worst().map(Verdict::word),
+            "verdict": self.worst().map(UtilisationVerdict::word),
             "rows": self.checks_table().to_json(),
             "missing": self.not_compared().collect::<Vec<_>>(),
         })
@@ -428,7 +442,7 @@ impl SeasView<'_> {
 
     /// The worst verdict of all checks; nothing where there are none with load cases.
     #[must_use]
-    pub fn worst(&self) -> Option<Verdict> {
+    pub fn worst(&self) -> Option<UtilisationVerdict> {
         self.results
             .checks
             .iter()
@@ -441,9 +455,9 @@ impl SeasView<'_> {
 fn verdict_cell(check: &CheckResult) -> Cell {
     check.verdict().map_or_else(Cell::none, |verdict| {
         let style = match verdict {
-            Verdict::Passes => return Cell::plain(verdict.word()),
-            Verdict::Open => CellStyle::Warn,
-            Verdict::Fails => CellStyle::Bad,
+            UtilisationVerdict::Passes => return Cell::plain(verdict.word()),
+            UtilisationVerdict::Open => CellStyle::Warn,
+            UtilisationVerdict::Fails => CellStyle::Bad,
         };
         Cell::new(verdict.word(), style)
     })
@@ -456,19 +470,21 @@ fn governing(check: &CheckResult, read: impl FnOnce(&CheckRow) -> Cell) -> Cell 
 
 /// The loads at the place of the greatest tension.
 fn greatest_tension(loads: &[PlaceLoads]) -> Option<&PlaceLoads> {
-    let tensions = loads.iter().filter(|loads| loads.series == Series::Tension);
+    let tensions = loads
+        .iter()
+        .filter(|loads| loads.series == RecordedSeries::Tension);
     let value = |loads: &&PlaceLoads| loads.greatest.estimate.value;
     tensions.max_by(|a, b| value(a).total_cmp(&value(b)))
 }
 
 /// What a series is called in a table.
-pub(super) const fn series_word(series: Series) -> &'static str {
+pub(super) const fn series_word(series: RecordedSeries) -> &'static str {
     match series {
-        Series::Tension => "tension",
-        Series::Uplift => "uplift",
-        Series::Offset => "offset",
-        Series::Height => "height",
-        Series::BedClearance => "height above the bed",
+        RecordedSeries::Tension => "tension",
+        RecordedSeries::Uplift => "uplift",
+        RecordedSeries::Offset => "offset",
+        RecordedSeries::Height => "height",
+        RecordedSeries::BedClearance => "height above the bed",
     }
 }
 

@@ -5,7 +5,7 @@ mod head;
 mod outcome;
 mod system;
 
-pub use outcome::{PointView, ResultColumn, ResultView};
+pub use outcome::{OutcomeColumn, PointView, ResultView};
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ use super::number::duration;
 use super::table::{Align, Cell, CellStyle, LineKind, Table};
 use seacable_base::number::si;
 use seacable_model::case::{Spacing, StudyValue};
-use seacable_studies::study::points::Point;
+use seacable_studies::study::points::StudyPoint;
 use seacable_studies::study::vary::{Variation, VariedKey};
 
 /// Curves of a chart, at most; a finer grid is drawn as a map.
@@ -28,7 +28,7 @@ const MOST_FAILURES: usize = 100;
 pub struct VariationView<'a> {
     variation: &'a Variation,
     /// The results shown.
-    results: Vec<ResultColumn>,
+    results: Vec<OutcomeColumn>,
     /// What became of each point.
     outcomes: Vec<PointView>,
     /// Whether the points are runs, which have a cost and may be stored.
@@ -38,7 +38,7 @@ pub struct VariationView<'a> {
 /// A point with its number.
 struct PointRow<'a> {
     number: usize,
-    point: &'a Point,
+    point: &'a StudyPoint,
     outcome: &'a PointView,
 }
 
@@ -74,7 +74,7 @@ impl VariationView<'_> {
         let failed = rows.len();
         rows.truncate(MOST_FAILURES);
         let more = failed - rows.len();
-        let table = Table::of("Without results", &rows)
+        let table = Table::of_records("Without results", &rows)
             .count("point", |row| row.number)
             .text("state", |row| row.outcome.state())
             .text("reason", |row| {
@@ -133,7 +133,7 @@ impl VariationView<'_> {
 
     /// The columns of the keys and of some results, with state and CPU time or without.
     fn part(&self, rows: &[PointRow<'_>], results: Range<usize>, with_state: bool) -> Table {
-        let mut table = Table::of("", rows).count("point", |row| row.number);
+        let mut table = Table::of_records("", rows).count("point", |row| row.number);
         for (place, key) in self.variation.keys.iter().enumerate() {
             table = table.cell(&key.path, Align::Decimal, move |row| {
                 Cell::plain(setting(key, &row.point.settings[place].value))
@@ -185,7 +185,7 @@ impl VariationView<'_> {
         let number = |value: Option<f64>| {
             Cell::plain(value.map_or_else(String::new, |value| value.to_string()))
         };
-        let mut table = Table::of("", &rows).count("point", |row| row.number);
+        let mut table = Table::of_records("", &rows).count("point", |row| row.number);
         for (place, key) in self.variation.keys.iter().enumerate() {
             table = table.text(&headed(&key.path, key.unit()), move |row| {
                 row.point.settings[place].value.to_string()

@@ -8,7 +8,7 @@ use super::document::Report;
 use super::seas::SeasView;
 use super::table::Table;
 use seacable_model::case::StatisticsInputs;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_runs::run::Quantity;
 use seacable_studies::study::seas::{SeaQuestion, SeaResults};
 pub use seacable_systems::system::SolvedSystem;
@@ -56,7 +56,7 @@ impl RunVerdict {
 
     /// The worst of all checks; nothing where none is for this run.
     #[must_use]
-    pub fn worst(&self) -> Option<Verdict> {
+    pub fn worst(&self) -> Option<UtilisationVerdict> {
         self.view().worst()
     }
 

@@ -3,7 +3,7 @@
 use super::chart::{Axis, Chart, Series};
 use super::table::{Align, Cell, CellStyle, Table};
 use seacable_base::number::si;
-use seacable_model::checks::utilisation::Verdict;
+use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_studies::study::points::Setting;
 use seacable_studies::study::window::{WindowKey, WindowRow};
 
@@ -26,7 +26,7 @@ impl WindowView<'_> {
         let numbered: Vec<(usize, &WindowRow)> = self.rows.iter().enumerate().collect();
         let name = self.name();
         let [least, greatest] = self.ends();
-        Table::of(format!("Limiting {name}"), &numbered)
+        Table::of_records(format!("Limiting {name}"), &numbered)
             .count("sea", |(number, _)| number + 1)
             .text("settings", |(_, row)| row.sea.words())
             .cell("passes at", Align::Decimal, |(_, row)| match row.bracket.passes {
@@ -39,7 +39,7 @@ impl WindowView<'_> {
                 None => Cell::none(),
             })
             .cell("there it", Align::Left, |(_, row)| match row.bracket.fails {
-                Some((_, Verdict::Open)) => Cell::new(Verdict::Open.word(), CellStyle::Warn),
+                Some((_, UtilisationVerdict::Open)) => Cell::new(UtilisationVerdict::Open.word(), CellStyle::Warn),
                 Some((_, verdict)) => Cell::plain(verdict.word()),
                 None => Cell::none(),
             })
@@ -62,7 +62,7 @@ impl WindowView<'_> {
     /// The same with every digit.
     #[must_use]
     pub fn csv_table(&self) -> Table {
-        let mut table = Table::of("", self.rows);
+        let mut table = Table::of_records("", self.rows);
         let keys = self.rows.first().map_or(&[][..], |row| &row.sea.settings);
         for (column, setting) in keys.iter().enumerate() {
             table = table.text(&setting.key, move |row| {

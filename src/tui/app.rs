@@ -22,7 +22,7 @@ use super::key::KeyPress;
 use super::memory_keeper::MemoryKeeper;
 use super::msg::{Effect, Msg};
 use super::screen_memory::file;
-use super::settings::Settings;
+use super::settings::UserSettings;
 use super::state::sweep_request::SweepMsg;
 use super::state::{AppState, Severity};
 use super::terminal::capabilities::{self, Capabilities};
@@ -37,7 +37,7 @@ use crate::background::lower_priority;
 use crate::chart::Glyphs;
 use crate::crash_log;
 use crate::run::job::JobEvent;
-use seacable_base::files::{Target, disk, root};
+use seacable_base::files::{WriteTarget, disk, root};
 
 /// How the workbench is opened.
 #[derive(Debug, Clone, Default)]
@@ -97,6 +97,24 @@ struct Timing {
     escape: Duration,
 }
 
+impl Timing {
+    const fn of_link(is_slow: bool) -> Self {
+        if is_slow {
+            Self {
+                answer: Duration::from_millis(100),
+                frame: Duration::from_millis(250),
+                escape: Duration::from_millis(400),
+            }
+        } else {
+            Self {
+                answer: Duration::ZERO,
+                frame: Duration::from_millis(100),
+                escape: Duration::from_millis(80),
+            }
+        }
+    }
+}
+
 /// Opens the workbench, and returns when the user quits.
 ///
 /// Ends the process itself, with the terminal restored, on SIGTERM, SIGHUP, a hang-up and a panic.
@@ -106,18 +124,14 @@ struct Timing {
 pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     look_for_terminal()?;
     let (dir, file) = whereto(options)?;
-    let place = std::path::absolute(
-        options
-            .path
-            .as_ref()
-            .map_or(Path::new("."), |_| dir.as_path()),
-    )?;
+    let named = options.path.as_ref();
+    let place = std::path::absolute(named.map_or(Path::new("."), |_| dir.as_path()))?;
     let mut earlier = file::recall(&place);
     if options.fresh || options.tutorial {
         earlier.screen = None;
     }
     let var = |name: &str| std::env::var(name).ok();
-    let settings = Settings::load();
+    let settings = UserSettings::load();
     let remembered = settings.config.glyphs.or_else(recovery::remembered_glyphs);
     let capabilities = capabilities::decide(options.glyphs, remembered, &var);
     if !capabilities.colour {
@@ -127,24 +141,9 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
     }
     let mut effects = EffectRunner::new(dir)?;
     guard_panics(effects.outbox());
-    // What solvers share their work with goes behind the screen as they do; a pool that exists already stays as it is.
-    let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
-    drop(pool.build_global());
+    lower_priority_of_pool();
     let signals = Signals::register()?;
     let mut screen = Screen::enter(capabilities::synchronizes(&var))?;
-    let pace = if options.slow_link {
-        Timing {
-            answer: Duration::from_millis(100),
-            frame: Duration::from_millis(250),
-            escape: Duration::from_millis(400),
-        }
-    } else {
-        Timing {
-            answer: Duration::ZERO,
-            frame: Duration::from_millis(100),
-            escape: Duration::from_millis(80),
-        }
-    };
     let mut state = AppState::new(screen.size()?, capabilities);
     let flag = options.glyphs;
     let keeps_screen = options.keep_screen || settings.config.keep_screen;
@@ -162,7 +161,7 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         screen: &mut screen,
         signals,
         effects: &mut effects,
-        pace,
+        pace: Timing::of_link(options.slow_link),
         capabilities,
         typed: VecDeque::new(),
         awaited: None,
@@ -180,6 +179,12 @@ pub fn open(options: &WorkbenchOptions) -> Result<(), OpenError> {
         Some(text) => Ok(io::stdout().write_all(text.as_bytes())?),
         None => Ok(()),
     }
+}
+
+/// What solvers share their work with goes behind the screen as they do; a pool that exists already stays as it is.
+fn lower_priority_of_pool() {
+    let pool = rayon::ThreadPoolBuilder::new().start_handler(|_| lower_priority());
+    drop(pool.build_global());
 }
 
 /// Lets jobs be processes that outlive the program, where there is a place to keep them.
@@ -307,7 +312,7 @@ enum Due {
 
 impl Due {
     /// When what a message says is to be seen.
-    fn of(message: &Msg) -> Self {
+    fn of_message(message: &Msg) -> Self {
         match message {
             Msg::Recorded(..) | Msg::TrialProgress(..) | Msg::Sweep(SweepMsg::Progress(..)) => {
                 Self::Sometime
@@ -363,13 +368,13 @@ impl App<'_> {
             let (typed, heard): (Vec<Msg>, Vec<Msg>) = messages.into_iter().partition(is_typed);
             self.typed.extend(typed);
             for message in heard {
-                due = Some(Due::of(&message)).into_iter().chain(due).min();
+                due = Some(Due::of_message(&message)).into_iter().chain(due).min();
                 end = end.or(self.take(message)?);
             }
             while end.is_none() && !self.typed.is_empty() && self.key_hold().is_none() {
                 // A file that is done by now was answered before: its answer comes before the key.
                 for message in self.effects.poll() {
-                    due = Some(Due::of(&message)).into_iter().chain(due).min();
+                    due = Some(Due::of_message(&message)).into_iter().chain(due).min();
                     end = end.or(self.take(message)?);
                 }
                 if end.is_some() || self.key_hold().is_some() {
@@ -579,7 +584,7 @@ impl App<'_> {
         let kept = case_library::state_dir().and_then(|dir| {
             disk::create_dir_all(&dir)?;
             let path = dir.join("copied.txt");
-            Target::replacing(&path).write(text.as_bytes())?;
+            WriteTarget::replacing(&path).write(text.as_bytes())?;
             Ok(path)
         });
         let words = match kept {

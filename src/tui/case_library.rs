@@ -8,8 +8,8 @@ use super::state::reading::{FileTitle, read_title};
 use crate::case::{self, render_all};
 use crate::kinds::FileType;
 use crate::run::store::RUN;
-use seacable_base::files::walk::{Found, Search};
-use seacable_base::files::{Target, disk};
+use seacable_base::files::walk::{FileSearch, FoundFiles};
+use seacable_base::files::{WriteTarget, disk};
 
 use crate::case::shipped::{BESIDE, BY_KIND};
 use crate::places::data_dir;
@@ -39,7 +39,7 @@ pub fn default_dir() -> io::Result<PathBuf> {
             if let Some(parent) = path.parent() {
                 disk::create_dir_all(parent)?;
             }
-            Target::new(&path).write(text.as_bytes())?;
+            WriteTarget::new(&path).write(text.as_bytes())?;
         }
     }
     Ok(dir)
@@ -105,8 +105,8 @@ pub fn story(all: &[case::Diagnostic]) -> String {
 }
 
 /// The files that may be cases: those of stored runs are none.
-fn files_below(dir: &Path) -> Found {
-    let search = Search {
+fn files_below(dir: &Path) -> FoundFiles {
+    let search = FileSearch {
         extension: "toml",
         except_with: RUN,
         depth: DEPTH,

@@ -138,14 +138,14 @@ impl ColumnPair {
     }
 
     /// The runs of the table that have both values, by that along x.
-    fn points<'r>(&self, runs: &'r RunList) -> Vec<Point<'r>> {
+    fn points<'r>(&self, runs: &'r RunList) -> Vec<ChartedRun<'r>> {
         let Some([x, y]) = self.columns(runs) else {
             return Vec::new();
         };
         let rows = runs.rows().iter().map(|at| &runs[*at]);
-        let mut points: Vec<Point> = rows
+        let mut points: Vec<ChartedRun> = rows
             .filter_map(|run| {
-                Some(Point {
+                Some(ChartedRun {
                     run,
                     x: value(runs, run, x)?,
                     y: value(runs, run, y)?,
@@ -159,7 +159,7 @@ impl ColumnPair {
 }
 
 /// A run on the chart.
-struct Point<'a> {
+struct ChartedRun<'a> {
     run: &'a RunEntry,
     x: f64,
     y: f64,

@@ -23,7 +23,7 @@ use std::time::{Duration, Instant};
 use crossbeam_channel::{Receiver, bounded};
 
 use self::file_watch::FileWatch;
-use self::index_worker::{IndexWorker, Question};
+use self::index_worker::{IndexQuestion, IndexWorker};
 use self::job_processes::JobProcesses;
 use self::open::read_case;
 use self::ordered_worker::OrderedWorker;
@@ -35,11 +35,11 @@ use super::files::{save_case, write_text};
 use super::msg::{Effect, Msg, StudyRequest};
 use super::recovery::{self, RecoveredEdits};
 use super::screen_memory::file;
-use super::settings::Settings;
+use super::settings::UserSettings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::modes::COUNT;
 use super::state::part_request::PartRequest;
-use super::state::parts::{Part, PartView};
+use super::state::parts::{PartView, ScreenPart};
 use super::state::report::ReportRequest;
 use super::state::sweep_request::SweepMsg;
 use super::state::trials::TrialsOf;
@@ -210,6 +210,36 @@ impl EffectRunner {
                 let processes = self.processes.as_ref();
                 processes.map_or_else(Vec::new, |processes| processes.perform(effect))
             }
+            Effect::MakePart(request) => match request.key.part {
+                ScreenPart::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
+                _ => self.tables.perform(move || vec![make_part(*request)]),
+            },
+            Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
+            Effect::Watch(path) => {
+                self.watch.watch(path);
+                Vec::new()
+            }
+            Effect::Sweep(effect) => self.sweeps.perform(effect),
+            Effect::ListRuns { files, results } => self
+                .runs
+                .ask(IndexQuestion::List { files, results }, &self.out),
+            Effect::RefreshRuns => self.runs.ask(IndexQuestion::Refresh, &self.out),
+            Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
+            Effect::KeepScreen(directory, memory) => self.memory.perform(move || {
+                let kept = file::keep_screen(&directory, &memory);
+                warning(kept, "The state of the screen cannot be kept")
+            }),
+            Effect::KeepSession(session) => self.memory.perform(move || {
+                let kept = file::keep_session(&session);
+                warning(kept, "The lines of commands cannot be kept")
+            }),
+            effect => self.compute(effect),
+        }
+    }
+
+    /// Effects that compute something behind the screen, each on a thread of its own.
+    fn compute(&self, effect: Effect) -> Vec<Msg> {
+        match effect {
             Effect::FindModes { case, text } => self.aside(move || {
                 let found = modes::of_case(&case, COUNT);
                 Msg::Modes(text, found.map(Arc::new).map_err(|why| why.to_string()))
@@ -219,11 +249,6 @@ impl EffectRunner {
                 let computed = catch_unwind(AssertUnwindSafe(|| ship.computed()));
                 Msg::ShipComputed(ship.stop, computed.ok().flatten())
             }),
-            Effect::MakePart(request) => match request.key.part {
-                Part::Drawing => self.drawings.perform(move || vec![make_part(*request)]),
-                _ => self.tables.perform(move || vec![make_part(*request)]),
-            },
-            Effect::CheckValues(check) => self.tables.perform(move || vec![check_values(*check)]),
             Effect::ReadRun(dir) => self.aside(move || {
                 let run = store::read(&dir).map(Arc::new).map_err(|e| e.to_string());
                 Msg::RunRead(dir, run)
@@ -231,16 +256,8 @@ impl EffectRunner {
             Effect::Plan { case, text, file } => {
                 self.aside(move || Msg::Planned(Box::new(VariantPlan::new(&text, &case, &file))))
             }
-            Effect::Watch(path) => {
-                self.watch.watch(path);
-                Vec::new()
-            }
-            Effect::Sweep(effect) => self.sweeps.perform(effect),
             Effect::Vary(path, variation) => {
                 self.aside(move || Msg::Varied(Box::new(VariedRuns::new(path, &variation))))
-            }
-            Effect::ListRuns { files, results } => {
-                self.runs.ask(Question::List { files, results }, &self.out)
             }
             Effect::Compare {
                 runs,
@@ -249,17 +266,7 @@ impl EffectRunner {
                 name,
             } => self.aside(move || Msg::Page(name, pages::compare(runs, width, glyphs), false)),
             Effect::Study(request, cancel) => self.study(*request, cancel),
-            Effect::CheckEdits(check) => self.checks.perform(move || vec![check_edits(*check)]),
             Effect::MakeReport(request) => self.aside(move || make_report(*request)),
-            Effect::KeepScreen(directory, memory) => self.memory.perform(move || {
-                let kept = file::keep_screen(&directory, &memory);
-                warning(kept, "The state of the screen cannot be kept")
-            }),
-            Effect::KeepSession(session) => self.memory.perform(move || {
-                let kept = file::keep_session(&session);
-                warning(kept, "The lines of commands cannot be kept")
-            }),
-            Effect::RefreshRuns => self.runs.ask(Question::Refresh, &self.out),
             effect => self.files(effect),
         }
     }
@@ -450,7 +457,7 @@ fn file_effect(effect: Effect, dir: &Path) -> Vec<Msg> {
             beside,
         } => read_run_case(dir, wanted, &beside),
         Effect::ReadEdited(path) => Msg::Edited(external_editor::read(&path)),
-        Effect::ReadSettings => Msg::SettingsRead(Box::new(Settings::load())),
+        Effect::ReadSettings => Msg::SettingsRead(Box::new(UserSettings::load())),
         Effect::KeepRun(run) => keep_run(run),
         Effect::WriteText { path, text, what } => write_text(&path, &text, what),
         Effect::WriteMade(request) => match request.text() {

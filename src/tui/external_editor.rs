@@ -107,7 +107,7 @@ mod tests {
             ("ship/coupled.toml", FileType::Ship),
         ] {
             let path = cases.join(file);
-            assert_eq!(FileType::of(&path), kind, "{file}");
+            assert_eq!(FileType::of_path(&path), kind, "{file}");
             assert_eq!(read(&path), Ok(std::fs::read_to_string(&path).unwrap()));
         }
     }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::msg::Msg;
 use super::state::Severity;
 use crate::visible;
-use seacable_base::files::{Existing, Target, WriteError};
+use seacable_base::files::{Existing, WriteError, WriteTarget};
 
 /// Saves a case: to a new file, or over the file that links lead to, which should still hold `expected`.
 pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new: bool) -> Msg {
@@ -15,9 +15,9 @@ pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new
         None => Existing::Replace,
     };
     let linked = path.canonicalize().ok().filter(|_| !new);
-    let target = Target {
+    let target = WriteTarget {
         existing,
-        ..Target::new(linked.as_deref().unwrap_or(&path))
+        ..WriteTarget::new(linked.as_deref().unwrap_or(&path))
     };
     match target.write(text.as_bytes()) {
         Ok(()) => Msg::Saved(path, text),
@@ -28,7 +28,7 @@ pub(super) fn save_case(path: PathBuf, text: String, expected: Option<&str>, new
 
 /// Writes a new file.
 pub(super) fn write_new(path: &Path, text: &str) -> Result<(), String> {
-    let written = Target::new(path).write(visible::toml(text).as_bytes());
+    let written = WriteTarget::new(path).write(visible::toml(text).as_bytes());
     written.map_err(|error| format!("The file is not made: {error}."))
 }
 
@@ -41,7 +41,7 @@ pub(super) fn write_text(path: &Path, text: &str, what: &str) -> Msg {
         _ => visible::text(text),
     };
     for target in std::iter::once(path.to_owned()).chain(numbered) {
-        match Target::new(&target).write(text.as_bytes()) {
+        match WriteTarget::new(&target).write(text.as_bytes()) {
             Ok(()) => {
                 return Msg::Say(
                     Severity::Info,

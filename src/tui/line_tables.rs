@@ -40,7 +40,7 @@ impl LineTable {
 
     /// Those that a run has something for.
     #[must_use]
-    pub fn of(run: &Run) -> Vec<Self> {
+    pub fn of_run(run: &Run) -> Vec<Self> {
         let told = |table: &Self| match table {
             Self::Nodes => true,
             Self::Response => !run.profile().rms.is_empty(),
@@ -53,7 +53,7 @@ impl LineTable {
     /// This one where the run has it, else the nodes.
     #[must_use]
     pub fn or_nodes(self, run: &Run) -> Self {
-        if Self::of(run).contains(&self) {
+        if Self::of_run(run).contains(&self) {
             self
         } else {
             Self::Nodes
@@ -63,7 +63,7 @@ impl LineTable {
     /// The next or the previous one that the run has something for.
     #[must_use]
     pub fn beside(self, run: &Run, forward: bool) -> Self {
-        let all = Self::of(run);
+        let all = Self::of_run(run);
         let at = all.iter().position(|t| *t == self).unwrap_or(0);
         let step = if forward { 1 } else { all.len() - 1 };
         all[(at + step) % all.len()]

@@ -47,7 +47,7 @@ impl MemoryKeeper {
     pub(super) fn changes(&mut self, state: &AppState) -> Vec<Effect> {
         self.looked = Instant::now();
         let mut effects = Vec::new();
-        let screen = ScreenMemory::of(state);
+        let screen = ScreenMemory::of_state(state);
         if self.screen.as_ref() != Some(&screen) {
             let kept = Box::new(screen.clone());
             effects.push(Effect::KeepScreen(self.directory.clone(), kept));

@@ -9,7 +9,7 @@ use super::key::KeyPress;
 use super::recovery::RecoveredEdits;
 use super::screen_memory::ScreenMemory;
 use super::screen_memory::file::SessionMemory;
-use super::settings::Settings;
+use super::settings::UserSettings;
 use super::state::edit_check::{EditAnswer, EditCheck};
 use super::state::job_process::{ProcessEffect, ProcessMsg};
 use super::state::part_request::PartRequest;
@@ -123,14 +123,14 @@ pub enum Msg {
     /// The live run was kept here.
     Kept(PathBuf, Arc<Run>),
     /// What the files of the user set.
-    SettingsRead(Box<Settings>),
+    SettingsRead(Box<UserSettings>),
     /// A message to the user.
     Say(Severity, String),
 }
 
 /// A run to be compared.
 #[derive(Debug, Clone)]
-pub enum ComparedRun {
+pub enum RunToCompare {
     /// One in memory.
     Memory(Arc<Run>),
     /// One in this directory.
@@ -202,7 +202,7 @@ impl FileRead {
             files: BTreeMap::new(),
         };
         Self {
-            read: Reading::of(&file, text, content),
+            read: Reading::of_text(&file, text, content),
             path: file.path,
             recovered,
         }
@@ -314,7 +314,7 @@ pub enum Effect {
     /// Compare runs with the first of them, on so many columns, under this name.
     Compare {
         /// The runs.
-        runs: Vec<ComparedRun>,
+        runs: Vec<RunToCompare>,
         /// Columns of the page.
         width: usize,
         /// Characters of its charts.

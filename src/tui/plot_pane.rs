@@ -11,8 +11,8 @@ use ratatui::layout::Rect;
 use self::picture_memo::PictureMemo;
 use super::theme::Theme;
 use crate::chart::{
-    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, Limit, LimitLine, Picture, PlotFrame,
-    Readout, Series,
+    self, AxisRange, AxisScale, CONTINUATION, Chart, Glyphs, LimitLine, Picture, PlotFrame,
+    Readout, ReferenceLine, Series,
 };
 use crate::number;
 
@@ -126,7 +126,7 @@ impl PlotPane {
         }
         for (i, x) in self.marks.iter().enumerate() {
             let label = format!("{}: {}", i + 1, number::si(*x, &chart.x.unit));
-            let mark = Limit::new(label, LimitLine::Vertical(*x));
+            let mark = ReferenceLine::new(label, LimitLine::Vertical(*x));
             chart.limits.push(mark);
         }
         chart
@@ -136,7 +136,7 @@ impl PlotPane {
     pub fn draw(&self, chart: &Chart, area: Rect, buf: &mut Buffer, glyphs: Glyphs, theme: Theme) {
         let area = area.intersection(*buf.area());
         let size = (area.width.into(), area.height.into());
-        paint(&self.memo.of(chart, size, glyphs), area, buf, theme);
+        paint(&self.memo.picture(chart, size, glyphs), area, buf, theme);
     }
 
     /// What the visible series say at the cursor; nothing without a cursor.

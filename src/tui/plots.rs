@@ -4,19 +4,19 @@ use std::sync::Arc;
 
 use super::state::RunCurves;
 use super::state::runs_view::{Charted, CoarseAnswer};
-use crate::chart::{AxisRange, Chart, Limit, LimitLine};
+use crate::chart::{AxisRange, Chart, LimitLine, ReferenceLine};
 use crate::comparison::points_less;
 use crate::report::figures::{FigureAxis, FigureData, FigureId, PlottedRun};
 use crate::run::Run;
 
 /// A run on the charts.
-struct Shown<'a> {
+struct ShownRun<'a> {
     label: &'a str,
     curves: &'a RunCurves,
     dimmed: bool,
 }
 
-impl<'a> Shown<'a> {
+impl<'a> ShownRun<'a> {
     fn source(&self) -> PlottedRun<'a> {
         let source = match &self.curves.run {
             Some(run) => PlottedRun::whole(run, self.label),
@@ -42,21 +42,21 @@ fn coarse_shown(on: Charted<'_>) -> Option<&CoarseAnswer> {
 }
 
 /// The runs on the charts, older results first.
-fn shown(on: Charted<'_>) -> Vec<Shown<'_>> {
+fn shown(on: Charted<'_>) -> Vec<ShownRun<'_>> {
     let mut list = Vec::new();
     let live = &on.view.live;
     if !live.hidden {
         // The old curve stays, dimmed, until the new one is complete.
         let landed = has_landed(on);
         let coarse = coarse_shown(on);
-        list.extend(coarse.map(|coarse| Shown {
+        list.extend(coarse.map(|coarse| ShownRun {
             label: "coarse",
             curves: &coarse.curves,
             dimmed: live.going.is_some(),
         }));
         let done = live.done.as_ref();
         let done = done.filter(|_| !landed && coarse.is_none());
-        list.extend(done.map(|curves| Shown {
+        list.extend(done.map(|curves| ShownRun {
             label: if live.going.is_some() {
                 "before"
             } else {
@@ -65,13 +65,13 @@ fn shown(on: Charted<'_>) -> Vec<Shown<'_>> {
             curves,
             dimmed: live.going.is_some(),
         }));
-        list.extend(live.going.as_ref().map(|curves| Shown {
+        list.extend(live.going.as_ref().map(|curves| ShownRun {
             label: "live",
             curves,
             dimmed: false,
         }));
     }
-    list.extend(on.view.runs.on_charts().map(|slot| Shown {
+    list.extend(on.view.runs.on_charts().map(|slot| ShownRun {
         label: if slot.label.is_empty() {
             &slot.id
         } else {
@@ -93,7 +93,7 @@ pub fn runs_shown(on: Charted<'_>) -> usize {
 #[must_use]
 pub fn has_curves(on: Charted<'_>) -> bool {
     let drawn =
-        |run: &Shown| !run.curves.history().time.is_empty() || !run.curves.shapes().is_empty();
+        |run: &ShownRun| !run.curves.history().time.is_empty() || !run.curves.shapes().is_empty();
     shown(on).iter().any(drawn)
 }
 
@@ -105,7 +105,7 @@ pub fn viewed(on: Charted<'_>, id: FigureId) -> Chart {
 
 /// What the figures of the case are drawn from.
 fn with_data<T>(on: Charted<'_>, make: impl FnOnce(&FigureData) -> T) -> T {
-    let runs: Vec<PlottedRun> = shown(on).iter().map(Shown::source).collect();
+    let runs: Vec<PlottedRun> = shown(on).iter().map(ShownRun::source).collect();
     make(&FigureData {
         case: on.case,
         runs: &runs,
@@ -179,7 +179,7 @@ fn subtract(chart: &mut Chart, held: &Chart, name: &str) {
     chart.title = format!("{}, less {name}", chart.title);
     chart.y.label = "difference".to_owned();
     chart.y.range = None;
-    chart.limits = vec![Limit::new("", LimitLine::Horizontal(0.0))];
+    chart.limits = vec![ReferenceLine::new("", LimitLine::Horizontal(0.0))];
 }
 
 /// Whether a label is this name, or this name of some run.

@@ -12,7 +12,7 @@ use rustix::process::{Pid, test_kill_process};
 use super::case_library::state_dir;
 use crate::chart::Glyphs;
 use crate::strays;
-use seacable_base::files::{Target, disk, read};
+use seacable_base::files::{WriteTarget, disk, read};
 
 /// What a session left of a case.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -59,7 +59,7 @@ pub fn store(case: &Path, edits: Option<&RecoveredEdits>) -> io::Result<()> {
     match edits {
         Some(edits) => {
             disk::create_dir_all(&dir)?;
-            Ok(Target::replacing(&path).write(edits.written().as_bytes())?)
+            Ok(WriteTarget::replacing(&path).write(edits.written().as_bytes())?)
         }
         None => remove_if_present(&path),
     }
@@ -202,7 +202,7 @@ pub fn remember_glyphs(glyphs: Glyphs) -> io::Result<()> {
         Glyphs::Braille => "braille\n",
         Glyphs::Ascii => "ascii\n",
     };
-    Ok(Target::replacing(&dir.join("glyphs")).write(word.as_bytes())?)
+    Ok(WriteTarget::replacing(&dir.join("glyphs")).write(word.as_bytes())?)
 }
 
 #[cfg(all(test, target_os = "linux"))]

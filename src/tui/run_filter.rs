@@ -9,13 +9,13 @@ use super::state::{RunColumn, RunEntry, RunList};
 
 /// What the words of a filter are looked for in.
 #[derive(Debug, Clone)]
-pub struct RunText {
+pub struct FilterText {
     text: Utf32String,
     /// The letters and digits that it has.
     letters: LetterSet,
 }
 
-impl RunText {
+impl FilterText {
     /// The text of a run.
     #[must_use]
     pub fn new(run: &RunEntry) -> Self {
@@ -31,7 +31,7 @@ impl RunText {
             notes.note
         );
         Self {
-            letters: LetterSet::of(&text).unwrap_or(LetterSet::ALL),
+            letters: LetterSet::of_text(&text).unwrap_or(LetterSet::ALL),
             text: Utf32String::from(text),
         }
     }
@@ -46,7 +46,7 @@ impl LetterSet {
     const ALL: Self = Self(u64::MAX);
 
     /// Those of a text; nothing where others are taken for them, as accented letters are.
-    fn of(text: &str) -> Option<Self> {
+    fn of_text(text: &str) -> Option<Self> {
         let bit = |c: u8| match c.to_ascii_lowercase() {
             c @ b'a'..=b'z' => 1 << (c - b'a'),
             c @ b'0'..=b'9' => 1 << (26 + c - b'0'),
@@ -116,7 +116,7 @@ impl RunFilter {
         Self {
             conditions: conditions.into_iter().flatten().collect(),
             words: Pattern::parse(&words.join(" "), CaseMatching::Ignore, Normalization::Smart),
-            letters: LetterSet::of(&plain).unwrap_or(LetterSet(0)),
+            letters: LetterSet::of_text(&plain).unwrap_or(LetterSet(0)),
             only_letters: words.iter().all(|word| word.len() == 1) && plain.len() == words.len(),
             matcher: RefCell::new(Matcher::new(Config::DEFAULT)),
         }
@@ -138,7 +138,7 @@ impl RunFilter {
 
     /// Whether a run of a list passes; its text is needed where there are words.
     #[must_use]
-    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&RunText>) -> bool {
+    pub fn passes(&self, list: &RunList, run: &RunEntry, text: Option<&FilterText>) -> bool {
         let met = |condition: &Condition| condition.is_met(list, run);
         if !self.conditions.iter().all(met) {
             return false;
@@ -249,9 +249,9 @@ mod tests {
     #[test]
     fn letters_decide_only_what_the_matcher_would() {
         let list = RunList::empty(true);
-        let method = |word: &str| RunEntry::session(TextDigest::of(""), word.to_owned());
+        let method = |word: &str| RunEntry::session(TextDigest::of_text(""), word.to_owned());
         let passes = |typed: &str, run: &RunEntry| {
-            RunFilter::new(typed).passes(&list, run, Some(&RunText::new(run)))
+            RunFilter::new(typed).passes(&list, run, Some(&FilterText::new(run)))
         };
         let (plain, accented) = (method("quasi-static"), method("\u{e9}tat \u{e0} rest"));
         for (typed, run, expected) in [

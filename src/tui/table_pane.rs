@@ -10,7 +10,7 @@ mod rows;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-use self::layout_memo::{LayoutKey, LayoutMemo};
+use self::layout_memo::{LayoutMemo, LayoutMemoKey};
 use super::state::Filter;
 use super::theme::Theme;
 use crate::chart::Glyphs;
@@ -210,14 +210,14 @@ impl TablePane {
     }
 
     fn laid_out(&self, table: &Table, width: usize) -> std::sync::Arc<TableLayout> {
-        let key = LayoutKey {
+        let key = LayoutMemoKey {
             sort: self.sort.clone(),
             hidden: self.hidden.clone(),
             filter: self.filter.input.value().to_owned(),
             width,
         };
         self.memo
-            .of(table, key, || self.as_shown(table).layout(width))
+            .layout(table, key, || self.as_shown(table).layout(width))
     }
 
     /// Where the column under the cursor is in a layout: its first column of text and its width; nothing where the layout has no

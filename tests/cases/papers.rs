@@ -49,7 +49,7 @@ fn rows_of(case: &'static str) -> (&'static str, &'static str, Vec<ValidationRow
         FileType::Ship => {
             let statics = parse::<Ship>(text, &name).unwrap();
             let folder = Path::new(&name).parent().unwrap();
-            let motion = MotionAnalysis::of(&statics, folder);
+            let motion = MotionAnalysis::of_statics(&statics, folder);
             ship::validation::rows(&statics.ship, motion.as_ref())
         }
         FileType::Section => {

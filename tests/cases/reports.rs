@@ -100,7 +100,7 @@ fn systems_at_rest() {
             .unwrap()
             .computed;
         let fields = kind::rows::<SystemFile>(text);
-        let analyses = Analyses::of(&solved);
+        let analyses = Analyses::of_system(&solved);
         let rows = validation::rows(&solved, None);
         written(
             path,

@@ -222,7 +222,7 @@ fn the_command_prints_the_page_and_refuses_what_is_wrong() {
 }
 
 fn motion(text: &str) -> MotionAnalysis {
-    MotionAnalysis::of(&rest(text), Path::new(""))
+    MotionAnalysis::of_statics(&rest(text), Path::new(""))
         .unwrap()
         .unwrap()
 }

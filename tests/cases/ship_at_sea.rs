@@ -32,12 +32,14 @@ fn rest(text: &str) -> StaticAnalysis {
 }
 
 fn motion(text: &str) -> Result<MotionAnalysis, MotionError> {
-    MotionAnalysis::of(&rest(text), &folder()).unwrap()
+    MotionAnalysis::of_statics(&rest(text), &folder()).unwrap()
 }
 
 fn coupled(edits: &[(&str, &str)]) -> CoupledAnalysis {
     let rest = rest(&with(edits));
-    let motion = MotionAnalysis::of(&rest, &folder()).unwrap().unwrap();
+    let motion = MotionAnalysis::of_statics(&rest, &folder())
+        .unwrap()
+        .unwrap();
     CoupledAnalysis::new(&rest, Some(&motion), &AtomicBool::new(false)).unwrap()
 }
 

@@ -17,7 +17,7 @@ fn case_files(folder: &Path) -> Vec<PathBuf> {
         if path.is_dir() {
             files.extend(case_files(&path));
         } else if path.extension().is_some_and(|ending| ending == "toml")
-            && FileType::of(&path) == FileType::Line
+            && FileType::of_path(&path) == FileType::Line
         {
             files.push(path);
         }

@@ -7,7 +7,7 @@ use std::process::{Command, Output, Stdio};
 use std::time::Duration;
 
 use rustix::process::{Pid, Signal, kill_process};
-use seacable::jobs::{JobFolder, JobState};
+use seacable::jobs::{JobFolder, JobFolderState};
 use seacable::run::{RunState, store};
 
 use crate::chance::Chance;
@@ -131,7 +131,7 @@ pub(crate) fn folders(dir: &Path) -> Vec<JobFolder> {
 /// Kills a process of a job, if one computes.
 pub(crate) fn kill_a_job(dir: &Path, chance: &mut Chance) -> bool {
     let held = folders(dir).into_iter();
-    let held = held.filter(|folder| folder.state() == JobState::Held);
+    let held = held.filter(|folder| folder.state() == JobFolderState::Held);
     let processes: Vec<_> = held.filter_map(|folder| folder.process()).collect();
     if processes.is_empty() {
         return false;
@@ -304,7 +304,10 @@ pub(crate) fn killed_jobs(duration_s: u32, kills: usize, chance: &mut Chance) {
         killed += usize::from(kill_a_job(path, chance));
         // What has ended makes room, and what waits goes on.
         for folder in folders(path) {
-            if matches!(folder.state(), JobState::Ended(_) | JobState::Killed(_)) {
+            if matches!(
+                folder.state(),
+                JobFolderState::Ended(_) | JobFolderState::Killed(_)
+            ) {
                 let _ = command(path, &["jobs", "wait", &folder.number.to_string()]).output();
             }
         }

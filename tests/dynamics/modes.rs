@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use seacable::case::Case;
-use seacable::modes::{LineModes, ModeKind, Pencil, WkbMedium, lowest, of_case};
+use seacable::modes::{LineModes, ModeKind, ModePencil, WkbMedium, lowest, of_case};
 use seacable::numerics::{BlockBand, V3};
 use seacable::solve::{Factors, Kinematics, Residual};
 
@@ -321,7 +321,7 @@ fn every_mode_of_a_short_line_can_be_had() {
     let found = of_case(&case, 100).unwrap();
     assert_eq!(found.modes.len(), 9);
     // From the fundamental swing to the axial modes, each orthogonal to the others.
-    let mut pencil = Pencil::new(&found.scene, &found.rest);
+    let mut pencil = ModePencil::new(&found.scene, &found.rest);
     let pairs = lowest(&mut pencil, 100).unwrap();
     for (i, a) in pairs.iter().enumerate() {
         for (j, b) in pairs.iter().enumerate() {
@@ -480,7 +480,7 @@ fn a_beam_under_tension() {
     }
     let errors = [25, 50, 100].map(|n| frequencies(&on(n))[6] / frequencies(&on(400))[6] - 1.0);
     second_order("beam under tension", &errors.map(f64::abs));
-    let medium = WkbMedium::of(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
     for n in 1..5 {
         assert!((medium.frequency_hz(n).unwrap() / exact(n) - 1.0).abs() < 1e-3);
     }
@@ -498,7 +498,7 @@ fn wkb_theory_nears_the_modes_of_an_upright_line_as_they_rise() {
          ends.b.position_m = [0.0, 0.0, 0.0]",
     );
     let found = of_case(&case, 16).unwrap();
-    let medium = WkbMedium::of(&found.scene, &found.rest).unwrap();
+    let medium = WkbMedium::of_line_at_rest(&found.scene, &found.rest).unwrap();
     assert!((medium.tension[800] - 500.0).abs() < 10.0);
     let all = of_kind(&found, ModeKind::InPlane);
     let off: Vec<f64> = all

@@ -224,7 +224,8 @@ fn a_taut_string_swings_with_the_period_and_decay_of_the_method() {
     let omega = 2.0 * n as f64 / 101.0 * wave * (0.5 * PI / n as f64).sin();
     for (rho, share) in [(0.4, 0.05), (0.0, 0.05), (0.4, 0.1), (1.0, 0.1)] {
         let h = share * 2.0 * PI / omega;
-        let made = seacable::dynamics::numerical_damping::NumericalDamping::of(rho, omega, h);
+        let made =
+            seacable::dynamics::numerical_damping::NumericalDamping::of_oscillator(rho, omega, h);
         let mut state = scene.initial_state();
         for i in 1..n {
             state.v[i].y = 1e-3 * omega * (PI * i as f64 / n as f64).sin();

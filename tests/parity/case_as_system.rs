@@ -254,7 +254,7 @@ fn is_system(name: &str) -> bool {
 /// All that is wrong with a case as a system.
 fn refused(name: &str) -> Vec<Diagnostic> {
     let bytes = FileBytes::read(Path::new(&path_of(name)));
-    let opened = OpenedFile::of::<SystemFile>(bytes, &ImportOptions::default());
+    let opened = OpenedFile::of_bytes::<SystemFile>(bytes, &ImportOptions::default());
     let read = opened.and_then(|opened| opened.read::<SystemFile>());
     read.err().unwrap_or_default()
 }

@@ -183,6 +183,6 @@ fn of_system(file: &Path) -> Vec<String> {
     let text = fs::read_to_string(&folder).unwrap();
     let solved = kind::parse_beside::<SystemFile>(&text, &name, folder.parent().unwrap()).unwrap();
     let begun = start(&solved, 1.0).unwrap();
-    let channels = Channels::of(&begun.system);
+    let channels = Channels::of_system(&begun.system);
     channels.ids.iter().map(ToString::to_string).collect()
 }

@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::time::{Duration, Instant};
 
 use predicates::prelude::{Predicate, predicate};
-use seacable::jobs::{JobFolder, JobPhase, JobState};
+use seacable::jobs::{JobFolder, JobFolderState, JobPhase};
 use seacable::run::{RunState, store};
 
 use crate::chance::{Chance, asked, seed};
@@ -275,11 +275,11 @@ fn a_job_that_searches_an_equilibrium_is_cancelled_in_a_moment() {
     said(path, &["jobs", "cancel", "1"]);
     let asked = Instant::now();
     wait_until("the job ends", || {
-        matches!(state(), Some(JobState::Ended(_)))
+        matches!(state(), Some(JobFolderState::Ended(_)))
     });
     let took = asked.elapsed();
     println!("{:.3} s", took.as_secs_f64());
-    let Some(JobState::Ended(status)) = state() else {
+    let Some(JobFolderState::Ended(status)) = state() else {
         panic!("{:?}", state());
     };
     assert_eq!((status.phase, status.message), (JobPhase::Cancelled, None));

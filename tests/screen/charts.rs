@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicBool;
 use proptest::prelude::*;
 use seacable::case::{self, shipped::SHIPPED};
 use seacable::chart::{
-    Axis, AxisScale, Chart, Glyphs, GridMap, Limit, LimitLine, PictureCell, PicturePart, Series,
-    draw, marker, readout,
+    Axis, AxisScale, Chart, Glyphs, GridMap, LimitLine, PictureCell, PicturePart, ReferenceLine,
+    Series, draw, marker, readout,
 };
 use seacable::report::figures::{FigureData, FigureId, PlottedRun};
 use seacable::run::job::{self, Request};
@@ -43,7 +43,7 @@ fn tensions() -> Chart {
             Series::new("polyester|wire", 2, tension(30.0, 2.4e6)),
             Series::new("wire|payload", 3, tension(30.0, 1.96e6)),
         ],
-        limits: vec![Limit {
+        limits: vec![ReferenceLine {
             label: "hanging weight 3.77 MN".to_owned(),
             line: LimitLine::Horizontal(3.766e6),
         }],
@@ -110,7 +110,7 @@ fn a_trajectory_to_equal_scale() {
 fn the_bed_force_on_a_clump_that_lands() {
     let text = |file: &str| SHIPPED.iter().find(|case| case.0 == file).unwrap().1;
     let parse = |file: &str| case::parse(text(file), file).unwrap();
-    let without_bed = FigureId::of(&parse("basics/pendulum.toml"));
+    let without_bed = FigureId::of_case(&parse("basics/pendulum.toml"));
     assert!(!without_bed.contains(&FigureId::BedForce));
     let mut clump = parse("hard/clump_on_bed.toml");
     (clump.solver.duration_s, clump.output.interval_s) = (4.0, 0.02);
@@ -123,7 +123,7 @@ fn the_bed_force_on_a_clump_that_lands() {
         id: "clump".to_owned(),
     };
     let run = job::execute(&request, &AtomicBool::new(false), &mut |_| {});
-    assert!(FigureId::of(&clump).contains(&FigureId::BedForce));
+    assert!(FigureId::of_case(&clump).contains(&FigureId::BedForce));
     let chart = FigureId::BedForce.figure().draw(&FigureData {
         case: Some(&clump),
         runs: &[PlottedRun::whole(&run, "")],
@@ -424,8 +424,8 @@ prop_compose! {
             title, x, y, cursor, equal_scale, ends,
             series: series.collect(),
             limits: vec![
-                Limit { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },
-                Limit { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
+                ReferenceLine { label: "limit".to_owned(), line: LimitLine::Horizontal(limit) },
+                ReferenceLine { label: "limit".to_owned(), line: LimitLine::Vertical(limit) },
             ],
             legend: true,
             cursor_y: field.as_ref().map(|(_, first, _)| *first),

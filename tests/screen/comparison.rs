@@ -48,7 +48,7 @@ fn runs() -> [Run; 2] {
 #[test]
 fn two_runs() {
     let [first, second] = runs();
-    let compared = Comparison::of(&[&first, &second]);
+    let compared = Comparison::of_runs(&[&first, &second]);
     accept(
         "comparison_80",
         &comparison::tables(&compared, 80).to_text(80, Glyphs::Braille),
@@ -58,7 +58,7 @@ fn two_runs() {
 #[test]
 fn three_runs() {
     let [first, second] = runs();
-    let compared = Comparison::of(&[&first, &second, &first]);
+    let compared = Comparison::of_runs(&[&first, &second, &first]);
     accept(
         "comparison_of_three_120",
         &comparison::tables(&compared, 120).to_text(120, Glyphs::Braille),
@@ -116,7 +116,7 @@ fn lines_are_drawn_where_they_are_furthest_apart() {
 fn a_case_that_cannot_be_read_is_noted() {
     let [first, mut second] = runs();
     second.case_text = "nonsense = 1".to_owned();
-    let compared = Comparison::of(&[&first, &second]);
+    let compared = Comparison::of_runs(&[&first, &second]);
     assert!(
         compared.notes.iter().any(|note| note.contains("case of B")),
         "{:?}",

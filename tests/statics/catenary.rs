@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use seacable::statics::catenary::{
-    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape, Solution,
+    CatenaryError, CatenaryLine, CatenaryShape, EndOffset, RigidBed, SectionProperties, Solution,
 };
 
 /// `tests/data/catenary.csv`: lines of every kind with answers from an independent 40-digit solution
@@ -170,7 +170,9 @@ fn end_stiffness_is_the_derivative_of_the_end_force() {
             bed.below_a_m + row.ends.z_m - row.ends.x_m * bed.slope_rad.tan()
         });
         let step = (1e-5 * top / stiff).min(1e-4 * height);
-        if rest.shape == Shape::WhollyOnBed || rest.h_b_n < 1e-9 * top || step < 1e-9 * row.ends.x_m
+        if rest.shape == CatenaryShape::WhollyOnBed
+            || rest.h_b_n < 1e-9 * top
+            || step < 1e-9 * row.ends.x_m
         {
             continue;
         }
@@ -527,7 +529,7 @@ fn a_line_wholly_on_a_slope_has_tensions_and_stiffness_in_closed_form() {
         };
         let section = [SectionProperties::new(length, w, ea)];
         let rest = line(ends, &section, Some(bed)).solve().unwrap();
-        assert_eq!(rest.shape, Shape::WhollyOnBed);
+        assert_eq!(rest.shape, CatenaryShape::WhollyOnBed);
         let near = |found: f64, expected: f64, of: f64| {
             assert!(
                 (found - expected).abs() < 1e-9 * of,

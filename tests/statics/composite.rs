@@ -1,7 +1,9 @@
 //! Lines of several sections at rest against independent answers, and what must hold for any of them.
 
 use proptest::prelude::*;
-use seacable::statics::catenary::{EndOffset, RigidBed, SectionProperties, Shape, Solution};
+use seacable::statics::catenary::{
+    CatenaryShape, EndOffset, RigidBed, SectionProperties, Solution,
+};
 
 use super::sections::{check_stiffness, line, sections, total};
 
@@ -126,7 +128,7 @@ fn a_lazy_wave_rests_rises_over_its_buoys_and_hangs() {
     let rest = line(ends, &riser, Some(RigidBed::default()))
         .solve()
         .unwrap();
-    assert_eq!(rest.shape, Shape::PartlyOnBed);
+    assert_eq!(rest.shape, CatenaryShape::PartlyOnBed);
     let heights: Vec<f64> = (0..=600).map(|s| rest.at(f64::from(s)).z_m).collect();
     let turns = heights
         .windows(3)
@@ -152,7 +154,7 @@ fn a_body_heavier_than_its_buoy_rests_on_the_bed_between_two_equilibria() {
     let rest = line(ends, &mooring, Some(RigidBed::default()))
         .solve()
         .unwrap();
-    assert_eq!(rest.shape, Shape::ManyOnBed);
+    assert_eq!(rest.shape, CatenaryShape::ManyOnBed);
     assert!(rest.at(150.0).z_m > 10.0 && rest.on_bed_m > 10.0);
     no_deeper_than_the_bed(&rest, total(&mooring), 0.0);
 }
@@ -175,7 +177,7 @@ fn a_slack_line_hangs_plumb_on_both_sides_however_its_weight_rounds() {
         z_m: 0.0,
     };
     let rest = line(ends, &sections, Some(flat(below))).solve().unwrap();
-    assert_eq!(rest.shape, Shape::SlackTroughOnBed);
+    assert_eq!(rest.shape, CatenaryShape::SlackTroughOnBed);
     assert!(rest.residual < 1e-14 && rest.h_b_n == 0.0);
     // Each leg as long as the bed is deep, but for its stretch.
     assert!(

@@ -3,7 +3,7 @@
 
 use proptest::prelude::*;
 use seacable::statics::catenary::{
-    CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape, Solution,
+    CatenaryError, CatenaryLine, CatenaryShape, EndOffset, RigidBed, SectionProperties, Solution,
 };
 
 use super::sections::{check_stiffness, forces, line, sections, total};
@@ -167,7 +167,7 @@ fn a_line_clear_of_a_slope_hangs_free() {
         ..line(ends, &chain, bed)
     };
     assert_eq!(forces(&over), forces(&free.solve().unwrap()));
-    assert_eq!(over.shape, Shape::Hanging);
+    assert_eq!(over.shape, CatenaryShape::Hanging);
 }
 
 fn any_section() -> impl Strategy<Value = SectionProperties> {

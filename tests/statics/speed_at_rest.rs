@@ -9,7 +9,7 @@ use seacable::numerics::random::Random;
 use seacable::run::accuracy::searchable::{Asked, Searchable};
 use seacable::run::job::{Request, execute};
 use seacable::run::{Run, RunState};
-use seacable::study::speed::at_rest::{self, AtRest, RestErrors, RestStudy, Way};
+use seacable::study::speed::at_rest::{self, RestErrors, RestStudy, SceneAtRest, Way};
 use seacable::study::speed::{self, SpeedError};
 use seacable::system::SystemFile;
 use seacable::system::at_rest::{SystemAtRest, main_results, named_result};
@@ -36,7 +36,7 @@ fn line(name: &str) -> Case {
     seacable::case::load(&path).unwrap().case
 }
 
-fn studied<S: AtRest>(scene: &S) -> RestStudy {
+fn studied<S: SceneAtRest>(scene: &S) -> RestStudy {
     let mut told = 0;
     let mut tell = |number: usize, of: usize, _: &str| {
         told += 1;
@@ -48,7 +48,11 @@ fn studied<S: AtRest>(scene: &S) -> RestStudy {
 }
 
 /// The errors of what is recommended against a mesh four times as fine as the reference.
-fn checked<S: AtRest>(scene: &S, study: &RestStudy, accuracy: f64) -> Option<(String, RestErrors)> {
+fn checked<S: SceneAtRest>(
+    scene: &S,
+    study: &RestStudy,
+    accuracy: f64,
+) -> Option<(String, RestErrors)> {
     let found = study.recommended(accuracy)?;
     let finer: Vec<usize> = study.reference.segments.iter().map(|n| 4 * n).collect();
     let exact = scene

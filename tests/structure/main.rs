@@ -7,6 +7,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod arrows;
+mod clarity;
 mod floors;
 mod manifests;
 mod names;
@@ -21,6 +22,15 @@ use sources::Sources;
 
 /// The most files that a ring may have.
 const LARGEST_RING: usize = 4;
+
+/// The most names of types that more than one file may define: in rooms that are never read together.
+const MOST_SHARED_NAMES: usize = 4;
+
+/// The most functions that may be called `of`: where a declaration reads as a sentence with it.
+const MOST_CALLED_OF: usize = 5;
+
+/// The most lines that a function may have.
+const LONGEST_FUNCTION: usize = 60;
 
 static SOURCES: LazyLock<Sources> =
     LazyLock::new(|| Sources::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src")));
@@ -83,4 +93,41 @@ fn no_ring_ties_rooms() {
         "rings of rooms:\n{}",
         describe(&rings, &rooms)
     );
+}
+
+#[test]
+fn types_have_names_of_their_own() {
+    let shared = clarity::shared_names(&SOURCES);
+    assert!(
+        shared.len() <= MOST_SHARED_NAMES,
+        "names of several types:\n{}",
+        shared.join("\n")
+    );
+}
+
+#[test]
+fn functions_say_what_they_return() {
+    let mut called_of = clarity::functions(&SOURCES);
+    called_of.retain(|function| function.name == "of");
+    let places: Vec<&str> = called_of.iter().map(|f| f.place.as_str()).collect();
+    assert!(
+        places.len() <= MOST_CALLED_OF,
+        "functions called `of`:\n  {}",
+        places.join("\n  ")
+    );
+}
+
+#[test]
+fn functions_have_sixty_lines_at_most() {
+    let functions = clarity::functions(&SOURCES);
+    let longest = functions.iter().map(|function| function.lines).max();
+    assert!(
+        longest.is_some_and(|lines| lines > LONGEST_FUNCTION / 2),
+        "functions are found: the longest has {longest:?} lines"
+    );
+    let long = functions.iter().filter(|f| f.lines > LONGEST_FUNCTION);
+    let long: Vec<String> = long
+        .map(|f| format!("  {} {}: {} lines", f.place, f.name, f.lines))
+        .collect();
+    assert!(long.is_empty(), "long functions:\n{}", long.join("\n"));
 }

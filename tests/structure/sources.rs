@@ -83,6 +83,11 @@ impl Sources {
         self.roots.keys().cloned().collect()
     }
 
+    /// The text of a file, named from `src`.
+    pub(crate) fn text(&self, file: &str) -> String {
+        std::fs::read_to_string(self.src.join(file)).unwrap()
+    }
+
     fn read_file(&mut self, file: &Path, floor: &str, parent: Option<ModuleId>) -> ModuleId {
         let text = std::fs::read_to_string(file).unwrap();
         let syntax: File =

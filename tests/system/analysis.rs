@@ -122,7 +122,7 @@ fn a_wanted_tension_gives_a_length_or_a_reason() {
 fn analyses_that_a_file_asks_for_come_with_the_system() {
     let text = include_str!("../../cases/systems/oc3_spar.toml");
     let system = solved(text);
-    let asked = Analyses::of(&system);
+    let asked = Analyses::of_system(&system);
     assert_eq!((asked.offsets.len(), asked.circles.len()), (1, 1));
     let curve = &asked.offsets[0];
     assert_eq!((curve.points.len(), curve.ends_before_m), (21, None));
@@ -146,7 +146,7 @@ fn analyses_that_a_file_asks_for_come_with_the_system() {
     assert!((tension / 9.5e5 - 1.0).abs() < 1e-9, "{tension}");
     // A goal that nothing meets says why, and the system stands.
     let never = solved(&text.replace("value = 9.5e5", "value = 9.5e7"));
-    let never = Analyses::of(&never);
+    let never = Analyses::of_system(&never);
     let why = never.goals[0].1.as_ref().unwrap_err();
     assert!(why.contains("is not among these"), "{why}");
 }

@@ -1,6 +1,6 @@
 //! The second opinion on files of MoorDyn: what it repeats of that program, what it finds, and that it finds nothing where nothing is.
 
-use seacable::audit::finding::{Finding, Topic};
+use seacable::audit::finding::{AuditFinding, Topic};
 use seacable::audit::lumped::equilibrium::{Unknowns, at_rest, stiffness};
 use seacable::audit::lumped::forces::Loads;
 use seacable::audit::lumped::relaxation::{
@@ -136,7 +136,7 @@ fn topics(audit: &Audit) -> Vec<Topic> {
     audit.findings.iter().map(|finding| finding.topic).collect()
 }
 
-fn about<'a>(audit: &'a Audit, subject: &str) -> &'a Finding {
+fn about<'a>(audit: &'a Audit, subject: &str) -> &'a AuditFinding {
     let mut all = audit.findings.iter();
     all.find(|finding| finding.subject == subject)
         .unwrap_or_else(|| panic!("nothing about {subject}: {}", page(audit)))
@@ -362,11 +362,11 @@ fn forces_are_the_gradient_of_the_energy_and_the_stiffness_theirs() {
             })
             .collect();
         let still = vec![V3::zeros(); x.len()];
-        let mut loads = Loads::of(&model);
+        let mut loads = Loads::of_model(&model);
         model.evaluate(&x, &still, 0.0, &mut loads);
         let force = loads.force.clone();
         let scale = force.iter().map(V3::norm).fold(0.0, f64::max);
-        let unknowns = Unknowns::of(&model);
+        let unknowns = Unknowns::of_model(&model);
         let matrix = stiffness(&model, &unknowns, &x);
         let size = 1e-5;
         for node in (0..x.len()).filter(|node| model.free[*node]) {
@@ -385,9 +385,9 @@ fn forces_are_the_gradient_of_the_energy_and_the_stiffness_theirs() {
                 );
                 let column = unknowns.first[node].unwrap() + axis;
                 let tangent = matrix.column(column);
-                let mut ahead = Loads::of(&model);
+                let mut ahead = Loads::of_model(&model);
                 model.evaluate(&moved(size), &still, 0.0, &mut ahead);
-                let mut behind = Loads::of(&model);
+                let mut behind = Loads::of_model(&model);
                 model.evaluate(&moved(-size), &still, 0.0, &mut behind);
                 let greatest = tangent.amax();
                 for other in (0..x.len()).filter(|node| model.free[*node]) {

@@ -456,7 +456,7 @@ position_m = [0.5, 0.0, 1.0]
         "{:?}",
         system.stability
     );
-    let others = Analyses::of(&system).others;
+    let others = Analyses::of_system(&system).others;
     let over = others
         .iter()
         .find(|(rest, _)| rest.placement.bodies[0].arm(&V3::z()).z < -0.999);

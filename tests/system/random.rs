@@ -1,6 +1,6 @@
 //! A sample of random systems, at rest and in motion; `seacable laboratory systems` and its `--in-motion` solve more.
 
-use seacable::laboratory::invariants::{self, Held, Invariant, Outcome};
+use seacable::laboratory::invariants::{self, Invariant, InvariantOutcome, VariantOutcome};
 use seacable::laboratory::random_motion::{self, MotionEnd};
 use seacable::laboratory::random_systems::{KINDS, run};
 
@@ -69,7 +69,7 @@ fn random_systems_move_alike_however_they_are_asked_for() {
     let outcomes = invariants::run(20, 20_261_127, true);
     let answered = outcomes.iter().filter(|outcome| outcome.refused.is_none());
     assert!(answered.count() >= 17);
-    let beyond = outcomes.iter().flat_map(Outcome::violations);
+    let beyond = outcomes.iter().flat_map(InvariantOutcome::violations);
     let beyond = beyond.filter(|(invariant, ..)| *invariant == Invariant::Refined);
     let beyond: Vec<f64> = beyond.map(|(_, held, _)| excess(held)).collect();
     assert!(
@@ -82,15 +82,15 @@ fn random_systems_move_alike_however_they_are_asked_for() {
 }
 
 /// By how many times what is allowed the worst result of a system is apart.
-fn excess(held: &Held) -> f64 {
+fn excess(held: &VariantOutcome) -> f64 {
     match held {
-        Held::Differs(violation) => violation.excess(),
+        VariantOutcome::Differs(violation) => violation.excess(),
         _ => 0.0,
     }
 }
 
 /// None answers otherwise but in known ways.
-fn hold(outcomes: &[Outcome], is_known: impl Fn(Invariant) -> bool) {
+fn hold(outcomes: &[InvariantOutcome], is_known: impl Fn(Invariant) -> bool) {
     for outcome in outcomes {
         let kind = invariants::KINDS[outcome.kind];
         for (invariant, held, variant) in outcome.violations() {

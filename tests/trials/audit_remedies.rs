@@ -1,6 +1,6 @@
 //! Audits: what MoorDyn misreads or leaves out is found, and a remedy is one that was tried.
 
-use seacable::audit::finding::{Finding, Topic};
+use seacable::audit::finding::{AuditFinding, Topic};
 use seacable::audit::{Audit, audit};
 use seacable::export::{ExportOptions, Target, export};
 use seacable::import::ImportOptions;
@@ -12,7 +12,7 @@ fn audited(name: &str) -> Audit {
     all.unwrap_or_else(|all| panic!("{all:#?}"))
 }
 
-fn about<'a>(audit: &'a Audit, subject: &str) -> Option<&'a Finding> {
+fn about<'a>(audit: &'a Audit, subject: &str) -> Option<&'a AuditFinding> {
     audit.findings.iter().find(|one| one.subject == subject)
 }
 
@@ -63,7 +63,7 @@ fn more_segments_are_proposed_where_they_help() {
     )
     .unwrap();
     let meshes = found.findings.iter();
-    let meshes: Vec<&Finding> = meshes.filter(|one| one.topic == Topic::Mesh).collect();
+    let meshes: Vec<&AuditFinding> = meshes.filter(|one| one.topic == Topic::Mesh).collect();
     let [one] = meshes.as_slice() else {
         panic!("{:#?}", found.findings)
     };
@@ -90,7 +90,7 @@ fn the_step_of_an_exported_file_passes_the_audit() {
         )
         .unwrap();
         let steps = found.findings.iter();
-        let steps: Vec<&Finding> = steps
+        let steps: Vec<&AuditFinding> = steps
             .filter(|one| one.topic == Topic::Step || one.remedy.contains("dtM"))
             .collect();
         assert!(steps.is_empty(), "{steps:#?}");

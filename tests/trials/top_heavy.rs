@@ -37,7 +37,7 @@ fn a_top_heavy_cylinder_heels() {
     assert!(system.rest.residual < 1e-9 * 200_000.0 * 9.81);
     let said = warnings(&system).join("\n");
     assert!(said.contains("is unstable"), "{said}");
-    let others = Analyses::of(&system).others;
+    let others = Analyses::of_system(&system).others;
     let upright = others
         .iter()
         .find(|(rest, how)| is_unstable(how) && rest.placement.bodies[0].arm(&V3::z()).z > 0.9999);

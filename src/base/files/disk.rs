@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use super::faults::{self, Operation};
+use super::faults::{self, DiskOperation};
 
 /// Permissions of a new file, before the umask.
 const NEW_FILE_MODE: u32 = 0o666;
@@ -27,7 +27,7 @@ impl NewFile {
     /// # Errors
     /// Something exists there, or the system refuses.
     pub fn create(path: &Path) -> io::Result<Self> {
-        faults::met(Operation::Create, path)?;
+        faults::met(DiskOperation::Create, path)?;
         let file = OpenOptions::new()
             .write(true)
             .create_new(true)
@@ -44,7 +44,7 @@ impl NewFile {
     /// # Errors
     /// The system refuses.
     pub fn nameless_in(dir: &Path) -> io::Result<Self> {
-        faults::met(Operation::Create, dir)?;
+        faults::met(DiskOperation::Create, dir)?;
         Ok(Self {
             file: tempfile::tempfile_in(dir)?,
             path: dir.to_owned(),
@@ -56,7 +56,7 @@ impl NewFile {
     /// # Errors
     /// The system refuses.
     pub fn sync(&self) -> io::Result<()> {
-        faults::met(Operation::Sync, &self.path)?;
+        faults::met(DiskOperation::Sync, &self.path)?;
         self.file.sync_all()
     }
 
@@ -71,7 +71,7 @@ impl NewFile {
     /// There is no such room, or the file system cannot hold any.
     pub fn hold(&self, bytes: u64) -> io::Result<()> {
         use rustix::fs::{FallocateFlags, fallocate};
-        faults::met(Operation::Write, &self.path)?;
+        faults::met(DiskOperation::Write, &self.path)?;
         Ok(fallocate(&self.file, FallocateFlags::empty(), 0, bytes)?)
     }
 }
@@ -89,12 +89,12 @@ impl Write for NewFile {
 
 /// A file beside the one whose name it will take; removed unless it takes it.
 #[derive(Debug)]
-pub(crate) struct Beside {
+pub(crate) struct TemporaryFile {
     file: NewFile,
     name: TempPath,
 }
 
-impl Beside {
+impl TemporaryFile {
     /// Makes it, under a name of its own between `prefix` and `suffix`.
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl Beside {
         suffix: &str,
         permissions: Option<Permissions>,
     ) -> io::Result<Self> {
-        faults::met(Operation::Create, dir)?;
+        faults::met(DiskOperation::Create, dir)?;
         let made = tempfile::Builder::new()
             .prefix(prefix)
             .suffix(suffix)
@@ -113,7 +113,7 @@ impl Beside {
             .tempfile_in(dir)?;
         let (file, name) = NamedTempFile::into_parts(made);
         if let Some(permissions) = permissions {
-            faults::met(Operation::Permissions, &name)?;
+            faults::met(DiskOperation::Permissions, &name)?;
             file.set_permissions(permissions)?;
         }
         let path = name.to_path_buf();
@@ -137,7 +137,7 @@ impl Beside {
     /// # Errors
     /// The name is taken, or the system refuses.
     pub(crate) fn take_name(self, path: &Path, over: bool) -> io::Result<()> {
-        faults::met(Operation::Rename, path)?;
+        faults::met(DiskOperation::Rename, path)?;
         let taken = if over {
             self.name.persist(path)
         } else {
@@ -152,7 +152,7 @@ impl Beside {
 /// # Errors
 /// As [`fs::rename`].
 pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
-    faults::met(Operation::Rename, to)?;
+    faults::met(DiskOperation::Rename, to)?;
     fs::rename(from, to)
 }
 
@@ -161,7 +161,7 @@ pub fn rename(from: &Path, to: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::create_dir`].
 pub fn create_dir(path: &Path) -> io::Result<()> {
-    faults::met(Operation::Create, path)?;
+    faults::met(DiskOperation::Create, path)?;
     fs::create_dir(path)
 }
 
@@ -170,7 +170,7 @@ pub fn create_dir(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::create_dir`].
 pub fn create_private_dir(path: &Path) -> io::Result<()> {
-    faults::met(Operation::Create, path)?;
+    faults::met(DiskOperation::Create, path)?;
     fs::DirBuilder::new().mode(0o700).create(path)
 }
 
@@ -179,7 +179,7 @@ pub fn create_private_dir(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`OpenOptions::open`].
 pub fn append_private(path: &Path) -> io::Result<File> {
-    faults::met(Operation::Create, path)?;
+    faults::met(DiskOperation::Create, path)?;
     let mut options = OpenOptions::new();
     options.append(true).create(true).mode(0o600).open(path)
 }
@@ -192,7 +192,7 @@ pub fn create_dir_all(path: &Path) -> io::Result<()> {
     if path.is_dir() {
         return Ok(());
     }
-    faults::met(Operation::Create, path)?;
+    faults::met(DiskOperation::Create, path)?;
     fs::create_dir_all(path)
 }
 
@@ -201,7 +201,7 @@ pub fn create_dir_all(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_file`].
 pub fn remove_file(path: &Path) -> io::Result<()> {
-    faults::met(Operation::Remove, path)?;
+    faults::met(DiskOperation::Remove, path)?;
     fs::remove_file(path)
 }
 
@@ -210,7 +210,7 @@ pub fn remove_file(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_dir`].
 pub fn remove_dir(path: &Path) -> io::Result<()> {
-    faults::met(Operation::Remove, path)?;
+    faults::met(DiskOperation::Remove, path)?;
     fs::remove_dir(path)
 }
 
@@ -219,7 +219,7 @@ pub fn remove_dir(path: &Path) -> io::Result<()> {
 /// # Errors
 /// As [`fs::remove_dir_all`].
 pub fn remove_dir_all(path: &Path) -> io::Result<()> {
-    faults::met(Operation::Remove, path)?;
+    faults::met(DiskOperation::Remove, path)?;
     fs::remove_dir_all(path)
 }
 

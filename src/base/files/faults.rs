@@ -10,7 +10,7 @@ use std::time::SystemTime;
 
 /// What is asked of a disk.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Operation {
+pub(crate) enum DiskOperation {
     /// A file or directory is made.
     Create,
     /// Bytes are written, or room for them is held.
@@ -29,10 +29,10 @@ pub(crate) enum Operation {
 ///
 /// # Errors
 /// That of the fault.
-pub(crate) fn met(operation: Operation, path: &Path) -> io::Result<()> {
+pub(crate) fn met(operation: DiskOperation, path: &Path) -> io::Result<()> {
     match made::next(operation, path) {
-        Some(Fault::Refused(errno)) => Err(errno.into()),
-        Some(Fault::Part) | None => Ok(()),
+        Some(DiskFault::Refused(errno)) => Err(errno.into()),
+        Some(DiskFault::Part) | None => Ok(()),
     }
 }
 
@@ -41,9 +41,9 @@ pub(crate) fn met(operation: Operation, path: &Path) -> io::Result<()> {
 /// # Errors
 /// That of the fault.
 pub(crate) fn taken(path: &Path, bytes: usize) -> io::Result<usize> {
-    match made::next(Operation::Write, path) {
-        Some(Fault::Refused(errno)) => Err(errno.into()),
-        Some(Fault::Part) => Ok(bytes.div_ceil(2)),
+    match made::next(DiskOperation::Write, path) {
+        Some(DiskFault::Refused(errno)) => Err(errno.into()),
+        Some(DiskFault::Part) => Ok(bytes.div_ceil(2)),
         None => Ok(bytes),
     }
 }
@@ -57,7 +57,7 @@ pub(crate) fn clock() -> Option<SystemTime> {
 /// What a test lets happen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(not(debug_assertions), expect(dead_code, reason = "no fault is made"))]
-enum Fault {
+enum DiskFault {
     Refused(rustix::io::Errno),
     Part,
 }
@@ -74,14 +74,14 @@ mod made {
 
     use rustix::io::Errno;
 
-    use super::{Fault, Operation};
+    use super::{DiskFault, DiskOperation};
 
     /// Which operations fail, and how.
     #[derive(Debug, PartialEq, Eq)]
     pub(super) struct Plan {
         pub(super) first: u64,
         pub(super) goes_on: bool,
-        pub(super) fault: Fault,
+        pub(super) fault: DiskFault,
     }
 
     static PLAN: LazyLock<Option<Plan>> =
@@ -92,10 +92,10 @@ mod made {
     pub(super) fn plan(text: &str) -> Option<Plan> {
         let (number, word) = text.split_once(':')?;
         let fault = match word {
-            "full" => Fault::Refused(Errno::NOSPC),
-            "denied" => Fault::Refused(Errno::ACCESS),
-            "broken" => Fault::Refused(Errno::IO),
-            "part" => Fault::Part,
+            "full" => DiskFault::Refused(Errno::NOSPC),
+            "denied" => DiskFault::Refused(Errno::ACCESS),
+            "broken" => DiskFault::Refused(Errno::IO),
+            "part" => DiskFault::Part,
             _ => return None,
         };
         let goes_on = number.ends_with('+');
@@ -107,7 +107,7 @@ mod made {
         })
     }
 
-    pub(super) fn next(operation: Operation, path: &Path) -> Option<Fault> {
+    pub(super) fn next(operation: DiskOperation, path: &Path) -> Option<DiskFault> {
         let number = COUNT.fetch_add(1, Ordering::Relaxed) + 1;
         if let Some(log) = std::env::var_os("SEACABLE_FAULT_LOG") {
             let file = OpenOptions::new().append(true).create(true).open(log);
@@ -143,9 +143,9 @@ mod made {
     use std::path::Path;
     use std::time::SystemTime;
 
-    use super::{Fault, Operation};
+    use super::{DiskFault, DiskOperation};
 
-    pub(super) const fn next(_: Operation, _: &Path) -> Option<Fault> {
+    pub(super) const fn next(_: DiskOperation, _: &Path) -> Option<DiskFault> {
         None
     }
 
@@ -158,12 +158,12 @@ mod made {
 mod tests {
     use rustix::io::Errno;
 
-    use super::Fault;
+    use super::DiskFault;
     use super::made::{Plan, plan};
 
     #[test]
     fn a_plan_names_an_operation_and_its_fault() {
-        let full = Fault::Refused(Errno::NOSPC);
+        let full = DiskFault::Refused(Errno::NOSPC);
         let made = |first, goes_on, fault| {
             Some(Plan {
                 first,
@@ -173,7 +173,7 @@ mod tests {
         };
         assert_eq!(plan("17:full"), made(17, false, full));
         assert_eq!(plan("17+:full"), made(17, true, full));
-        assert_eq!(plan("3:part"), made(3, false, Fault::Part));
+        assert_eq!(plan("3:part"), made(3, false, DiskFault::Part));
         assert_eq!(plan("3:odd"), None);
         assert_eq!(plan("full"), None);
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 use rustix::fs::{FlockOperation, OFlags, flock};
 use rustix::io::Errno;
 
-use super::faults::{self, Operation};
+use super::faults::{self, DiskOperation};
 
 /// Permissions of a lock: nobody else needs it.
 const MODE: u32 = 0o600;
@@ -29,7 +29,7 @@ impl LockFile {
     /// # Errors
     /// The system refuses.
     pub fn take(path: &Path) -> io::Result<Option<Self>> {
-        faults::met(Operation::Create, path)?;
+        faults::met(DiskOperation::Create, path)?;
         let file = open(path, true)?;
         match flock(&file, FlockOperation::NonBlockingLockExclusive) {
             Ok(()) => Ok(Some(Self {
@@ -46,7 +46,7 @@ impl LockFile {
     /// # Errors
     /// The system refuses.
     pub fn wait(path: &Path) -> io::Result<Self> {
-        faults::met(Operation::Create, path)?;
+        faults::met(DiskOperation::Create, path)?;
         let file = open(path, true)?;
         match flock(&file, FlockOperation::LockExclusive) {
             Ok(()) => Ok(Self {

@@ -20,23 +20,23 @@ const CASES: &str = "cases";
 pub const NOWHERE: &str = "\0";
 
 /// What the user said.
-struct Given {
+struct UserPaths {
     root: Option<PathBuf>,
     opened: Vec<PathBuf>,
     names: Vec<String>,
 }
 
-static GIVEN: RwLock<Given> = RwLock::new(Given {
+static GIVEN: RwLock<UserPaths> = RwLock::new(UserPaths {
     root: None,
     opened: Vec::new(),
     names: Vec::new(),
 });
 
-fn say(what: impl FnOnce(&mut Given)) {
+fn say(what: impl FnOnce(&mut UserPaths)) {
     what(&mut GIVEN.write().unwrap_or_else(PoisonError::into_inner));
 }
 
-fn said<T>(what: impl FnOnce(&Given) -> T) -> T {
+fn said<T>(what: impl FnOnce(&UserPaths) -> T) -> T {
     what(&GIVEN.read().unwrap_or_else(PoisonError::into_inner))
 }
 
@@ -102,14 +102,14 @@ impl GivenRoots {
 
 /// A file that a case names.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Place {
+pub struct ReferencedPath {
     /// Where it is, without links.
     pub path: PathBuf,
     /// Whether it lies outside the root, where the user himself named it: its contents are not quoted.
     pub is_outside: bool,
 }
 
-impl Place {
+impl ReferencedPath {
     /// Its text.
     ///
     /// # Errors
@@ -131,7 +131,7 @@ impl Place {
 ///
 /// # Errors
 /// It lies outside the root of the case, or the system refuses.
-pub fn place(folder: &Path, name: &str) -> io::Result<Place> {
+pub fn place(folder: &Path, name: &str) -> io::Result<ReferencedPath> {
     place_below(folder, &folder.join(name), name, None)
 }
 
@@ -139,7 +139,7 @@ pub fn place(folder: &Path, name: &str) -> io::Result<Place> {
 ///
 /// # Errors
 /// As [`place`].
-pub fn place_of_run(folder: &Path, dir: &Path, name: &str) -> io::Result<Place> {
+pub fn place_of_run(folder: &Path, dir: &Path, name: &str) -> io::Result<ReferencedPath> {
     place_below(folder, dir, name, Some(&real(Path::new("."))?))
 }
 
@@ -156,7 +156,7 @@ pub fn shown(folder: &Path, name: &str) -> String {
 ///
 /// # Errors
 /// As [`place`].
-pub fn place_at(folder: &Path, path: &Path) -> io::Result<Place> {
+pub fn place_at(folder: &Path, path: &Path) -> io::Result<ReferencedPath> {
     place_below(folder, path, "", None)
 }
 
@@ -172,7 +172,12 @@ pub fn is_outside(folder: &Path, file: &str) -> bool {
     leads_out(&folder.join(file)) || leads_out(Path::new(file))
 }
 
-fn place_below(folder: &Path, path: &Path, name: &str, also: Option<&Path>) -> io::Result<Place> {
+fn place_below(
+    folder: &Path,
+    path: &Path,
+    name: &str,
+    also: Option<&Path>,
+) -> io::Result<ReferencedPath> {
     if folder == Path::new(NOWHERE) {
         let reason = "a stored run carries the files that it needs, and this one is not among them";
         return Err(io::Error::new(io::ErrorKind::NotFound, reason));
@@ -188,7 +193,7 @@ fn place_below(folder: &Path, path: &Path, name: &str, also: Option<&Path>) -> i
         );
         return Err(io::Error::new(io::ErrorKind::PermissionDenied, reason));
     }
-    Ok(Place { path, is_outside })
+    Ok(ReferencedPath { path, is_outside })
 }
 
 /// Whether something found below a directory leads outside it, and outside the root that the user set.

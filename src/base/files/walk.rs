@@ -10,7 +10,7 @@ use super::root::leads_outside;
 
 /// What is looked for.
 #[derive(Debug, Clone, Copy)]
-pub struct Search<'a> {
+pub struct FileSearch<'a> {
     /// How the names end, without the dot.
     pub extension: &'a str,
     /// A directory with a file of this name is left out, with all below it.
@@ -21,7 +21,7 @@ pub struct Search<'a> {
 
 /// What is found, in the order of the names.
 #[derive(Debug, Default)]
-pub struct Found {
+pub struct FoundFiles {
     /// The files.
     pub files: Vec<PathBuf>,
     /// Links of such names that lead outside the directory.
@@ -30,16 +30,16 @@ pub struct Found {
     pub faults: Vec<(PathBuf, io::Error)>,
 }
 
-impl Search<'_> {
+impl FileSearch<'_> {
     /// Looks below a directory. Hidden files and directories are passed over, and links to directories outside.
     #[must_use]
-    pub fn below(&self, top: &Path) -> Found {
+    pub fn below(&self, top: &Path) -> FoundFiles {
         let mut walk = Walk {
             search: self,
             top,
             seen: HashSet::new(),
             links: vec![(top.to_owned(), self.depth)],
-            found: Found::default(),
+            found: FoundFiles::default(),
         };
         // Directories themselves come before links to them, so that files have their own names.
         while let Some((dir, depth)) = walk.links.pop() {
@@ -53,13 +53,13 @@ impl Search<'_> {
 }
 
 struct Walk<'a> {
-    search: &'a Search<'a>,
+    search: &'a FileSearch<'a>,
     top: &'a Path,
     /// Device and inode of the directories looked into.
     seen: HashSet<(u64, u64)>,
     /// Links to directories, to be followed, and how deep below them is looked.
     links: Vec<(PathBuf, usize)>,
-    found: Found,
+    found: FoundFiles,
 }
 
 impl Walk<'_> {
@@ -112,7 +112,7 @@ mod tests {
 
     use super::*;
 
-    const SEARCH: Search<'_> = Search {
+    const SEARCH: FileSearch<'_> = FileSearch {
         extension: "toml",
         except_with: "run.toml",
         depth: 8,

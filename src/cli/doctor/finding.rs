@@ -27,7 +27,7 @@ impl Health {
 
 /// Something that was looked at.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Finding {
+pub(crate) struct DoctorFinding {
     /// What it belongs to.
     pub topic: &'static str,
     /// What was looked at.
@@ -40,7 +40,7 @@ pub(crate) struct Finding {
     pub remedy: String,
 }
 
-impl Finding {
+impl DoctorFinding {
     pub(super) fn fine(topic: &'static str, name: &str, value: impl Into<String>) -> Self {
         Self {
             topic,
@@ -52,14 +52,14 @@ impl Finding {
     }
 
     pub(super) fn note(self, remedy: impl Into<String>) -> Self {
-        self.of(Health::Note, remedy)
+        self.with_health(Health::Note, remedy)
     }
 
     pub(super) fn problem(self, remedy: impl Into<String>) -> Self {
-        self.of(Health::Problem, remedy)
+        self.with_health(Health::Problem, remedy)
     }
 
-    fn of(self, health: Health, remedy: impl Into<String>) -> Self {
+    fn with_health(self, health: Health, remedy: impl Into<String>) -> Self {
         Self {
             health,
             remedy: remedy.into(),

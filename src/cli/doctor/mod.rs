@@ -11,7 +11,7 @@ use std::process::ExitCode;
 
 use serde_json::json;
 
-use finding::{Finding, Health, Surroundings};
+use finding::{DoctorFinding, Health, Surroundings};
 
 use super::about_args::DoctorArgs;
 use super::{BAD_RESULT, CommandError, output};
@@ -19,7 +19,7 @@ use seacable_base::padding::{at_left, blanks};
 
 /// Looks at everything.
 #[must_use]
-pub(super) fn examine(around: &Surroundings<'_>) -> Vec<Finding> {
+pub(super) fn examine(around: &Surroundings<'_>) -> Vec<DoctorFinding> {
     let mut found = program::findings();
     found.extend(terminal::findings(around));
     found.extend(places::findings(around));
@@ -29,7 +29,7 @@ pub(super) fn examine(around: &Surroundings<'_>) -> Vec<Finding> {
 
 /// Whether anything is in the way of work.
 #[must_use]
-pub(super) fn has_problems(found: &[Finding]) -> bool {
+pub(super) fn has_problems(found: &[DoctorFinding]) -> bool {
     found
         .iter()
         .any(|finding| finding.health == Health::Problem)
@@ -56,7 +56,7 @@ pub(super) fn doctor(args: &DoctorArgs) -> Result<ExitCode, CommandError> {
 }
 
 /// The page: topic by topic, remedies below what they are for.
-fn page(found: &[Finding]) -> String {
+fn page(found: &[DoctorFinding]) -> String {
     let widest = found.iter().map(|finding| finding.name.len()).max();
     let width = widest.unwrap_or(0);
     let mut text = String::new();
@@ -83,7 +83,7 @@ fn page(found: &[Finding]) -> String {
     text
 }
 
-fn object(found: &[Finding]) -> serde_json::Value {
+fn object(found: &[DoctorFinding]) -> serde_json::Value {
     let each = found.iter().map(|finding| {
         json!({
             "topic": finding.topic,

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use rustix::fs::{Access, access, statvfs};
 
-use super::finding::{Finding, Surroundings};
+use super::finding::{DoctorFinding, Surroundings};
 use seacable_base::{places, visible};
 use seacable_runs::run::store::DEFAULT_ROOT;
 
@@ -14,7 +14,7 @@ const TOPIC: &str = "folders";
 /// Less room than this is too little for runs \[bytes\].
 const LITTLE: u64 = 100 << 20;
 
-pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
+pub(super) fn findings(around: &Surroundings<'_>) -> Vec<DoctorFinding> {
     let runs = Ok(around.directory.join(DEFAULT_ROOT));
     vec![
         folder("settings", places::config_dir()),
@@ -25,11 +25,11 @@ pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
     ]
 }
 
-fn folder(name: &str, path: io::Result<PathBuf>) -> Finding {
+fn folder(name: &str, path: io::Result<PathBuf>) -> DoctorFinding {
     let path = match path {
         Ok(path) => path,
         Err(error) => {
-            let found = Finding::fine(TOPIC, name, error.to_string());
+            let found = DoctorFinding::fine(TOPIC, name, error.to_string());
             return found.problem("set HOME to your home directory");
         }
     };
@@ -38,7 +38,7 @@ fn folder(name: &str, path: io::Result<PathBuf>) -> Finding {
     let new = if new { ", made when it is needed" } else { "" };
     let free = free(there);
     let room = free.map_or_else(String::new, |free| format!(", {} free", size(free)));
-    let found = Finding::fine(TOPIC, name, format!("{shown}{new}{room}"));
+    let found = DoctorFinding::fine(TOPIC, name, format!("{shown}{new}{room}"));
     if !there.is_dir() {
         let what = visible::path(there);
         return found.problem(format!("{what} is no directory; move it away"));

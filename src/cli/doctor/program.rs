@@ -2,18 +2,18 @@
 
 use std::path::Path;
 
-use super::finding::Finding;
+use super::finding::DoctorFinding;
 use seacable_base::files::read;
 use seacable_base::visible;
 use seacable_runs::run::VERSION;
 
 const TOPIC: &str = "program";
 
-pub(super) fn findings() -> Vec<Finding> {
+pub(super) fn findings() -> Vec<DoctorFinding> {
     let mut found = vec![
-        Finding::fine(TOPIC, "version", version()),
-        Finding::fine(TOPIC, "file", file()),
-        Finding::fine(
+        DoctorFinding::fine(TOPIC, "version", version()),
+        DoctorFinding::fine(TOPIC, "file", file()),
+        DoctorFinding::fine(
             TOPIC,
             "system",
             format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
@@ -42,9 +42,9 @@ fn file() -> String {
     std::env::current_exe().map_or_else(|error| error.to_string(), |path| visible::path(&path))
 }
 
-fn cores() -> Finding {
+fn cores() -> DoctorFinding {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let found = Finding::fine(TOPIC, "cores", cores.to_string());
+    let found = DoctorFinding::fine(TOPIC, "cores", cores.to_string());
     match cores {
         1 => {
             found.note("with one core the screen and the solvers share it; keys may wait a little")
@@ -54,12 +54,12 @@ fn cores() -> Finding {
 }
 
 /// Memory that is there and that is free, from Linux's `/proc`; nothing elsewhere.
-fn memory() -> Option<Finding> {
+fn memory() -> Option<DoctorFinding> {
     let text = read::text(Path::new("/proc/meminfo")).ok()?;
     let total = kib(&text, "MemTotal:")?;
     let free = kib(&text, "MemAvailable:")?;
     let value = format!("{:.1} GiB, {:.1} GiB of it free", gib(total), gib(free));
-    let found = Finding::fine(TOPIC, "memory", value);
+    let found = DoctorFinding::fine(TOPIC, "memory", value);
     Some(match gib(free) {
         free if free < 0.25 => found
             .problem("less than 256 MiB are free: large systems may not fit; end other programs"),

@@ -3,18 +3,18 @@
 use std::fs;
 use std::path::Path;
 
-use super::finding::{Finding, Surroundings};
+use super::finding::{DoctorFinding, Surroundings};
 use crate::manual::installed;
 use crate::manual::installed::Installed;
 use seacable_base::{crash_log, places, visible};
 use seacable_jobs::list::JobEntry;
 use seacable_jobs::{JobsDir, survival};
 use seacable_runs::run::store::DEFAULT_ROOT;
-use seacable_tui::settings::{Settings, config_file, keys_file};
+use seacable_tui::settings::{UserSettings, config_file, keys_file};
 
 const TOPIC: &str = "session";
 
-pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
+pub(super) fn findings(around: &Surroundings<'_>) -> Vec<DoctorFinding> {
     let mut found = settings();
     found.push(index(around));
     found.push(unsaved());
@@ -25,12 +25,12 @@ pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
 }
 
 /// The files of keys and settings, each fault a finding of its own.
-fn settings() -> Vec<Finding> {
-    let settings = Settings::load();
+fn settings() -> Vec<DoctorFinding> {
+    let settings = UserSettings::load();
     let file = |name: &str, path: std::io::Result<std::path::PathBuf>| match path {
-        Ok(path) if path.exists() => Finding::fine(TOPIC, name, visible::path(&path)),
-        Ok(path) => Finding::fine(TOPIC, name, format!("none ({})", visible::path(&path))),
-        Err(error) => Finding::fine(TOPIC, name, error.to_string()),
+        Ok(path) if path.exists() => DoctorFinding::fine(TOPIC, name, visible::path(&path)),
+        Ok(path) => DoctorFinding::fine(TOPIC, name, format!("none ({})", visible::path(&path))),
+        Err(error) => DoctorFinding::fine(TOPIC, name, error.to_string()),
     };
     let mut found = vec![file("keys", keys_file()), file("settings", config_file())];
     found.extend(settings.faults.iter().map(|fault| {
@@ -39,14 +39,14 @@ fn settings() -> Vec<Finding> {
             "" => fault.problem.clone(),
             key => format!("{key}: {}", fault.problem),
         };
-        let found = Finding::fine(TOPIC, "fault of settings", format!("{place}: {what}"));
+        let found = DoctorFinding::fine(TOPIC, "fault of settings", format!("{place}: {what}"));
         found.problem(fault.remedy.to_string())
     }));
     found
 }
 
 /// The database of the runs below the directory, which is made anew where it is lost.
-fn index(around: &Surroundings<'_>) -> Finding {
+fn index(around: &Surroundings<'_>) -> DoctorFinding {
     let runs = around.directory.join(DEFAULT_ROOT);
     let count = fs::read_dir(&runs).map_or(0, Iterator::count);
     let files = places::cache_dir().and_then(fs::read_dir);
@@ -66,17 +66,17 @@ fn index(around: &Surroundings<'_>) -> Finding {
             format!("{count} entries below {DEFAULT_ROOT}, {databases} databases in the cache")
         }
     };
-    Finding::fine(TOPIC, "index of runs", value)
+    DoctorFinding::fine(TOPIC, "index of runs", value)
 }
 
 /// Changes that sessions left unsaved.
-fn unsaved() -> Finding {
+fn unsaved() -> DoctorFinding {
     let dir = places::state_dir().map(|dir| dir.join("recovery"));
     let files = dir.and_then(fs::read_dir);
     let count = files.map_or(0, |files| {
         files.flatten().filter(|file| is_toml(&file.path())).count()
     });
-    let found = Finding::fine(
+    let found = DoctorFinding::fine(
         TOPIC,
         "unsaved changes",
         format!("{count} kept for recovery"),
@@ -92,7 +92,7 @@ fn is_toml(path: &Path) -> bool {
 }
 
 /// The jobs of the user, and whether they go on after the logout.
-fn jobs() -> Finding {
+fn jobs() -> DoctorFinding {
     let opened = JobsDir::open();
     let value = match &opened {
         Ok(dir) => {
@@ -101,7 +101,7 @@ fn jobs() -> Finding {
         }
         Err(error) => format!("end with the workbench: {error}"),
     };
-    let found = Finding::fine(TOPIC, "jobs", value);
+    let found = DoctorFinding::fine(TOPIC, "jobs", value);
     match (opened, survival::ended_by_logout()) {
         (Err(_), _) => found.note("give the state folder a place that can be written"),
         (Ok(_), Some(why)) => found.note(why),
@@ -110,11 +110,11 @@ fn jobs() -> Finding {
 }
 
 /// Manual pages and completions.
-fn manual(around: &Surroundings<'_>) -> Finding {
+fn manual(around: &Surroundings<'_>) -> DoctorFinding {
     let shells = installed::shells(&|name| around.program(name).is_some());
     let (there, all) = installed::state(&shells);
     let value = format!("{there} of {all} files of manual and completions in place");
-    let found = Finding::fine(TOPIC, "manual", value);
+    let found = DoctorFinding::fine(TOPIC, "manual", value);
     match installed::verdict(there, all) {
         Installed::All => found,
         Installed::None | Installed::Some => {
@@ -123,13 +123,13 @@ fn manual(around: &Surroundings<'_>) -> Finding {
     }
 }
 
-fn crash() -> Finding {
+fn crash() -> DoctorFinding {
     match crash_log::last() {
-        None => Finding::fine(TOPIC, "last fault", "none known"),
+        None => DoctorFinding::fine(TOPIC, "last fault", "none known"),
         Some(crash) => {
             let value = format!("{}: {}", crash.time, crash.what);
             let path = visible::path(&crash.path);
-            Finding::fine(TOPIC, "last fault", value).note(format!(
+            DoctorFinding::fine(TOPIC, "last fault", value).note(format!(
                 "{path} has the details; report it, then delete the file"
             ))
         }

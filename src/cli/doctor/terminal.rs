@@ -2,16 +2,16 @@
 
 use std::process::Command;
 
-use super::finding::{Finding, Surroundings};
+use super::finding::{DoctorFinding, Surroundings};
 use seacable_display::chart::Glyphs;
 use seacable_tui::recovery::remembered_glyphs;
-use seacable_tui::settings::Settings;
+use seacable_tui::settings::UserSettings;
 use seacable_tui::terminal::capabilities::{decide, synchronizes};
 use seacable_tui::view::layout::SMALLEST;
 
 const TOPIC: &str = "terminal";
 
-pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
+pub(super) fn findings(around: &Surroundings<'_>) -> Vec<DoctorFinding> {
     let mut found = vec![
         size(around),
         term(around),
@@ -26,13 +26,14 @@ pub(super) fn findings(around: &Surroundings<'_>) -> Vec<Finding> {
     found
 }
 
-fn size(around: &Surroundings<'_>) -> Finding {
+fn size(around: &Surroundings<'_>) -> DoctorFinding {
     let (columns, rows) = SMALLEST;
     match around.size {
-        None => Finding::fine(TOPIC, "size", "no terminal")
+        None => DoctorFinding::fine(TOPIC, "size", "no terminal")
             .note("the workbench needs one; `seacable run`, `validate` and `report` do not"),
         Some((width, height)) => {
-            let found = Finding::fine(TOPIC, "size", format!("{width} columns, {height} rows"));
+            let found =
+                DoctorFinding::fine(TOPIC, "size", format!("{width} columns, {height} rows"));
             if width < columns || height < rows {
                 found.problem(format!(
                     "the workbench needs {columns} columns and {rows} rows"
@@ -46,24 +47,27 @@ fn size(around: &Surroundings<'_>) -> Finding {
     }
 }
 
-fn term(around: &Surroundings<'_>) -> Finding {
+fn term(around: &Surroundings<'_>) -> DoctorFinding {
     match around.set("TERM") {
-        None => {
-            Finding::fine(TOPIC, "TERM", "not set").note("set TERM to the name of your terminal")
-        }
-        Some(term) if term == "dumb" => Finding::fine(TOPIC, "TERM", term)
+        None => DoctorFinding::fine(TOPIC, "TERM", "not set")
+            .note("set TERM to the name of your terminal"),
+        Some(term) if term == "dumb" => DoctorFinding::fine(TOPIC, "TERM", term)
             .note("it says that the terminal can only print lines: the workbench does not open"),
-        Some(term) => Finding::fine(TOPIC, "TERM", term),
+        Some(term) => DoctorFinding::fine(TOPIC, "TERM", term),
     }
 }
 
-fn colour(around: &Surroundings<'_>) -> Finding {
-    let palette = Settings::load().config.palette.unwrap_or_default().name();
+fn colour(around: &Surroundings<'_>) -> DoctorFinding {
+    let palette = UserSettings::load()
+        .config
+        .palette
+        .unwrap_or_default()
+        .name();
     let value = match around.set("NO_COLOR") {
         Some(_) => "none: NO_COLOR is set".to_owned(),
         None => format!("the terminal's own sixteen, theme {palette}"),
     };
-    Finding::fine(TOPIC, "colour", value)
+    DoctorFinding::fine(TOPIC, "colour", value)
 }
 
 /// The variable that says which characters there are.
@@ -74,17 +78,17 @@ fn effective_locale(around: &Surroundings<'_>) -> Option<(&'static str, String)>
         .find_map(|name| Some((name, around.set(name)?)))
 }
 
-fn locale(around: &Surroundings<'_>) -> Finding {
+fn locale(around: &Surroundings<'_>) -> DoctorFinding {
     match effective_locale(around) {
-        None => Finding::fine(TOPIC, "locale", "none is set: ASCII is drawn")
+        None => DoctorFinding::fine(TOPIC, "locale", "none is set: ASCII is drawn")
             .note("set LANG, such as to C.UTF-8, where your terminal shows UTF-8; SSH passes it on with SendEnv"),
-        Some((name, value)) => Finding::fine(TOPIC, "locale", format!("{name}={value}")),
+        Some((name, value)) => DoctorFinding::fine(TOPIC, "locale", format!("{name}={value}")),
     }
 }
 
 /// The characters that are drawn, and why.
-fn glyphs(around: &Surroundings<'_>) -> Finding {
-    let config = Settings::load().config.glyphs;
+fn glyphs(around: &Surroundings<'_>) -> DoctorFinding {
+    let config = UserSettings::load().config.glyphs;
     let remembered = remembered_glyphs();
     let found = decide(None, config.or(remembered), &|name| (around.var)(name));
     let name = match found.glyphs {
@@ -102,19 +106,19 @@ fn glyphs(around: &Surroundings<'_>) -> Finding {
         }
         (None, None, None) => "no locale is set".to_owned(),
     };
-    Finding::fine(TOPIC, "characters", format!("{name}: {why}"))
+    DoctorFinding::fine(TOPIC, "characters", format!("{name}: {why}"))
 }
 
 /// The terminal in the terminal, with its limits.
-fn multiplexer(around: &Surroundings<'_>) -> Option<Finding> {
+fn multiplexer(around: &Surroundings<'_>) -> Option<DoctorFinding> {
     if around.set("TMUX").is_some() {
         let version = version_of(around, "tmux", "-V").unwrap_or_else(|| "tmux".to_owned());
-        let found = Finding::fine(TOPIC, "multiplexer", version.clone());
+        let found = DoctorFinding::fine(TOPIC, "multiplexer", version.clone());
         return Some(found.note(tmux_limits(&version)));
     }
     if around.set("STY").is_some() {
         let version = version_of(around, "screen", "--version");
-        let found = Finding::fine(
+        let found = DoctorFinding::fine(
             TOPIC,
             "multiplexer",
             version.unwrap_or_else(|| "screen".to_owned()),
@@ -125,7 +129,7 @@ fn multiplexer(around: &Surroundings<'_>) -> Option<Finding> {
     }
     around
         .set("ZELLIJ")
-        .map(|_| Finding::fine(TOPIC, "multiplexer", "zellij"))
+        .map(|_| DoctorFinding::fine(TOPIC, "multiplexer", "zellij"))
 }
 
 fn tmux_limits(version: &str) -> String {
@@ -148,19 +152,19 @@ fn version_of(around: &Surroundings<'_>, program: &str, option: &str) -> Option<
     Some(text.lines().next()?.trim().to_owned())
 }
 
-fn synchronized(around: &Surroundings<'_>) -> Finding {
+fn synchronized(around: &Surroundings<'_>) -> DoctorFinding {
     let value = match synchronizes(&|name| (around.var)(name)) {
         true => "asked for: frames appear whole where the terminal knows it",
         false => "not asked for: TERM names an old terminal or none",
     };
-    Finding::fine(TOPIC, "synchronized output", value)
+    DoctorFinding::fine(TOPIC, "synchronized output", value)
 }
 
-fn clipboard(around: &Surroundings<'_>) -> Finding {
+fn clipboard(around: &Surroundings<'_>) -> DoctorFinding {
     let file = seacable_base::places::state_dir()
         .map(|dir| seacable_base::visible::path(&dir.join("copied.txt")));
     let file = file.unwrap_or_else(|error| error.to_string());
-    let found = Finding::fine(
+    let found = DoctorFinding::fine(
         TOPIC,
         "clipboard",
         format!("OSC 52 to the terminal, and {file}"),
@@ -173,19 +177,19 @@ fn clipboard(around: &Surroundings<'_>) -> Finding {
     }
 }
 
-fn editor(around: &Surroundings<'_>) -> Finding {
+fn editor(around: &Surroundings<'_>) -> DoctorFinding {
     let named = ["VISUAL", "EDITOR"]
         .into_iter()
         .find_map(|name| Some((name, around.set(name)?)));
     let (from, words) = named.unwrap_or(("neither VISUAL nor EDITOR is set", "vi".to_owned()));
     let program = words.split_whitespace().next().unwrap_or("vi").to_owned();
     match around.program(&program) {
-        Some(path) => Finding::fine(
+        Some(path) => DoctorFinding::fine(
             TOPIC,
             "editor",
             format!("{words} ({from}): {}", seacable_base::visible::path(&path)),
         ),
-        None => Finding::fine(TOPIC, "editor", format!("{words} ({from}): not found"))
+        None => DoctorFinding::fine(TOPIC, "editor", format!("{words} ({from}): not found"))
             .note("set EDITOR to an editor that is installed"),
     }
 }

@@ -15,7 +15,7 @@ fn around<'a>(
     }
 }
 
-fn of(pairs: &[(&str, &str)], name: &str) -> Finding {
+fn of(pairs: &[(&str, &str)], name: &str) -> DoctorFinding {
     let var = |wanted: &str| {
         let found = pairs.iter().find(|(name, _)| *name == wanted);
         found.map(|(_, value)| (*value).to_owned())
@@ -71,7 +71,7 @@ fn an_editor_that_is_not_there_is_said() {
 
 #[test]
 fn a_problem_is_told_from_what_is_only_worth_knowing() {
-    let fine = Finding::fine("a", "b", "c");
+    let fine = DoctorFinding::fine("a", "b", "c");
     assert!(!has_problems(&[fine.clone(), fine.clone().note("d")]));
     let found = [fine.clone(), fine.problem("mend it")];
     assert!(has_problems(&found));

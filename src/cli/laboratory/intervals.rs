@@ -17,7 +17,7 @@ use seacable_statistics::extremes::coverage::{
 use seacable_statistics::extremes::sequential_study::{
     self, Rule, SequentialOutcome, SequentialStudy,
 };
-use seacable_statistics::extremes::target::Target;
+use seacable_statistics::extremes::target::ExtremesTarget;
 
 /// Level of the intervals, and the error of the rules.
 const LEVEL: f64 = 0.95;
@@ -68,8 +68,11 @@ fn coverage(args: &IntervalsArgs) -> Table {
     };
     let figures = |n: usize| {
         [
-            ("90 % quantile".to_owned(), Target::quantile(0.9)),
-            (format!("expected of {n}"), Target::expected(n as f64)),
+            ("90 % quantile".to_owned(), ExtremesTarget::quantile(0.9)),
+            (
+                format!("expected of {n}"),
+                ExtremesTarget::expected(n as f64),
+            ),
         ]
     };
     let studies = LAWS.into_iter().flat_map(|(law, distribution)| {
@@ -98,7 +101,7 @@ fn coverage(args: &IntervalsArgs) -> Table {
         Ok(found) => Cell::plain(format!("{:.1} %", 100.0 * read(found))),
         Err(why) => Cell::plain(why.to_string()),
     };
-    Table::of("Intervals of 95 %: how often they hold the truth", &rows)
+    Table::of_records("Intervals of 95 %: how often they hold the truth", &rows)
         .text("law", |row| row.law)
         .count("values", |row| row.values)
         .text("figure", |row| row.figure.clone())
@@ -119,7 +122,10 @@ fn rules(args: &IntervalsArgs) -> Table {
     let rules = [
         ("fractile 0.37, any law", Rule::Fractile(0.37)),
         ("fractile 0.5, any law", Rule::Fractile(0.5)),
-        ("mean, Gumbel's law", Rule::Gumbel(Target::expected(1.0), 5)),
+        (
+            "mean, Gumbel's law",
+            Rule::Gumbel(ExtremesTarget::expected(1.0), 5),
+        ),
     ];
     let studies = rules
         .into_iter()
@@ -143,7 +149,7 @@ fn rules(args: &IntervalsArgs) -> Table {
         Ok(found) => Cell::plain(read(found)),
         Err(why) => Cell::plain(why.to_string()),
     };
-    Table::of("Seeds drawn until a verdict is settled, false with a probability of 5 % at most", &rows)
+    Table::of_records("Seeds drawn until a verdict is settled, false with a probability of 5 % at most", &rows)
         .text("rule", |row| row.rule)
         .cell("limit above the figure [deviations]", Align::Decimal, |row| Cell::plain(row.margin.to_string()))
         .cell("below the limit", Align::Decimal, |row| cell(row, |f| format!("{:.1} %", 100.0 * f.below)))

@@ -6,21 +6,21 @@ use std::process::ExitCode;
 use super::args::SystemsArgs;
 use super::random_refusals::frequent;
 use crate::{BAD_RESULT, CommandError, output};
-use seacable_base::files::{Target, disk};
+use seacable_base::files::{WriteTarget, disk};
 use seacable_display::table::{NumberFormat, Table};
 use seacable_report::run_json;
 use seacable_studies::laboratory::invariants::{
-    Held, Invariant, KINDS, Outcome, file, one, run, text,
+    Invariant, InvariantOutcome, KINDS, VariantOutcome, file, one, run, text,
 };
 
 /// What came of an invariant over all systems.
 struct Tally<'a> {
     name: &'static str,
-    held: Vec<&'a Held>,
+    held: Vec<&'a VariantOutcome>,
 }
 
 impl Tally<'_> {
-    fn count(&self, is: impl Fn(&Held) -> bool) -> f64 {
+    fn count(&self, is: impl Fn(&VariantOutcome) -> bool) -> f64 {
         self.held.iter().filter(|held| is(held)).count() as f64
     }
 }
@@ -62,9 +62,9 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
         .iter()
         .filter_map(|outcome| outcome.refused.as_deref());
     shown.push_str(&reasons("Others are refused:", refused));
-    let variants = outcomes.iter().flat_map(Outcome::violations);
+    let variants = outcomes.iter().flat_map(InvariantOutcome::violations);
     let variants = variants.filter_map(|(_, held, _)| match held {
-        Held::Refused(why) => Some(why.as_str()),
+        VariantOutcome::Refused(why) => Some(why.as_str()),
         _ => None,
     });
     shown.push_str(&reasons("Refused when asked for otherwise:", variants));
@@ -77,7 +77,7 @@ pub(super) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     Ok(status)
 }
 
-fn table(outcomes: &[Outcome]) -> Table {
+fn table(outcomes: &[InvariantOutcome]) -> Table {
     const COUNT: NumberFormat = NumberFormat::Digits(6, "");
     let tallies: Vec<Tally<'_>> = Invariant::ALL
         .into_iter()
@@ -92,24 +92,24 @@ fn table(outcomes: &[Outcome]) -> Table {
         .collect();
     let greatest = |tally: &Tally<'_>| {
         let apart = tally.held.iter().map(|held| match held {
-            Held::Differs(violation) => violation.excess(),
+            VariantOutcome::Differs(violation) => violation.excess(),
             _ => 0.0,
         });
         apart.fold(0.0, f64::max)
     };
-    Table::of("Random systems held against themselves", &tallies)
+    Table::of_records("Random systems held against themselves", &tallies)
         .text("asked for", |tally| tally.name)
         .number("systems", COUNT, |tally| {
-            tally.count(|held| *held != Held::NotAsked)
+            tally.count(|held| *held != VariantOutcome::NotAsked)
         })
         .number("agree", COUNT, |tally| {
-            tally.count(|held| matches!(held, Held::Agrees(_)))
+            tally.count(|held| matches!(held, VariantOutcome::Agrees(_)))
         })
         .number("differ", COUNT, |tally| {
-            tally.count(|held| matches!(held, Held::Differs(_)))
+            tally.count(|held| matches!(held, VariantOutcome::Differs(_)))
         })
         .number("refused", COUNT, |tally| {
-            tally.count(|held| matches!(held, Held::Refused(_)))
+            tally.count(|held| matches!(held, VariantOutcome::Refused(_)))
         })
         .number(
             "greatest difference by what is allowed",
@@ -132,7 +132,7 @@ fn reasons<'a>(title: &str, given: impl Iterator<Item = &'a str>) -> String {
 }
 
 /// A line for each way in which a system answers otherwise, or for its refusal.
-fn listed(outcome: &Outcome) -> String {
+fn listed(outcome: &InvariantOutcome) -> String {
     let begin = format!("{}: {}", outcome.index, KINDS[outcome.kind]);
     if let Some(why) = &outcome.refused {
         return format!("{begin}: refused: {why}\n");
@@ -140,22 +140,22 @@ fn listed(outcome: &Outcome) -> String {
     let rows = outcome.violations().map(|(invariant, held, _)| {
         let how = invariant.name();
         match held {
-            Held::Differs(off) => format!(
+            VariantOutcome::Differs(off) => format!(
                 "{begin}: {how}: {}: {:.6e} and {:.6e}, {:.3} times what is allowed\n",
                 off.name,
                 off.value,
                 off.other,
                 off.excess()
             ),
-            Held::Refused(why) => format!("{begin}: {how}: refused: {why}\n"),
-            Held::NotAsked | Held::Agrees(_) => String::new(),
+            VariantOutcome::Refused(why) => format!("{begin}: {how}: refused: {why}\n"),
+            VariantOutcome::NotAsked | VariantOutcome::Agrees(_) => String::new(),
         }
     });
     rows.collect()
 }
 
 /// Writes the files of the systems that answer otherwise, or of all.
-fn write(folder: &Path, outcomes: &[Outcome], all: bool) -> Result<(), CommandError> {
+fn write(folder: &Path, outcomes: &[InvariantOutcome], all: bool) -> Result<(), CommandError> {
     let failed = |source: seacable_base::files::WriteError| CommandError::Write {
         option: "--write",
         source,
@@ -163,7 +163,7 @@ fn write(folder: &Path, outcomes: &[Outcome], all: bool) -> Result<(), CommandEr
     disk::create_dir_all(folder).map_err(CommandError::Output)?;
     let put = |name: String, text: &str| {
         let path = folder.join(name);
-        Target::replacing(&path)
+        WriteTarget::replacing(&path)
             .write(text.as_bytes())
             .map_err(failed)
     };

@@ -85,7 +85,7 @@ fn table(kinds: &[OfKind<'_>]) -> Table {
         let times = kind.1.iter().map(|outcome| outcome.time.as_secs_f64());
         times.fold(0.0, f64::max)
     };
-    Table::of("Random systems in motion", kinds)
+    Table::of_records("Random systems in motion", kinds)
         .text("kind", |kind| kind.0)
         .number("ran", COUNT, |kind| {
             count(kind, |end| matches!(end, MotionEnd::Ran { .. }))

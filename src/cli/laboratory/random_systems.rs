@@ -11,7 +11,7 @@ use seacable_report::run_json;
 use seacable_studies::laboratory::random_systems::{KINDS, RandomOutcome, RandomRest, run};
 
 /// What came of a kind.
-struct KindTally {
+struct RandomTally {
     name: &'static str,
     solved: Vec<RandomRest>,
     refused: Vec<String>,
@@ -29,17 +29,17 @@ pub(crate) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
         return refined_systems::systems(args, by as usize);
     }
     let outcomes = run(args.count as usize, args.seed);
-    let tallies: Vec<KindTally> = (0..KINDS.len())
+    let tallies: Vec<RandomTally> = (0..KINDS.len())
         .map(|kind| tally(kind, &outcomes))
         .collect();
     let count = |many: usize| many as f64;
-    let worst = |kind: &KindTally| {
+    let worst = |kind: &RandomTally| {
         kind.solved
             .iter()
             .map(|rest| rest.residual)
             .fold(0.0, f64::max)
     };
-    let table = Table::of("Random systems at rest", &tallies)
+    let table = Table::of_records("Random systems at rest", &tallies)
         .text("kind", |kind| kind.name)
         .number("solved", NumberFormat::Digits(6, ""), |kind| {
             count(kind.solved.len())
@@ -79,19 +79,19 @@ pub(crate) fn systems(args: &SystemsArgs) -> Result<ExitCode, CommandError> {
     Ok(status(&tallies))
 }
 
-fn status(tallies: &[KindTally]) -> ExitCode {
+fn status(tallies: &[RandomTally]) -> ExitCode {
     match tallies.iter().any(|kind| inexact(kind) > 0) {
         true => ExitCode::from(BAD_RESULT),
         false => ExitCode::SUCCESS,
     }
 }
 
-fn inexact(kind: &KindTally) -> usize {
+fn inexact(kind: &RandomTally) -> usize {
     kind.solved.iter().filter(|rest| !rest.is_exact()).count()
 }
 
-fn tally(kind: usize, outcomes: &[RandomOutcome]) -> KindTally {
-    let mut tally = KindTally {
+fn tally(kind: usize, outcomes: &[RandomOutcome]) -> RandomTally {
+    let mut tally = RandomTally {
         name: KINDS[kind],
         solved: Vec::new(),
         refused: Vec::new(),

@@ -32,7 +32,7 @@ pub(super) fn systems(args: &SystemsArgs, by: usize) -> Result<ExitCode, Command
     };
     let rows: Vec<KindTally> = each.chain([all]).collect();
     const WHOLE: NumberFormat = NumberFormat::Digits(6, "");
-    let table = Table::of("Stated errors at rest against a finer mesh", &rows)
+    let table = Table::of_records("Stated errors at rest against a finer mesh", &rows)
         .text("kind", |row| row.name)
         .number("refused", WHOLE, |row| row.tally.refused as f64)
         .number("systems", WHOLE, |row| row.tally.systems as f64)

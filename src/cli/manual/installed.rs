@@ -6,7 +6,7 @@ use std::path::Path;
 use clap_complete::Shell;
 
 use super::files::{self, MARK};
-use seacable_base::files::{Target, disk, read};
+use seacable_base::files::{WriteTarget, disk, read};
 
 /// What became of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +55,7 @@ pub(crate) fn write(path: &Path, text: &str, force: bool) -> io::Result<Written>
     if let Some(dir) = path.parent() {
         disk::create_dir_all(dir)?;
     }
-    Target::replacing(path).write(text.as_bytes())?;
+    WriteTarget::replacing(path).write(text.as_bytes())?;
     Ok(match now {
         Some(_) => Written::Replaced,
         None => Written::New,

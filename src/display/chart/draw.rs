@@ -153,10 +153,10 @@ fn paper(frame: &PlotFrame) -> (f64, f64) {
 }
 
 /// What an axis shows, and how.
-pub(super) type Shown = (AxisRange, AxisScale);
+pub(super) type AxisDisplay = (AxisRange, AxisScale);
 
 /// What both axes show: as asked for, or all visible data.
-pub(super) fn ranges(chart: &Chart) -> (Shown, Shown) {
+pub(super) fn ranges(chart: &Chart) -> (AxisDisplay, AxisDisplay) {
     let shown = || chart.series.iter().filter(|series| series.visible);
     let grid = |of: fn(&GridMap) -> &[f64]| chart.map.iter().flat_map(of).copied();
     let xs = shown().flat_map(|s| s.points.iter().map(|p| p.0));
@@ -182,7 +182,7 @@ pub(super) fn ranges(chart: &Chart) -> (Shown, Shown) {
 }
 
 /// What a logarithmic axis shows; nothing where the axis is linear.
-fn log(chart: &Chart, axis: &Axis, values: impl Iterator<Item = f64>) -> Option<Shown> {
+fn log(chart: &Chart, axis: &Axis, values: impl Iterator<Item = f64>) -> Option<AxisDisplay> {
     let wanted = axis.scale == AxisScale::Log && !chart.equal_scale;
     let range = wanted.then(|| log_range(axis.range, values)).flatten()?;
     Some((range, AxisScale::Log))

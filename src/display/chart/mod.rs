@@ -57,7 +57,7 @@ pub struct Chart {
     /// The lines, drawn in this order: later ones lie on top, dimmed ones always below.
     pub series: Vec<Series>,
     /// Reference lines.
-    pub limits: Vec<Limit>,
+    pub limits: Vec<ReferenceLine>,
     /// A field over both axes, below everything else.
     pub map: Option<GridMap>,
     /// Position of the cursor on the x axis.
@@ -162,14 +162,14 @@ impl Series {
 
 /// A reference line across the plot.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Limit {
+pub struct ReferenceLine {
     /// What it means, written beside it.
     pub label: String,
     /// Where it lies.
     pub line: LimitLine,
 }
 
-impl Limit {
+impl ReferenceLine {
     /// A line of this name.
     #[must_use]
     pub fn new(label: impl Into<String>, line: LimitLine) -> Self {

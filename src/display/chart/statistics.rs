@@ -48,10 +48,10 @@ pub fn of_curve(points: &[(f64, f64)], window: AxisRange) -> Option<CurveStatist
 }
 
 /// The two ends of a piece of a curve.
-type Piece = ((f64, f64), (f64, f64));
+type CurvePiece = ((f64, f64), (f64, f64));
 
 /// The part of a piece inside the window; the outer absence says that the curve runs backwards.
-fn inside(a: (f64, f64), b: (f64, f64), window: AxisRange) -> Option<Option<Piece>> {
+fn inside(a: (f64, f64), b: (f64, f64), window: AxisRange) -> Option<Option<CurvePiece>> {
     if !(a.0.is_finite() && a.1.is_finite() && b.0.is_finite() && b.1.is_finite()) {
         return Some(None);
     }
@@ -91,7 +91,7 @@ pub fn table(chart: &Chart) -> Table {
     let place = |of: fn(&CurveStatistics) -> f64| {
         move |row: &(&Series, CurveStatistics)| Cell::plain(si(of(&row.1), x))
     };
-    Table::of(chart.title.as_str(), &rows)
+    Table::of_records(chart.title.as_str(), &rows)
         .text("curve", |row| row.0.label.clone())
         .cell("least", Align::Decimal, column(|s| s.least.0))
         .cell("at", Align::Decimal, place(|s| s.least.1))

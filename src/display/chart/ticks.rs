@@ -105,7 +105,7 @@ pub(super) struct Tick {
 
 /// The scale all numbers of an axis are written at.
 pub(super) fn scale(range: AxisRange, unit: &str) -> Scale {
-    Scale::of(range.0.abs().max(range.1.abs()), unit)
+    Scale::of_magnitude(range.0.abs().max(range.1.abs()), unit)
 }
 
 /// The finest round ticks that pass a test, labelled at one scale; the test sees them all and says

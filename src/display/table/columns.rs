@@ -4,7 +4,7 @@
 //! use seacable_display::table::{NumberFormat, Table};
 //!
 //! let joints = [("vessel|chain", 3.94e6, Some(0.41)), ("wire|payload", 1.9e6, None)];
-//! let table = Table::of("Joints", &joints)
+//! let table = Table::of_records("Joints", &joints)
 //!     .text("joint", |joint| joint.0)
 //!     .number("tension", NumberFormat::Si("N"), |joint| joint.1)
 //!     .number("of breaking load", NumberFormat::Percent, |joint| joint.2)
@@ -85,7 +85,7 @@ pub struct Columns<'a, R> {
 
 /// A table under construction with a record a column and a quantity a row.
 #[derive(Debug, Clone)]
-pub struct Comparison<R> {
+pub struct ComparisonTable<R> {
     records: Vec<Option<R>>,
     table: Table,
 }
@@ -102,7 +102,7 @@ impl Table {
 
     /// A table of records, one a row; the columns follow.
     #[must_use]
-    pub fn of<R>(title: impl Into<String>, records: &[R]) -> Columns<'_, R> {
+    pub fn of_records<R>(title: impl Into<String>, records: &[R]) -> Columns<'_, R> {
         let table = Self {
             rows: vec![Vec::new(); records.len()],
             ..Self::titled(title)
@@ -117,10 +117,10 @@ impl Table {
         title: impl Into<String>,
         corner: &str,
         records: &[(&str, Option<R>)],
-    ) -> Comparison<R> {
+    ) -> ComparisonTable<R> {
         let mut columns = vec![Column::left(corner)];
         columns.extend(records.iter().map(|(head, _)| Column::decimal(head)));
-        Comparison {
+        ComparisonTable {
             records: records.iter().map(|(_, record)| *record).collect(),
             table: Self {
                 columns,
@@ -188,7 +188,7 @@ impl<'a, R> Columns<'a, R> {
     }
 }
 
-impl<R: Copy> Comparison<R> {
+impl<R: Copy> ComparisonTable<R> {
     /// A quantity read from each of the records, a dash where there is none.
     #[must_use]
     pub fn number<N: Into<Option<f64>>>(
@@ -224,7 +224,7 @@ mod tests {
     #[test]
     fn a_record_a_row_with_columns_that_a_condition_adds() {
         let table = |errors: bool| {
-            Table::of("Modes", &[1.5, 2.0])
+            Table::of_records("Modes", &[1.5, 2.0])
                 .count("mode", |hz| *hz)
                 .number("period", NumberFormat::Digits(3, "s"), |hz| 1.0 / hz)
                 .when(errors, |columns| {

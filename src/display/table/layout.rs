@@ -348,7 +348,7 @@ impl GridColumn {
 /// A column at its width without wrapping.
 fn measure(table: &Table, number: usize) -> GridColumn {
     let column = &table.columns[number];
-    let texts = CellTexts::of(table, number);
+    let texts = CellTexts::of_column(table, number);
     let body = match column.align {
         Align::Decimal => texts.words.max(texts.before + texts.after),
         Align::Left | Align::Right => texts.widest,
@@ -363,7 +363,7 @@ fn measure(table: &Table, number: usize) -> GridColumn {
 
 /// Least width of a column: text and headings wrap, numbers do not.
 fn least(table: &Table, column: &GridColumn) -> usize {
-    let texts = CellTexts::of(table, column.number);
+    let texts = CellTexts::of_column(table, column.number);
     let body = match column.align {
         Align::Left => texts.least,
         Align::Right => texts.widest,
@@ -389,7 +389,7 @@ struct CellTexts {
 }
 
 impl CellTexts {
-    fn of(table: &Table, number: usize) -> Self {
+    fn of_column(table: &Table, number: usize) -> Self {
         let mut all = Self::default();
         for row in 0..table.rows.len() {
             let text = table.cell(row, number).text;

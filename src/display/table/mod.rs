@@ -1,6 +1,6 @@
 //! Tables as data, shown the same on screen, in reports and on the command line.
 //!
-//! A table is described by its columns with [`Table::of`], or by its rows with [`Table::compare`].
+//! A table is described by its columns with [`Table::of_records`], or by its rows with [`Table::compare`].
 
 mod columns;
 pub mod explanations;
@@ -11,7 +11,7 @@ use std::borrow::Cow;
 
 use crate::visible;
 
-pub use columns::{Columns, Comparison, NumberFormat};
+pub use columns::{Columns, ComparisonTable, NumberFormat};
 pub use layout::{ColumnPlace, LineKind, StyledText, TableLayout, TableLine};
 
 /// A table: columns, rows of cells, notes.

@@ -19,7 +19,7 @@ impl NumericalDamping {
     /// (doi 10.1115/1.2900803), eqs 9 to 12; the greater of its complex pair of eigenvalues, `exp(-zeta w h + i w h)`, gives
     /// `zeta = -ln|l| / sqrt(ln²|l| + arg² l)` and a period of `2 pi h / arg l`.
     #[must_use]
-    pub fn of(rho: f64, omega: f64, h: f64) -> Self {
+    pub fn of_oscillator(rho: f64, omega: f64, h: f64) -> Self {
         let (alpha_m, alpha_f) = ((2.0 * rho - 1.0) / (rho + 1.0), rho / (rho + 1.0));
         let gamma = 0.5 - alpha_m + alpha_f;
         let beta = 0.25 * (1.0 - alpha_m + alpha_f).powi(2);
@@ -64,7 +64,10 @@ impl NumericalDamping {
             elongation: 0.0,
         };
         for (h, count) in steps {
-            let (of, share) = (Self::of(rho, omega, *h), h * *count as f64 / total);
+            let (of, share) = (
+                Self::of_oscillator(rho, omega, *h),
+                h * *count as f64 / total,
+            );
             mean.damping += share * of.damping;
             mean.elongation += share * of.elongation;
         }
@@ -84,19 +87,22 @@ mod tests {
     use super::*;
 
     fn numerical_damping(rho: f64, omega: f64, h: f64) -> f64 {
-        NumericalDamping::of(rho, omega, h).damping
+        NumericalDamping::of_oscillator(rho, omega, h).damping
     }
 
     /// For small steps the period grows by (omega h)²/12 times a number of the method, which is 1 for rho = 1.
     #[test]
     fn the_period_grows_with_the_square_of_the_step() {
         for rho in [0.0, 0.4, 0.8, 1.0] {
-            let at = |h: f64| NumericalDamping::of(rho, 1.0, h).elongation;
+            let at = |h: f64| NumericalDamping::of_oscillator(rho, 1.0, h).elongation;
             assert!((at(0.02) / at(0.01) - 4.0).abs() < 0.05, "{rho}");
         }
-        let average = NumericalDamping::of(1.0, 1.0, 0.01).elongation;
+        let average = NumericalDamping::of_oscillator(1.0, 1.0, 0.01).elongation;
         assert!((average / (1e-4 / 12.0) - 1.0).abs() < 0.01, "{average}");
-        assert_eq!(NumericalDamping::of(1.0, 1.0, 0.1).lost_a_cycle(), 0.0);
+        assert_eq!(
+            NumericalDamping::of_oscillator(1.0, 1.0, 0.1).lost_a_cycle(),
+            0.0
+        );
     }
 
     /// For rho = 1 none at all; for less, as the cube of the step, and the more the smaller rho.
@@ -120,18 +126,19 @@ mod tests {
     fn steps_of_several_lengths_damp_as_they_do_one_by_one() {
         let (rho, omega) = (0.4, 1.0);
         let steps = [(0.05, 200), (0.5, 180)];
-        let decay =
-            |h: f64, count: f64| NumericalDamping::of(rho, omega, h).damping * omega * h * count;
+        let decay = |h: f64, count: f64| {
+            NumericalDamping::of_oscillator(rho, omega, h).damping * omega * h * count
+        };
         let time = 0.05 * 200.0 + 0.5 * 180.0;
         let over = NumericalDamping::over(rho, omega, &steps);
         let one_by_one = decay(0.05, 200.0) + decay(0.5, 180.0);
         assert!((over.damping * omega * time / one_by_one - 1.0).abs() < 1e-12);
-        let of_mean = NumericalDamping::of(rho, omega, time / 380.0);
+        let of_mean = NumericalDamping::of_oscillator(rho, omega, time / 380.0);
         assert!(over.damping > 3.0 * of_mean.damping, "{over:?} {of_mean:?}");
         assert!(over.elongation > of_mean.elongation);
         assert_eq!(
             NumericalDamping::over(rho, omega, &[(0.3, 7)]),
-            NumericalDamping::of(rho, omega, 0.3)
+            NumericalDamping::of_oscillator(rho, omega, 0.3)
         );
     }
 

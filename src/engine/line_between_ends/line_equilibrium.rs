@@ -84,7 +84,7 @@ impl LineEquilibrium {
             bed_reaction_turning_n_per_m: [0, last]
                 .map(|node| scene.bed_reaction_turning(node, state)),
             stiffness_n_per_m: condensed.ends.map(|row| row.map(|block: M3| -block)),
-            clamped: ClampedEquilibrium::of(scene, state, condensed),
+            clamped: ClampedEquilibrium::of_condensed_line(scene, state, condensed),
             position_m: state.x.clone(),
             tension_n: scene.tensions(state),
             on_bed_m: scene.length_touching_bed(state),

@@ -17,7 +17,7 @@ impl MeshOrder {
 
     /// The order of the line of a case.
     #[must_use]
-    pub fn of(case: &Case) -> Self {
+    pub fn of_case(case: &Case) -> Self {
         match has_crisis(case) {
             true => Self::OF_CRISIS,
             false => Self::SECOND,
@@ -60,7 +60,7 @@ pub fn mesh_error(case: &Case, line: &LineEquilibrium) -> Result<[f64; 2], LineE
     let mut finer = LineBetweenEnds::new(&finer)?;
     finer.lay_from(line.laid_from);
     let fine = finer.solve(a, b)?;
-    let share = MeshOrder::of(case).share_of_coarser(2.0);
+    let share = MeshOrder::of_case(case).share_of_coarser(2.0);
     Ok(differences(line, &fine).map(|d| share * d))
 }
 

@@ -84,7 +84,11 @@ impl Turning {
 
 impl ClampedEquilibrium {
     /// Of a line condensed at its equilibrium; nothing where no clamp turns.
-    pub(super) fn of(scene: &Scene, state: &State, condensed: &CondensedLine) -> Option<Box<Self>> {
+    pub(super) fn of_condensed_line(
+        scene: &Scene,
+        state: &State,
+        condensed: &CondensedLine,
+    ) -> Option<Box<Self>> {
         let CondensedClamps { turns, blocks } = condensed.beside.as_deref()?;
         let force = |end: usize| {
             let load = turns[end].then(|| scene.clamp_load(end, state)).flatten();

@@ -8,7 +8,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use super::Pencil;
+use super::ModePencil;
 use crate::numerics::V3;
 
 /// Start vectors: eigenvalues may occur as often.
@@ -56,7 +56,7 @@ pub enum EigenError {
 ///
 /// # Errors
 /// [`EigenError`].
-pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, EigenError> {
+pub fn lowest(pencil: &mut ModePencil, count: usize) -> Result<Vec<Eigenpair>, EigenError> {
     let size = 3 * pencil.free().len();
     if size == 0 {
         return Err(EigenError::NothingMoves);
@@ -89,7 +89,7 @@ pub fn lowest(pencil: &mut Pencil, count: usize) -> Result<Vec<Eigenpair>, Eigen
 }
 
 /// A shift below every eigenvalue: 0 for a stable line.
-fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
+fn shift_below_all(pencil: &mut ModePencil) -> Result<f64, EigenError> {
     let mut shift = 0.0;
     let step = 1e-12 * pencil.highest();
     for power in 0..9 {
@@ -102,7 +102,7 @@ fn shift_below_all(pencil: &mut Pencil) -> Result<f64, EigenError> {
 }
 
 /// Whether the number of eigenvalues below a bound just above the highest wanted one is that of the pairs found.
-fn none_missing(pencil: &mut Pencil, pairs: &[RitzPair], wanted: usize) -> bool {
+fn none_missing(pencil: &mut ModePencil, pairs: &[RitzPair], wanted: usize) -> bool {
     let highest = pairs[wanted - 1].value;
     let above = highest + MARGIN * highest.abs();
     let here = pairs.iter().filter(|pair| pair.value < above).count();
@@ -126,7 +126,7 @@ struct KrylovBasis {
 }
 
 impl KrylovBasis {
-    fn new(pencil: &Pencil, shift: f64, size: usize) -> Self {
+    fn new(pencil: &ModePencil, shift: f64, size: usize) -> Self {
         let mut band = Self {
             shift,
             basis: Vec::new(),
@@ -150,7 +150,7 @@ impl KrylovBasis {
     }
 
     /// Multiplies the next vector of the basis by A; false if there is none.
-    fn grow(&mut self, pencil: &mut Pencil) -> Result<bool, EigenError> {
+    fn grow(&mut self, pencil: &mut ModePencil) -> Result<bool, EigenError> {
         if self.exhausted() {
             return Ok(false);
         }
@@ -166,7 +166,7 @@ impl KrylovBasis {
     }
 
     /// Orthogonalises a vector and adds it to the basis; returns its components along the basis.
-    fn add(&mut self, pencil: &Pencil, mut vector: Vec<V3>) -> Vec<f64> {
+    fn add(&mut self, pencil: &ModePencil, mut vector: Vec<V3>) -> Vec<f64> {
         let before = pencil.mass_product(&vector, &vector).sqrt();
         let mut parts = vec![0.0; self.basis.len()];
         for _ in 0..2 {

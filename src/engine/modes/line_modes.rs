@@ -1,6 +1,6 @@
 //! Modes of a case: static equilibrium, modes about it, and their errors estimated from a mesh of half the segments.
 
-use super::{EigenError, Mode, ModeKind, Pencil, lowest, modes_of};
+use super::{EigenError, Mode, ModeKind, ModePencil, lowest, modes_of};
 use crate::case::Case;
 use crate::numerics::V3;
 use crate::scene::{self, Scene, SceneError};
@@ -140,7 +140,7 @@ fn on_mesh(
     equilibrium::EquilibriumSearch::default().run(&scene, 0.0, &mut rest)?;
     // Fibre ropes oscillate at their dynamic stiffness.
     scene.line.remember_ropes(0.0, 0.0, &mut rest);
-    let mut pencil = Pencil::new(&scene, &rest);
+    let mut pencil = ModePencil::new(&scene, &rest);
     let pairs = lowest(&mut pencil, count)?;
     let points: Vec<V3> = rest.x.clone();
     let modes = modes_of(&pencil, &points, pairs);

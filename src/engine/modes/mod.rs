@@ -6,7 +6,7 @@
 //! anyway; in a current, what drag changes with the line's direction and speed is left out too, while the shape
 //! about which the line moves is the one in that current. What is left is symmetric: all modes are real.
 //!
-//! * [`Pencil`]: K and M of a scene at rest.
+//! * [`ModePencil`]: K and M of a scene at rest.
 //! * [`lowest`]: their lowest eigenpairs, by a shift-invert block Lanczos method with a count that none is missing.
 //! * [`Mode`]: an eigenpair with its kind: share of motion out of the plane of the line and along the line, half waves.
 //! * [`WkbMedium`]: local wave numbers, amplitudes and frequencies by WKB theory.
@@ -21,5 +21,5 @@ mod wkb;
 pub use lanczos::{EigenError, Eigenpair, lowest};
 pub use line_modes::{LineModes, ModesError, NamedMode, of_case};
 pub use mode_shape::{LinePlane, Mode, ModeKind, modes_of};
-pub use pencil::Pencil;
+pub use pencil::ModePencil;
 pub use wkb::{WkbMedium, WkbWave, wave_number};

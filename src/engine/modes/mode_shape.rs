@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-use super::{Eigenpair, Pencil};
+use super::{Eigenpair, ModePencil};
 use crate::numerics::{M3, V3};
 
 /// Relative distance below which eigenvalues count as equal, with arbitrary combinations of their vectors.
@@ -22,7 +22,7 @@ pub struct LinePlane {
 impl LinePlane {
     /// The plane nearest to these points; of a straight line the upright one, of an upright line that of x and z.
     #[must_use]
-    pub fn of(points: &[V3]) -> Self {
+    pub fn nearest_to(points: &[V3]) -> Self {
         let middle = points.iter().sum::<V3>() / points.len().max(1) as f64;
         let spread: M3 = points
             .iter()
@@ -114,8 +114,8 @@ impl Mode {
 
 /// Describes eigenpairs of a line whose nodes lie at these points.
 #[must_use]
-pub fn modes_of(pencil: &Pencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Vec<Mode> {
-    let plane = LinePlane::of(points);
+pub fn modes_of(pencil: &ModePencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Vec<Mode> {
+    let plane = LinePlane::nearest_to(points);
     let tangents = tangents(points);
     let mut from = 0;
     while from < pairs.len() {
@@ -135,7 +135,7 @@ pub fn modes_of(pencil: &Pencil, points: &[V3], mut pairs: Vec<Eigenpair>) -> Ve
 }
 
 /// Turns the vectors of one eigenvalue so that they lie in the plane or out of it, as far as they can.
-fn separate(pencil: &Pencil, plane: &LinePlane, pairs: &mut [Eigenpair]) {
+fn separate(pencil: &ModePencil, plane: &LinePlane, pairs: &mut [Eigenpair]) {
     if pairs.len() < 2 {
         return;
     }
@@ -163,7 +163,7 @@ fn separate(pencil: &Pencil, plane: &LinePlane, pairs: &mut [Eigenpair]) {
     }
 }
 
-fn describe(pencil: &Pencil, plane: &LinePlane, tangents: &[V3], pair: Eigenpair) -> Mode {
+fn describe(pencil: &ModePencil, plane: &LinePlane, tangents: &[V3], pair: Eigenpair) -> Mode {
     let whole = pencil.mass_product(&pair.vector, &pair.vector);
     let share = |directions: &dyn Fn(usize) -> V3| {
         let vector = &pair.vector;

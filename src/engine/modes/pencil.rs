@@ -19,18 +19,18 @@ const MASS: Factors = Factors {
 
 /// The matrices of `K x = lambda M x` over the free nodes of a line, both symmetric, M positive and a 3 x 3 block a node.
 #[derive(Debug, Clone)]
-pub struct Pencil {
+pub struct ModePencil {
     /// K \[N/m\].
     stiffness: BlockBand,
     /// Blocks of M \[kg\].
     mass: Vec<M3>,
     /// The free nodes.
     free: Range<usize>,
-    /// Work array of [`Pencil::solve`].
+    /// Work array of [`ModePencil::solve`].
     work: BlockBand,
 }
 
-impl Pencil {
+impl ModePencil {
     /// The pencil of a scene at rest in `state`, drag left out.
     #[must_use]
     pub fn new(scene: &Scene, state: &State) -> Self {

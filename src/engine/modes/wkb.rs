@@ -11,7 +11,7 @@
 
 use std::f64::consts::PI;
 
-use super::Pencil;
+use super::ModePencil;
 use crate::numerics::V3;
 use crate::numerics::quadrature::cumulative_trapezoid;
 use crate::numerics::roots::{Bracket, bisect};
@@ -58,7 +58,7 @@ pub struct WkbWave {
 impl WkbMedium {
     /// The line of a scene at rest; none if it is slack somewhere without bending stiffness.
     #[must_use]
-    pub fn of(scene: &Scene, rest: &State) -> Option<Self> {
+    pub fn of_line_at_rest(scene: &Scene, rest: &State) -> Option<Self> {
         let nodes = scene.line_nodes();
         let chord = |i: usize| rest.x[i + 1] - rest.x[i];
         let mut arc = vec![0.0];
@@ -72,8 +72,8 @@ impl WkbMedium {
             let after = if i < last { arc[i + 1] - arc[i] } else { 0.0 };
             0.5 * (before + after)
         };
-        let pencil = Pencil::new(scene, rest);
-        let plane = super::LinePlane::of(&rest.x[..nodes]);
+        let pencil = ModePencil::new(scene, rest);
+        let plane = super::LinePlane::nearest_to(&rest.x[..nodes]);
         let across: Vec<V3> = plane.across(&rest.x[..nodes]);
         let mass = |i: usize| across[i].dot(&(pencil.mass(i) * across[i])) / held(i);
         // Bodies at an end are no part of the medium.

@@ -21,6 +21,7 @@
 
 use super::{EndCondition, LumpedLine, Scene};
 use crate::numerics::V3;
+use crate::physics::ElasticBed;
 use crate::physics::bed_friction::{Friction, FrictionAnchor, FrictionModel};
 use crate::physics::motion::MotionPath;
 
@@ -412,15 +413,7 @@ impl Scene {
                     self.line.strain_at_tension(segment, *tension)
                 });
                 let length = self.line.segments[segment].axial.length * (1.0 + strain);
-                // Over a grid heights are vertical, and the bed pushes along their gradient.
-                let upright = bed.normal(&at).z;
-                let upright = if bed.grid.is_some() {
-                    upright * upright
-                } else {
-                    upright
-                };
-                let rest =
-                    -(self.line.weight[i] * upright).max(0.0) / (bed.stiffness * self.footprint(i));
+                let rest = self.rest_height(bed, i, &at);
                 let before = at;
                 let mut step = (length * length - (rest - height).powi(2)).max(0.0).sqrt();
                 at = before + direction * step;
@@ -444,6 +437,18 @@ impl Scene {
         if nodes.contains(&from) {
             grips[from].at = place;
         }
+    }
+
+    /// The height above the bed at which a node rests under its weight \[m\], by the slope of the bed at a place.
+    fn rest_height(&self, bed: &ElasticBed, node: usize, at: &V3) -> f64 {
+        // Over a grid heights are vertical, and the bed pushes along their gradient.
+        let upright = bed.normal(at).z;
+        let upright = if bed.grid.is_some() {
+            upright * upright
+        } else {
+            upright
+        };
+        -(self.line.weight[node] * upright).max(0.0) / (bed.stiffness * self.footprint(node))
     }
 
     /// Removes the springs where the line touches down away from the stretches that its ends lie on; whether it does.

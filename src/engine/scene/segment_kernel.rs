@@ -107,7 +107,7 @@ impl LumpedLine {
             let (chord, [near, far]) = (segment.chord, segment.nodes);
             let pull = chord.tangent * self.tension_as::<PLAIN>(i, chord, t, state).0.value;
             let (wet, drag) = self.drag_as::<PLAIN>(i, &segment, state);
-            let added = AddedMass::of(self.added(i, wet.as_ref()));
+            let added = AddedMass::of_halves(self.added(i, wet.as_ref()));
             let a = lanes::vectors(&near.a, &far.a);
             let load = added.force(&lanes::twice(&chord.tangent), &a) - drag.force;
             *out = here + lanes::vector(&load, 0) - pull;
@@ -142,7 +142,7 @@ impl LumpedLine {
             let pull = chord.tangent * tension.value;
             let (wet, drag) = self.drag_as::<PLAIN>(i, &segment, state);
             let halves = SegmentHalves {
-                added: AddedMass::of(self.added(i, wet.as_ref())),
+                added: AddedMass::of_halves(self.added(i, wet.as_ref())),
                 chord,
                 pull: pull_by_chord(chord, &extrapolated, c),
                 drag: &drag,

@@ -170,7 +170,7 @@ impl Scene {
         rates.supplied += dot(&segment.drag.force, &(u + v)).reduce_add();
         let closing = chord.tangent.dot(&chord.opening);
         let turn = (chord.opening - chord.tangent * closing) * chord.inverse;
-        let added = AddedMass::of(segment.added);
+        let added = AddedMass::of_halves(segment.added);
         let along = dot(&lanes::twice(&chord.tangent), &v);
         let lopsided = along * (added.tangential - added.normal);
         rates.kinetic += 0.5 * (added.normal * dot(&v, &v) + lopsided * along).reduce_add();

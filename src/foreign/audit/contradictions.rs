@@ -1,7 +1,7 @@
 //! What in a file contradicts itself.
 
-use super::finding::{Finding, Topic};
-use crate::import::mooring::{Attachment, Hold, LineType, Mass, Mooring, Stiffness};
+use super::finding::{AuditFinding, Topic};
+use crate::import::mooring::{Attachment, Hold, Mass, Mooring, MooringLineType, Stiffness};
 use crate::import::to_case::names::Names;
 use crate::import::to_case::sea::SeaOfCase;
 use crate::number::{digits, percent, rounded, si};
@@ -22,9 +22,9 @@ const ASIDE: f64 = 0.01;
 const ASIDE_M: f64 = 1.0;
 
 /// What the file says against itself, before it is computed.
-pub fn find(mooring: &Mooring, sea: &SeaOfCase, findings: &mut Vec<Finding>) {
+pub fn find(mooring: &Mooring, sea: &SeaOfCase, findings: &mut Vec<AuditFinding>) {
     for remark in &mooring.remarks {
-        findings.push(Finding::new(
+        findings.push(AuditFinding::new(
             Topic::Contradiction,
             "file",
             remark.trim_end_matches('.'),
@@ -45,7 +45,7 @@ pub fn find(mooring: &Mooring, sea: &SeaOfCase, findings: &mut Vec<Finding>) {
                 digits(z, 6),
                 si(-depth - z, "m")
             );
-            let finding = Finding::new(
+            let finding = AuditFinding::new(
                 Topic::Contradiction,
                 format!("point {}", point.id),
                 what,
@@ -56,7 +56,7 @@ pub fn find(mooring: &Mooring, sea: &SeaOfCase, findings: &mut Vec<Finding>) {
     }
 }
 
-fn line_type(of: &LineType) -> Option<Finding> {
+fn line_type(of: &MooringLineType) -> Option<AuditFinding> {
     let Mass::InAir(mass) = of.mass.value else {
         return None;
     };
@@ -73,7 +73,7 @@ fn line_type(of: &LineType) -> Option<Finding> {
         "give the diameter of equal volume, about {} for studless chain",
         si(1.8 * of.diameter.value, "m")
     );
-    let finding = Finding::new(
+    let finding = AuditFinding::new(
         Topic::Contradiction,
         format!("line type {}", of.name),
         what,
@@ -87,7 +87,7 @@ fn line_type(of: &LineType) -> Option<Finding> {
 }
 
 /// Lines shorter than the distance of their ends.
-fn lengths(mooring: &Mooring, findings: &mut Vec<Finding>) {
+fn lengths(mooring: &Mooring, findings: &mut Vec<AuditFinding>) {
     for line in &mooring.lines {
         let ends = [0, 1].map(|end| place(mooring, line.ends[end].value));
         let [Some(a), Some(b)] = ends else { continue };
@@ -110,7 +110,7 @@ fn lengths(mooring: &Mooring, findings: &mut Vec<Finding>) {
             percent(strain),
             si(tension, "N")
         );
-        let finding = Finding::new(
+        let finding = AuditFinding::new(
             Topic::Contradiction,
             format!("line {}", line.id),
             what,
@@ -145,16 +145,16 @@ fn place(mooring: &Mooring, at: Attachment) -> Option<V3> {
 }
 
 /// What the system at rest says against the file.
-pub fn find_at_rest(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec<Finding>) {
+pub fn find_at_rest(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec<AuditFinding>) {
     if let Stability::Unstable(what) = &solved.stability {
-        findings.push(Finding::new(
+        findings.push(AuditFinding::new(
             Topic::Equilibrium,
             "system",
             format!("its equilibrium is unstable: {what}"),
             "begin nearer to the equilibrium that is meant",
         ));
     }
-    let names = Names::of(mooring);
+    let names = Names::of_mooring(mooring);
     let lengths = mooring.lines.iter().map(|line| line.length.value);
     let longest = lengths.fold(0.0, f64::max);
     let much = (ASIDE * longest).max(ASIDE_M);
@@ -189,14 +189,14 @@ pub fn find_at_rest(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec
         let [x, y, z] = [rests.x, rests.y, rests.z].map(|c| rounded(c + 0.0, 3));
         let what = format!("it is {} from where it rests", si(apart, "m"));
         let remedy = format!("begin at its equilibrium: {x} {y} {z}");
-        let finding = Finding::new(Topic::Start, subject, what, remedy);
+        let finding = AuditFinding::new(Topic::Start, subject, what, remedy);
         findings.push(finding.at(span).figure(apart, 0.0, "m"));
     }
     breaking(mooring, solved, findings);
 }
 
 /// Lines that bear more than they break at.
-fn breaking(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec<Finding>) {
+fn breaking(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec<AuditFinding>) {
     let exact = super::exact::ExactLine::all(mooring, solved);
     for (line, exact) in mooring.lines.iter().zip(exact) {
         let load = mooring.line_types[line.of_type.value].break_load.as_ref();
@@ -212,7 +212,7 @@ fn breaking(mooring: &Mooring, solved: &SolvedSystem, findings: &mut Vec<Finding
             );
             let subject = format!("line {}", line.id);
             let remedy = "choose a stronger line, or correct the breaking load";
-            let finding = Finding::new(Topic::Contradiction, subject, what, remedy);
+            let finding = AuditFinding::new(Topic::Contradiction, subject, what, remedy);
             findings.push(finding.at(&load.span).figure(tension, load.value, "N"));
         }
     }

@@ -1,7 +1,7 @@
 //! The lines of a file in the system at rest: where they are and what they bear.
 
 use crate::import::mooring::Mooring;
-use crate::import::to_case::joints::{Joints, chains};
+use crate::import::to_case::joints::{LineJoints, chains};
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::line_at_rest::LineAtRest;
@@ -25,7 +25,7 @@ impl<'s> ExactLine<'s> {
     pub fn all(mooring: &Mooring, solved: &'s SolvedSystem) -> Vec<Option<Self>> {
         let mut all = vec![None; mooring.lines.len()];
         let whole = solved.rest.balance.lines.iter().zip(&solved.network.lines);
-        let chains = chains(mooring, &Joints::of(mooring));
+        let chains = chains(mooring, &LineJoints::of_mooring(mooring));
         for (number, (chain, (at_rest, line))) in chains.iter().zip(whole).enumerate() {
             let ends = [line.from, line.to].map(|p| solved.rest.placement.points[p]);
             let lengths = chain.pieces.iter();

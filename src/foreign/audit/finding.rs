@@ -36,7 +36,7 @@ impl Topic {
 
 /// One finding.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
+pub struct AuditFinding {
     /// What it is about.
     pub topic: Topic,
     /// The part or setting meant, such as `line 3` or `dtM`.
@@ -48,12 +48,12 @@ pub struct Finding {
     /// What to do.
     pub remedy: String,
     /// The figure, what it would be, and their unit.
-    pub figure: Option<Figure>,
+    pub figure: Option<FindingFigure>,
 }
 
 /// A figure of a finding.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Figure {
+pub struct FindingFigure {
     /// What it is.
     pub value: f64,
     /// What it should be, or may be at most.
@@ -62,7 +62,7 @@ pub struct Figure {
     pub unit: &'static str,
 }
 
-impl Finding {
+impl AuditFinding {
     /// A finding without a place or figure.
     #[must_use]
     pub fn new(
@@ -91,7 +91,7 @@ impl Finding {
     /// The same with a figure.
     #[must_use]
     pub fn figure(mut self, value: f64, reference: f64, unit: &'static str) -> Self {
-        self.figure = Some(Figure {
+        self.figure = Some(FindingFigure {
             value,
             reference,
             unit,

@@ -2,7 +2,7 @@
 
 use super::Audit;
 use super::exact::ExactLine;
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use super::lumped::{LumpedModel, build, equilibrium};
 use crate::import::mooring::Mooring;
 use crate::import::to_case::sea::SeaOfCase;
@@ -159,7 +159,7 @@ fn findings(
     (finer, tried): (Option<&[Option<f64>]>, &[TriedMesh]),
     audit: &mut Audit,
 ) {
-    let mut found: Vec<(Finding, Vec<&str>)> = Vec::new();
+    let mut found: Vec<(AuditFinding, Vec<&str>)> = Vec::new();
     for (k, (line, of)) in lines.iter().zip(&mooring.lines).enumerate() {
         let finer = finer.and_then(|finer| *finer.get(k)?);
         for finding in [of_tension(line, finer), of_curvature(line, k, tried)]
@@ -182,7 +182,7 @@ fn findings(
 }
 
 /// A tension that is off, by what is left of it with twice the segments.
-fn of_tension(line: &LineAudit, finer: Option<f64>) -> Option<Finding> {
+fn of_tension(line: &LineAudit, finer: Option<f64>) -> Option<AuditFinding> {
     let off = line.by_segments()?;
     let (lumped, mid) = (line.lumped?, line.mid_segment?);
     if !is_off(off) {
@@ -209,7 +209,7 @@ fn of_tension(line: &LineAudit, finer: Option<f64>) -> Option<Finding> {
             "none that was tried: {twice} segments were not brought to rest; look for what the two compute otherwise"
         ),
     };
-    let finding = Finding::new(Topic::Mesh, "", what, remedy);
+    let finding = AuditFinding::new(Topic::Mesh, "", what, remedy);
     Some(finding.figure(lumped, mid, "N"))
 }
 
@@ -222,7 +222,7 @@ fn give(segments: usize) -> String {
 }
 
 /// A greatest curvature that is off, by what the meshes that were tried leave of it at this line.
-fn of_curvature(line: &LineAudit, number: usize, tried: &[TriedMesh]) -> Option<Finding> {
+fn of_curvature(line: &LineAudit, number: usize, tried: &[TriedMesh]) -> Option<AuditFinding> {
     let off = line.off_in_curvature()?;
     let [coarse, fine] = line.curvature?;
     let what = format!(
@@ -254,7 +254,7 @@ fn of_curvature(line: &LineAudit, number: usize, tried: &[TriedMesh]) -> Option<
             "none that was tried: no mesh between the two was brought to rest".to_owned()
         }
     };
-    let finding = Finding::new(Topic::Mesh, "", what, remedy);
+    let finding = AuditFinding::new(Topic::Mesh, "", what, remedy);
     Some(finding.figure(coarse, fine, "1/m"))
 }
 

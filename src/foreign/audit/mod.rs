@@ -14,7 +14,7 @@ pub mod step;
 pub mod wave_pressure;
 
 use self::exact::ExactLine;
-use self::finding::{Finding, Topic};
+use self::finding::{AuditFinding, Topic};
 use self::lumped::LumpedModel;
 use self::mesh::LineAudit;
 use self::start::StartAudit;
@@ -49,7 +49,7 @@ pub struct Audit {
     /// What was not judged, and why.
     pub not_judged: Vec<String>,
     /// What was found, in the order of its topics.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<AuditFinding>,
 }
 
 /// Audits a file with this text.
@@ -79,7 +79,7 @@ pub fn audit(text: &str, file: &str, options: &ImportOptions) -> Result<Audit, V
             for one in &found {
                 let one = imported.at_its_row(one, file, text);
                 audit.findings.push(
-                    Finding::new(Topic::Equilibrium, &one.key, &one.problem, &*one.remedy)
+                    AuditFinding::new(Topic::Equilibrium, &one.key, &one.problem, &*one.remedy)
                         .at(&one.span),
                 );
             }
@@ -122,24 +122,8 @@ fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, au
             .not_judged
             .push("Currents and waves during the relaxation.".to_owned());
     }
-    if mooring.sea.depth_file.is_some() {
-        audit
-            .not_judged
-            .push("Start, time step and segments: the bed is a grid of depths.".to_owned());
-        audit.lines = mesh::exact_lines(mooring, &exact);
-        return;
-    }
-    let segments = mooring.lines.iter().map(|line| line.segments.value as f64);
-    let segments: f64 = segments.sum();
-    if segments > MOST_SEGMENTS {
-        audit.not_judged.push(format!(
-            "Start, time step and segments: {segments} segments are more than the {MOST_SEGMENTS} that are repeated here."
-        ));
-        audit.lines = mesh::exact_lines(mooring, &exact);
-        return;
-    }
-    let model = match lumped::build::lumped(mooring, sea, 1) {
-        Ok(model) => model,
+    let (model, rest) = match lumped_at_rest(mooring, sea, &exact) {
+        Ok(found) => found,
         Err(why) => {
             audit
                 .not_judged
@@ -148,20 +132,35 @@ fn divided(mooring: &Mooring, sea: &SeaOfCase, solved: Option<&SolvedSystem>, au
             return;
         }
     };
-    let near = near_rest(&model, &exact);
-    let rest = match lumped::equilibrium::at_rest(&model, &near) {
-        Ok(rest) => rest,
-        Err(why) => {
-            audit.not_judged.push(format!(
-                "Start, time step and segments: the lumped masses were not brought to rest ({why})."
-            ));
-            audit.lines = mesh::exact_lines(mooring, &exact);
-            return;
-        }
-    };
     audit.lines = mesh::lines(mooring, sea, &exact, (&model, &rest), audit);
     start::find(mooring, &model, &rest, audit);
     step::find(mooring, &model, &rest, audit);
+}
+
+/// The lumped masses of a mooring, and where they are at rest.
+///
+/// # Errors
+/// Why they are not found, in words.
+fn lumped_at_rest(
+    mooring: &Mooring,
+    sea: &SeaOfCase,
+    exact: &[Option<ExactLine<'_>>],
+) -> Result<(LumpedModel, Vec<V3>), String> {
+    if mooring.sea.depth_file.is_some() {
+        return Err("the bed is a grid of depths".to_owned());
+    }
+    let segments = mooring.lines.iter().map(|line| line.segments.value as f64);
+    let segments: f64 = segments.sum();
+    if segments > MOST_SEGMENTS {
+        return Err(format!(
+            "{segments} segments are more than the {MOST_SEGMENTS} that are repeated here"
+        ));
+    }
+    let model = lumped::build::lumped(mooring, sea, 1)?;
+    let near = near_rest(&model, exact);
+    let rest = lumped::equilibrium::at_rest(&model, &near)
+        .map_err(|why| format!("the lumped masses were not brought to rest ({why})"))?;
+    Ok((model, rest))
 }
 
 /// The nodes of a model where the lines are at rest; of lines without equilibrium where the file has them.

@@ -1,9 +1,11 @@
 //! Settings and columns that `MoorDyn` takes otherwise than they seem to be meant.
 
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use super::wave_pressure;
 use crate::import::fault::line_and_column;
-use crate::import::mooring::{Damping, Hold, Mass, Mooring, Program, Setting, Stiffness};
+use crate::import::mooring::{
+    Damping, Hold, Mass, Mooring, MooringLineType, Program, ProgramSetting, Stiffness,
+};
 use crate::import::to_case::is_in_air;
 use crate::import::to_case::sea::SeaOfCase;
 use crate::number::{digits, si};
@@ -74,7 +76,7 @@ const UNDAMPED: f64 = 1e-4;
 const OVERDAMPED: f64 = 5.0;
 
 /// Finds them in a file with this text.
-pub fn find(mooring: &Mooring, sea: &SeaOfCase, text: &str, findings: &mut Vec<Finding>) {
+pub fn find(mooring: &Mooring, sea: &SeaOfCase, text: &str, findings: &mut Vec<AuditFinding>) {
     for setting in &mooring.settings {
         findings.extend(option(setting, text));
     }
@@ -89,7 +91,7 @@ pub fn find(mooring: &Mooring, sea: &SeaOfCase, text: &str, findings: &mut Vec<F
 
 /// A profile of the current that is not listed from below. `MoorDyn` looks for the rows about a height from the first one on and takes the first where
 /// the height is at or below it (`interp_factor` in its `source/Util/Interp.hpp`, version 2.7).
-fn current(mooring: &Mooring) -> Option<Finding> {
+fn current(mooring: &Mooring) -> Option<AuditFinding> {
     let (given, first) = (
         mooring.sea.current.as_ref()?,
         mooring.sea.current_first.as_ref()?,
@@ -108,7 +110,7 @@ fn current(mooring: &Mooring) -> Option<Finding> {
         digits(other[0], 6),
         si(speed(other), "m/s")
     );
-    let finding = Finding::new(
+    let finding = AuditFinding::new(
         Topic::Setting,
         "Currents",
         what,
@@ -122,7 +124,7 @@ fn current(mooring: &Mooring) -> Option<Finding> {
 }
 
 /// An option that `MoorDyn` does not know, or whose value stands behind its name.
-fn option(setting: &Setting, text: &str) -> Option<Finding> {
+fn option(setting: &ProgramSetting, text: &str) -> Option<AuditFinding> {
     let name = setting.written.to_lowercase();
     if WITHOUT_EFFECT.contains(&setting.name.as_str()) {
         return None;
@@ -141,7 +143,7 @@ fn option(setting: &Setting, text: &str) -> Option<Finding> {
             setting.value, setting.value
         );
         let remedy = format!("write `{} {}`", setting.value, setting.written);
-        return Some(Finding::new(Topic::Setting, subject, what, remedy).at(&setting.span));
+        return Some(AuditFinding::new(Topic::Setting, subject, what, remedy).at(&setting.span));
     }
     if KNOWN.contains(&name.as_str()) {
         return None;
@@ -155,11 +157,11 @@ fn option(setting: &Setting, text: &str) -> Option<Finding> {
         None => "leave it out, or check that the version that is run knows it".to_owned(),
     };
     let what = "MoorDyn in C++ does not know this option and leaves its default";
-    Some(Finding::new(Topic::Setting, subject, what, remedy).at(&setting.span))
+    Some(AuditFinding::new(Topic::Setting, subject, what, remedy).at(&setting.span))
 }
 
 /// The depth that `MoorDyn` in C++ has, where it is another than the file means: that of `WtrDpth`, or of the deepest fixed point.
-fn depth(mooring: &Mooring, sea: &SeaOfCase) -> Option<Finding> {
+fn depth(mooring: &Mooring, sea: &SeaOfCase) -> Option<AuditFinding> {
     if mooring.sea.depth_file.is_some() || mooring.program == Program::MoorDyn1 {
         return None;
     }
@@ -193,19 +195,19 @@ fn depth(mooring: &Mooring, sea: &SeaOfCase) -> Option<Finding> {
         "write `{} WtrDpth`, which every version knows",
         digits(meant, 6)
     );
-    let mut finding = Finding::new(Topic::Setting, "WtrDpth", what, remedy);
+    let mut finding = AuditFinding::new(Topic::Setting, "WtrDpth", what, remedy);
     finding.span = setting.map(|setting| setting.span.clone());
     Some(finding.figure(taken, meant, "m"))
 }
 
 /// Friction that comes to its full value at speeds that no line has.
-fn friction(mooring: &Mooring, sea: &SeaOfCase) -> Option<Finding> {
+fn friction(mooring: &Mooring, sea: &SeaOfCase) -> Option<AuditFinding> {
     let setting = mooring.setting("frictioncoefficient")?;
     let coefficient = mooring.sea.friction.as_ref()?.value;
     if coefficient <= 0.0 {
         return None;
     }
-    let given = mooring.setting("fricdamp").and_then(Setting::number);
+    let given = mooring.setting("fricdamp").and_then(ProgramSetting::number);
     let by_speed = given.unwrap_or(FRICTION_DAMPING);
     let weight = mooring.lines.iter().filter_map(|line| {
         let of = &mooring.line_types[line.of_type.value];
@@ -247,13 +249,13 @@ fn friction(mooring: &Mooring, sea: &SeaOfCase) -> Option<Finding> {
         si(SLIDING, "m/s"),
         si(2.0 * mass / (coefficient * wanted), "s")
     );
-    let finding = Finding::new(Topic::Setting, "FricDamp", what, remedy);
+    let finding = AuditFinding::new(Topic::Setting, "FricDamp", what, remedy);
     let span = mooring.setting("fricdamp").unwrap_or(setting);
     Some(finding.at(&span.span).figure(speed, SLIDING, "m/s"))
 }
 
 /// Internal damping in the wrong sense.
-fn damping(mooring: &Mooring, findings: &mut Vec<Finding>) {
+fn damping(mooring: &Mooring, findings: &mut Vec<AuditFinding>) {
     for (number, of) in mooring.line_types.iter().enumerate() {
         let lines = mooring.lines.iter();
         let of_type = lines.filter(|line| line.of_type.value == number);
@@ -269,63 +271,66 @@ fn damping(mooring: &Mooring, findings: &mut Vec<Finding>) {
         if !critical.is_finite() || critical <= 0.0 {
             continue;
         }
-        let subject = format!("line type {}", of.name);
-        let finding = match of.damping.value {
-            Damping::Coefficient(value)
-                if value > 0.0 && value <= RATIO_LIKE && value / critical < UNDAMPED =>
-            {
-                let what = format!(
-                    "internal damping of {} N s is {} of the critical damping of a segment: it damps nothing",
-                    digits(value, 4),
-                    digits(value / critical, 2)
-                );
-                let remedy = format!(
-                    "a share of the critical damping is written as -{}",
-                    digits(value, 4)
-                );
-                Finding::new(Topic::Setting, subject, what, remedy).figure(value, critical, "N s")
-            }
-            Damping::Ratio(ratio) if ratio > OVERDAMPED => {
-                let what = format!(
-                    "-{} is {} times the critical damping of a segment, {}",
-                    digits(ratio, 6),
-                    digits(ratio, 6),
-                    si(ratio * critical, "N s")
-                );
-                let remedy =
-                    "write a coefficient in N s without sign, or a share between -0.1 and -1";
-                Finding::new(Topic::Setting, subject, what, remedy).figure(
-                    ratio * critical,
-                    critical,
-                    "N s",
-                )
-            }
-            Damping::Coefficient(value) if value > OVERDAMPED * critical => {
-                let what = format!(
-                    "internal damping of {} is {} times the critical damping of a segment",
-                    si(value, "N s"),
-                    digits(value / critical, 3)
-                );
-                let remedy = format!(
-                    "{} is critical; it also limits the time step",
-                    si(critical, "N s")
-                );
-                Finding::new(Topic::Setting, subject, what, remedy).figure(value, critical, "N s")
-            }
-            _ => continue,
-        };
-        findings.push(finding.at(&of.damping.span));
+        let finding = damping_of_type(of, critical);
+        findings.extend(finding.map(|finding| finding.at(&of.damping.span)));
+    }
+}
+
+/// What is wrong with the internal damping of a line type, by the critical damping of its shortest segment \[N s\].
+fn damping_of_type(of: &MooringLineType, critical: f64) -> Option<AuditFinding> {
+    let subject = format!("line type {}", of.name);
+    match of.damping.value {
+        Damping::Coefficient(value)
+            if value > 0.0 && value <= RATIO_LIKE && value / critical < UNDAMPED =>
+        {
+            let what = format!(
+                "internal damping of {} N s is {} of the critical damping of a segment: it damps nothing",
+                digits(value, 4),
+                digits(value / critical, 2)
+            );
+            let remedy = format!(
+                "a share of the critical damping is written as -{}",
+                digits(value, 4)
+            );
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(value, critical, "N s"))
+        }
+        Damping::Ratio(ratio) if ratio > OVERDAMPED => {
+            let what = format!(
+                "-{} is {} times the critical damping of a segment, {}",
+                digits(ratio, 6),
+                digits(ratio, 6),
+                si(ratio * critical, "N s")
+            );
+            let remedy = "write a coefficient in N s without sign, or a share between -0.1 and -1";
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(ratio * critical, critical, "N s"))
+        }
+        Damping::Coefficient(value) if value > OVERDAMPED * critical => {
+            let what = format!(
+                "internal damping of {} is {} times the critical damping of a segment",
+                si(value, "N s"),
+                digits(value / critical, 3)
+            );
+            let remedy = format!(
+                "{} is critical; it also limits the time step",
+                si(critical, "N s")
+            );
+            let finding = AuditFinding::new(Topic::Setting, subject, what, remedy);
+            Some(finding.figure(value, critical, "N s"))
+        }
+        _ => None,
     }
 }
 
 /// Rows of bodies whose drag has six numbers: `MoorDyn` 2.7 takes the last five of them.
-fn bodies(mooring: &Mooring, text: &str, findings: &mut Vec<Finding>) {
+fn bodies(mooring: &Mooring, text: &str, findings: &mut Vec<AuditFinding>) {
     for body in &mooring.bodies {
         let entry = text.get(body.drag_area.span.clone()).unwrap_or("");
         if entry.split('|').count() != 6 {
             continue;
         }
-        let finding = Finding::new(
+        let finding = AuditFinding::new(
             Topic::Setting,
             format!("body {}", body.id),
             format!("of the six drag areas `{entry}` MoorDyn loses the first"),
@@ -336,7 +341,7 @@ fn bodies(mooring: &Mooring, text: &str, findings: &mut Vec<Finding>) {
 }
 
 /// Failures by time, which come at once.
-fn failures(mooring: &Mooring, findings: &mut Vec<Finding>) {
+fn failures(mooring: &Mooring, findings: &mut Vec<AuditFinding>) {
     for failure in &mooring.failures {
         if let Some(time) = &failure.time {
             let what = format!(
@@ -344,7 +349,7 @@ fn failures(mooring: &Mooring, findings: &mut Vec<Finding>) {
                 si(time.value, "s")
             );
             let remedy = "let it fail by tension, or end the line in a run of its own";
-            let finding = Finding::new(Topic::Setting, "FAILURE", what, remedy);
+            let finding = AuditFinding::new(Topic::Setting, "FAILURE", what, remedy);
             findings.push(finding.at(&time.span));
         }
     }

@@ -3,10 +3,10 @@
 use std::f64::consts::TAU;
 
 use super::Audit;
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use super::lumped::relaxation::{Ended, RelaxationSettings, dynamic, stationary};
 use super::lumped::{LumpedModel, equilibrium};
-use crate::import::mooring::{Mooring, Setting};
+use crate::import::mooring::{Mooring, ProgramSetting};
 use crate::number::{percent, si};
 use crate::numerics::V3;
 
@@ -43,7 +43,7 @@ pub struct StartAudit {
 /// Number of a setting, or the program's default.
 #[must_use]
 pub fn number(mooring: &Mooring, name: &str, default: f64) -> f64 {
-    let setting = mooring.setting(name).and_then(Setting::number);
+    let setting = mooring.setting(name).and_then(ProgramSetting::number);
     setting.filter(|value| value.is_finite()).unwrap_or(default)
 }
 
@@ -268,7 +268,7 @@ fn findings(
     };
     let place = names.iter().find_map(|name| mooring.setting(name));
     let subject = place.map_or("threshIC", |setting| setting.written.as_str());
-    let mut finding = Finding::new(Topic::Start, subject, words.join("; "), remedy);
+    let mut finding = AuditFinding::new(Topic::Start, subject, words.join("; "), remedy);
     finding = finding.figure(worst.tension, worst.at_rest, "N");
     finding.span = place.map(|setting| setting.span.clone());
     audit.findings.push(finding);

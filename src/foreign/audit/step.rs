@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Audit;
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use super::lumped::LumpedModel;
 use super::lumped::spectrum::{FastestMode, Scheme, fastest};
 use super::start::step_of;
@@ -107,29 +107,22 @@ pub fn find(mooring: &Mooring, model: &LumpedModel, rest: &[V3], audit: &mut Aud
     let growth = growth(scheme, &modes, step);
     let longest = scheme.longest_step(&mode);
     let axial = axial(mooring, model, scheme, step);
-    let spans = [given, mooring.setting("cfl"), setting];
-    let span = spans
-        .into_iter()
-        .flatten()
-        .next()
-        .map(|one| one.span.clone());
-    let mut found = Vec::new();
-    if growth > GROWTH {
-        found.push(unstable(
+    let settings = given.or_else(|| mooring.setting("cfl")).or(setting);
+    let span = settings.map(|one| one.span.clone());
+    let too_long = axial.as_ref().filter(|axial| axial.2 > PERIOD);
+    let found = match growth > GROWTH {
+        true => Some(unstable(
             scheme,
             step,
             given.is_some(),
             (longest, &mode, &modes),
-        ));
-    } else if let Some(axial) = &axial
-        && axial.2 > PERIOD
-    {
-        found.push(inaccurate(scheme, step, axial, &modes));
-    }
-    for mut one in found {
-        one.span.clone_from(&span);
-        audit.findings.push(one);
-    }
+        )),
+        false => too_long.map(|axial| inaccurate(scheme, step, axial, &modes)),
+    };
+    audit.findings.extend(found.map(|mut one| {
+        one.span = span;
+        one
+    }));
     audit.step = Some(StepAudit {
         scheme: scheme.name(),
         step,
@@ -156,7 +149,7 @@ fn inaccurate(
     step: f64,
     (line, period, error): &(String, f64, f64),
     modes: &[FastestMode],
-) -> Finding {
+) -> AuditFinding {
     let what = format!(
         "steps of {} leave an error of {} in the first axial period of line {line}, {}",
         si(step, "s"),
@@ -165,7 +158,7 @@ fn inaccurate(
     );
     let left = |step: f64| scheme.period_error(&first_axial(*period), step);
     let mends = |step: f64| left(step) <= PERIOD && growth(scheme, modes, step) <= GROWTH;
-    let finding = |remedy: String| Finding::new(Topic::Step, "dtM", what, remedy);
+    let finding = |remedy: String| AuditFinding::new(Topic::Step, "dtM", what, remedy);
     match shortened(step, mends) {
         Some(tried) => finding(format!(
             "choose dtM {} or less, with which an error of {} is left",
@@ -192,7 +185,7 @@ fn unstable(
     step: f64,
     is_given: bool,
     (longest, mode, modes): (Option<f64>, &FastestMode, &[FastestMode]),
-) -> Finding {
+) -> AuditFinding {
     let origin = match is_given {
         true => "",
         false => ", the default by the Courant number,",
@@ -212,7 +205,7 @@ fn unstable(
         ),
         None => (0.3 / mode.frequency, otherwise_stable(scheme, mode, modes)),
     };
-    Finding::new(Topic::Step, "dtM", what, remedy).figure(step, limit, "s")
+    AuditFinding::new(Topic::Step, "dtM", what, remedy).figure(step, limit, "s")
 }
 
 /// What makes a mode stable that grows with every step of a scheme: damping, or another scheme, each as far as it was tried and does.

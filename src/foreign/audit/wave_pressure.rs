@@ -2,9 +2,9 @@
 
 use std::f64::consts::TAU;
 
-use super::finding::{Finding, Topic};
+use super::finding::{AuditFinding, Topic};
 use crate::import::moordyn::elevation::{HIGHEST, STEP, of_rows};
-use crate::import::mooring::{Elevation, Mooring, Setting, WaveComponent};
+use crate::import::mooring::{Elevation, Mooring, ProgramSetting, WaveComponent};
 use crate::number::digits;
 
 /// `WaveKin` of waves that are summed at the nodes.
@@ -21,9 +21,9 @@ const SAME: f64 = 1e-6;
 /// Rods that lack the pressure of the waves on their ends (`SpectrumKinWrapper::getWaveKin` in `source/Waves.hpp` of `MoorDyn`, version 2.7, and
 /// `Rod::doRHS`).
 #[must_use]
-pub fn find(mooring: &Mooring) -> Option<Finding> {
+pub fn find(mooring: &Mooring) -> Option<AuditFinding> {
     let waves = mooring.sea.waves.as_ref()?;
-    let setting = mooring.setting("wavekin").and_then(Setting::number);
+    let setting = mooring.setting("wavekin").and_then(ProgramSetting::number);
     let rods = mooring.rods.iter().filter(|rod| !rod.is_joint());
     let ids: Vec<&str> = rods.map(|rod| rod.id.as_str()).collect();
     if setting != Some(BY_FREQUENCIES) || ids.is_empty() {
@@ -41,17 +41,17 @@ pub fn find(mooring: &Mooring) -> Option<Finding> {
         ),
         Err(why) => format!("none that was tried: {why}"),
     };
-    Some(Finding::new(Topic::Setting, "WaveKin", what, remedy).at(&waves.span))
+    Some(AuditFinding::new(Topic::Setting, "WaveKin", what, remedy).at(&waves.span))
 }
 
 /// A history of elevation.
-struct History {
+struct ElevationHistory {
     period: f64,
     step: f64,
 }
 
 /// The history of these waves by which `MoorDyn` has the same, or why there is none.
-fn as_history(waves: &[WaveComponent]) -> Result<History, &'static str> {
+fn as_history(waves: &[WaveComponent]) -> Result<ElevationHistory, &'static str> {
     if waves.iter().any(|wave| wave.direction != 0.0) {
         return Err(
             "waves by a history of their elevation (WaveKin 3) run towards +x, and these do not",
@@ -72,7 +72,7 @@ fn as_history(waves: &[WaveComponent]) -> Result<History, &'static str> {
     let rows: Vec<[f64; 2]> = times.map(|time| [time, height(waves, time)]).collect();
     let is_same = of_rows(&rows, step).is_some_and(|read| is_read_back(waves, &read, period));
     match is_same {
-        true => Ok(History { period, step }),
+        true => Ok(ElevationHistory { period, step }),
         false => Err("a history of their elevation (WaveKin 3) was read back as other waves"),
     }
 }

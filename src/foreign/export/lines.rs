@@ -1,6 +1,6 @@
 //! Lines and the joints between their sections.
 
-use super::sheet::{LineRow, PointRow, RodRow, RodTypeRow, Sheet};
+use super::sheet::{RodRow, RodTypeRow, Sheet, SheetLine, SheetPoint};
 use super::target::Target;
 use crate::case::CreepModel;
 use crate::numerics::V3;
@@ -42,7 +42,7 @@ pub fn write(
     let counts = shared(line.asked_segments().unwrap_or(SEGMENTS), &sections);
     let first = sheet.lines.len();
     for ((section, segments), ends) in sections.iter().zip(counts).zip(attachments.windows(2)) {
-        sheet.lines.push(LineRow {
+        sheet.lines.push(SheetLine {
             of_type: type_of(&section.material),
             ends: [ends[0].clone(), ends[1].clone()],
             length: section.length_m,
@@ -135,7 +135,7 @@ fn joint(
     }
     let density = solved.file.environment.water_density_kg_per_m3;
     let volume = clump.volume_m3(density);
-    sheet.points.push(PointRow {
+    sheet.points.push(SheetPoint {
         hold: "Free".to_owned(),
         place,
         mass: clump.mass_kg,

@@ -48,12 +48,7 @@ pub fn line_type(
     };
     let (ea, damping) = match target {
         Target::MoorDyn => stiffness(name, material, sheet),
-        Target::MapPlusPlus => (
-            material
-                .representative_ea_n()
-                .map_or_else(String::new, written),
-            written(material.axial_damping_n_s.unwrap_or(0.0)),
-        ),
+        Target::MapPlusPlus => constant_stiffness(material),
     };
     if ea.is_empty() {
         refuse("ea_n", "a line without a stiffness");
@@ -76,6 +71,13 @@ pub fn line_type(
         ],
         friction,
     }
+}
+
+/// One stiffness, empty where the material has none, and damping.
+fn constant_stiffness(material: &Material) -> (String, String) {
+    let ea = material.representative_ea_n();
+    let damping = material.axial_damping_n_s.unwrap_or(0.0);
+    (ea.map_or_else(String::new, written), written(damping))
 }
 
 fn blank(name: &str) -> TypeRow {

@@ -38,7 +38,7 @@ pub fn export(
     target: Target,
     options: ExportOptions,
 ) -> Result<Exported, Vec<Unsayable>> {
-    let mut refused = refusals::of(solved, target);
+    let mut refused = refusals::refusals(solved, target);
     let sheet = parts::sheet(solved, target, options, &mut refused);
     if !refused.is_empty() {
         return Err(refused);

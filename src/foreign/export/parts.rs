@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::sheet::{BodyRow, PointRow, RodRow, RodTypeRow, Sheet};
+use super::sheet::{BodyRow, RodRow, RodTypeRow, Sheet, SheetPoint};
 use super::target::{ExportOptions, Target, Unsayable};
 use super::{lines, materials, sea};
 use crate::numerics::V3;
@@ -400,13 +400,13 @@ impl Writer<'_> {
         (word.to_owned(), there)
     }
 
-    fn point(&self, number: usize) -> PointRow {
+    fn point(&self, number: usize) -> SheetPoint {
         let network = &self.solved.network;
         let point = &network.points[number];
         let original = point.name.split('@').next().unwrap_or(&point.name);
         let inputs = self.solved.file.points.get(original);
         let rests = self.solved.rest.placement.points[number];
-        let mut row = PointRow {
+        let mut row = SheetPoint {
             hold: String::new(),
             place: rests.into(),
             mass: 0.0,

@@ -4,17 +4,39 @@ use super::sea::{common_friction, current_by_file};
 use super::target::{Target, Unsayable};
 use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
 use crate::numerics::V3;
-use crate::system::SolvedSystem;
 use crate::system::bed::Bed;
 use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
 use crate::system::parts::sections;
+use crate::system::{SolvedSystem, SystemFile};
 
 /// All of it.
 #[must_use]
-pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
+pub fn refusals(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
     let file = &solved.file;
-    let mut found = Found::default();
+    let mut found = FoundRefusals::default();
     let name = target.name();
+    surroundings(solved, target, &mut found);
+    changes_in_time(solved, target, &mut found);
+    materials(file, target, &mut found);
+    for (name, point) in &file.points {
+        free_point(name, point, target, &mut found);
+    }
+    bodies(file, target, &mut found);
+    rods(file, target, &mut found);
+    for line in &file.lines {
+        clumps(line, target, &mut found);
+        single_line(line, solved, target, &mut found);
+    }
+    let in_words = |one: Unsayable| Unsayable {
+        what: format!("a file of {name} has no {}", one.what),
+        ..one
+    };
+    found.0.into_iter().map(in_words).collect()
+}
+
+/// Ageing, current and bed.
+fn surroundings(solved: &SolvedSystem, target: Target, found: &mut FoundRefusals) {
+    let file = &solved.file;
     found.add(
         file.ageing.is_some(),
         "ageing",
@@ -43,6 +65,11 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         "seabed.interpolation",
         "smooth bed between the depths of a grid; its bed is bilinear",
     );
+}
+
+/// Parts that nothing holds, payouts, points that slide, and waves.
+fn changes_in_time(solved: &SolvedSystem, target: Target, found: &mut FoundRefusals) {
+    let file = &solved.file;
     for part in &solved.dropped {
         found.add(
             true,
@@ -65,6 +92,9 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             "waves from a spectrum",
         );
     }
+}
+
+fn materials(file: &SystemFile, target: Target, found: &mut FoundRefusals) {
     for (name, material) in &file.materials {
         let key = |key: &str| format!("materials.{name}.{key}");
         let drag = [&material.drag_normal, &material.drag_tangential];
@@ -91,12 +121,12 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             "stiffness by the past tension",
         );
     }
-    for (name, point) in &file.points {
-        free_point(name, point, target, &mut found);
-    }
+}
+
+fn bodies(file: &SystemFile, target: Target, found: &mut FoundRefusals) {
     for (name, body) in &file.bodies {
         if matches!(body.kind, BodyKind::Free | BodyKind::Pinned) {
-            turning_body(name, body, target, &mut found);
+            turning_body(name, body, target, found);
         }
         found.add(
             target == Target::MapPlusPlus && body.kind == BodyKind::Pinned,
@@ -109,6 +139,9 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
             "bodies that are pinned to bodies",
         );
     }
+}
+
+fn rods(file: &SystemFile, target: Target, found: &mut FoundRefusals) {
     for (rod, inputs) in &file.rods {
         let key = |key: &str| format!("rods.{rod}.{key}");
         found.add(
@@ -129,15 +162,6 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         );
         found.add(inputs.load_n != [0.0; 3], key("load_n"), "loads on rods");
     }
-    for line in &file.lines {
-        clumps(line, target, &mut found);
-        of_line(line, solved, target, &mut found);
-    }
-    let in_words = |one: Unsayable| Unsayable {
-        what: format!("a file of {name} has no {}", one.what),
-        ..one
-    };
-    found.0.into_iter().map(in_words).collect()
 }
 
 /// Whether the depths of the bed are over a grid.
@@ -158,9 +182,9 @@ fn is_smooth(solved: &SolvedSystem) -> bool {
 
 /// What was found so far.
 #[derive(Debug, Default)]
-struct Found(Vec<Unsayable>);
+struct FoundRefusals(Vec<Unsayable>);
 
-impl Found {
+impl FoundRefusals {
     fn add(&mut self, is: bool, key: impl Into<String>, what: &str) {
         if is {
             self.0.push(Unsayable {
@@ -171,12 +195,18 @@ impl Found {
     }
 }
 
-fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found) {
-    let key = |key: &str| format!("bodies.{name}.{key}");
+fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut FoundRefusals) {
     if target == Target::MapPlusPlus {
         // The program that calls MAP++ knows the body.
         return;
     }
+    loads_on_body(name, body, found);
+    mass_of_body(name, body, found);
+    members(name, body, found);
+}
+
+fn loads_on_body(name: &str, body: &BodyInputs, found: &mut FoundRefusals) {
+    let key = |key: &str| format!("bodies.{name}.{key}");
     found.add(
         body.waterplane_stiffness.iter().any(|k| *k != 0.0),
         key("waterplane_stiffness"),
@@ -209,6 +239,11 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
         key("load_n"),
         "loads on bodies",
     );
+}
+
+/// Centre of buoyancy, inertia, added mass and quadratic damping.
+fn mass_of_body(name: &str, body: &BodyInputs, found: &mut FoundRefusals) {
+    let key = |key: &str| format!("bodies.{name}.{key}");
     found.add(
         body.volume_m3 > 0.0 && body.centre_of_buoyancy_m != body.centre_of_gravity_m,
         key("centre_of_buoyancy_m"),
@@ -243,9 +278,12 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
         key("quadratic_damping"),
         "quadratic damping besides that about the axes",
     );
+}
+
+fn members(name: &str, body: &BodyInputs, found: &mut FoundRefusals) {
     for (number, member) in body.members.iter().enumerate() {
         let cone = member.to_diameter_m.is_some_and(|d| d != member.diameter_m);
-        let key = key(&format!("members[{number}]"));
+        let key = format!("bodies.{name}.members[{number}]");
         found.add(
             cone || member.drag_only || !member.repeat_at_deg.is_empty(),
             key.clone(),
@@ -262,7 +300,7 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
 }
 
 /// Added mass of a free point that displaces nothing, coefficients that differ along its axes, and how it bears on the bed.
-fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found) {
+fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut FoundRefusals) {
     let key = |key: &str| format!("points.{name}.{key}");
     found.add(
         point.bed_area_m2.is_some(),
@@ -286,17 +324,17 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
         ("drag_area_m2", &point.drag_area_m2),
         ("added_mass_kg", &point.added_mass_kg),
     ];
-    for (of, value) in both {
+    for (name, value) in both {
         found.add(
             value.alike().is_none(),
-            key(of),
+            key(name),
             "a drag area or added mass of a point that differs along its axes",
         );
     }
 }
 
 /// Added mass of bodies in a line that displace nothing, and drag of bodies that are aligned with it; a file of MAP++ has neither.
-fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
+fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
     for (number, section) in line.sections.iter().enumerate() {
         let clump = section.clump();
         let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
@@ -318,7 +356,35 @@ fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
     }
 }
 
-fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut Found) {
+fn single_line(
+    line: &LineInputs,
+    solved: &SolvedSystem,
+    target: Target,
+    found: &mut FoundRefusals,
+) {
+    line_in_water(line, solved, target, found);
+    line_friction(line, solved, target, found);
+    clamped_ends(line, solved, target, found);
+    let releases = [
+        line.release_a_s,
+        line.release_b_s,
+        line.release_a_n,
+        line.release_b_n,
+    ];
+    found.add(
+        target == Target::MapPlusPlus && releases.iter().any(Option::is_some),
+        format!("lines.{}.release_a_s", line.name),
+        "ends that are let go",
+    );
+}
+
+/// Where a line breaks, and whether water and bed act on it as on the others.
+fn line_in_water(
+    line: &LineInputs,
+    solved: &SolvedSystem,
+    target: Target,
+    found: &mut FoundRefusals,
+) {
     let key = |key: &str| format!("lines.{}.{key}", line.name);
     let breaks = [line.break_s, line.break_n].iter().any(Option::is_some);
     found.add(
@@ -337,6 +403,15 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         key("bed_contact"),
         "lines that hang through the bed",
     );
+}
+
+fn line_friction(
+    line: &LineInputs,
+    solved: &SolvedSystem,
+    target: Target,
+    found: &mut FoundRefusals,
+) {
+    let key = |key: &str| format!("lines.{}.{key}", line.name);
     let common = common_friction(&solved.file);
     found.add(
         target == Target::MoorDyn && line.friction.is_some_and(|mu| mu != common),
@@ -353,6 +428,16 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         },
         "friction across lines that is not that along them",
     );
+}
+
+/// Ends that are clamped, or not clamped, otherwise than a rod holds them.
+fn clamped_ends(
+    line: &LineInputs,
+    solved: &SolvedSystem,
+    target: Target,
+    found: &mut FoundRefusals,
+) {
+    let key = |key: &str| format!("lines.{}.{key}", line.name);
     let clamps = [
         (
             line.clamp_a_elevation_deg,
@@ -389,17 +474,6 @@ fn of_line(line: &LineInputs, solved: &SolvedSystem, target: Target, found: &mut
         };
         found.add(!is_of_rod && target == Target::MoorDyn, key(name), what);
     }
-    let releases = [
-        line.release_a_s,
-        line.release_b_s,
-        line.release_a_n,
-        line.release_b_n,
-    ];
-    found.add(
-        target == Target::MapPlusPlus && releases.iter().any(Option::is_some),
-        key("release_a_s"),
-        "ends that are let go",
-    );
 }
 
 /// Whether a point is on a body.

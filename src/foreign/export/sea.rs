@@ -31,6 +31,32 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
     if start.placement == StartPlacement::Given && start.parts.is_none() {
         option(written(0.0), "TmaxIC");
     }
+    bed_options(solved, sheet);
+    current_options(file, sheet);
+    if !file.waves.is_empty() {
+        sheet.options.push(("7".to_owned(), "WaveKin"));
+        sheet
+            .files
+            .push(("wave_frequencies.txt".to_owned(), components(solved)));
+    }
+    if !solved.network.crossed && rises_out(solved) {
+        sheet.remarks.push(
+            "MoorDyn weighs what is above the water as in air, here it counts as under water (environment.water_surface)."
+                .to_owned(),
+        );
+    }
+    if file.environment.drag_length == DragLength::Stretched {
+        sheet.remarks.push(
+            "Drag acts on the unstretched length of lines in MoorDyn, here on the stretched."
+                .to_owned(),
+        );
+    }
+}
+
+/// Writes depth, contact and friction of the bed.
+fn bed_options(solved: &SolvedSystem, sheet: &mut Sheet) {
+    let file = &solved.file;
+    let mut option = |value: String, name: &'static str| sheet.options.push((value, name));
     match &file.seabed {
         Some(bed) => {
             option(written(bed.depth_m), "WtrDpth");
@@ -54,6 +80,10 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
     if let Some(Bed::Grid(grid)) = &solved.network.bed {
         sheet.files.push((DEPTHS.to_owned(), depths(grid)));
     }
+}
+
+/// Writes the current by depth, or the file that it is given by.
+fn current_options(file: &SystemFile, sheet: &mut Sheet) {
     if let Some((current, speed)) = file
         .current
         .as_ref()
@@ -67,24 +97,6 @@ pub fn options(solved: &SolvedSystem, step: f64, sheet: &mut Sheet) {
         sheet.options.push((mode.to_owned(), "Currents"));
         // Files are written with the ends of lines of Unix.
         sheet.files.push((name.to_owned(), text.replace('\r', "")));
-    }
-    if !file.waves.is_empty() {
-        sheet.options.push(("7".to_owned(), "WaveKin"));
-        sheet
-            .files
-            .push(("wave_frequencies.txt".to_owned(), components(solved)));
-    }
-    if !solved.network.crossed && rises_out(solved) {
-        sheet.remarks.push(
-            "MoorDyn weighs what is above the water as in air, here it counts as under water (environment.water_surface)."
-                .to_owned(),
-        );
-    }
-    if file.environment.drag_length == DragLength::Stretched {
-        sheet.remarks.push(
-            "Drag acts on the unstretched length of lines in MoorDyn, here on the stretched."
-                .to_owned(),
-        );
     }
 }
 

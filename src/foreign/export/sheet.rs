@@ -14,9 +14,9 @@ pub struct Sheet {
     /// Rods.
     pub rods: Vec<RodRow>,
     /// Points.
-    pub points: Vec<PointRow>,
+    pub points: Vec<SheetPoint>,
     /// Lines.
-    pub lines: Vec<LineRow>,
+    pub lines: Vec<SheetLine>,
     /// Ends that come off: what they are attached to, the line, time \[s\] and tension \[N\], 0 where there is none.
     pub failures: Vec<(String, usize, [f64; 2])>,
     /// Past of Syrope ropes: line, greatest and present mean tension \[N\].
@@ -109,7 +109,7 @@ pub struct RodRow {
 
 /// A point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PointRow {
+pub struct SheetPoint {
     /// What holds it.
     pub hold: String,
     /// Its place \[m\].
@@ -128,7 +128,7 @@ pub struct PointRow {
 
 /// A line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineRow {
+pub struct SheetLine {
     /// Its type.
     pub of_type: String,
     /// What its ends are attached to: the number of a point, or a rod such as `R2A`.

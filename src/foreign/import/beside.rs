@@ -6,7 +6,7 @@ use super::fault::{Fault, line_and_column};
 
 /// A file of another program that a design names. Its bytes are counted on from the end of the design.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Beside {
+pub struct ReferencedFile {
     /// Its name in the design.
     pub name: String,
     /// Where it is named.
@@ -17,7 +17,7 @@ pub struct Beside {
     pub text: String,
 }
 
-impl Beside {
+impl ReferencedFile {
     /// Whether bytes are those of this file.
     #[must_use]
     pub fn holds(&self, span: &Range<usize>) -> bool {

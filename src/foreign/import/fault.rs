@@ -18,13 +18,13 @@ pub struct Fault {
     /// What would be right.
     pub remedy: String,
     /// The row of a table that has it.
-    pub row: Option<Box<Part>>,
+    pub row: Option<Box<RowName>>,
     /// The row of another table that is not there.
-    pub refers_to: Option<Box<Part>>,
+    pub refers_to: Option<Box<RowName>>,
 }
 
 /// A row of a table: the title of its section, and its identifier.
-pub type Part = (&'static str, String);
+pub type RowName = (&'static str, String);
 
 impl Fault {
     /// A fault at these bytes.
@@ -57,7 +57,7 @@ impl Fault {
             problem: shortened(self.problem.clone()),
             remedy: shortened(self.remedy.clone()).into_boxed_str(),
             span: self.span.clone(),
-            excerpt: Excerpt::of(text, &self.span),
+            excerpt: Excerpt::of_span(text, &self.span),
         }
     }
 }
@@ -82,8 +82,8 @@ pub fn diagnostics(mut faults: Vec<Fault>, file: &str, text: &str) -> Vec<Diagno
 
 /// Leaves out the faults of references to rows, or to tables, that have a fault themselves.
 pub fn without_followers(faults: &mut Vec<Fault>) {
-    let folded = |part: &Part| (part.0, part.1.to_lowercase());
-    let rows: HashSet<Part> = faults
+    let folded = |part: &RowName| (part.0, part.1.to_lowercase());
+    let rows: HashSet<RowName> = faults
         .iter()
         .filter_map(|fault| fault.row.as_deref().map(folded))
         .collect();
@@ -91,7 +91,7 @@ pub fn without_followers(faults: &mut Vec<Fault>) {
     let tables = faults.iter().filter(is_of_table);
     let tables: HashSet<String> = tables.map(|fault| fault.key.clone()).collect();
     faults.retain(|fault| {
-        let follows = |part: &Part| rows.contains(&folded(part)) || tables.contains(part.0);
+        let follows = |part: &RowName| rows.contains(&folded(part)) || tables.contains(part.0);
         !fault.refers_to.as_deref().is_some_and(follows)
     });
 }

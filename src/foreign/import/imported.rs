@@ -1,6 +1,6 @@
 //! What is asked of an import, and what it gives.
 
-use super::{beside::Beside, fault::Fault};
+use super::{beside::ReferencedFile, fault::Fault};
 use crate::case::Diagnostic;
 use std::{
     collections::BTreeMap,
@@ -39,7 +39,7 @@ pub struct Imported {
     /// Of each of its lines, the bytes of the file that it comes from.
     pub from: Vec<Option<Range<usize>>>,
     /// A file beside it that its lines are in.
-    pub beside: Option<Beside>,
+    pub beside: Option<ReferencedFile>,
     /// Of a file with keys, their paths by the bytes where their values begin.
     pub keys: BTreeMap<usize, String>,
 }

@@ -10,7 +10,7 @@ pub struct Index {
 
 impl Index {
     /// The index of a list of identifiers; of two that are the same the first counts.
-    pub fn of<'a>(ids: impl Iterator<Item = &'a str>) -> Self {
+    pub fn of_identifiers<'a>(ids: impl Iterator<Item = &'a str>) -> Self {
         let mut places = HashMap::new();
         for (place, id) in ids.enumerate() {
             places.entry(folded(id)).or_insert(place);
@@ -35,7 +35,7 @@ pub struct TypeIndex<'n> {
 
 impl<'n> TypeIndex<'n> {
     /// The index of a list of names.
-    pub fn of(names: impl Iterator<Item = &'n str>) -> Self {
+    pub fn of_names(names: impl Iterator<Item = &'n str>) -> Self {
         let mut index = Self::default();
         for (place, name) in names.enumerate() {
             index.names.push(name);
@@ -73,10 +73,10 @@ mod tests {
 
     #[test]
     fn identifiers_are_numbers_or_words() {
-        let index = Index::of(["01", "A1", "1", "anchor"].into_iter());
+        let index = Index::of_identifiers(["01", "A1", "1", "anchor"].into_iter());
         let found = ["1", "001", "a1", "ANCHOR", "2"].map(|id| index.find(id));
         assert_eq!(found, [Some(0), Some(0), Some(1), Some(3), None]);
-        let types = TypeIndex::of(["Chain", "chain", "rope"].into_iter());
+        let types = TypeIndex::of_names(["Chain", "chain", "rope"].into_iter());
         let found = ["chain", "CHAIN", "Rope", "wire"].map(|name| types.find(name));
         assert_eq!(found, [Some(1), Some(0), Some(2), None]);
     }

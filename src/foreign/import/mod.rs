@@ -30,7 +30,7 @@ pub use imported::{ImportOptions, Imported};
 /// Whether a file is a design in YAML rather than a file with rows of dashes.
 fn is_yaml(path: &Path, text: &str) -> bool {
     let has_sections = || {
-        let sections = moordyn::sections::Sections::of(text, 0);
+        let sections = moordyn::sections::Sections::of_text(text, 0);
         !sections.blocks.is_empty()
     };
     is_named_yaml(path) || is_design(text) && !has_sections()

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::beside::Beside;
+use super::beside::ReferencedFile;
 
 /// The programs whose files are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -64,29 +64,29 @@ pub struct Mooring {
     /// Its title, if it has one.
     pub title: String,
     /// What lines are made of.
-    pub line_types: Vec<LineType>,
+    pub line_types: Vec<MooringLineType>,
     /// What rods are made of.
     pub rod_types: Vec<RodType>,
     /// Rigid bodies.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<MooringBody>,
     /// How many of the bodies, the first ones, are turbines of an array, which points name by their number.
     pub turbines: usize,
     /// Rigid rods.
     pub rods: Vec<Rod>,
     /// Points.
-    pub points: Vec<Point>,
+    pub points: Vec<MooringPoint>,
     /// Lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<MooringLine>,
     /// Lines that come off points.
-    pub failures: Vec<Failure>,
+    pub failures: Vec<LineFailure>,
     /// Past tensions of ropes whose strain depends on them.
     pub past_tensions: Vec<PastTension>,
     /// Angles \[deg\] by which the whole is repeated about the vertical axis, besides 0.
     pub repeats: Vec<Given<f64>>,
     /// Water, gravity, bed.
-    pub sea: Sea,
+    pub sea: MooringSea,
     /// How the program would compute it.
-    pub settings: Vec<Setting>,
+    pub settings: Vec<ProgramSetting>,
     /// What is stated and not modelled here.
     pub unmodelled: Vec<Unmodelled>,
     /// Options, flags and columns that are read and have no effect here, by their names in the file.
@@ -96,7 +96,7 @@ pub struct Mooring {
     /// What was put down though the file does not say it, and what it says against itself.
     pub remarks: Vec<String>,
     /// A file beside this one that it has its lines from.
-    pub beside: Option<Beside>,
+    pub beside: Option<ReferencedFile>,
 }
 
 impl Mooring {
@@ -116,7 +116,7 @@ impl Mooring {
             failures: Vec::new(),
             past_tensions: Vec::new(),
             repeats: Vec::new(),
-            sea: Sea::default(),
+            sea: MooringSea::default(),
             settings: Vec::new(),
             unmodelled: Vec::new(),
             passed_over: Vec::new(),
@@ -128,14 +128,14 @@ impl Mooring {
 
     /// A setting by its name.
     #[must_use]
-    pub fn setting(&self, name: &str) -> Option<&Setting> {
+    pub fn setting(&self, name: &str) -> Option<&ProgramSetting> {
         self.settings.iter().find(|setting| setting.name == name)
     }
 }
 
 /// A line type. Masses per length in kg/m, stiffness in N, EI in N m².
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineType {
+pub struct MooringLineType {
     /// Its name.
     pub name: String,
     /// Its row.
@@ -199,7 +199,7 @@ pub struct Syrope {
     /// Strain and tension \[N\] of the first loading.
     pub first_loading: Vec<[f64; 2]>,
     /// The curve below the greatest tension.
-    pub working_curve: WorkingCurve,
+    pub working_curve: PolyesterCurve,
     /// EA of fast motion \[N\] at no tension.
     pub fast: f64,
     /// Its growth by the mean tension, N/N.
@@ -208,7 +208,7 @@ pub struct Syrope {
 
 /// The curve of a polyester rope below the greatest tension it has had.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WorkingCurve {
+pub struct PolyesterCurve {
     /// Its form.
     pub form: WorkingForm,
     /// Its first parameter.
@@ -300,7 +300,7 @@ impl Hold {
 
 /// A rigid body.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Body {
+pub struct MooringBody {
     /// Its identifier in the file.
     pub id: String,
     /// Its row.
@@ -329,7 +329,7 @@ pub struct Body {
     pub loads: Vec<BodyLoad>,
 }
 
-impl Body {
+impl MooringBody {
     /// Whether damping along the axes of a load is damping along the axes of the body: these are meant, or the same, or it is that of all.
     #[must_use]
     pub fn damps_along_own_axes(&self, load: &BodyLoad) -> bool {
@@ -407,7 +407,7 @@ impl Rod {
 
 /// A point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Point {
+pub struct MooringPoint {
     /// Its identifier in the file.
     pub id: String,
     /// Its row.
@@ -441,7 +441,7 @@ pub enum Attachment {
 
 /// A line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Line {
+pub struct MooringLine {
     /// Its identifier in the file.
     pub id: String,
     /// Its row.
@@ -460,7 +460,7 @@ pub struct Line {
 
 /// Lines that come off a point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Failure {
+pub struct LineFailure {
     /// Its row.
     pub span: Range<usize>,
     /// What they come off.
@@ -488,7 +488,7 @@ pub struct PastTension {
 
 /// Water, gravity, bed, as far as they are given.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Sea {
+pub struct MooringSea {
     /// \[m/s²\].
     pub gravity: Option<Given<f64>>,
     /// \[kg/m³\].
@@ -510,7 +510,7 @@ pub struct Sea {
     /// Friction across lines; that of `friction` is then along them.
     pub friction_across: Option<Given<f64>>,
     /// Current by height.
-    pub current: Option<Given<CurrentProfile>>,
+    pub current: Option<Given<MooringCurrent>>,
     /// First row of that profile in a file that does not list it from below.
     pub current_first: Option<[f64; 3]>,
     /// Current by a file of times and places.
@@ -523,7 +523,7 @@ pub struct Sea {
 
 /// A steady current by height.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CurrentProfile {
+pub struct MooringCurrent {
     /// The file that it is from; empty where it is in the file itself.
     pub file: String,
     /// Rows z, x, y \[m, m/s, m/s\] from the surface down.
@@ -556,7 +556,7 @@ pub struct Elevation {
 
 /// A setting of the program.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Setting {
+pub struct ProgramSetting {
     /// Its name here, in small letters: `dtm`, `threshic`.
     pub name: String,
     /// Its name in the file.
@@ -567,7 +567,7 @@ pub struct Setting {
     pub span: Range<usize>,
 }
 
-impl Setting {
+impl ProgramSetting {
     /// As a number.
     #[must_use]
     pub fn number(&self) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! The number of rows of a file, looked at before any of them is read.
 
 use super::fault::Fault;
-use super::moordyn::sections::{Section, Sections};
+use super::moordyn::sections::{SectionTitle, Sections};
 use crate::limits::TABLES;
 
 /// Rows of a table that are no data: names of the columns and units.
@@ -13,7 +13,7 @@ pub fn check(sections: &Sections<'_>) -> Vec<Fault> {
     let tables = sections.blocks.iter().filter(|block| {
         !matches!(
             block.section,
-            Section::Options | Section::Outputs | Section::Control
+            SectionTitle::Options | SectionTitle::Outputs | SectionTitle::Control
         )
     });
     let found = tables.filter_map(|block| {

@@ -18,19 +18,19 @@ pub(super) struct Expression {
     text: String,
     names: Vec<String>,
     /// Operations in the order in which they are applied, operands first.
-    steps: Vec<Step>,
+    steps: Vec<ExpressionStep>,
 }
 
 /// An operation, and the part of the text whose value it yields.
 #[derive(Debug, Clone)]
-struct Step {
-    operation: Operation,
+struct ExpressionStep {
+    operation: ExpressionOperation,
     part: Range<usize>,
 }
 
 /// What is done with the values computed last.
 #[derive(Debug, Clone, Copy)]
-enum Operation {
+enum ExpressionOperation {
     Number(f64),
     /// The value of a name, by its place among the names.
     Name(usize),
@@ -64,7 +64,7 @@ impl Expression {
         let mut names: Vec<String> = tokens.iter().filter_map(Token::name).collect();
         names.sort_unstable();
         names.dedup();
-        let mut reading = Reading {
+        let mut reading = ShuntingYard {
             text,
             names: &names,
             steps: Vec::new(),
@@ -93,18 +93,18 @@ impl Expression {
     pub(super) fn value(&self, of_names: &[f64]) -> Result<f64, NotFinite> {
         let mut values: Vec<f64> = Vec::with_capacity(self.steps.len());
         let mut last = f64::NAN;
-        for Step { operation, part } in &self.steps {
+        for ExpressionStep { operation, part } in &self.steps {
             let mut operand = || values.pop().unwrap_or(f64::NAN);
             last = match operation {
-                Operation::Number(value) => *value,
-                Operation::Name(at) => of_names.get(*at).copied().unwrap_or(f64::NAN),
-                Operation::Negated => -operand(),
-                Operation::Of(function) => function(operand()),
-                Operation::OfTwo(function) => {
+                ExpressionOperation::Number(value) => *value,
+                ExpressionOperation::Name(at) => of_names.get(*at).copied().unwrap_or(f64::NAN),
+                ExpressionOperation::Negated => -operand(),
+                ExpressionOperation::Of(function) => function(operand()),
+                ExpressionOperation::OfTwo(function) => {
                     let (right, left) = (operand(), operand());
                     function(left, right)
                 }
-                Operation::Operator(sign) => {
+                ExpressionOperation::Operator(sign) => {
                     let (right, left) = (operand(), operand());
                     applied(*sign, left, right)
                 }
@@ -167,17 +167,17 @@ enum Called {
 }
 
 /// The way through the tokens of an expression, operators waiting until both of their operands are known (Dijkstra's shunting yard).
-struct Reading<'a> {
+struct ShuntingYard<'a> {
     text: &'a str,
     names: &'a [String],
-    steps: Vec<Step>,
+    steps: Vec<ExpressionStep>,
     /// The parts of the text whose values are not used yet.
     parts: Vec<Range<usize>>,
     waiting: Vec<Waiting>,
     wants_operand: bool,
 }
 
-impl Reading<'_> {
+impl ShuntingYard<'_> {
     fn take(&mut self, token: &Token<'_>) -> Result<(), String> {
         let part = token.place.clone();
         match token.symbol {
@@ -192,17 +192,21 @@ impl Reading<'_> {
             Symbol::Open => self.open(Called::Nothing, &part),
             Symbol::Function(function) => self.open(Called::One(function), &part),
             Symbol::FunctionOfTwo(function) => self.open(Called::Two(function), &part),
-            Symbol::Number(value) => self.operand(Operation::Number(value), part),
+            Symbol::Number(value) => self.operand(ExpressionOperation::Number(value), part),
             Symbol::Name(name) => {
                 let at = self
                     .names
                     .binary_search_by(|known| known.as_str().cmp(name));
-                self.operand(Operation::Name(at.unwrap_or(usize::MAX)), part)
+                self.operand(ExpressionOperation::Name(at.unwrap_or(usize::MAX)), part)
             }
         }
     }
 
-    fn operand(&mut self, operation: Operation, part: Range<usize>) -> Result<(), String> {
+    fn operand(
+        &mut self,
+        operation: ExpressionOperation,
+        part: Range<usize>,
+    ) -> Result<(), String> {
         self.operand_fits(&part)?;
         self.wants_operand = false;
         self.push(operation, part);
@@ -303,9 +307,9 @@ impl Reading<'_> {
                     *inner = part;
                 }
             }
-            Called::One(function) => self.apply(Operation::Of(function), 1, part),
+            Called::One(function) => self.apply(ExpressionOperation::Of(function), 1, part),
             Called::Two(function) if values == 2 => {
-                self.apply(Operation::OfTwo(function), 2, part);
+                self.apply(ExpressionOperation::OfTwo(function), 2, part);
             }
             Called::Two(_) => {
                 let call = &self.text[part];
@@ -315,7 +319,7 @@ impl Reading<'_> {
         Ok(())
     }
 
-    fn finish(mut self) -> Result<Vec<Step>, String> {
+    fn finish(mut self) -> Result<Vec<ExpressionStep>, String> {
         if self.steps.is_empty() && self.waiting.is_empty() {
             return Err("it is empty".to_owned());
         }
@@ -342,12 +346,12 @@ impl Reading<'_> {
             let part = self.parts.last().cloned().unwrap_or_default();
             match waiting {
                 Waiting::Sign { is_minus: true, at } => {
-                    self.apply(Operation::Negated, 1, at..part.end);
+                    self.apply(ExpressionOperation::Negated, 1, at..part.end);
                 }
                 Waiting::Operator(sign) => {
                     let left = self.parts.iter().rev().nth(1);
                     let start = left.map_or(part.start, |left| left.start);
-                    self.apply(Operation::Operator(sign), 2, start..part.end);
+                    self.apply(ExpressionOperation::Operator(sign), 2, start..part.end);
                 }
                 Waiting::Sign { .. } | Waiting::Parentheses { .. } => {}
             }
@@ -355,15 +359,15 @@ impl Reading<'_> {
     }
 
     /// Uses so many values for a new one.
-    fn apply(&mut self, operation: Operation, operands: usize, part: Range<usize>) {
+    fn apply(&mut self, operation: ExpressionOperation, operands: usize, part: Range<usize>) {
         self.parts
             .truncate(self.parts.len().saturating_sub(operands));
         self.push(operation, part);
     }
 
-    fn push(&mut self, operation: Operation, part: Range<usize>) {
+    fn push(&mut self, operation: ExpressionOperation, part: Range<usize>) {
         self.parts.push(part.clone());
-        self.steps.push(Step { operation, part });
+        self.steps.push(ExpressionStep { operation, part });
     }
 
     fn before(&self, part: &Range<usize>) -> String {

@@ -26,7 +26,7 @@ use super::fields::{
 };
 use super::tree::{TomlData, TomlNode, element_names};
 use expression::{Expression, NotFinite};
-use resolution::Resolution;
+use resolution::ParameterResolution;
 
 /// Greatest number of names that a message lists.
 const MOST_NAMES: usize = 20;
@@ -67,7 +67,7 @@ pub fn typed(root: &TomlNode, field: &Field, node: &TomlNode) -> Result<Option<T
     };
     let (parameters, _) = Parameters::of_table(table);
     let mut evaluated = node.clone();
-    parameters.replace(field, &mut evaluated, (&field.path, Names::Compared))?;
+    parameters.replace(field, &mut evaluated, (&field.path, UnknownNames::Compared))?;
     Ok((evaluated != *node).then_some(evaluated))
 }
 
@@ -93,7 +93,7 @@ pub fn absent(root: &TomlNode, name: &str) -> (String, String) {
 impl Parameters {
     /// The values of a table of parameters, and what is wrong with it.
     fn of_table(node: &TomlNode) -> (Self, Vec<Finding>) {
-        let (values, found) = Resolution::of(node);
+        let (values, found) = ParameterResolution::values_of_table(node);
         (Self { values }, found)
     }
 
@@ -102,7 +102,7 @@ impl Parameters {
         &self,
         field: &Field,
         node: &mut TomlNode,
-        (path, names): (&str, Names),
+        (path, names): (&str, UnknownNames),
     ) -> Result<(), Finding> {
         if !holds_numbers(field.kind) {
             return Ok(());
@@ -129,7 +129,7 @@ impl Parameters {
         &self,
         field: &Field,
         text: &str,
-        names: Names,
+        names: UnknownNames,
     ) -> Result<Option<TomlData>, (String, String)> {
         let is_word =
             matches!(field.kind, ValueType::NumberOrChoice(words) if words.contains(&text));
@@ -157,12 +157,12 @@ impl Parameters {
 
 /// Whether a name that the file lacks is compared with all that it has, which takes time by the product of both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Names {
+enum UnknownNames {
     Compared,
     Listed,
 }
 
-impl Names {
+impl UnknownNames {
     /// As many names are compared as faults are shown.
     fn after(faults: usize) -> Self {
         match faults < MOST_DIAGNOSTICS {
@@ -176,12 +176,12 @@ impl Names {
 fn unknown<'n>(
     name: &str,
     known: impl Iterator<Item = &'n str> + Clone,
-    names: Names,
+    names: UnknownNames,
 ) -> (String, String) {
     let problem = format!("names `{name}`, which is no parameter of this file");
     let near = match names {
-        Names::Compared => nearest(name, known.clone()),
-        Names::Listed => None,
+        UnknownNames::Compared => nearest(name, known.clone()),
+        UnknownNames::Listed => None,
     };
     let first: Vec<&str> = known.clone().take(MOST_NAMES).collect();
     let further = match known.skip(MOST_NAMES).count() {
@@ -284,7 +284,7 @@ impl Evaluation<'_> {
             }
             return;
         }
-        let names = Names::after(self.found.len());
+        let names = UnknownNames::after(self.found.len());
         let replaced = self.parameters.replace(field, node, (&join(path), names));
         if let Err(fault) = replaced {
             self.found.push(fault);

@@ -8,7 +8,7 @@ use super::expression::Expression;
 use super::vocabulary::{is_name, is_taken};
 use super::{
     super::fields::parameters_table::{PARAMETERS, field},
-    Names, as_data, not_finite, unknown, unreadable,
+    UnknownNames, as_data, not_finite, unknown, unreadable,
 };
 use crate::diagnostic::Finding;
 use crate::fields::join;
@@ -19,7 +19,7 @@ const MOST_OF_CIRCLE: usize = 20;
 
 /// How far a parameter is known.
 #[derive(Debug, Clone)]
-enum Progress {
+enum ParameterProgress {
     /// Not looked at yet.
     New,
     /// Waits for others; one that comes up again depends on itself.
@@ -40,22 +40,22 @@ struct Begun {
 }
 
 /// The parameters of a table, on the way to their values.
-pub(super) struct Resolution<'a> {
+pub(super) struct ParameterResolution<'a> {
     entries: &'a [TomlEntry],
     places: HashMap<&'a str, usize>,
-    progress: Vec<Progress>,
+    progress: Vec<ParameterProgress>,
     found: Vec<Finding>,
 }
 
-impl<'a> Resolution<'a> {
+impl<'a> ParameterResolution<'a> {
     /// The values of the parameters of a table, and what is wrong with them.
-    pub(super) fn of(table: &'a TomlNode) -> (BTreeMap<String, f64>, Vec<Finding>) {
+    pub(super) fn values_of_table(table: &'a TomlNode) -> (BTreeMap<String, f64>, Vec<Finding>) {
         let entries = table.entries();
         let keys = entries.iter().map(|entry| entry.key.as_str());
         let mut resolution = Self {
             entries,
             places: keys.zip(0..).collect(),
-            progress: vec![Progress::New; entries.len()],
+            progress: vec![ParameterProgress::New; entries.len()],
             found: Vec::new(),
         };
         for parameter in 0..entries.len() {
@@ -63,7 +63,7 @@ impl<'a> Resolution<'a> {
         }
         let values = entries.iter().zip(&resolution.progress);
         let known = values.filter_map(|(entry, progress)| match progress {
-            Progress::Known(value) => Some((entry.key.clone(), *value)),
+            ParameterProgress::Known(value) => Some((entry.key.clone(), *value)),
             _ => None,
         });
         (known.collect(), resolution.found)
@@ -80,34 +80,34 @@ impl<'a> Resolution<'a> {
                 continue;
             };
             match self.progress[needed] {
-                Progress::New => self.begin(needed, &mut chain),
-                Progress::Known(_) => last.done += 1,
+                ParameterProgress::New => self.begin(needed, &mut chain),
+                ParameterProgress::Known(_) => last.done += 1,
                 // What it depends on is reported.
-                Progress::Faulty => {
-                    self.progress[last.parameter] = Progress::Faulty;
+                ParameterProgress::Faulty => {
+                    self.progress[last.parameter] = ParameterProgress::Faulty;
                     chain.pop();
                 }
-                Progress::Waiting => self.report_circle(needed, &chain),
+                ParameterProgress::Waiting => self.report_circle(needed, &chain),
             }
         }
     }
 
     /// Looks at a parameter: it is known, faulty, or waits at the end of the chain.
     fn begin(&mut self, parameter: usize, chain: &mut Vec<Begun>) {
-        if !matches!(self.progress[parameter], Progress::New) {
+        if !matches!(self.progress[parameter], ParameterProgress::New) {
             return;
         }
         let entry = &self.entries[parameter];
         let given = match self.expression(entry) {
-            Ok(Given::Number(value)) => Ok(Progress::Known(value)),
-            Ok(Given::Expression(expression, needs)) => {
+            Ok(ParameterInput::Number(value)) => Ok(ParameterProgress::Known(value)),
+            Ok(ParameterInput::Expression(expression, needs)) => {
                 chain.push(Begun {
                     parameter,
                     expression,
                     needs,
                     done: 0,
                 });
-                Ok(Progress::Waiting)
+                Ok(ParameterProgress::Waiting)
             }
             Err(fault) => Err(fault),
         };
@@ -118,7 +118,7 @@ impl<'a> Resolution<'a> {
     }
 
     /// The number that a parameter is given, or its expression with the parameters that it names.
-    fn expression(&self, entry: &TomlEntry) -> Result<Given, (String, String)> {
+    fn expression(&self, entry: &TomlEntry) -> Result<ParameterInput, (String, String)> {
         if !is_name(&entry.key) {
             let problem = match is_taken(&entry.key) {
                 true => "is the name of a function or constant",
@@ -129,7 +129,7 @@ impl<'a> Resolution<'a> {
         }
         let node = &entry.node;
         let Some(text) = node.text() else {
-            let value = node.number().map(Given::Number);
+            let value = node.number().map(ParameterInput::Number);
             return value.ok_or_else(|| {
                 let is = match node.data {
                     TomlData::Float(value) => format!("{value}"),
@@ -147,17 +147,17 @@ impl<'a> Resolution<'a> {
             let place = self.places.get(name.as_str()).copied();
             place.ok_or_else(|| {
                 let all = self.entries.iter().map(|entry| entry.key.as_str());
-                unknown(name, all, Names::after(self.found.len()))
+                unknown(name, all, UnknownNames::after(self.found.len()))
             })
         };
         let needs: Result<Vec<usize>, _> = expression.names().iter().map(place).collect();
-        needs.map(|needs| Given::Expression(expression, needs))
+        needs.map(|needs| ParameterInput::Expression(expression, needs))
     }
 
     /// Computes a parameter whose expression names known ones alone.
     fn compute(&mut self, begun: &Begun) {
         let value = |place: &usize| match self.progress[*place] {
-            Progress::Known(value) => value,
+            ParameterProgress::Known(value) => value,
             _ => f64::NAN,
         };
         let values: Vec<f64> = begun.needs.iter().map(value).collect();
@@ -165,8 +165,10 @@ impl<'a> Resolution<'a> {
         let value = begun.expression.value(&values);
         let value = value.map_err(|found| not_finite(text.unwrap_or_default(), &found));
         match value.and_then(|value| as_data(&field(), value)) {
-            Ok(TomlData::Float(value)) => self.progress[begun.parameter] = Progress::Known(value),
-            Ok(_) => self.progress[begun.parameter] = Progress::Faulty,
+            Ok(TomlData::Float(value)) => {
+                self.progress[begun.parameter] = ParameterProgress::Known(value);
+            }
+            Ok(_) => self.progress[begun.parameter] = ParameterProgress::Faulty,
             Err(fault) => self.report(begun.parameter, fault),
         }
     }
@@ -190,12 +192,12 @@ impl<'a> Resolution<'a> {
         let path = join(&[PARAMETERS, &entry.key]);
         let finding = Finding::new(&entry.node.span, path, problem, remedy);
         self.found.push(finding);
-        self.progress[parameter] = Progress::Faulty;
+        self.progress[parameter] = ParameterProgress::Faulty;
     }
 }
 
 /// What a parameter is given as.
-enum Given {
+enum ParameterInput {
     Number(f64),
     Expression(Expression, Vec<usize>),
 }

@@ -287,7 +287,7 @@ macro_rules! variants {
             type Keys<'a> = $keys<'a>;
 
             fn declare(pattern: &str, schema: &mut $crate::schema::DeclaredSchema) {
-                let kinds = [$( ($word, $crate::schema::DeclaredSchema::of::<$inner>()) ),*];
+                let kinds = [$( ($word, $crate::schema::DeclaredSchema::of_table::<$inner>()) ),*];
                 let words: &'static [&'static str] = &[$($word),*];
                 let tag = $crate::fields::Field::new(
                     stringify!($tag),

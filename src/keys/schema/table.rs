@@ -45,7 +45,7 @@ impl DeclaredSchema {
     }
 
     /// The fields of a table that stands alone.
-    pub fn of<T: TableType>() -> Vec<Field> {
+    pub fn of_table<T: TableType>() -> Vec<Field> {
         let mut alone = Self::default();
         T::declare("", &mut alone);
         alone.fields
@@ -198,7 +198,7 @@ impl<T: TableType> SubTable for T {
 
 /// The table that holds where the file leaves it out; nothing where it has keys without default.
 pub(super) fn defaults<T: TableType>() -> Option<T> {
-    let nothing = TomlNode::of(&TomlTable::new());
+    let nothing = TomlNode::of_table(&TomlTable::new());
     T::from_keys(&T::keys(&TableNode::root(&nothing))).ok()
 }
 

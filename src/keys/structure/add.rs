@@ -1,7 +1,7 @@
 //! A new table, and the keys of one that is there.
 
 use super::super::fields::parameters_table::{ANY_KEY, PARAMETERS};
-use super::blocks::{Block, blocks};
+use super::blocks::{TableBlock, blocks};
 use super::tables::{header, shown, table_of};
 use crate::edit;
 use crate::fields::{Field, Schema, TableShape, is_name, join, value_text};
@@ -99,14 +99,14 @@ fn checked_name(name: &str) -> Result<String, String> {
 /// Where a new table belongs: behind its brothers, else behind what its parent holds, else behind the tables declared before it.
 fn place(schema: &'static Schema, text: &str, path: &[String]) -> usize {
     let blocks = blocks(text);
-    let last = |of: &dyn Fn(&Block) -> bool| {
+    let last = |of: &dyn Fn(&TableBlock) -> bool| {
         let found = blocks
             .iter()
             .filter(|block| of(block))
             .map(|block| block.range.end);
         found.max()
     };
-    let kind = |block: &Block, path: &[String]| block.path.first() == path.first();
+    let kind = |block: &TableBlock, path: &[String]| block.path.first() == path.first();
     let brothers = match path {
         [first, _, _, ..] => {
             // In a table in a table: behind all that the outer one holds.

@@ -10,7 +10,7 @@ use crate::tree::{TomlNode, element_names};
 
 /// A table written under a header of its own: `[materials.chain]`, `[[lines]]`.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Block {
+pub struct TableBlock {
     /// Its key path; elements of lists of tables by their name, or their number from 1.
     pub path: Vec<String>,
     /// The header, from its first bracket to its last.
@@ -19,7 +19,7 @@ pub struct Block {
     pub range: Range<usize>,
 }
 
-impl Block {
+impl TableBlock {
     /// Whether it is the table of this path, or a table in it.
     pub fn is_in(&self, path: &[String]) -> bool {
         self.path.starts_with(path)
@@ -27,14 +27,14 @@ impl Block {
 }
 
 /// The tables of a text under headers of their own, in the order of the text. A text that is not TOML has none.
-pub fn blocks(text: &str) -> Vec<Block> {
+pub fn blocks(text: &str) -> Vec<TableBlock> {
     let (Ok(document), Ok(tree)) = (Document::parse(shallow(text)), TomlNode::parse(text)) else {
         return Vec::new();
     };
     let mut found = Vec::new();
     collect(document.as_table(), &tree, &mut Vec::new(), &mut found);
     found.sort_by_key(|(_, header, _)| header.start);
-    let block = |(path, header, end): (Vec<String>, Range<usize>, usize)| Block {
+    let block = |(path, header, end): (Vec<String>, Range<usize>, usize)| TableBlock {
         range: with_comments(text, line_start(text, header.start))..line_end(text, end),
         path,
         header,
@@ -43,9 +43,9 @@ pub fn blocks(text: &str) -> Vec<Block> {
 }
 
 /// Path, header and end of the last value of each table.
-type Found = Vec<(Vec<String>, Range<usize>, usize)>;
+type FoundTables = Vec<(Vec<String>, Range<usize>, usize)>;
 
-fn collect(table: &Table, node: &TomlNode, path: &mut Vec<String>, found: &mut Found) {
+fn collect(table: &Table, node: &TomlNode, path: &mut Vec<String>, found: &mut FoundTables) {
     for (key, item) in table {
         let Some(inner) = node.get(key) else { continue };
         path.push(key.to_owned());
@@ -65,7 +65,7 @@ fn collect(table: &Table, node: &TomlNode, path: &mut Vec<String>, found: &mut F
     }
 }
 
-fn one(table: &Table, node: &TomlNode, path: &mut Vec<String>, found: &mut Found) {
+fn one(table: &Table, node: &TomlNode, path: &mut Vec<String>, found: &mut FoundTables) {
     let header = table
         .span()
         .filter(|_| !table.is_implicit() && !table.is_dotted());
@@ -103,7 +103,7 @@ fn with_comments(text: &str, line: usize) -> usize {
 ///
 /// # Errors
 /// Why it cannot be edited as one piece.
-pub fn extent(text: &str, blocks: &[Block], path: &[String]) -> Result<Range<usize>, String> {
+pub fn extent(text: &str, blocks: &[TableBlock], path: &[String]) -> Result<Range<usize>, String> {
     let own: Vec<usize> = (0..blocks.len())
         .filter(|number| blocks[*number].is_in(path))
         .collect();

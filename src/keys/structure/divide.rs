@@ -20,7 +20,7 @@ pub(super) fn divide(
     let node = tree
         .find(path)
         .ok_or_else(|| format!("There is no {} in this file.", shown(path)))?;
-    let parts = Parts::of(node, path, at_m)?;
+    let parts = DividedLengths::of_node(node, path, at_m)?;
     match (schema.what, path) {
         ("case", [line, _]) if line == "line" => section_of_case(schema, text, path, &parts),
         ("system", [lines, _, sections, _]) if lines == "lines" && sections == "sections" => {
@@ -37,13 +37,13 @@ pub(super) fn divide(
 }
 
 /// Lengths \[m\] and numbers of segments of the two parts.
-struct Parts {
+struct DividedLengths {
     lengths: [String; 2],
     segments: Option<[u32; 2]>,
 }
 
-impl Parts {
-    fn of(node: &TomlNode, path: &[String], at_m: &str) -> Result<Self, String> {
+impl DividedLengths {
+    fn of_node(node: &TomlNode, path: &[String], at_m: &str) -> Result<Self, String> {
         let whole = node.get("length_m").and_then(TomlNode::number);
         let whole = whole.ok_or_else(|| {
             format!(
@@ -98,7 +98,7 @@ fn section_of_case(
     schema: &'static Schema,
     text: &str,
     path: &[String],
-    parts: &Parts,
+    parts: &DividedLengths,
 ) -> Result<String, String> {
     let name = path.last().map_or("", String::as_str);
     let tree = TomlNode::parse(text).map_err(|error| error.to_string())?;
@@ -140,7 +140,7 @@ fn section_of_line(
     schema: &'static Schema,
     text: &str,
     path: &[String],
-    parts: &Parts,
+    parts: &DividedLengths,
 ) -> Result<String, String> {
     let number: usize = path.last().and_then(|last| last.parse().ok()).unwrap_or(1);
     let range = extent(text, &blocks(text), path)?;
@@ -175,7 +175,7 @@ fn line_of_system(
     text: &str,
     node: &TomlNode,
     name: &str,
-    parts: &Parts,
+    parts: &DividedLengths,
 ) -> Result<String, String> {
     if let Some(entry) = node.entries().iter().find(|entry| {
         let key = entry.key.as_str();

@@ -4,10 +4,10 @@ use crate::fields::{Schema, join, split};
 use crate::tree::{TomlData, TomlEntry, TomlNode, element_names};
 
 /// A key that holds the name of a table, by the pattern of its path, and the tables that it may name.
-type Reference = (&'static str, &'static [&'static str]);
+type TableReference = (&'static str, &'static [&'static str]);
 
 /// Of line cases.
-const OF_CASES: &[Reference] = &[
+const OF_CASES: &[TableReference] = &[
     ("line.*.material", &["materials"]),
     ("floats.*.section", &["line"]),
     ("clumps.*.section", &["line"]),
@@ -20,7 +20,7 @@ const OF_CASES: &[Reference] = &[
 ];
 
 /// Of systems.
-const OF_SYSTEMS: &[Reference] = &[
+const OF_SYSTEMS: &[TableReference] = &[
     ("points.*.body", &["bodies", "rods"]),
     ("bodies.*.pinned_to", &["bodies", "rods"]),
     ("rods.*.pinned_to", &["bodies", "rods"]),
@@ -42,13 +42,13 @@ const OF_SYSTEMS: &[Reference] = &[
 ];
 
 /// Of cross-sections.
-const OF_SECTIONS: &[Reference] = &[
+const OF_SECTIONS: &[TableReference] = &[
     ("layer.*.unit", &["units"]),
     ("layer.*.units", &["units"]),
     ("centre.unit", &["units"]),
 ];
 
-fn references(schema: &Schema) -> &'static [Reference] {
+fn references(schema: &Schema) -> &'static [TableReference] {
     match schema.what {
         "case" => OF_CASES,
         "system" => OF_SYSTEMS,

@@ -43,11 +43,11 @@ pub enum LineEnd {
 /// The channels of a case, in their order.
 #[must_use]
 pub fn channels(case: &Case) -> Vec<ChannelSpec> {
-    RecordedLine::of(case).channels()
+    RecordingConditions::of_case(case).channels()
 }
 
 /// What of a case decides which channels its run records.
-pub(crate) struct RecordedLine<'a> {
+pub(crate) struct RecordingConditions<'a> {
     /// Ends A and B.
     pub(crate) ends: [RecordedEnd<'a>; 2],
     /// Sections from A to B.
@@ -92,8 +92,8 @@ pub(crate) struct RecordedEnd<'a> {
     pub(crate) clamped: bool,
 }
 
-impl<'a> RecordedLine<'a> {
-    fn of(case: &'a Case) -> Self {
+impl<'a> RecordingConditions<'a> {
+    fn of_case(case: &'a Case) -> Self {
         let end = |end: &'a End| RecordedEnd {
             name: &end.name,
             kind: end.kind,

@@ -15,9 +15,9 @@
 //! A row by height and time has the velocities along x at all heights, then those along y, then those upwards; the last ones may be left
 //! out and are zero.
 
-use super::attachments::PlacedNumber;
+use super::attachments::{PlacedNumber, PlacedWord};
 use super::diagnostic::Finding;
-use super::placed_words::{Word, lines, numbers, whole};
+use super::placed_words::{lines, numbers, whole};
 
 /// Time and place t, x, y, z \[s, m\], and velocity \[m/s\].
 pub(super) type CurrentRow = ([PlacedNumber; 4], [PlacedNumber; 3]);
@@ -34,7 +34,7 @@ const FIRST_ROW: usize = 6;
 /// # Errors
 /// The first fault.
 pub(super) fn foreign_current(text: &str) -> Result<Vec<CurrentRow>, Finding> {
-    let lines: Vec<Vec<Word<'_>>> = lines(text).collect();
+    let lines: Vec<Vec<PlacedWord<'_>>> = lines(text).collect();
     let counts = lines.first().map(Vec::as_slice).unwrap_or_default();
     match counts {
         [_, _, _, _] if counts.iter().all(|word| word.0.parse::<usize>().is_ok()) => {
@@ -45,7 +45,7 @@ pub(super) fn foreign_current(text: &str) -> Result<Vec<CurrentRow>, Finding> {
 }
 
 /// Rows of a time and the velocities at all heights.
-fn by_height(lines: &[Vec<Word<'_>>]) -> Result<Vec<CurrentRow>, Finding> {
+fn by_height(lines: &[Vec<PlacedWord<'_>>]) -> Result<Vec<CurrentRow>, Finding> {
     let no_format = "is no table with the columns u_m_per_s and v_m_per_s, and no file of MoorDyn by height and time, or over a grid";
     let heights = lines.get(HEIGHTS).map(Vec::as_slice).unwrap_or_default();
     if lines.len() <= FIRST_ROW || heights.is_empty() {
@@ -89,7 +89,10 @@ fn by_height(lines: &[Vec<Word<'_>>]) -> Result<Vec<CurrentRow>, Finding> {
 }
 
 /// Counts, places and times along the axes, rows of place, time and velocity.
-fn over_a_grid(lines: &[Vec<Word<'_>>], counts: &[Word<'_>]) -> Result<Vec<CurrentRow>, Finding> {
+fn over_a_grid(
+    lines: &[Vec<PlacedWord<'_>>],
+    counts: &[PlacedWord<'_>],
+) -> Result<Vec<CurrentRow>, Finding> {
     let axis = |k: usize, name: &str| axis(lines.get(k + 1), &counts[k], name);
     let axes = [axis(0, "x")?, axis(1, "y")?, axis(2, "z")?, axis(3, "t")?];
     let mut rows = Vec::new();
@@ -129,8 +132,8 @@ fn over_a_grid(lines: &[Vec<Word<'_>>], counts: &[Word<'_>]) -> Result<Vec<Curre
 
 /// The places along an axis, as many as its count says, rising.
 fn axis(
-    line: Option<&Vec<Word<'_>>>,
-    count: &Word<'_>,
+    line: Option<&Vec<PlacedWord<'_>>>,
+    count: &PlacedWord<'_>,
     name: &str,
 ) -> Result<Vec<PlacedNumber>, Finding> {
     let places = numbers(line.map(Vec::as_slice).unwrap_or_default())?;

@@ -12,9 +12,9 @@
 //!
 //! MoorDyn's z is a height, negative below still water; the rows of MoorPy are depths at y and, in their columns, at x.
 
-use super::attachments::PlacedNumber;
+use super::attachments::{PlacedNumber, PlacedWord};
 use super::diagnostic::Finding;
-use super::placed_words::{Word, lines, numbers, whole};
+use super::placed_words::{lines, numbers, whole};
 
 /// Places and depths x, y, depth \[m\].
 pub(super) type DepthRow = [PlacedNumber; 3];
@@ -27,7 +27,7 @@ const SAME_PLACE: f64 = 1e-9;
 /// # Errors
 /// The first fault.
 pub(super) fn foreign_depths(text: &str) -> Result<Option<Vec<DepthRow>>, Finding> {
-    let lines: Vec<Vec<Word<'_>>> = lines(text).filter(|line| !line.is_empty()).collect();
+    let lines: Vec<Vec<PlacedWord<'_>>> = lines(text).filter(|line| !line.is_empty()).collect();
     let first = lines.first().map(Vec::as_slice);
     let second = lines.get(1).and_then(|line| line.first());
     if let Some([columns, rows]) = first
@@ -43,7 +43,10 @@ pub(super) fn foreign_depths(text: &str) -> Result<Option<Vec<DepthRow>>, Findin
 }
 
 /// MoorDyn: counts, places along x, places along y, rows.
-fn of_rows(lines: &[Vec<Word<'_>>], counts: [&Word<'_>; 2]) -> Result<Vec<DepthRow>, Finding> {
+fn of_rows(
+    lines: &[Vec<PlacedWord<'_>>],
+    counts: [&PlacedWord<'_>; 2],
+) -> Result<Vec<DepthRow>, Finding> {
     let x = axis(lines.get(1), counts[0], "x")?;
     let y = axis(lines.get(2), counts[1], "y")?;
     let mut rows = Vec::new();
@@ -70,8 +73,8 @@ fn of_rows(lines: &[Vec<Word<'_>>], counts: [&Word<'_>; 2]) -> Result<Vec<DepthR
 }
 
 /// MoorPy: names with counts, places along x, rows of a place along y and depths.
-fn of_table(lines: &[Vec<Word<'_>>]) -> Result<Vec<DepthRow>, Finding> {
-    let count = |line: usize, name: &str| -> Result<&Word<'_>, Finding> {
+fn of_table(lines: &[Vec<PlacedWord<'_>>]) -> Result<Vec<DepthRow>, Finding> {
+    let count = |line: usize, name: &str| -> Result<&PlacedWord<'_>, Finding> {
         let words = lines.get(line).map(Vec::as_slice).unwrap_or_default();
         match words {
             [key, count, ..] if key.0.eq_ignore_ascii_case(name) && is_count(count) => Ok(count),
@@ -118,8 +121,8 @@ fn of_table(lines: &[Vec<Word<'_>>]) -> Result<Vec<DepthRow>, Finding> {
 
 /// The places along an axis, as many as its count says.
 fn axis(
-    line: Option<&Vec<Word<'_>>>,
-    count: &Word<'_>,
+    line: Option<&Vec<PlacedWord<'_>>>,
+    count: &PlacedWord<'_>,
     name: &str,
 ) -> Result<Vec<PlacedNumber>, Finding> {
     let places = numbers(line.map(Vec::as_slice).unwrap_or_default())?;
@@ -165,7 +168,7 @@ fn minus(z: PlacedNumber) -> PlacedNumber {
     }
 }
 
-fn is_count(word: &Word<'_>) -> bool {
+fn is_count(word: &PlacedWord<'_>) -> bool {
     word.0.parse::<usize>().is_ok()
 }
 

@@ -31,7 +31,7 @@ pub struct TextDigest(pub u64);
 impl TextDigest {
     /// The digest of this text.
     #[must_use]
-    pub fn of(text: &str) -> Self {
+    pub fn of_text(text: &str) -> Self {
         Self(fnv1a(text.as_bytes()))
     }
 }

@@ -45,7 +45,7 @@ pub fn effective_inputs<K: FileKind>(
     file: &str,
 ) -> Result<Vec<EffectiveInput>, Vec<Diagnostic>> {
     let (given, content) = checked::<K>(text, file)?;
-    let all = TomlNode::of(&content.write(WrittenKeys::All));
+    let all = TomlNode::of_table(&content.write(WrittenKeys::All));
     let mut inputs = EffectiveInputs {
         schema: K::schema(),
         given: &given,
@@ -100,7 +100,7 @@ impl EffectiveInputs<'_> {
 fn shown(path: &[String], node: &TomlNode) -> String {
     match &node.data {
         TomlData::Text(text) if path.first().is_some_and(|table| table == "files") => {
-            let digest = TextDigest::of(text).0;
+            let digest = TextDigest::of_text(text).0;
             format!("{} bytes, digest {digest:016x}", text.len())
         }
         TomlData::Text(text) => text.clone(),

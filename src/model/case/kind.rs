@@ -78,7 +78,7 @@ pub fn whole_text<K: FileKind>(text: &str, file: &str) -> Result<String, Vec<Dia
 ///
 /// Everything that is wrong, at once.
 pub fn compute<K: FileKind>(content: K) -> Result<K::Computed, Vec<Diagnostic>> {
-    let root = TomlNode::of(&content.write(WrittenKeys::All));
+    let root = TomlNode::of_table(&content.write(WrittenKeys::All));
     let found = errors::<K>(&root);
     let name = K::schema().what;
     if !found.is_empty() {

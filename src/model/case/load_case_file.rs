@@ -41,7 +41,7 @@ impl Weight {
 }
 
 /// What the columns hold.
-struct Columns<'t> {
+struct LoadCaseColumns<'t> {
     head: Vec<PlacedWord<'t>>,
     keys: Vec<LoadCaseKey>,
     weight: Option<(usize, Weight)>,
@@ -64,7 +64,7 @@ pub fn read(text: &str, file: &str, field: FieldOf<'_>) -> Result<LoadCases, Dia
         let remedy = POINTS.remedy("give fewer", count as f64);
         return Err(whole("the table has too many load cases", remedy));
     }
-    let columns = Columns::read(head, field).map_err(placed)?;
+    let columns = LoadCaseColumns::read(head, field).map_err(placed)?;
     let (mut rows, mut weights) = (Vec::with_capacity(count), Vec::new());
     for line in placed_lines(text).skip(1) {
         let (row, weight) = columns.row(&line).map_err(placed)?;
@@ -108,7 +108,7 @@ impl FileSource<'_> {
     }
 }
 
-impl<'t> Columns<'t> {
+impl<'t> LoadCaseColumns<'t> {
     fn read(head: Vec<PlacedWord<'t>>, field: FieldOf<'_>) -> Result<Self, Finding> {
         let mut keys: Vec<LoadCaseKey> = Vec::new();
         let mut weight: Option<(usize, Weight)> = None;

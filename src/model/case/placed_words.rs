@@ -2,15 +2,12 @@
 
 use std::ops::Range;
 
-use super::attachments::{PlacedNumber, without_mark};
+use super::attachments::{PlacedNumber, PlacedWord, without_mark};
 use super::diagnostic::Finding;
 
-/// A word and its bytes in the text.
-pub(super) type Word<'t> = (&'t str, Range<usize>);
-
 /// The words of a line as numbers.
-pub(super) fn numbers(line: &[Word<'_>]) -> Result<Vec<PlacedNumber>, Finding> {
-    let number = |(word, span): &Word<'_>| {
+pub(super) fn numbers(line: &[PlacedWord<'_>]) -> Result<Vec<PlacedNumber>, Finding> {
+    let number = |(word, span): &PlacedWord<'_>| {
         let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
         let placed = value.map(|value| PlacedNumber {
             value,
@@ -25,13 +22,13 @@ pub(super) fn numbers(line: &[Word<'_>]) -> Result<Vec<PlacedNumber>, Finding> {
 }
 
 /// The bytes of a line that has words.
-pub(super) fn whole(line: &[Word<'_>]) -> Range<usize> {
+pub(super) fn whole(line: &[PlacedWord<'_>]) -> Range<usize> {
     let start = line.first().map_or(0, |word| word.1.start);
     start..line.last().map_or(start, |word| word.1.end)
 }
 
 /// The lines, empty ones too, as words between spaces.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
+pub(super) fn lines(text: &str) -> impl Iterator<Item = Vec<PlacedWord<'_>>> {
     let (mut start, text) = without_mark(text);
     text.split_inclusive('\n').map(move |line| {
         let from = start;
@@ -40,7 +37,7 @@ pub(super) fn lines(text: &str) -> impl Iterator<Item = Vec<Word<'_>>> {
     })
 }
 
-fn words(from: usize, line: &str) -> Vec<Word<'_>> {
+fn words(from: usize, line: &str) -> Vec<PlacedWord<'_>> {
     let mut at = 0;
     let mut words = Vec::new();
     for word in line.split_whitespace() {

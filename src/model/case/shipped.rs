@@ -255,7 +255,7 @@ mod tests {
                 if path.is_dir() {
                     folders.push(path);
                 } else if path.extension().is_some_and(|e| e == "toml")
-                    && FileType::of(&path) == kind
+                    && FileType::of_path(&path) == kind
                 {
                     let name = path
                         .strip_prefix(&root)

@@ -123,7 +123,7 @@ impl ValueRange {
 
     /// Values that are listed, and how they happen to be spaced.
     #[must_use]
-    pub fn of(values: Vec<StudyValue>) -> Self {
+    pub fn of_values(values: Vec<StudyValue>) -> Self {
         let numbers: Vec<f64> = values.iter().filter_map(StudyValue::number).collect();
         let even = |steps: &dyn Fn(f64, f64) -> f64| {
             let steps: Vec<f64> = numbers.windows(2).map(|w| steps(w[0], w[1])).collect();

@@ -2,7 +2,7 @@
 
 use super::resolved::Check;
 use crate::case::{CheckKind, UnitSlip};
-use crate::fatigue::component::Component;
+use crate::fatigue::component::FatigueComponent;
 use crate::fatigue::spot::SpotCounter;
 use crate::section::hot_spots::hot_spots;
 
@@ -48,7 +48,7 @@ pub struct AlongPlan {
     /// The places, check by check, node by node.
     pub spots: Vec<CountedSpot>,
     /// The curves.
-    pub components: Vec<Component>,
+    pub components: Vec<FatigueComponent>,
     /// What cannot be counted, and why, each once.
     pub missing: Vec<String>,
 }
@@ -76,7 +76,7 @@ impl CountedLine {
 impl AlongPlan {
     /// Of the checks that count along a line.
     #[must_use]
-    pub fn of(checks: &[Check], line: &CountedLine) -> Self {
+    pub fn of_checks(checks: &[Check], line: &CountedLine) -> Self {
         let mut plan = Self::default();
         for check in checks.iter().filter(|check| check.is_along()) {
             let counted = match check.section {

@@ -7,7 +7,7 @@ use crate::case::{
     Attachment, CarriedText, CheckInputs, CheckKind, Diagnostic, LineQuantity, QuantityId,
     SectionText, Statistic, Subject, nearest, rule_sets,
 };
-use crate::fatigue::component::Component;
+use crate::fatigue::component::FatigueComponent;
 use crate::fatigue::curve_file::read_curve;
 use crate::fatigue::curve_library::published;
 use crate::section::Design;
@@ -93,11 +93,11 @@ impl Check {
         &self,
         diameter: Option<f64>,
         strength: Option<f64>,
-    ) -> Result<Component, String> {
+    ) -> Result<FatigueComponent, String> {
         if let Some(text) = &self.curve {
             let curve = text.parsed((), read_curve);
             let curve = curve.map_err(|error| error.to_string())?;
-            return Ok(Component::clone(&curve));
+            return Ok(FatigueComponent::clone(&curve));
         }
         let name = self.inputs.curve.as_deref().unwrap_or_default();
         let curve = published(name);
@@ -112,7 +112,7 @@ impl Check {
     ///
     /// # Errors
     /// A curve that there is not, or one that is not of a stress, in words.
-    pub fn component_of_stress(&self) -> Result<Component, String> {
+    pub fn component_of_stress(&self) -> Result<FatigueComponent, String> {
         // The diameter of a published curve only makes an area, which stress has no need of.
         let component = self.component(Some(1.0), None)?;
         component.of_stress().ok_or_else(|| {

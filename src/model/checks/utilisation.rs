@@ -26,7 +26,7 @@ pub struct Utilisation {
 
 /// What a utilisation says.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum UtilisationVerdict {
     /// It stays below the limit, with both errors.
     Passes,
     /// The limit lies within the errors.
@@ -35,7 +35,7 @@ pub enum Verdict {
     Fails,
 }
 
-impl Verdict {
+impl UtilisationVerdict {
     /// Its word.
     #[must_use]
     pub const fn word(self) -> &'static str {
@@ -89,11 +89,11 @@ impl Utilisation {
 
     /// What it says.
     #[must_use]
-    pub fn verdict(&self) -> Verdict {
+    pub fn verdict(&self) -> UtilisationVerdict {
         match self.both {
-            [_, high] if high <= 1.0 => Verdict::Passes,
-            [low, _] if low > 1.0 => Verdict::Fails,
-            _ => Verdict::Open,
+            [_, high] if high <= 1.0 => UtilisationVerdict::Passes,
+            [low, _] if low > 1.0 => UtilisationVerdict::Fails,
+            _ => UtilisationVerdict::Open,
         }
     }
 }
@@ -128,12 +128,12 @@ mod tests {
     #[test]
     fn a_verdict_is_open_where_the_limit_lies_within_the_errors() {
         let at = |limit: f64| LOAD.utilisation(|load| load / limit).verdict();
-        assert_eq!(at(2.51), Verdict::Passes);
-        assert_eq!(at(2.45), Verdict::Open);
-        assert_eq!(at(1.75), Verdict::Open);
-        assert_eq!(at(1.69), Verdict::Fails);
+        assert_eq!(at(2.51), UtilisationVerdict::Passes);
+        assert_eq!(at(2.45), UtilisationVerdict::Open);
+        assert_eq!(at(1.75), UtilisationVerdict::Open);
+        assert_eq!(at(1.69), UtilisationVerdict::Fails);
         let exact = Estimate::exact(1.0).utilisation(|load| load);
-        assert_eq!(exact.verdict(), Verdict::Passes);
+        assert_eq!(exact.verdict(), UtilisationVerdict::Passes);
         assert_eq!(exact.both, [1.0, 1.0]);
     }
 
@@ -169,6 +169,6 @@ mod tests {
         };
         let found = load.utilisation(used);
         assert_eq!(found.both[1], f64::INFINITY);
-        assert_eq!(found.verdict(), Verdict::Fails);
+        assert_eq!(found.verdict(), UtilisationVerdict::Fails);
     }
 }

@@ -59,7 +59,7 @@ impl FileType {
 
     /// The kind of a file.
     #[must_use]
-    pub fn of(path: &Path) -> Self {
+    pub fn of_path(path: &Path) -> Self {
         FileBytes::read(path).kind()
     }
 

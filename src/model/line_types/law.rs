@@ -7,7 +7,7 @@ const TWO_LEGS: f64 = std::f64::consts::FRAC_PI_2;
 
 /// A property by the nominal diameter d \[m\], in SI.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Law {
+pub enum DiameterLaw {
     /// `a d^2`.
     Square(f64),
     /// `a d^2 + b d^3`.
@@ -20,7 +20,7 @@ pub enum Law {
     OfBreakLoad(f64),
 }
 
-impl Law {
+impl DiameterLaw {
     /// The property at a nominal diameter \[m\]; of a multiple of the breaking load, by that load \[N\].
     #[must_use]
     pub fn value(self, diameter: f64, break_load: f64) -> f64 {
@@ -61,18 +61,21 @@ pub(super) fn short(value: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::Law;
+    use super::DiameterLaw;
 
     #[test]
     fn formulas_show_the_numbers_that_are_computed_with() {
-        assert_eq!(Law::Square(19_900.0).formula(), "19900 d^2");
-        assert_eq!(Law::ChainLoad(2.74e7).formula(), "2.74e7 d^2 (44 - 80 d)");
+        assert_eq!(DiameterLaw::Square(19_900.0).formula(), "19900 d^2");
         assert_eq!(
-            Law::ChainModulus(5.45e10, 2.5e10).formula(),
+            DiameterLaw::ChainLoad(2.74e7).formula(),
+            "2.74e7 d^2 (44 - 80 d)"
+        );
+        assert_eq!(
+            DiameterLaw::ChainModulus(5.45e10, 2.5e10).formula(),
             "(5.45e10 - 2.5e10 d) pi/2 d^2"
         );
-        let load = Law::ChainLoad(2.74e7).value(0.12, 0.0);
+        let load = DiameterLaw::ChainLoad(2.74e7).value(0.12, 0.0);
         assert!((load - 2.74e7 * 0.0144 * 34.4).abs() < 1e-6 * load);
-        assert!((Law::OfBreakLoad(14.0).value(0.1, 2.0) - 28.0).abs() < 1e-12);
+        assert!((DiameterLaw::OfBreakLoad(14.0).value(0.1, 2.0) - 28.0).abs() < 1e-12);
     }
 }

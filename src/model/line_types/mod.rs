@@ -20,7 +20,7 @@ mod table;
 #[cfg(test)]
 mod tests;
 
-pub use law::Law;
+pub use law::DiameterLaw;
 pub use library::{Library, LibraryType, Polynomial, UnreadType};
 pub use material_table::{material_name, material_table, with_material};
 pub use properties::{

@@ -44,7 +44,7 @@ pub struct TypeDescription {
 impl TypeDescription {
     /// That of a type of the table.
     #[must_use]
-    pub fn of(line_type: &LineType) -> Self {
+    pub fn of_line_type(line_type: &LineType) -> Self {
         let nominal = match line_type.family {
             Family::Chain => "the diameter of the bar",
             Family::Wire => "the diameter of the steel",
@@ -151,7 +151,7 @@ pub fn properties(
 ) -> Result<LineProperties, NominalDiameterError> {
     let d = checked(nominal_m)?;
     let break_load = line_type.break_load.value.value(d, 0.0);
-    let by_law = |law: &Sourced<super::Law>| Property {
+    let by_law = |law: &Sourced<super::DiameterLaw>| Property {
         value: law.value.value(d, break_load),
         formula: law.value.formula(),
         source: law.source.into(),
@@ -160,7 +160,7 @@ pub fn properties(
     let diameter = outer(line_type, d, mass.value);
     let ratio = diameter.value / d;
     Ok(LineProperties {
-        line_type: TypeDescription::of(line_type),
+        line_type: TypeDescription::of_line_type(line_type),
         nominal_m: d,
         wet_weight: wet_weight(&mass, diameter.value),
         ea: by_law(&line_type.ea),

@@ -1,6 +1,6 @@
 //! The table of line types.
 
-use super::Law;
+use super::DiameterLaw;
 
 /// What a type is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,13 +48,13 @@ pub struct LineType {
     /// Volume-equivalent diameter \[m\].
     pub outer: Sourced<OuterDiameter>,
     /// Mass in air \[kg/m\].
-    pub mass: Sourced<Law>,
+    pub mass: Sourced<DiameterLaw>,
     /// Axial stiffness EA \[N\]; of fibre ropes the quasi-static one.
-    pub ea: Sourced<Law>,
+    pub ea: Sourced<DiameterLaw>,
     /// Minimum breaking load \[N\].
-    pub break_load: Sourced<Law>,
+    pub break_load: Sourced<DiameterLaw>,
     /// Proof load \[N\], of chain.
-    pub proof_load: Option<Sourced<Law>>,
+    pub proof_load: Option<Sourced<DiameterLaw>>,
     /// Normal drag.
     pub drag_normal: Coefficient,
     /// Tangential drag; 0 where the source has none.
@@ -127,10 +127,10 @@ const fn chain(name: &'static str, title: &'static str, grade: &Grade, stud: boo
         family: Family::Chain,
         diameters_m: [0.034, 0.220],
         outer: from(OuterDiameter::Times(outer), ORCINA_CHAIN),
-        mass: from(Law::Square(mass), ORCINA_CHAIN),
-        ea: from(Law::ChainModulus(e, f), E301),
-        break_load: from(Law::ChainLoad(grade.break_load * LOAD), W22),
-        proof_load: Some(from(Law::ChainLoad(proof * LOAD), W22)),
+        mass: from(DiameterLaw::Square(mass), ORCINA_CHAIN),
+        ea: from(DiameterLaw::ChainModulus(e, f), E301),
+        break_load: from(DiameterLaw::ChainLoad(grade.break_load * LOAD), W22),
+        proof_load: Some(from(DiameterLaw::ChainLoad(proof * LOAD), W22)),
         drag_normal: from(normal, E301),
         drag_tangential: from(tangential, E301),
         added_mass_normal: from(1.0, NR493),
@@ -149,7 +149,7 @@ struct Fibre {
     diameters_m: [f64; 2],
     density: f64,
     mass: f64,
-    break_load: Law,
+    break_load: DiameterLaw,
     ea: f64,
     dynamic: [f64; 2],
 }
@@ -161,8 +161,8 @@ const fn fibre(name: &'static str, title: &'static str, fit: &Fibre) -> LineType
         family: Family::Fibre,
         diameters_m: fit.diameters_m,
         outer: from(OuterDiameter::ByDensity(fit.density), MOORPY),
-        mass: from(Law::Square(fit.mass), MOORPY),
-        ea: from(Law::OfBreakLoad(fit.ea), MOORPY),
+        mass: from(DiameterLaw::Square(fit.mass), MOORPY),
+        ea: from(DiameterLaw::OfBreakLoad(fit.ea), MOORPY),
         break_load: from(fit.break_load, MOORPY),
         proof_load: None,
         drag_normal: from(1.6, E301),
@@ -187,9 +187,9 @@ const fn wire(
         family: Family::Wire,
         diameters_m,
         outer: from(OuterDiameter::Times(outer), source),
-        mass: from(Law::Square(mass), source),
-        ea: from(Law::Square(ea), source),
-        break_load: from(Law::Square(break_load), source),
+        mass: from(DiameterLaw::Square(mass), source),
+        ea: from(DiameterLaw::Square(ea), source),
+        break_load: from(DiameterLaw::Square(break_load), source),
         proof_load: None,
         drag_normal: from(drag, E301),
         drag_tangential: from(0.0, E301),
@@ -204,7 +204,7 @@ const POLYESTER: Fibre = Fibre {
     diameters_m: [0.08, 0.32],
     density: 1380.0,
     mass: 679.0,
-    break_load: Law::Square(308e6),
+    break_load: DiameterLaw::Square(308e6),
     ea: 14.0,
     dynamic: [11.6, 0.40],
 };
@@ -213,7 +213,7 @@ const NYLON: Fibre = Fibre {
     diameters_m: [0.03, 0.25],
     density: 1140.0,
     mass: 585.0,
-    break_load: Law::Cubic(207e6, 230e6),
+    break_load: DiameterLaw::Cubic(207e6, 230e6),
     ea: 5.0,
     dynamic: [2.08, 0.39],
 };
@@ -222,7 +222,7 @@ const HMPE: Fibre = Fibre {
     diameters_m: [0.03, 0.25],
     density: 975.0,
     mass: 496.0,
-    break_load: Law::Cubic(580e6, 651e6),
+    break_load: DiameterLaw::Cubic(580e6, 651e6),
     ea: 56.0,
     dynamic: [59.0, 0.54],
 };

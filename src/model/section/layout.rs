@@ -43,7 +43,7 @@ pub struct TubeStiffness {
 }
 
 impl TubeStiffness {
-    fn of(inner: f64, outer: f64, youngs: f64, poisson: f64) -> Self {
+    fn of_tube(inner: f64, outer: f64, youngs: f64, poisson: f64) -> Self {
         let area = (disc(outer) - disc(inner)).max(0.0);
         let inertia = (second_moment(outer) - second_moment(inner)).max(0.0);
         Self {
@@ -61,7 +61,7 @@ impl CentreCylinder {
     pub fn jacket(&self) -> TubeStiffness {
         let input = &self.input;
         let (youngs, poisson) = (input.jacket_youngs_modulus_pa, input.jacket_poisson_ratio);
-        TubeStiffness::of(self.element.radius, self.radius, youngs, poisson)
+        TubeStiffness::of_tube(self.element.radius, self.radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].
@@ -76,7 +76,7 @@ impl SheathTube {
     #[must_use]
     pub fn solid(&self) -> TubeStiffness {
         let (youngs, poisson) = (self.input.youngs_modulus_pa, self.input.poisson_ratio);
-        TubeStiffness::of(self.inner_radius, self.outer_radius, youngs, poisson)
+        TubeStiffness::of_tube(self.inner_radius, self.outer_radius, youngs, poisson)
     }
 
     /// Mass per length \[kg/m\].

@@ -72,7 +72,7 @@ pub fn find(name: &str) -> Option<&'static SectionQuantity> {
 impl SectionQuantity {
     /// Its value; nothing where the section does not have it.
     #[must_use]
-    pub fn of(&self, design: &Design) -> Option<f64> {
+    pub fn value(&self, design: &Design) -> Option<f64> {
         (self.read)(design)
     }
 }

@@ -9,7 +9,7 @@ use crate::published::ValidationRow;
 pub fn rows(design: &Design) -> Vec<ValidationRow> {
     let computed = |name: &str| {
         let quantity = find(name).ok_or_else(|| format!("There is no quantity `{name}`."))?;
-        let value = quantity.of(design);
+        let value = quantity.value(design);
         let value =
             value.ok_or_else(|| format!("The section has no `{name}`: no strength is known."))?;
         Ok((value, Some(0.0)))

@@ -10,7 +10,7 @@ pub mod working_curve;
 pub use creep::CreepingRope;
 pub use dynamic::{FibreRope, MeanState, RopeAverage, StaticElasticity, StiffnessForm};
 pub use elastic_tension::ElasticTension;
-pub use table::{Between, TensionTable};
+pub use table::{TableInterpolation, TensionTable};
 
 /// How the elastic tension of a material follows from its strain, where that is not in proportion.
 #[derive(Debug, Clone, PartialEq)]

@@ -10,7 +10,7 @@ use crate::numerics::roots::Bracket;
 
 /// How the tension runs between the points of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Between {
+pub enum TableInterpolation {
     /// By a monotone cubic without jumps of its slope.
     Smooth,
     /// Straight.
@@ -32,12 +32,16 @@ impl TensionTable {
     /// Smooth, from strains \[-\] and tensions \[N\], both rising from zero; nothing where they are not, or fewer than two.
     #[must_use]
     pub fn new(strain: &[f64], tension: &[f64]) -> Option<Self> {
-        Self::interpolated(strain, tension, Between::Smooth)
+        Self::interpolated(strain, tension, TableInterpolation::Smooth)
     }
 
     /// The same, smooth or straight between the points.
     #[must_use]
-    pub fn interpolated(strain: &[f64], tension: &[f64], between: Between) -> Option<Self> {
+    pub fn interpolated(
+        strain: &[f64],
+        tension: &[f64],
+        between: TableInterpolation,
+    ) -> Option<Self> {
         let rises = |list: &[f64]| {
             list.first() == Some(&0.0)
                 && list.windows(2).all(|pair| pair[1] > pair[0])
@@ -52,8 +56,8 @@ impl TensionTable {
             .map(|(e, t)| (t[1] - t[0]) / (e[1] - e[0]))
             .collect();
         let slopes = match between {
-            Between::Smooth => smooth_slopes(&secants),
-            Between::Straight => secants.iter().map(|slope| [*slope; 2]).collect(),
+            TableInterpolation::Smooth => smooth_slopes(&secants),
+            TableInterpolation::Straight => secants.iter().map(|slope| [*slope; 2]).collect(),
         };
         let mut table = Self {
             strain: strain.to_vec(),
@@ -233,10 +237,10 @@ mod tests {
     use super::*;
 
     fn nylon() -> TensionTable {
-        table(Between::Smooth)
+        table(TableInterpolation::Smooth)
     }
 
-    fn table(between: Between) -> TensionTable {
+    fn table(between: TableInterpolation) -> TensionTable {
         TensionTable::interpolated(&[0.0, 0.02, 0.05, 0.12], &[0.0, 1e4, 6e4, 4e5], between)
             .unwrap()
     }
@@ -245,7 +249,7 @@ mod tests {
     /// at a row is that beyond it.
     #[test]
     fn straight_between_its_points() {
-        let table = table(Between::Straight);
+        let table = table(TableInterpolation::Straight);
         for (strain, tension) in [(0.01, 5e3), (0.035, 3.5e4), (0.085, 2.3e5), (0.19, 7.4e5)] {
             assert!((table.at(strain).tension - tension).abs() < 1e-9 * 4e5);
         }

@@ -33,7 +33,7 @@ pub struct Moments {
 impl Moments {
     /// Of components.
     #[must_use]
-    pub fn of(components: &[Component]) -> Self {
+    pub fn of_components(components: &[Component]) -> Self {
         let mut sum = Self::default();
         for c in components {
             let energy = 0.5 * c.amplitude * c.amplitude;

@@ -13,7 +13,7 @@ use pulp::{Simd, WithSimd};
 
 use super::component_lanes::{ComponentLanes, Four};
 use super::decay::DepthDecay;
-use super::phasors::{Anchored, Decay, Phasor, Phasors, Series};
+use super::phasors::{Anchored, Decay, Phasor, Phasors, PowerSeries};
 use super::stretching::StretchedHeight;
 use crate::numerics::processor::{ARCH, LANES, Lanes};
 
@@ -67,7 +67,7 @@ impl ComponentLanes {
         phasors.move_along(self, along);
         let ahead = along - phasors.along();
         if !fading.decays {
-            let place = Reading {
+            let place = MotionPlace {
                 ahead,
                 above: 0.0,
                 z: 0.0,
@@ -76,7 +76,7 @@ impl ComponentLanes {
             return sums.shared(share + by_z * reading.beyond.max(0.0), by_z, 0.0);
         }
         phasors.move_up(self, reading.z);
-        let place = Reading {
+        let place = MotionPlace {
             ahead,
             above: reading.z - phasors.z(),
             z: reading.z,
@@ -98,7 +98,7 @@ impl ComponentLanes {
     /// The products that all sums are made of; `BEYOND` a distance \[m\] along the straight line that touches the decay at the height.
     fn sums<const BEYOND: bool>(
         &self,
-        place: &Reading,
+        place: &MotionPlace,
         beyond: f64,
         phasors: &impl Phasors,
     ) -> Products {
@@ -138,7 +138,7 @@ impl<P: Phasors> WithSimd for SurfaceLoop<'_, P> {
 /// The same under the surface.
 struct MotionLoop<'a, P, const BEYOND: bool> {
     fours: &'a [Four],
-    place: &'a Reading,
+    place: &'a MotionPlace,
     beyond: f64,
     phasors: &'a P,
 }
@@ -153,10 +153,10 @@ impl<P: Phasors, const BEYOND: bool> WithSimd for MotionLoop<'_, P, BEYOND> {
         let mut sums = [[0.0; LANES]; 10];
         for (number, four) in self.fours.iter().enumerate() {
             let numbered = (number, four);
-            if four.most_k * furthest < Series::SHORT {
-                add::<BEYOND>(&mut sums, numbered, Series::short(), at, self.phasors);
+            if four.most_k * furthest < PowerSeries::SHORT {
+                add::<BEYOND>(&mut sums, numbered, PowerSeries::short(), at, self.phasors);
             } else {
-                add::<BEYOND>(&mut sums, numbered, Series::long(), at, self.phasors);
+                add::<BEYOND>(&mut sums, numbered, PowerSeries::long(), at, self.phasors);
             }
         }
         let mut products = [0.0; 10];
@@ -168,7 +168,7 @@ impl<P: Phasors, const BEYOND: bool> WithSimd for MotionLoop<'_, P, BEYOND> {
 }
 
 /// Where a motion is read: from the anchor along the waves and upwards, and at which height \[m\].
-struct Reading {
+struct MotionPlace {
     ahead: f64,
     above: f64,
     z: f64,
@@ -215,7 +215,7 @@ fn add_surface(
     let time = phasors.time(number, four);
     let anchor = phasors.place(number, four);
     for lane in 0..LANES {
-        let turn = Series::long().turn(four.k[lane] * ahead);
+        let turn = PowerSeries::long().turn(four.k[lane] * ahead);
         let theta = time.at(lane) / (anchor.at(lane) * turn);
         sums[0][lane] += theta.cos;
         sums[1][lane] += four.k[lane] * theta.sin;
@@ -229,8 +229,8 @@ fn add_surface(
 fn add<const BEYOND: bool>(
     sums: &mut [Lanes; 10],
     (number, four): (usize, &Four),
-    series: Series,
-    (place, beyond): (&Reading, f64),
+    series: PowerSeries,
+    (place, beyond): (&MotionPlace, f64),
     phasors: &impl Phasors,
 ) {
     let time = phasors.time(number, four);
@@ -304,7 +304,7 @@ mod tests {
     use super::*;
     use crate::numerics::random::Random;
     use crate::sea::decay::plain::share;
-    use crate::sea::phasors::{Fresh, Kept, PlacePhasors, TimePhasors};
+    use crate::sea::phasors::{ComputedPhasors, Kept, PlacePhasors, TimePhasors};
     use crate::sea::{Component, wave_number};
 
     /// A hundred components over 200 m of water.
@@ -347,7 +347,12 @@ mod tests {
                     place: &mut place,
                 };
                 let found = lanes.motion(along, &reading, &DepthDecay::Airy, &mut kept);
-                let fresh = lanes.motion(along, &reading, &DepthDecay::Airy, &mut Fresh::at(t));
+                let fresh = lanes.motion(
+                    along,
+                    &reading,
+                    &DepthDecay::Airy,
+                    &mut ComputedPhasors::at(t),
+                );
                 assert_eq!(format!("{found:?}"), format!("{fresh:?}"), "{t}");
                 let scene = (&components[..], &numbers[..], 200.0);
                 let plain = one_by_one(scene, (t, along), &reading, DepthDecay::Airy);
@@ -367,11 +372,11 @@ mod tests {
         let (_, _, lanes) = hundred();
         let mut random = Random::new(23, 0);
         for _ in 0..300 {
-            let mut phasors = Fresh::at(1e4 * random.uniform());
+            let mut phasors = ComputedPhasors::at(1e4 * random.uniform());
             let (along, z) = (800.0 * random.uniform(), -60.0 * random.uniform());
             phasors.move_along(&lanes, along);
             phasors.move_up(&lanes, z);
-            let place = Reading {
+            let place = MotionPlace {
                 ahead: along - phasors.along(),
                 above: z - phasors.z(),
                 z,
@@ -454,7 +459,8 @@ mod tests {
                         by_elevation: 0.0,
                     };
                     let at = (700.0 * random.uniform(), 300.0 * random.uniform());
-                    let found = lanes.motion(at.1, &reading, &decay, &mut Fresh::at(at.0));
+                    let found =
+                        lanes.motion(at.1, &reading, &decay, &mut ComputedPhasors::at(at.0));
                     let plain = one_by_one((&components, &numbers, depth), at, &reading, decay);
                     let pairs = [
                         (found.across, plain.across),
@@ -473,7 +479,7 @@ mod tests {
                             );
                         }
                     }
-                    let surface = lanes.surface(at.1, &mut Fresh::at(at.0));
+                    let surface = lanes.surface(at.1, &mut ComputedPhasors::at(at.0));
                     let height: f64 = components
                         .iter()
                         .zip(&numbers)

@@ -140,7 +140,7 @@ mod tests {
         };
         let motion = Harmonics::along_axes(&[record(0), record(1), record(2)]);
         assert!((motion.rms() - V3::from(rms)).norm() < 1e-12);
-        let all = Moments::of(&[record(0), record(1), record(2)].concat());
+        let all = Moments::of_components(&[record(0), record(1), record(2)].concat());
         let moments = motion.moments();
         assert!((moments.m0 - all.m0).abs() < 1e-12 && (moments.m2 - all.m2).abs() < 1e-12);
         let (t, h) = (31.0, 1e-4);

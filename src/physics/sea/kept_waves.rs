@@ -56,7 +56,7 @@ pub(super) struct KeptPlace<'a> {
 }
 
 impl FieldPhasors for KeptPlace<'_> {
-    fn of(&mut self, field: usize) -> impl Anchored {
+    fn of_field(&mut self, field: usize) -> impl Anchored {
         Kept {
             time: &self.clock.fields[field],
             place: &mut self.fields[field],

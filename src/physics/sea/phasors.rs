@@ -38,7 +38,7 @@ fn each(of: impl Fn(usize) -> f64) -> Lanes {
 
 impl Phasor {
     #[inline(always)]
-    fn of(angle: f64x4) -> Self {
+    fn of_angle(angle: f64x4) -> Self {
         let (sin, cos) = angle.sin_cos();
         Self {
             cos: cos.to_array(),
@@ -94,7 +94,7 @@ impl Four {
     #[inline(always)]
     fn by_time(&self, t: f64) -> Phasor {
         let (omega, phase) = (f64x4::new(self.omega), f64x4::new(self.phase));
-        let turned = Phasor::of(omega * t + phase);
+        let turned = Phasor::of_angle(omega * t + phase);
         Phasor {
             cos: each(|i| self.amplitude[i] * turned.cos[i]),
             sin: each(|i| self.amplitude[i] * turned.sin[i]),
@@ -104,7 +104,7 @@ impl Four {
     /// Cosine and sine of `k x`.
     #[inline(always)]
     fn by_place(&self, along: f64) -> Phasor {
-        Phasor::of(f64x4::new(self.k) * along)
+        Phasor::of_angle(f64x4::new(self.k) * along)
     }
 
     /// The decay down to a height \[m\].
@@ -122,11 +122,11 @@ impl Four {
 
 /// Series of the sine, cosine and exponential of small numbers.
 #[derive(Clone, Copy)]
-pub(super) struct Series {
+pub(super) struct PowerSeries {
     long: bool,
 }
 
-impl Series {
+impl PowerSeries {
     /// Below this the short ones are exact to rounding; the long ones up to [`REACH`].
     pub(super) const SHORT: f64 = 0.0625;
 
@@ -197,17 +197,17 @@ pub(super) trait Anchored: Phasors {
 /// The phasors of each field of a sea.
 pub(super) trait FieldPhasors {
     /// Those of a field.
-    fn of(&mut self, field: usize) -> impl Anchored;
+    fn of_field(&mut self, field: usize) -> impl Anchored;
 }
 
 /// Phasors that are worked out where they are asked for.
-pub(super) struct Fresh {
+pub(super) struct ComputedPhasors {
     t: f64,
     along: f64,
     z: f64,
 }
 
-impl Fresh {
+impl ComputedPhasors {
     /// At a time \[s\].
     pub(super) const fn at(t: f64) -> Self {
         Self {
@@ -218,7 +218,7 @@ impl Fresh {
     }
 }
 
-impl Phasors for Fresh {
+impl Phasors for ComputedPhasors {
     #[inline(always)]
     fn time(&self, _: usize, four: &Four) -> Phasor {
         four.by_time(self.t)
@@ -235,13 +235,13 @@ impl Phasors for Fresh {
     }
 }
 
-impl FieldPhasors for Fresh {
-    fn of(&mut self, _: usize) -> impl Anchored {
+impl FieldPhasors for ComputedPhasors {
+    fn of_field(&mut self, _: usize) -> impl Anchored {
         Self::at(self.t)
     }
 }
 
-impl Anchored for Fresh {
+impl Anchored for ComputedPhasors {
     fn along(&self) -> f64 {
         self.along
     }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Component;
-use super::phasors::{FieldPhasors, Fresh};
+use super::phasors::{ComputedPhasors, FieldPhasors};
 use super::waves::{Surface, WaterMotion, WaveField};
 use crate::CurrentGrid;
 use crate::numerics::V3;
@@ -77,7 +77,7 @@ impl Sea {
     /// asks for it. Stretching goes by the surface of all fields together.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3, surface: bool) -> WaterMotion {
-        self.flow_by(t, place, surface, &mut Fresh::at(t))
+        self.flow_by(t, place, surface, &mut ComputedPhasors::at(t))
     }
 
     /// The same with the phasors of each field.
@@ -92,7 +92,7 @@ impl Sea {
         let mut whole = Surface::default();
         if needed {
             for (number, field) in self.fields.iter().enumerate() {
-                whole.add(&field.surface_at(t, place, &mut phasors.of(number)));
+                whole.add(&field.surface_at(t, place, &mut phasors.of_field(number)));
             }
         }
         let mut flow = whole.over(WaterMotion {
@@ -100,7 +100,7 @@ impl Sea {
             ..WaterMotion::default()
         });
         for (number, field) in self.fields.iter().enumerate() {
-            let part = field.flow_under(t, place, &whole, &mut phasors.of(number));
+            let part = field.flow_under(t, place, &whole, &mut phasors.of_field(number));
             flow.velocity += part.velocity;
             flow.gradient += part.gradient;
             flow.acceleration += part.acceleration;

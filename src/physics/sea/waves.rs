@@ -14,7 +14,7 @@
 use super::component_lanes::ComponentLanes;
 use super::component_sums::ComponentSums;
 use super::decay::DepthDecay;
-use super::phasors::{Anchored, Fresh, TimePhasors};
+use super::phasors::{Anchored, ComputedPhasors, TimePhasors};
 use super::stretching::{StretchedHeight, Stretching};
 use super::{Component, wave_number};
 use crate::numerics::{M3, V3};
@@ -248,7 +248,11 @@ impl WaveField {
     #[must_use]
     pub fn elevation(&self, t: f64, place: &V3) -> f64 {
         let along = self.direction.dot(place);
-        smooth_ramp(t, self.ramp).0 * self.lanes.surface(along, &mut Fresh::at(t)).elevation
+        smooth_ramp(t, self.ramp).0
+            * self
+                .lanes
+                .surface(along, &mut ComputedPhasors::at(t))
+                .elevation
     }
 
     /// Moves phasors of it to a time \[s\].
@@ -288,7 +292,7 @@ impl WaveField {
     /// What they make of the water at a place at time t \[s\], where they are alone.
     #[must_use]
     pub fn flow(&self, t: f64, place: &V3) -> WaterMotion {
-        let mut phasors = Fresh::at(t);
+        let mut phasors = ComputedPhasors::at(t);
         let surface = self.surface_at(t, place, &mut phasors);
         surface.over(self.flow_under(t, place, &surface, &mut phasors))
     }

@@ -1,7 +1,7 @@
 //! Difference curves as a chart.
 
 use crate::document::Report;
-use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_display::chart::{Axis, Chart, LimitLine, ReferenceLine, Series};
 use seacable_model::case::ChannelQuantity;
 use seacable_runs::run::Run;
 use seacable_studies::comparison::{CurveDifference, differences, letter};
@@ -24,7 +24,7 @@ pub fn difference_chart(
         Axis::new("difference", unit),
         series.collect(),
     );
-    chart.limits = vec![Limit::new("", LimitLine::Horizontal(0.0))];
+    chart.limits = vec![ReferenceLine::new("", LimitLine::Horizontal(0.0))];
     chart
 }
 

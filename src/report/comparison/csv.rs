@@ -1,7 +1,7 @@
 //! A comparison for other programs: one row an item and run, every digit kept.
 
 use seacable_runs::run::Quantity;
-use seacable_studies::comparison::{Change, Comparison, error_bar, letter};
+use seacable_studies::comparison::{Comparison, ResultChange, error_bar, letter};
 
 /// Columns of the table.
 const COLUMNS: [&str; 12] = [
@@ -19,7 +19,7 @@ const COLUMNS: [&str; 12] = [
     "verdict",
 ];
 
-type Row = [String; 12];
+type CsvRow = [String; 12];
 
 /// The comparison as CSV (RFC 4180): sections `run`, `input`, `setting`, `result`, `channel`, `published` and `cost`.
 ///
@@ -37,8 +37,8 @@ pub fn csv(comparison: &Comparison) -> Result<Vec<u8>, csv::Error> {
         .map_err(|error| csv::Error::from(error.into_error()))
 }
 
-fn rows(comparison: &Comparison) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
+fn rows(comparison: &Comparison) -> Vec<CsvRow> {
+    let mut rows: Vec<CsvRow> = Vec::new();
     for (index, run) in comparison.runs.iter().enumerate() {
         rows.push(plain("run", &run.case_file, "", index, run.id.clone()));
     }
@@ -62,8 +62,8 @@ fn rows(comparison: &Comparison) -> Vec<Row> {
     rows
 }
 
-fn plain(section: &str, name: &str, unit: &str, run: usize, value: String) -> Row {
-    let mut row = Row::default();
+fn plain(section: &str, name: &str, unit: &str, run: usize, value: String) -> CsvRow {
+    let mut row = CsvRow::default();
     row[0] = section.to_owned();
     row[1] = name.to_owned();
     row[2] = unit.to_owned();
@@ -75,11 +75,11 @@ fn plain(section: &str, name: &str, unit: &str, run: usize, value: String) -> Ro
 fn of_settings(
     section: &str,
     settings: &[seacable_studies::comparison::ComparedSetting],
-) -> Vec<Row> {
+) -> Vec<CsvRow> {
     let row = |setting: &seacable_studies::comparison::ComparedSetting| {
         let values = setting.values.iter().enumerate();
         let rows = values.map(|(run, value)| plain(section, setting.name, "", run, value.clone()));
-        rows.collect::<Vec<Row>>()
+        rows.collect::<Vec<CsvRow>>()
     };
     settings.iter().flat_map(row).collect()
 }
@@ -89,8 +89,8 @@ fn of_result(
     unit: &str,
     run: usize,
     value: Option<&Quantity>,
-    change: Option<Change>,
-) -> Row {
+    change: Option<ResultChange>,
+) -> CsvRow {
     let mut row = plain("result", name, unit, run, number(value.map(|q| q.value)));
     let bar = value.and_then(error_bar);
     row[5] = number(value.and_then(Quantity::error_estimate));
@@ -107,7 +107,7 @@ fn of_result(
 }
 
 /// Root mean square and greatest size of the difference of every channel.
-fn of_channels(comparison: &Comparison) -> Vec<Row> {
+fn of_channels(comparison: &Comparison) -> Vec<CsvRow> {
     let mut rows = Vec::new();
     for channel in &comparison.channels {
         let unit = channel.id.quantity.unit();
@@ -125,7 +125,7 @@ fn of_channels(comparison: &Comparison) -> Vec<Row> {
     rows
 }
 
-fn of_published(comparison: &Comparison) -> Vec<Row> {
+fn of_published(comparison: &Comparison) -> Vec<CsvRow> {
     let mut rows = Vec::new();
     for published in &comparison.validation {
         for (run, row) in published.rows.iter().enumerate() {

@@ -3,7 +3,7 @@
 use seacable_base::number::{percent, range, si, with_error};
 use seacable_display::table::{Align, Cell, CellStyle, Table};
 use seacable_runs::run::Quantity;
-use seacable_studies::comparison::{Agreement, Change, ComparedResult, Comparison, letter};
+use seacable_studies::comparison::{Agreement, ComparedResult, Comparison, ResultChange, letter};
 
 /// Every result with its error in each run, its difference from the first run and whether the error bars overlap; a row for each
 /// run but the first. A difference has the digits that the errors of both results together support. `narrow` puts the verdict behind
@@ -16,7 +16,7 @@ pub fn results_table(comparison: &Comparison, narrow: bool) -> Table {
         .flat_map(|result| (1..runs).map(move |run| (result, run)))
         .collect();
     let other = if runs == 2 { "B" } else { "other" };
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("quantity", |(result, run)| named(result, *run, narrow))
         .when(runs > 2, |table| table.text("run", |(_, run)| letter(*run)))
         .cell("A", Align::Decimal, |(result, run)| match run {
@@ -69,7 +69,7 @@ fn value(quantity: Option<&Quantity>) -> Cell {
 }
 
 /// A difference with its error; one without an estimate carries a question mark.
-pub(crate) fn change_text(change: &Change, unit: &str) -> String {
+pub(crate) fn change_text(change: &ResultChange, unit: &str) -> String {
     match change.error {
         Some(error) if error > 0.0 => with_error(change.absolute, Some(error), unit),
         Some(_) => si(change.absolute, unit),

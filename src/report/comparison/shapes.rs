@@ -2,7 +2,7 @@
 
 use crate::document::Report;
 use seacable_base::number::si;
-use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_display::chart::{Axis, Chart, LimitLine, ReferenceLine, Series};
 use seacable_runs::run::{LineShape, Run};
 use seacable_studies::comparison::{common_times, distances, letter, shapes_at};
 
@@ -65,7 +65,10 @@ impl Moment {
             |time| format!("at {}", si(time, "s")),
         );
         Chart {
-            limits: vec![Limit::new("still water", LimitLine::Horizontal(0.0))],
+            limits: vec![ReferenceLine::new(
+                "still water",
+                LimitLine::Horizontal(0.0),
+            )],
             equal_scale: true,
             ..Chart::new(
                 format!("Shape of the line {time}: {} and {}", names[0], names[1]),

@@ -10,7 +10,8 @@ use seacable_studies::comparison::{
 /// Inputs that differ, a column a run.
 #[must_use]
 pub fn inputs_table(comparison: &Comparison) -> Table {
-    let mut table = Table::of("", &comparison.inputs).text("input", |row| row.path.as_str());
+    let mut table =
+        Table::of_records("", &comparison.inputs).text("input", |row| row.path.as_str());
     for run in 0..comparison.runs.len() {
         table = table.cell(&letter(run), Align::Left, move |row| input(row, run));
     }
@@ -46,7 +47,7 @@ pub fn cost_table(comparison: &Comparison) -> Table {
 }
 
 fn settings(rows: &[ComparedSetting], runs: usize, head: &str, align: Align) -> Table {
-    let mut table = Table::of("", rows).text(head, |row| row.name);
+    let mut table = Table::of_records("", rows).text(head, |row| row.name);
     for run in 0..runs {
         table = table.cell(&letter(run), align, move |row| {
             match row.values[run].as_str() {
@@ -68,7 +69,7 @@ pub fn channels_table(comparison: &Comparison) -> Table {
         .flat_map(|channel| (0..runs).map(move |run| (channel, run)))
         .collect();
     let cell = |text: Option<String>| text.map_or_else(Cell::none, Cell::plain);
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .text("channel", |(channel, run)| match run {
             0 => channel.id.to_string(),
             _ => String::new(),
@@ -101,7 +102,7 @@ pub fn channels_table(comparison: &Comparison) -> Table {
 #[must_use]
 pub fn validation_table(comparison: &Comparison) -> Table {
     let rows = &comparison.validation;
-    let mut table = Table::of("", rows)
+    let mut table = Table::of_records("", rows)
         .text("published value", |row| match &row.at {
             Some(at) => format!("{} ({} = {})", row.name, at.study, at.value),
             None => row.name.clone(),

@@ -44,7 +44,7 @@ pub struct Report {
 impl Report {
     /// A report of these blocks, with gaps before tables and between paragraphs.
     #[must_use]
-    pub fn of(blocks: Vec<Block>) -> Self {
+    pub fn of_blocks(blocks: Vec<Block>) -> Self {
         let mut report = Self::default();
         report.extend(blocks);
         report

@@ -344,7 +344,7 @@ impl FigureId {
 
     /// The figures that a run of this case has data for.
     #[must_use]
-    pub fn of(case: &Case) -> Vec<Self> {
+    pub fn of_case(case: &Case) -> Vec<Self> {
         let contents = CaseContents::new(case);
         let available = FIGURES
             .iter()

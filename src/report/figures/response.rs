@@ -86,7 +86,7 @@ fn field(source: &PlottedRun, from: f64, of: ResponseMapKind) -> Option<GridMap>
     let steady = all.get(begin..).filter(|steady| steady.len() > 2);
     let steady = steady.unwrap_or(&all);
     let mean = mean(steady, arc.len());
-    let plane = LinePlane::of(&mean);
+    let plane = LinePlane::nearest_to(&mean);
     let directions = match of {
         ResponseMapKind::OutOfPlane => vec![plane.normal; arc.len()],
         _ => plane.across(&mean),

@@ -2,7 +2,9 @@
 
 use super::{PlottedRun, body, named, of_lines, series, slots, values};
 use seacable_base::number;
-use seacable_display::chart::{Axis, AxisRange, Chart, Limit, LimitLine, Series, extent, fit};
+use seacable_display::chart::{
+    Axis, AxisRange, Chart, LimitLine, ReferenceLine, Series, extent, fit,
+};
 use seacable_model::case::ChannelQuantity;
 use seacable_runs::run::LineShape;
 
@@ -145,7 +147,10 @@ fn view(sources: &[PlottedRun], time: f64, view: ViewDirection) -> Chart {
 /// A chart of the vertical plane, still water marked.
 fn in_space(title: &str, series: Vec<Series>) -> Chart {
     Chart {
-        limits: vec![Limit::new("still water", LimitLine::Horizontal(0.0))],
+        limits: vec![ReferenceLine::new(
+            "still water",
+            LimitLine::Horizontal(0.0),
+        )],
         equal_scale: true,
         ..Chart::new(title, Axis::new("x", "m"), Axis::new("z", "m"), series)
     }

@@ -2,7 +2,7 @@
 
 use super::{FigureData, FigureId};
 use seacable_base::number::si;
-use seacable_display::chart::{Chart, Limit, LimitLine};
+use seacable_display::chart::{Chart, LimitLine, ReferenceLine};
 use seacable_model::case::{
     Case, ChannelQuantity, Material, Published, Seabed, Statistic, Subject,
 };
@@ -52,30 +52,30 @@ fn materials(case: &Case) -> Vec<(&str, &Material)> {
     all
 }
 
-fn breaking_loads(case: &Case) -> Vec<Limit> {
+fn breaking_loads(case: &Case) -> Vec<ReferenceLine> {
     let limit = |(name, material): (&str, &Material)| {
         let load = material.break_load_n?;
         let label = format!("{name} breaks at {}", si(load, "N"));
-        Some(Limit::new(label, LimitLine::Bound(load)))
+        Some(ReferenceLine::new(label, LimitLine::Bound(load)))
     };
     materials(case).into_iter().filter_map(limit).collect()
 }
 
-fn least_radii(case: &Case) -> Vec<Limit> {
+fn least_radii(case: &Case) -> Vec<ReferenceLine> {
     let limit = |(name, material): (&str, &Material)| {
         let radius = material.min_bend_radius_m?;
         let label = format!("least radius of {name}, {}", si(radius, "m"));
-        Some(Limit::new(label, LimitLine::Bound(1.0 / radius)))
+        Some(ReferenceLine::new(label, LimitLine::Bound(1.0 / radius)))
     };
     materials(case).into_iter().filter_map(limit).collect()
 }
 
 /// A level bed; a slope has no one height.
-fn bed(case: &Case) -> Vec<Limit> {
+fn bed(case: &Case) -> Vec<ReferenceLine> {
     let is_level = |bed: &&Seabed| bed.slope_deg.abs() <= 0.0 && bed.depth_file.is_none();
     let level = case.seabed.iter().filter(is_level);
     level
-        .map(|bed| Limit::new("sea bed", LimitLine::Bound(-bed.depth_m)))
+        .map(|bed| ReferenceLine::new("sea bed", LimitLine::Bound(-bed.depth_m)))
         .collect()
 }
 
@@ -86,7 +86,7 @@ fn published(
     data: &FigureData,
     quantities: &[ChannelQuantity],
     shown: &[String],
-) -> Vec<Limit> {
+) -> Vec<ReferenceLine> {
     let mut limits = Vec::new();
     for (i, value) in case.published.iter().enumerate() {
         let Subject::Channel(channel) = &value.channel else {
@@ -110,7 +110,7 @@ fn of_case(value: &Published) -> bool {
     value.at.is_none() && value.change_from.is_none() && value.ratio_to.is_none()
 }
 
-fn limit(value: &Published, duration: f64) -> Option<Limit> {
+fn limit(value: &Published, duration: f64) -> Option<ReferenceLine> {
     let label = format!("published: {}", value.name);
     let [from, to] = value.window_s.unwrap_or([0.0, duration]);
     let tolerance = tolerance(value.value, value.tolerance_rel, value.tolerance_abs);
@@ -130,5 +130,5 @@ fn limit(value: &Published, duration: f64) -> Option<Limit> {
         }
         _ => return None,
     };
-    Some(Limit::new(label, line))
+    Some(ReferenceLine::new(label, line))
 }

@@ -37,7 +37,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
             within,
             published.nth,
         );
-        let chart = of(&mut all, case, subject, row);
+        let chart = chart_of_subject(&mut all, case, subject, row);
         add(chart, "published", 0, (value, row.published));
         add(chart, "computed", 1, (value, row.computed));
     }
@@ -53,7 +53,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
             trend.within(),
             trend.nth,
         );
-        let chart = of(&mut all, case, subject, row);
+        let chart = chart_of_subject(&mut all, case, subject, row);
         for point in row.trend.iter().flat_map(|line| &line.points) {
             if let Some(value) = point.value.number() {
                 add(chart, "computed", 1, (value, point.computed));
@@ -69,7 +69,7 @@ pub fn along_studies(case: &Case, rows: &[ValidationRow]) -> Vec<Chart> {
 }
 
 /// The chart of this subject, made where it is not there yet.
-fn of<'a, 'c>(
+fn chart_of_subject<'a, 'c>(
     all: &'a mut Vec<(CurveKey<'c>, Chart)>,
     case: &Case,
     subject: CurveKey<'c>,

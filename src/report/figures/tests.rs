@@ -235,7 +235,7 @@ fn limits_and_published_values_are_drawn_where_the_case_states_them() {
 
 #[test]
 fn a_bound_beyond_the_plot_is_named_at_its_edge() {
-    use seacable_display::chart::{Axis, Glyphs, Limit, Series, draw};
+    use seacable_display::chart::{Axis, Glyphs, ReferenceLine, Series, draw};
     let series = vec![Series::new("top", 0, vec![(0.0, 0.0), (600.0, 2.0e6)])];
     let mut chart = Chart::new(
         "t",
@@ -244,9 +244,9 @@ fn a_bound_beyond_the_plot_is_named_at_its_edge() {
         series,
     );
     chart.limits = vec![
-        Limit::new("breaks", LimitLine::Bound(9e6)),
-        Limit::new("bed", LimitLine::Bound(-9e6)),
-        Limit::new(
+        ReferenceLine::new("breaks", LimitLine::Bound(9e6)),
+        ReferenceLine::new("bed", LimitLine::Bound(-9e6)),
+        ReferenceLine::new(
             "published",
             LimitLine::Band {
                 x: (300.0, 500.0),

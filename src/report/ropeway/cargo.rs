@@ -34,7 +34,7 @@ pub fn cargo(solved: &SolvedRopeway) -> Table {
         Err(error) => (Vec::new(), format!("No solution: {error}.")),
     };
     let title = "Motion of the cargo, one degree of freedom (eq. 12)";
-    Table::of(title, &rows)
+    Table::of_records(title, &rows)
         .text("", |row| row.0)
         .cell("value", Align::Decimal, |row| row.1.cell(Some(row.2)))
         .build()
@@ -106,7 +106,7 @@ struct CrossingSummary {
 
 impl CrossingSummary {
     /// Lowest height and greatest tension of a path.
-    fn of(places: impl Iterator<Item = (f64, f64)>) -> Self {
+    fn of_path(places: impl Iterator<Item = (f64, f64)>) -> Self {
         let (lowest, greatest) = places.fold((f64::INFINITY, 0.0_f64), |(low, high), (z, n)| {
             (low.min(z), high.max(n))
         });
@@ -169,7 +169,7 @@ fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [CrossingSumma
     let one = if own.is_empty() {
         CrossingSummary::default()
     } else {
-        CrossingSummary::of(own.iter().map(|s| (height - s.depth_m, most(s))))
+        CrossingSummary::of_path(own.iter().map(|s| (height - s.depth_m, most(s))))
     };
     [
         CrossingSummary {
@@ -182,9 +182,9 @@ fn crossings(solved: &SolvedRopeway, hauled: &[CrossingState]) -> [CrossingSumma
                 .line_frequency_hz(position)
                 .ok()
                 .map(|hz| TAU / (TAU * hz)),
-            ..CrossingSummary::of(hauled.iter().map(|h| (h.z_m, h.platform_n.max(h.ship_n))))
+            ..CrossingSummary::of_path(hauled.iter().map(|h| (h.z_m, h.platform_n.max(h.ship_n))))
         },
-        CrossingSummary::of(rest),
+        CrossingSummary::of_path(rest),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! Elevation of a ropeway as a chart: platform, ship, water, the rope and the cargo on it.
 
-use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Outline, Series};
+use seacable_display::chart::{Axis, Chart, LimitLine, Outline, ReferenceLine, Series};
 use seacable_systems::ropeway::unloaded::UnloadedRope;
 use seacable_systems::ropeway::{ModelResults, SolvedRopeway};
 
@@ -30,7 +30,7 @@ pub fn chart(solved: &SolvedRopeway, results: &ModelResults) -> Chart {
     let mut unloaded_rope = Series::new("unloaded rope", 5, unloaded(solved));
     unloaded_rope.dimmed = true;
     let crest = solved.ropeway.water.crest_m;
-    let crests = Limit::new("wave crest", LimitLine::Horizontal(crest));
+    let crests = ReferenceLine::new("wave crest", LimitLine::Horizontal(crest));
     let mut chart = Chart::new(
         &solved.ropeway.about.title,
         Axis::new("from the platform", "m").over((left, right)),

@@ -203,7 +203,7 @@ pub fn crossing(solved: &SolvedRopeway, places: usize) -> Table {
     let rests: Vec<_> = positions
         .filter_map(|p| solved.equilibrium(p).ok())
         .collect();
-    Table::of("Crossing of the cargo (exact)", &rests)
+    Table::of_records("Crossing of the cargo (exact)", &rests)
         .number("from the platform", METRES, |rest| rest.cargo_m.0)
         .number("sag at the cargo", METRES, |rest| rest.sag_m)
         .cell("clearance", Align::Decimal, |rest| {
@@ -224,7 +224,7 @@ pub fn ropes(solved: &SolvedRopeway, results: &ModelResults) -> Table {
     let sum: f64 = solved.ropeway.ropes.iter().map(|r| r.mass_kg_per_m).sum();
     let used = solved.rope.weight_n_per_m / solved.ropeway.about.gravity_m_per_s2;
     let title = "Ropes, with their shares of the greatest tension";
-    Table::of(title, &solved.ropeway.ropes)
+    Table::of_records(title, &solved.ropeway.ropes)
         .text("rope", |rope| &rope.name)
         .number("diameter", NumberFormat::Decimals(1, "mm"), |rope| {
             1e3 * rope.diameter_m
@@ -250,7 +250,7 @@ pub fn ropes(solved: &SolvedRopeway, results: &ModelResults) -> Table {
 /// The difference between the finite-element check and the model, by its causes; absent without a check.
 #[must_use]
 pub fn weight_check(solved: &SolvedRopeway) -> Option<Table> {
-    let check = WeightCheck::of(solved).ok()?;
+    let check = WeightCheck::of_ropeway(solved).ok()?;
     let model_n = check.lighter.max_tension_n;
     let rows = [
         ("end tension of the check", check.tension_n),
@@ -260,7 +260,7 @@ pub fn weight_check(solved: &SolvedRopeway) -> Option<Table> {
         ("remainder with equal rope weights", check.remainder_n()),
     ];
     let heavier = check.model.rope.weight_n() / check.lighter.rope.weight_n() - 1.0;
-    let table = Table::of("Difference to the finite-element check", &rows)
+    let table = Table::of_records("Difference to the finite-element check", &rows)
         .text("", |row| row.0)
         .number("tension", NEWTONS, |row| row.1)
         .number("ratio", NumberFormat::Percent, |row| {

@@ -39,7 +39,7 @@ pub fn hauling(solved: &SolvedRopeway) -> Table {
         "Hauling the unloaded rope out to the ship, length {}",
         metres(solved.length_m)
     );
-    Table::of(title, &haul(&solved.rope, solved.length_m, 8))
+    Table::of_records(title, &haul(&solved.rope, solved.length_m, 8))
         .number("from the platform", METRES, |haul| haul.distance_m)
         .number("end tension", NEWTONS, |haul| haul.ship_n)
         .number("horizontal component", NEWTONS, |haul| haul.horizontal_n)
@@ -111,7 +111,7 @@ struct HeldRope<'a> {
 }
 
 impl HeldRope<'_> {
-    fn of(&self, quantity: fn(&WinchSample) -> f64) -> Statistics {
+    fn statistics(&self, quantity: fn(&WinchSample) -> f64) -> Statistics {
         statistics(self.samples, quantity)
     }
 
@@ -130,10 +130,10 @@ pub fn winch(solved: &SolvedRopeway, run: &WinchRun, motion: Option<&RopeMotion>
     let held = ways(run).into_iter().zip(moving(motion));
     let held = held.map(|(samples, moving)| samples.map(|samples| HeldRope { samples, moving }));
     let columns: Vec<(&str, Option<HeldRope<'_>>)> = WAYS.into_iter().zip(held).collect();
-    let ship = |m: HeldRope<'_>| m.of(|x| x.ship_n);
-    let length = |m: HeldRope<'_>| m.of(|x| x.length_m);
-    let speed = |m: HeldRope<'_>| m.of(|x| x.speed_m_per_s);
-    let power = |m: HeldRope<'_>| m.of(|x| x.power_w);
+    let ship = |m: HeldRope<'_>| m.statistics(|x| x.ship_n);
+    let length = |m: HeldRope<'_>| m.statistics(|x| x.length_m);
+    let speed = |m: HeldRope<'_>| m.statistics(|x| x.speed_m_per_s);
+    let power = |m: HeldRope<'_>| m.statistics(|x| x.power_w);
     let range = |of: Statistics| of.max - of.min;
     let mut table = Table::compare("The rope on the moving ship", "", &columns)
         .number("tension at the ship, minimum", NEWTONS, |m| ship(m).min)
@@ -152,7 +152,9 @@ pub fn winch(solved: &SolvedRopeway, run: &WinchRun, motion: Option<&RopeMotion>
             .number("in motion, greatest rope speed", SPEED, |m| m.moving(4));
     }
     table
-        .number("cargo depth, range", METRES, |m| range(m.of(|x| x.depth_m)))
+        .number("cargo depth, range", METRES, |m| {
+            range(m.statistics(|x| x.depth_m))
+        })
         .number("rope length, minimum", METRES, |m| length(m).min)
         .number("rope length, maximum", METRES, |m| length(m).max)
         .number("paying out speed, maximum", SPEED, |m| {

@@ -41,7 +41,7 @@ pub fn layers(design: &Design) -> Table {
     let shells = design.layout.shells.iter().map(layer);
     let layers: Vec<LayerRow<'_>> = centre.chain(shells).collect();
     let around = |layer: &LayerRow<'_>, of: fn(&Helix) -> f64| layer.helix.map(of);
-    Table::of("Layers, from the inside out", &layers)
+    Table::of_records("Layers, from the inside out", &layers)
         .text("layer", |layer| layer.name)
         .text("made of", |layer| &layer.made_of)
         .text("lay angle", |layer| &layer.angle)
@@ -123,7 +123,7 @@ pub fn stiffness(design: &Design) -> Table {
     let mut rows = tension_and_torsion(design);
     rows.extend(bending(design));
     let cell = |row: &StiffnessRow, core: usize| row.format.cell(Some(row.values[core]));
-    Table::of("Stiffness", &rows)
+    Table::of_records("Stiffness", &rows)
         .text("quantity", |row| row.name)
         .cell("rigid core, Theta = 0", Align::Decimal, |row| cell(row, 0))
         .cell("incompressible core, Theta = 1", Align::Decimal, |row| {
@@ -138,13 +138,13 @@ pub fn stiffness(design: &Design) -> Table {
 }
 
 /// Name, format and value of a coefficient of the stiffness matrix.
-type Coefficient = (&'static str, NumberFormat, fn(&StiffnessMatrix) -> f64);
+type StiffnessCoefficient = (&'static str, NumberFormat, fn(&StiffnessMatrix) -> f64);
 
 fn tension_and_torsion(design: &Design) -> Vec<StiffnessRow> {
     const N: NumberFormat = NumberFormat::Si("N");
     const NM: NumberFormat = NumberFormat::Si("N m");
     let has_core = design.layout.centre.is_some();
-    let quantities: [Coefficient; 6] = [
+    let quantities: [StiffnessCoefficient; 6] = [
         ("EA, ends fixed", N, |m| m.ea(EndRotation::Fixed)),
         ("EA, ends free to rotate", N, |m| m.ea(EndRotation::Free)),
         (
@@ -285,7 +285,7 @@ pub fn summary(design: &Design) -> Table {
         ),
     ];
     facts.extend(strength(design));
-    Table::of("The cable as a whole", &facts)
+    Table::of_records("The cable as a whole", &facts)
         .text("quantity", |fact| fact.0)
         .cell("value", Align::Decimal, |fact| Cell::plain(&fact.1))
         .text("basis", |fact| &fact.2)
@@ -339,7 +339,7 @@ pub fn load_sharing(design: &Design, core: Core, twist: EndRotation, tension: f6
         ends(twist)
     );
     let known = |value: Option<String>| Cell::plain(value.unwrap_or_else(|| "unknown".to_owned()));
-    Table::of(title, &load_shares(&design.layout, core, twist, tension))
+    Table::of_records(title, &load_shares(&design.layout, core, twist, tension))
         .text("layer", |share| &share.layer)
         .text("unit", |share| &share.unit)
         .count("count", |share| share.count)

@@ -61,7 +61,7 @@ pub fn statistics(coupled: &CoupledAnalysis) -> Table {
     let channels: Vec<usize> = (0..CHANNELS.len()).collect();
     let of = |i: &usize| &coupled.statistics[*i];
     let error = |errors: &Option<Vec<f64>>, i: usize| errors.as_ref().map(|errors| errors[i]);
-    Table::of(title, &channels)
+    Table::of_records(title, &channels)
         .text("channel", |i| {
             format!("{} [{}]", CHANNELS[*i].0, CHANNELS[*i].1)
         })
@@ -116,7 +116,7 @@ pub fn decay(coupled: &CoupledAnalysis) -> Table {
         ("linearised (eq. 4)", decay.linear_s, decay.linear_ratio),
         ("time domain", decay.measured_s, decay.measured_ratio),
     ];
-    Table::of(title, &rows)
+    Table::of_records(title, &rows)
         .text("model", |row| row.0)
         .number("period", NumberFormat::Digits(5, "s"), |row| row.1)
         .number("amplitude ratio of a period", NumberFormat::Percent, |row| row.2)

@@ -7,7 +7,7 @@ use seacable_display::chart::{Axis, Chart, Series};
 use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use seacable_numerics::statistics::{Statistics, expected_gaussian_maximum};
 use seacable_physics::sea::{DEGREES, Moments};
-use seacable_systems::ship::motion::{DegreeOfFreedom, NarrowBand};
+use seacable_systems::ship::motion::{DegreeOfFreedom, SparseBand};
 use seacable_systems::ship::quantities::{UNITS, scale};
 use seacable_systems::ship::{MotionAnalysis, WaveRealisation};
 
@@ -113,7 +113,7 @@ pub fn statistics(analysis: &MotionAnalysis, seed: u64) -> Table {
     } else {
         "Motions of different degrees of freedom are independent: their statistics do not determine their phases."
     };
-    Table::of(title, &rows)
+    Table::of_records(title, &rows)
         .text("motion", |row| row.name.as_str())
         .number("target rms", FOUR, |row| row.scaled(row.target_rms))
         .number("rms", FOUR, |row| row.scaled(row.record.rms))
@@ -177,7 +177,7 @@ pub fn spectra(analysis: &MotionAnalysis) -> Table {
     let error = |row: &SpectrumComparison<'_>| {
         (row.target.m0 > 0.0).then(|| row.realised.m0 / row.target.m0 - 1.0)
     };
-    Table::of("Spectra: target and record", &rows)
+    Table::of_records("Spectra: target and record", &rows)
         .text("motion", |row| row.name.as_str())
         .number("target m0", MOMENT, |row| row.target.m0)
         .number("m0", MOMENT, |row| row.realised.m0)
@@ -225,7 +225,7 @@ fn notes(analysis: &MotionAnalysis) -> Vec<String> {
 }
 
 /// The warning that a band has too few frequencies in the record.
-fn too_narrow(narrow: &NarrowBand) -> String {
+fn too_narrow(narrow: &SparseBand) -> String {
     let (low, high) = narrow.band.edges();
     let frequencies = match narrow.frequencies {
         1 => "1 frequency".to_owned(),

@@ -29,7 +29,7 @@ pub fn chart(statics: &StaticAnalysis, chosen: usize) -> Chart {
             ..Series::new(&label, i, ship(statics, equilibrium))
         });
     }
-    let frame = DrawnExtent::of(&series, statics.ship.ship.length_m);
+    let frame = DrawnExtent::of_ships(&series, statics.ship.ship.length_m);
     let anchor = cross(0.04 * frame.radius);
     series.push(Series::new("anchor", equilibria.len(), anchor));
     for (i, load) in statics.loads.each.iter().enumerate() {
@@ -72,7 +72,7 @@ struct DrawnExtent {
 }
 
 impl DrawnExtent {
-    fn of(ships: &[Series], length: f64) -> Self {
+    fn of_ships(ships: &[Series], length: f64) -> Self {
         let points = || ships.iter().flat_map(|one| &one.points);
         let (x, y) = (
             extent(points().map(|p| p.0)).unwrap_or((0.0, 0.0)),

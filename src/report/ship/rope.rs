@@ -73,7 +73,7 @@ pub fn table(rope: &RopeAnalysis) -> Table {
     });
     let winch = kept.and_then(|kept| kept.as_ref().ok());
     let winch = winch.map(|samples| winch_notes(samples, rope.winch.tension_n));
-    statistics(Table::of(title, &rows).text("rope", |row| row.0), of)
+    statistics(Table::of_records(title, &rows).text("rope", |row| row.0), of)
         .build()
         .noted(failures)
         .noted(winch.into_iter().flatten())
@@ -137,7 +137,7 @@ pub fn dynamic_table(rope: &RopeAnalysis) -> Option<Table> {
         ("dynamic solver", b),
         ("difference", std::array::from_fn(|i| b[i] - a[i])),
     ];
-    let columns = Table::of(title, &rows).text("tension at the ship", |row| row.0);
+    let columns = Table::of_records(title, &rows).text("tension at the ship", |row| row.0);
     let table = statistics(columns, |row: &(&str, [f64; 5])| Some(row.1))
         .build()
         .noted(dynamic_notes(dynamic, quasi_static.deviation));

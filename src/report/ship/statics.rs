@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use nalgebra::Complex;
 
 use seacable_base::number::{digits, si};
-use seacable_display::chart::{Axis, Chart, Limit, LimitLine, Series};
+use seacable_display::chart::{Axis, Chart, LimitLine, ReferenceLine, Series};
 use seacable_display::table::{Align, Cell, CellStyle, NumberFormat, Table};
 use seacable_systems::ship::loads::PlanarLoad;
 use seacable_systems::ship::mooring::MooringSolution;
@@ -51,13 +51,13 @@ pub fn moments(statics: &StaticAnalysis) -> Chart {
     }
 }
 
-fn marks(statics: &StaticAnalysis) -> Vec<Limit> {
+fn marks(statics: &StaticAnalysis) -> Vec<ReferenceLine> {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
     let headings = equilibria.iter().map(|one| {
         let heading = LimitLine::Vertical(one.yaw.heading.to_degrees());
-        Limit::new(one.yaw.stability.label(), heading)
+        ReferenceLine::new(one.yaw.stability.label(), heading)
     });
-    std::iter::once(Limit::new("", LimitLine::Horizontal(0.0)))
+    std::iter::once(ReferenceLine::new("", LimitLine::Horizontal(0.0)))
         .chain(headings)
         .collect()
 }
@@ -66,7 +66,7 @@ fn marks(statics: &StaticAnalysis) -> Vec<Limit> {
 #[must_use]
 pub fn headings(statics: &StaticAnalysis) -> Table {
     let equilibria = statics.equilibria.as_deref().unwrap_or_default();
-    Table::of("Equilibrium headings (eqs. 1 and 2)", equilibria)
+    Table::of_records("Equilibrium headings (eqs. 1 and 2)", equilibria)
         .number("heading", DEGREES, |one| one.yaw.heading)
         .cell("static stability", Align::Left, |one| static_stability(one.yaw.stability))
         .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
@@ -140,7 +140,7 @@ pub fn eigenvalues(statics: &StaticAnalysis) -> Option<Table> {
         let roots = one.dynamics.as_ref().and_then(PlanarDynamics::eigenvalues);
         roots.map_or_else(|| "-".to_owned(), |roots| complex(&roots))
     };
-    let table = Table::of("Dynamic stability of each heading (eq. 4 in the horizontal plane)", equilibria)
+    let table = Table::of_records("Dynamic stability of each heading (eq. 4 in the horizontal plane)", equilibria)
         .number("heading", DEGREES, |one| one.yaw.heading)
         .cell("dynamic stability", Align::Left, |one| dynamic_stability(one.dynamic_stability()))
         .number("period", SECONDS, |one| times(one)?.0)
@@ -184,7 +184,7 @@ pub fn loads(statics: &StaticAnalysis) -> Option<Table> {
         let vanishes = *name == "total" && moment.abs() < rounding;
         if vanishes { 0.0 } else { moment }
     };
-    let table = Table::of(
+    let table = Table::of_records(
         format!("Environmental loads at {}", degrees(heading)),
         &rows,
     )
@@ -223,7 +223,7 @@ pub fn mooring(statics: &StaticAnalysis) -> Option<Table> {
         )
     });
     let title = format!("Mooring line at {}", degrees(equilibrium.yaw.heading));
-    let table = Table::of(title, &facts)
+    let table = Table::of_records(title, &facts)
         .text("quantity", |fact| fact.0)
         .text("value", |fact| fact.1.clone())
         .build()

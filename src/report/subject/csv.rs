@@ -24,7 +24,8 @@ impl ReportSubject<'_> {
                 ..
             }) => {
                 // Writing to memory does not fail.
-                let bytes = comparison::csv(&Comparison::of(&[other, run])).unwrap_or_default();
+                let bytes =
+                    comparison::csv(&Comparison::of_runs(&[other, run])).unwrap_or_default();
                 String::from_utf8_lossy(&bytes).into_owned()
             }
             Self::Run(subject) => written(&results(subject.run)),
@@ -47,7 +48,7 @@ fn results(run: &Run) -> Table {
         |value: Option<f64>| Cell::plain(value.map_or_else(String::new, |v| v.to_string()));
     let in_time = run.history.time.len() > 1;
     let unsettled = |end: usize| move |q: &Quantity| number(q.unsettled.map(|range| range[end]));
-    Table::of("", &run.summary)
+    Table::of_records("", &run.summary)
         .text("quantity", Quantity::name)
         .cell("value", Align::Right, |q| number(Some(q.value)))
         .text("unit", Quantity::unit)
@@ -81,7 +82,7 @@ fn cells(report: &Report) -> Table {
             _ => {}
         }
     }
-    Table::of("", &all)
+    Table::of_records("", &all)
         .text("table", |row| row[0].clone())
         .text("row", |row| row[1].clone())
         .text("column", |row| row[2].clone())

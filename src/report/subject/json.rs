@@ -47,7 +47,7 @@ fn of_run(subject: &RunSubject<'_>) -> Result<Value, Vec<Diagnostic>> {
     let checks = subject.verdict(&inputs).ok().flatten();
     object["checks"] = json!(checks.map(|found| found.to_json()));
     object["against"] = json!(subject.against.map(|other| {
-        let compared = Comparison::of(&[other, run]);
+        let compared = Comparison::of_runs(&[other, run]);
         json!({
             "run": other.info.id,
             "results": comparison::results_table(&compared, false).to_json(),

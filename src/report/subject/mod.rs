@@ -168,7 +168,7 @@ impl RunSubject<'_> {
     fn add_comparison(&self, report: &mut Report) {
         if let Some(other) = self.against {
             let runs = [other, self.run];
-            comparison::add(report, &Comparison::of(&runs), &runs, WIDTH);
+            comparison::add(report, &Comparison::of_runs(&runs), &runs, WIDTH);
         }
     }
 }

@@ -10,7 +10,7 @@ use seacable_systems::system::analysis::offset::OffsetPoint;
 use seacable_systems::system::analysis::periods::{NaturalModes, SystemMode};
 use seacable_systems::system::analysis::seek::Sought;
 use seacable_systems::system::analysis::watch_circle::WatchCircle;
-use seacable_systems::system::equilibrium::Equilibrium;
+use seacable_systems::system::equilibrium::SystemEquilibrium;
 use seacable_systems::system::model::GoalInputs;
 use seacable_systems::system::stability::Stability;
 
@@ -45,7 +45,7 @@ pub fn offsets(solved: &SolvedSystem, heading_deg: f64, points: &[OffsetPoint]) 
         if rounding { 0.0 } else { force }
     };
     let title = format!("Offset along {heading_deg} deg, height and angles held");
-    Table::of(title, points)
+    Table::of_records(title, points)
         .number("offset", METRES, distance)
         .number("restoring force", NEWTONS, towards)
         .number("down", NEWTONS, |p| -p.force_n.z)
@@ -92,7 +92,7 @@ pub fn offset_curve(solved: &SolvedSystem, curve: &OffsetCurve) -> Table {
 #[must_use]
 pub fn goals(goals: &[(GoalInputs, Result<Sought, String>)]) -> Table {
     let found = |sought: &Result<Sought, String>| sought.as_ref().ok().cloned();
-    let table = Table::of("Wanted results", goals)
+    let table = Table::of_records("Wanted results", goals)
         .text("result", |(goal, _)| goal.result.as_str())
         .number("wanted", DIGITS, |(goal, _)| goal.value)
         .number("comes to", DIGITS, |(_, sought)| {
@@ -153,7 +153,7 @@ pub fn watch_circle(solved: &SolvedSystem, circle: &WatchCircle) -> Table {
         "Watch circle under a steady load of {}, height and angles held",
         NEWTONS.write(circle.load_n)
     );
-    let mut table = Table::of(title, &rows)
+    let mut table = Table::of_records(title, &rows)
         .number("load towards", NumberFormat::Decimals(0, "deg"), |row| {
             row.heading
         })
@@ -238,7 +238,7 @@ pub fn watch_chart(solved: &SolvedSystem, circle: &WatchCircle) -> Chart {
 #[must_use]
 pub fn periods(solved: &SolvedSystem, found: &NaturalModes) -> Table {
     let finite = |mode: &SystemMode| mode.period_s.filter(|period| period.is_finite());
-    let table = Table::of(
+    let table = Table::of_records(
         "Natural periods of bodies and points on their lines",
         &found.modes,
     )
@@ -267,15 +267,15 @@ pub fn periods(solved: &SolvedSystem, found: &NaturalModes) -> Table {
 
 /// The equilibria found, the one that the report is of first: where the free bodies are, how each rests, what the lines carry.
 #[must_use]
-pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) -> Table {
+pub fn equilibria(solved: &SolvedSystem, others: &[(SystemEquilibrium, Stability)]) -> Table {
     let network = &solved.network;
     let first = (&solved.rest, &solved.stability);
     let others = others.iter().map(|(rest, how)| (rest, how));
-    let all: Vec<(&Equilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
+    let all: Vec<(&SystemEquilibrium, &Stability)> = std::iter::once(first).chain(others).collect();
     let free: Vec<usize> = (0..network.bodies.len())
         .filter(|body| network.bodies[*body].turns())
         .collect();
-    let mut table = Table::of("Equilibria that were found", &all)
+    let mut table = Table::of_records("Equilibria that were found", &all)
         .text("at rest", |(_, how)| match how {
             Stability::Stable => "stable".to_owned(),
             Stability::Neutral(along) => format!("neutral in {along}"),
@@ -286,7 +286,7 @@ pub fn equilibria(solved: &SolvedSystem, others: &[(Equilibrium, Stability)]) ->
         });
     for body in &free {
         let name = &network.bodies[*body].name;
-        let pose = |rest: &Equilibrium| rest.placement.bodies[*body];
+        let pose = |rest: &SystemEquilibrium| rest.placement.bodies[*body];
         let (places, angles) = (format!("{name}: x, y, z"), "roll, pitch, yaw");
         table = table
             .text(&places, |(rest, _)| {
@@ -322,7 +322,7 @@ pub fn clearances(solved: &SolvedSystem, distances: &[LineDistances]) -> Table {
     let numbered: Vec<(usize, &LineDistances)> = distances.iter().enumerate().collect();
     let bodies = &solved.network.bodies;
     let has_members = bodies.iter().any(|body| !body.members.is_empty());
-    Table::of("Clearances", &numbered)
+    Table::of_records("Clearances", &numbered)
         .text("line", |(k, _)| line_name(solved, *k))
         .number("least distance", METRES, |(_, from)| {
             from.line.map(|(_, distance)| distance)

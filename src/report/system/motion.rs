@@ -94,7 +94,7 @@ fn written(q: &Quantity) -> String {
 pub fn channels(run: &Run) -> Table {
     const SECONDS: NumberFormat = NumberFormat::Digits(6, "s");
     let rows = ChannelRow::all(run);
-    let mut table = Table::of("In motion", &rows)
+    let mut table = Table::of_records("In motion", &rows)
         .text("channel", |row| row.channel.name())
         .cell("least", Align::Left, |row| row.written(0))
         .number("at", SECONDS, |row| row.channel.trough.1)
@@ -126,7 +126,7 @@ pub fn along_lines(run: &Run) -> Table {
         find(line, quantity, statistic).map_or(f64::NAN, |q| q.value)
     };
     let lines: Vec<&Profile> = run.profiles.iter().collect();
-    let mut table = Table::of("Along the lines", &lines)
+    let mut table = Table::of_records("Along the lines", &lines)
         .text("line", |line| line.line.clone())
         .cell("least tension", Align::Left, |line| {
             cell(line, LineQuantity::Tension, Statistic::Min)
@@ -258,7 +258,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     inputs(&mut page, fields, !about.source.trim().is_empty());
     page.heading("Results");
     results(&mut page, run);
-    let rows = validation::rows_of(solved, &ComparedRun::of(run));
+    let rows = validation::rows_of(solved, &ComparedRun::of_run(run));
     if !rows.is_empty() {
         page.heading("Published values");
         text::add_validation(&mut page, &rows);

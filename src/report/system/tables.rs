@@ -111,7 +111,7 @@ pub fn lines(solved: &SolvedSystem) -> Table {
     let numbers: Vec<Numbered> = (0..network.lines.len()).collect();
     let at_rest = |k: &Numbered| &solved.rest.balance.lines[*k];
     let name = |point: usize| network.points[point].name.as_str();
-    let table = Table::of("Lines at rest", &numbers)
+    let table = Table::of_records("Lines at rest", &numbers)
         .text("line", |k| format!("{} {}", k + 1, network.lines[*k].name))
         .text("from", |k| name(network.lines[*k].from))
         .text("to", |k| name(network.lines[*k].to))
@@ -140,7 +140,7 @@ pub fn lines_beside(solved: &SolvedSystem) -> Table {
     let network = &solved.network;
     let numbers: Vec<Numbered> = (0..network.lines.len()).collect();
     let at_rest = |k: &Numbered| &solved.rest.balance.lines[*k];
-    Table::of("Lines at rest", &numbers)
+    Table::of_records("Lines at rest", &numbers)
         .text("line", |k| format!("{} {}", k + 1, network.lines[*k].name))
         .number("at from", NEWTONS, |k| at_rest(k).tensions()[0])
         .number("at to", NEWTONS, |k| at_rest(k).tensions()[1])
@@ -163,7 +163,7 @@ pub fn points(solved: &SolvedSystem) -> Table {
     let finer = solved.errors.finer();
     let finer_pulls = finer.map(|finer| loads::pulls(&finer.network, &finer.rest));
     let force = balanced(solved);
-    Table::of("Points", &numbers)
+    Table::of_records("Points", &numbers)
         .text("point", |k| network.points[*k].name.as_str())
         .text("held", |k| held(solved, *k))
         .number("x", METRES, |k| place(k).x)
@@ -225,7 +225,7 @@ pub fn bodies(solved: &SolvedSystem) -> Table {
         .map(|k| loads::on_body(network, &solved.rest, *k))
         .collect();
     let force = balanced(solved);
-    let table = Table::of("Bodies", &numbers)
+    let table = Table::of_records("Bodies", &numbers)
         .text("body", |k| network.bodies[*k].name.as_str())
         .text("held", |k| hold_of(&network.bodies[*k]))
         .number("x", METRES, |k| pose(k).origin.x)

@@ -60,7 +60,7 @@ fn lines(rows: &[&FieldRow], sourced: bool) -> Table {
     }
     // The line of a group has its name alone.
     let unless = |heads_group: bool, cell: Cell| if heads_group { Cell::default() } else { cell };
-    Table::of("", &lines)
+    Table::of_records("", &lines)
         .text("input", |(row, heads_group)| match heads_group {
             true => format!("{}:", row.group),
             false => row.label.clone().into_owned(),

@@ -30,7 +30,7 @@ pub(super) fn add_summary(page: &mut Report, run: &Run) {
     }
     let rows = grouped(&run.summary, run.history.time.len() <= 1);
     let estimated = run.summary.iter().any(|q| q.error_estimate().is_some());
-    let table = Table::of("", &rows)
+    let table = Table::of_records("", &rows)
         .text("quantity", |row| row.name.as_str())
         .cell("value", Align::Decimal, |row| row.cell(value))
         .when(estimated, |table| {

@@ -14,7 +14,7 @@ pub(super) fn blocks(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Vec<
     if beside.is_empty() {
         return Vec::new();
     }
-    let table = Table::of("", &beside)
+    let table = Table::of_records("", &beside)
         .text("file", |file| file.file.to_owned())
         .cell("rows", Align::Right, |file| {
             Cell::plain(file.rows.len().to_string())
@@ -68,7 +68,7 @@ fn differing(files: &[&FileRows<'_>]) -> Option<Block> {
         let reason = row.reason.as_ref()?;
         Some(format!("[{number}] {}", reason.trim()))
     });
-    let table = Table::of("Rows of these that are outside their tolerance", &off)
+    let table = Table::of_records("Rows of these that are outside their tolerance", &off)
         .text("row", |(number, (file, row))| {
             format!("[{number}] {file}: {}", row.name)
         })

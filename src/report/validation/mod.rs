@@ -30,7 +30,7 @@ pub enum Extent {
 /// The page.
 #[must_use]
 pub fn page(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>], extent: Extent) -> Report {
-    let mut page = Report::of(summary::blocks(files, papers));
+    let mut page = Report::of_blocks(summary::blocks(files, papers));
     if extent == Extent::Summary {
         return page;
     }

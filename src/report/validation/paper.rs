@@ -29,10 +29,10 @@ pub(super) fn blocks(paper: &JudgedPaper<'_>, files: &[FileRows<'_>], details: b
         Block::Paragraph(about.cite.clone()),
         Block::Paragraph(counts(paper)),
     ];
-    let lines: Vec<Line<'_>> = paper
+    let lines: Vec<StatementLine<'_>> = paper
         .statements
         .iter()
-        .map(|one| Line::of(one, files))
+        .map(|one| StatementLine::of_statement(one, files))
         .collect();
     let of = |wanted: &dyn Fn(&Answer) -> bool| {
         let chosen = lines.iter().filter(|line| wanted(&line.judged.answer));
@@ -80,14 +80,14 @@ fn counts(paper: &JudgedPaper<'_>) -> String {
 }
 
 /// A statement with the row that is farthest off among those that test it.
-struct Line<'a> {
+struct StatementLine<'a> {
     judged: &'a JudgedStatement<'a>,
     row: Option<&'a ValidationRow>,
     second: Option<&'a ValidationRow>,
 }
 
-impl<'a> Line<'a> {
-    fn of(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
+impl<'a> StatementLine<'a> {
+    fn of_statement(judged: &'a JudgedStatement<'a>, files: &[FileRows<'a>]) -> Self {
         let farthest = |names: &Option<Vec<String>>| {
             let rows = names.iter().flatten().filter_map(|name| row(name, files));
             let fails = |row: &ValidationRow| row.outcome != Outcome::Pass;
@@ -114,14 +114,14 @@ fn distance(row: &ValidationRow) -> f64 {
 }
 
 /// Statements without agreement, the farthest off first, each reason once.
-fn unanswered(title: &str, mut lines: Vec<&Line<'_>>) -> Vec<Block> {
+fn unanswered(title: &str, mut lines: Vec<&StatementLine<'_>>) -> Vec<Block> {
     if lines.is_empty() {
         return Vec::new();
     }
-    let far = |line: &Line<'_>| line.row.map_or(0.0, distance);
+    let far = |line: &StatementLine<'_>| line.row.map_or(0.0, distance);
     lines.sort_by(|a, b| far(b).total_cmp(&far(a)));
     let mut reasons: Vec<&str> = Vec::new();
-    let numbered: Vec<(usize, &Line<'_>)> = lines
+    let numbered: Vec<(usize, &StatementLine<'_>)> = lines
         .into_iter()
         .map(|line| {
             let reason = match &line.judged.answer {
@@ -145,7 +145,7 @@ fn unanswered(title: &str, mut lines: Vec<&Line<'_>>) -> Vec<Block> {
     let has_second = numbered
         .iter()
         .any(|(_, line)| line.judged.second.is_some());
-    let mut table = Table::of(title, &numbered)
+    let mut table = Table::of_records(title, &numbered)
         .text("printed", |(_, line)| line.says())
         .cell("computed", Align::Right, |(_, line)| {
             line.row.map_or_else(Cell::none, table::computed)
@@ -172,7 +172,7 @@ fn tolerances(row: Option<&ValidationRow>) -> Cell {
 }
 
 /// What a second reading gives: its difference, and whether that is within the tolerance.
-fn second(line: &Line<'_>) -> Cell {
+fn second(line: &StatementLine<'_>) -> Cell {
     let (Some(answer), Some(row)) = (&line.judged.second, line.second) else {
         return Cell::default();
     };
@@ -185,8 +185,8 @@ fn second(line: &Line<'_>) -> Cell {
 }
 
 /// Statements that agree, a line each.
-fn results(title: &str, lines: &[&Line<'_>]) -> Table {
-    Table::of(title, lines)
+fn results(title: &str, lines: &[&StatementLine<'_>]) -> Table {
+    Table::of_records(title, lines)
         .text("printed", |line| line.says())
         .cell("computed", Align::Right, |line| {
             line.row.map_or_else(Cell::none, table::computed)
@@ -202,7 +202,7 @@ fn results(title: &str, lines: &[&Line<'_>]) -> Table {
 }
 
 /// The notes of the rows, each once.
-fn notes(lines: &[&Line<'_>]) -> impl Iterator<Item = String> {
+fn notes(lines: &[&StatementLine<'_>]) -> impl Iterator<Item = String> {
     let mut said: Vec<String> = Vec::new();
     for line in lines {
         let Some(note) = line.row.and_then(|row| row.note.as_deref()) else {
@@ -229,7 +229,7 @@ fn inputs_and_equations(statements: &[JudgedStatement<'_>]) -> Vec<Block> {
     let mut blocks = Vec::new();
     let equations = of(&|a| *a == Answer::Equation);
     if !equations.is_empty() {
-        let table = Table::of("Equations and methods", &equations)
+        let table = Table::of_records("Equations and methods", &equations)
             .text("printed", says)
             .text("code", |one| one.statement.code.clone().unwrap_or_default())
             .text("test", |one| one.statement.test.clone().unwrap_or_default())
@@ -238,7 +238,7 @@ fn inputs_and_equations(statements: &[JudgedStatement<'_>]) -> Vec<Block> {
     }
     let inputs = of(&|a| *a == Answer::Input);
     if !inputs.is_empty() {
-        let table = Table::of("Inputs", &inputs)
+        let table = Table::of_records("Inputs", &inputs)
             .text("printed", says)
             .text("key", |one| one.statement.input.clone().unwrap_or_default())
             .build();

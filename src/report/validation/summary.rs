@@ -75,7 +75,7 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
         };
         Cell::new(format!("{}{second}", counts.not_reproduced), ink)
     };
-    Table::of("", &counted)
+    Table::of_records("", &counted)
         .text("paper", |(title, _)| (*title).to_owned())
         .cell("all", Align::Right, |(_, n)| count(n.printed))
         .cell("predicted", Align::Right, |(_, n)| count(n.predicted))
@@ -99,25 +99,25 @@ fn of_papers(papers: &[JudgedPaper<'_>]) -> Table {
 }
 
 /// Rows of one origin, by kind.
-struct Origin {
+struct OriginRows {
     name: &'static str,
     of: fn(&ValidationRow, bool) -> bool,
 }
 
-const ORIGINS: [Origin; 4] = [
-    Origin {
+const ORIGINS: [OriginRows; 4] = [
+    OriginRows {
         name: "rows of the papers' files",
         of: |row, paper| paper && row.kind != RowKind::ClosedForm,
     },
-    Origin {
+    OriginRows {
         name: "other programs and measurements",
         of: |row, paper| !paper && row.kind.is_evidence(),
     },
-    Origin {
+    OriginRows {
         name: "of these other files, fitted or echoed",
         of: |row, paper| !paper && matches!(row.kind, RowKind::Fitted | RowKind::Echoed),
     },
-    Origin {
+    OriginRows {
         name: "closed forms of our own",
         of: |row, _| row.kind == RowKind::ClosedForm,
     },
@@ -140,7 +140,7 @@ fn of_rows(files: &[FileRows<'_>], papers: &[JudgedPaper<'_>]) -> Table {
         let n = rows.iter().filter(|row| row.outcome == outcome).count();
         Cell::new(n.to_string(), if n == 0 { CellStyle::Dim } else { ink })
     };
-    Table::of("", &origins)
+    Table::of_records("", &origins)
         .text("rows of tables", |(name, _)| (*name).to_owned())
         .cell("all", Align::Right, |(_, rows)| {
             Cell::plain(rows.len().to_string())

@@ -1,12 +1,12 @@
 //! The least and the greatest of every result over the points of a variation.
 
-use super::{ResultColumn, ResultView, VariationView};
+use super::{OutcomeColumn, ResultView, VariationView};
 use seacable_base::number::si;
 use seacable_display::table::{Align, Cell, Table};
 
 /// A result over all points that have it.
-struct Extremes<'a> {
-    of: &'a ResultColumn,
+struct ResultExtremes<'a> {
+    of: &'a OutcomeColumn,
     least: (usize, &'a ResultView),
     greatest: (usize, &'a ResultView),
     mean: f64,
@@ -18,7 +18,8 @@ impl VariationView<'_> {
     #[must_use]
     pub fn extremes(&self) -> Table {
         let places = 0..self.results.len();
-        let rows: Vec<Extremes<'_>> = places.filter_map(|place| self.extremes_of(place)).collect();
+        let rows: Vec<ResultExtremes<'_>> =
+            places.filter_map(|place| self.extremes_of(place)).collect();
         let weighted = self.variation.probability.is_some();
         let mean = if weighted {
             "mean by probability"
@@ -27,7 +28,7 @@ impl VariationView<'_> {
         };
         let all = self.outcomes.len();
         let missing = rows.iter().any(|row| row.count < all);
-        Table::of("Extremes", &rows)
+        Table::of_records("Extremes", &rows)
             .text("result", |row| row.of.name.clone())
             .cell("least", Align::Decimal, |row| {
                 Cell::plain(row.least.1.text.clone())
@@ -44,7 +45,7 @@ impl VariationView<'_> {
             .noted(missing.then(|| format!("Of the points that have results, not all {all}.")))
     }
 
-    fn extremes_of(&self, place: usize) -> Option<Extremes<'_>> {
+    fn extremes_of(&self, place: usize) -> Option<ResultExtremes<'_>> {
         let points = self.outcomes.iter().enumerate();
         let found: Vec<(usize, &ResultView)> = points
             .filter_map(|(point, outcome)| Some((point, outcome.result(place)?)))
@@ -61,7 +62,7 @@ impl VariationView<'_> {
                 let weight = weight(*point);
                 (sum + weight * result.value, all + weight)
             });
-        Some(Extremes {
+        Some(ResultExtremes {
             of: &self.results[place],
             least: *found.iter().min_by(by_value)?,
             greatest: *found.iter().max_by(by_value)?,

@@ -11,7 +11,7 @@ use seacable_studies::study::vary::Variation;
 
 /// A result that is shown.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ResultColumn {
+pub struct OutcomeColumn {
     /// Its name.
     pub name: String,
     /// Its unit.
@@ -87,7 +87,7 @@ impl PointView {
         Self {
             results: results
                 .iter()
-                .map(|id| run.result(id).map(ResultView::of))
+                .map(|id| run.result(id).map(ResultView::of_quantity))
                 .collect(),
             reason: run.failure().map(|why| ("FAILED", why.to_owned())),
             remark: (warnings > 0).then(|| format!("{warnings} warning{plural}")),
@@ -99,7 +99,7 @@ impl PointView {
 }
 
 impl ResultView {
-    fn of(quantity: &Quantity) -> Self {
+    fn of_quantity(quantity: &Quantity) -> Self {
         Self {
             value: quantity.value,
             error: quantity.error_estimate(),
@@ -134,7 +134,7 @@ impl<'a> VariationView<'a> {
         outcomes: &[Option<PointOutcome>],
         results: &[QuantityId],
     ) -> Self {
-        let columns = results.iter().map(|id| ResultColumn {
+        let columns = results.iter().map(|id| OutcomeColumn {
             name: id.to_string(),
             unit: id.unit(),
         });

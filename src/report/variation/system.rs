@@ -1,9 +1,9 @@
 //! The variation of a system of lines.
 
-use super::{PointView, ResultColumn, ResultView, VariationView};
+use super::{OutcomeColumn, PointView, ResultView, VariationView};
 use seacable_base::number::{si, with_error};
 use seacable_model::case::StudyValue;
-use seacable_studies::study::points::Point;
+use seacable_studies::study::points::StudyPoint;
 use seacable_studies::study::vary::Variation;
 use seacable_studies::study::vary::system::{SystemOutcome, SystemPoint, SystemResult};
 use seacable_systems::system::quantities::unit;
@@ -20,7 +20,7 @@ impl<'a> VariationView<'a> {
         outcomes: &[Option<SystemOutcome>],
         results: &[String],
     ) -> Self {
-        let columns = results.iter().map(|name| ResultColumn {
+        let columns = results.iter().map(|name| OutcomeColumn {
             name: name.clone(),
             unit: unit(name).to_owned(),
         });
@@ -39,7 +39,7 @@ impl<'a> VariationView<'a> {
 }
 
 /// The line that is lost at a point.
-fn lost_line(point: &Point) -> Option<&str> {
+fn lost_line(point: &StudyPoint) -> Option<&str> {
     let mut settings = point.settings.iter();
     let lost = settings.find(|setting| setting.key == "damage.lost_line")?;
     match &lost.value {

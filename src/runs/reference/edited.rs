@@ -15,9 +15,9 @@ pub(super) fn judge(rows: &mut [ValidationRow], case: &Case, edited: &[EditedKey
     if edited.is_empty() {
         return;
     }
-    let values = case.published.iter().map(Scope::of_value);
-    let trends = case.trend.iter().map(Scope::of_trend);
-    let curves = case.published_curve.iter().map(Scope::of_curve);
+    let values = case.published.iter().map(RowScope::of_value);
+    let trends = case.trend.iter().map(RowScope::of_trend);
+    let curves = case.published_curve.iter().map(RowScope::of_curve);
     for (row, scope) in rows.iter_mut().zip(values.chain(trends).chain(curves)) {
         let concern = |key: &&EditedKey| scope.concerns(case, &key.path);
         let keys: Vec<&EditedKey> = edited.iter().filter(concern).collect();
@@ -48,14 +48,14 @@ fn set_aside(row: &mut ValidationRow, keys: &[&EditedKey]) {
 }
 
 /// What a row is taken of.
-struct Scope<'a> {
+struct RowScope<'a> {
     /// The studies at whose points it is, each of which sets its key.
     studies: Vec<&'a str>,
     /// Whether it is of the whole run, however long that is.
     whole_run: bool,
 }
 
-impl<'a> Scope<'a> {
+impl<'a> RowScope<'a> {
     fn of_value(value: &'a Published) -> Self {
         // A change or a ratio is of two variants: what only one of them sets counts.
         let own = |at: &Option<StudyPoint>| at.as_ref().is_none_or(|at| same(at, &value.at));

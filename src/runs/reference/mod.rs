@@ -29,7 +29,7 @@ pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_history::PublishedHistory;
 pub use trend::{TrendStatement, compare_trend};
-pub use variant::{Variant, rows_of_run, variant};
+pub use variant::{StudyVariant, rows_of_run, variant};
 
 pub use crate::published::{
     CalibrationBasis, Outcome, PublishedNumber, RowKind, TrendLine, TrendPoint, ValidationRow,

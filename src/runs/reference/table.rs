@@ -16,7 +16,7 @@ pub fn table(rows: &[ValidationRow]) -> Table {
     let numbered: Vec<(usize, &ValidationRow)> = (1..).zip(rows).collect();
     let notes = numbered.iter();
     let notes = notes.map(|(number, row)| format!("[{number}] {}", note(row)));
-    Table::of("", &numbered)
+    Table::of_records("", &numbered)
         .text("quantity", |(number, row)| {
             format!("[{number}] {}", row.name)
         })
@@ -91,7 +91,7 @@ const PRINTED: i32 = 12;
 
 /// A number to so many digits, without trailing zeros.
 fn significant(value: f64, count: i32, unit: &str) -> String {
-    let scale = Scale::of(value, unit);
+    let scale = Scale::of_magnitude(value, unit);
     with_unit(
         &digits(rounded_to(value / scale.factor, count), count),
         scale,
@@ -116,9 +116,9 @@ fn to_step(value: f64, row: &ValidationRow) -> String {
 
 fn decimals_of_step(value: f64, step: f64, unit: &str) -> String {
     if value.abs() < 0.5 * step {
-        return with_unit("0", Scale::of(0.0, unit), unit);
+        return with_unit("0", Scale::of_magnitude(0.0, unit), unit);
     }
-    let scale = Scale::of(value, unit);
+    let scale = Scale::of_magnitude(value, unit);
     let decimals = if step > 0.0 {
         -order(step / scale.factor)
     } else {

@@ -8,7 +8,7 @@ use crate::{
 
 /// A case set to a point of one of its studies.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Variant {
+pub struct StudyVariant {
     /// Text of the case with the study's key set.
     pub text: String,
     /// What was set, as `key=value`.
@@ -19,7 +19,7 @@ pub struct Variant {
 ///
 /// # Errors
 /// The case has no such study, or does not take the value.
-pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<Variant, Vec<Diagnostic>> {
+pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<StudyVariant, Vec<Diagnostic>> {
     let Some(study) = case.study.iter().find(|s| s.name == at.study) else {
         return Err(vec![Diagnostic::whole_file(
             &case.case.title,
@@ -29,7 +29,7 @@ pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<Variant, Vec<
     };
     let text =
         edit::set_value(text, &study.key, &at.value).map_err(|diagnostic| vec![diagnostic])?;
-    Ok(Variant {
+    Ok(StudyVariant {
         text,
         overrides: vec![format!("{}={}", study.key, at.value)],
     })

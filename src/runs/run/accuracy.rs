@@ -74,7 +74,7 @@ pub(super) fn search<C: Searchable>(
     events: &mut dyn FnMut(JobEvent),
 ) -> Reached<C> {
     let accuracy = asked.accuracy;
-    let mut search = Search {
+    let mut search = AccuracySearch {
         own,
         accuracy,
         cancel,
@@ -107,7 +107,7 @@ pub(super) fn search<C: Searchable>(
 }
 
 /// A search while it lasts.
-struct Search<'a, C> {
+struct AccuracySearch<'a, C> {
     own: &'a C,
     accuracy: f64,
     cancel: &'a AtomicBool,
@@ -123,7 +123,7 @@ struct Search<'a, C> {
     idle: usize,
 }
 
-impl<C: Searchable> Search<'_, C> {
+impl<C: Searchable> AccuracySearch<'_, C> {
     /// Computes a level. Returns how fine the next one is, or why there is none.
     fn advance(&mut self, fineness: &Fineness) -> Result<Fineness, String> {
         self.computed += 1;
@@ -249,8 +249,8 @@ impl<C: Searchable> Search<'_, C> {
             error_estimate::by_companions(refinable, run, &known)
         })?;
         let duration = self.own.duration_s();
-        let allowed = AllowedErrors::of(duration, run, &estimates.summary, self.accuracy);
-        let shares = Shares::of(self.parts(), &allowed, &estimates.summary);
+        let allowed = AllowedErrors::of_run(duration, run, &estimates.summary, self.accuracy);
+        let shares = Shares::of_results(self.parts(), &allowed, &estimates.summary);
         let (best, share) = (self.reached(), shares.reached());
         self.idle = if share < GAIN * best {
             0

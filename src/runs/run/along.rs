@@ -93,7 +93,7 @@ impl AlongCount {
             bounds: scene.labels.joints.iter().map(|joint| joint.node).collect(),
             bends: scene.elements.flexure.is_some(),
         };
-        let plan = AlongPlan::of(&checks, &line);
+        let plan = AlongPlan::of_checks(&checks, &line);
         Some(Self::new(plan, scene.line_nodes(), case.statistics.from_s))
     }
 
@@ -219,7 +219,7 @@ mod tests {
             bounds: vec![0, 20],
             bends: true,
         };
-        let plan = AlongPlan::of(&checks, &line);
+        let plan = AlongPlan::of_checks(&checks, &line);
         assert!(plan.missing.is_empty(), "{:?}", plan.missing);
         let mut count = AlongCount::new(plan, scene.line_nodes(), 0.0);
         let mut state = scene.initial_state();
@@ -297,7 +297,7 @@ mod tests {
                 bounds: vec![0, 20],
                 bends: false,
             };
-            AlongPlan::of(&checks, &line)
+            AlongPlan::of_checks(&checks, &line)
         };
         let plan = check("dnv-studless-chain", None);
         assert_eq!((plan.spots.len(), plan.missing.len()), (21, 0));

@@ -86,7 +86,7 @@ impl ChannelStatistics {
             if let Some(arc) = between.channel(series.channel).within(series.window) {
                 match &mut series.summary {
                     Some(summary) => summary.add(&arc),
-                    none => *none = Some(SampleSummary::of(&arc)),
+                    none => *none = Some(SampleSummary::of_arc(&arc)),
                 }
             }
         }
@@ -229,7 +229,7 @@ impl SampleSummary {
         }
     }
 
-    fn of(arc: &Arc) -> Self {
+    fn of_arc(arc: &Arc) -> Self {
         let mut summary = Self::at(arc.first());
         summary.add(arc);
         summary

@@ -15,7 +15,7 @@ use super::RunState;
 use super::compute::Computed;
 use super::refinable::Refinable;
 use crate::numerics::richardson::Refinement;
-pub use pairs::Place;
+pub use pairs::CompanionRefinement;
 pub(super) use pairs::{CRISIS, Coarsening, named};
 use pairs::{
     Pairs, RUN, asks_for_nearest, at, coarsens, finer_mesh, has_mesh, has_third, is_single_step,
@@ -61,7 +61,7 @@ pub(super) struct Companions<'a> {
     case: &'a dyn Refinable,
     run: &'a Computed,
     cancel: &'a AtomicBool,
-    computed: Vec<(Place, Cow<'a, Computed>)>,
+    computed: Vec<(CompanionRefinement, Cow<'a, Computed>)>,
     time: Option<Pairs>,
     /// Absent where nothing is divided into segments.
     mesh: Option<Pairs>,
@@ -69,7 +69,11 @@ pub(super) struct Companions<'a> {
 
 impl<'a> Companions<'a> {
     /// Computes those that the case names, or those that tell the errors at the least cost, side by side where there are cores.
-    pub(super) fn of(case: &'a dyn Refinable, run: &'a Computed, cancel: &'a AtomicBool) -> Self {
+    pub(super) fn of_run(
+        case: &'a dyn Refinable,
+        run: &'a Computed,
+        cancel: &'a AtomicBool,
+    ) -> Self {
         if let Some(coarsenings) = named(case) {
             return Self::coarsened_by(case, run, &coarsenings, &[], cancel);
         }
@@ -164,8 +168,8 @@ impl<'a> Companions<'a> {
     }
 
     /// Computes the companions at these places that are not there yet.
-    fn compute(&mut self, places: &[Place]) {
-        let mut missing: Vec<Place> = Vec::new();
+    fn compute(&mut self, places: &[CompanionRefinement]) {
+        let mut missing: Vec<CompanionRefinement> = Vec::new();
         for place in places {
             let known = self.computed.iter().any(|(known, _)| known == place);
             if *place != RUN && !known && !missing.contains(place) {
@@ -179,7 +183,7 @@ impl<'a> Companions<'a> {
         self.computed.extend(computed.collect::<Vec<_>>());
     }
 
-    fn at(&self, place: Place) -> Option<&Computed> {
+    fn at(&self, place: CompanionRefinement) -> Option<&Computed> {
         if place == RUN {
             return Some(self.run);
         }
@@ -187,7 +191,7 @@ impl<'a> Companions<'a> {
         found.map(|(_, computed)| computed.as_ref())
     }
 
-    fn done(&self, pair: Option<[Place; 2]>) -> Option<[&Computed; 2]> {
+    fn done(&self, pair: Option<[CompanionRefinement; 2]>) -> Option<[&Computed; 2]> {
         let [fine, coarse] = pair?.map(|place| self.at(place));
         let pair = [fine?, coarse?];
         let all = pair.iter().all(|run| run.outcome.state == RunState::Done);
@@ -195,7 +199,7 @@ impl<'a> Companions<'a> {
     }
 
     /// Whether a pair is complete, or there is none.
-    fn are_done(&self, pair: Option<[Place; 2]>) -> bool {
+    fn are_done(&self, pair: Option<[CompanionRefinement; 2]>) -> bool {
         pair.is_none() || self.done(pair).is_some()
     }
 

@@ -171,7 +171,7 @@ fn evaluate(
         steps,
         &frequencies,
     ));
-    let steady = steady_state::settling_quantity(AskedResponse::of(case), &record.shapes);
+    let steady = steady_state::settling_quantity(AskedResponse::of_case(case), &record.shapes);
     computed.modes.extend(steady);
     computed.curves = published_curve::differences(case, &record.history);
     computed

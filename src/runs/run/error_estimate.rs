@@ -43,7 +43,7 @@ impl HistoryPair {
         Self { histories, factor }
     }
 
-    fn of(evidence: &Evidence<'_>) -> Self {
+    fn of_evidence(evidence: &Evidence<'_>) -> Self {
         let histories = evidence.near.map(|run| run.record.history.clone());
         Self::new(histories, evidence.presumed(1.0))
     }
@@ -72,7 +72,7 @@ pub fn without_errors(run: &Computed) -> ErrorEstimates {
 /// Runs the companions and estimates the errors of all single numbers. Where too many results do not approach each other from
 /// companion to companion, dearer ones nearer to the run are computed in their place.
 pub fn estimate(case: &dyn Refinable, run: &Computed, cancel: &AtomicBool) -> ErrorEstimates {
-    let companions = Companions::of(case, run, cancel);
+    let companions = Companions::of_run(case, run, cancel);
     let estimates = by_companions(case, run, &companions);
     if companions.can_be_nearer() && !cancel.load(Ordering::Relaxed) && is_in_doubt(&estimates) {
         return by_companions(case, run, &companions.beside_the_run());
@@ -135,7 +135,7 @@ fn estimates_by(
         curves: evidence
             .into_iter()
             .flatten()
-            .map(HistoryPair::of)
+            .map(HistoryPair::of_evidence)
             .collect(),
         warnings,
     }

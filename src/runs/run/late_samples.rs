@@ -22,7 +22,7 @@ pub struct LateSamples {
 
 impl LateSamples {
     /// Of a run of this duration \[s\], without samples yet and with room for all of them.
-    pub(super) fn of(duration: f64, channels: usize) -> Self {
+    pub(super) fn of_duration(duration: f64, channels: usize) -> Self {
         Self {
             due: PLACES.map(|place| place * duration),
             times: Vec::with_capacity(PLACES.len()),
@@ -82,7 +82,7 @@ mod tests {
 
     /// Two channels, t and 2 t, over so many steps of a second.
     fn samples(steps: usize) -> LateSamples {
-        let mut late = LateSamples::of(100.0, 2);
+        let mut late = LateSamples::of_duration(100.0, 2);
         let mut latest = LatestSteps::new(2, 0);
         for i in 0..=steps {
             let step = latest.next();
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn what_a_checkpoint_holds_is_continued_by_a_run_of_the_same_duration() {
         let continued = |duration| {
-            let mut late = LateSamples::of(duration, 2);
+            let mut late = LateSamples::of_duration(duration, 2);
             late.restore(&samples(98));
             late
         };

@@ -68,7 +68,7 @@ pub fn evaluate(
         let both = (statistic == Statistic::Mean).then(both).flatten();
         return both.and_then(|(a, b)| standing_wave_ratio(a, b));
     }
-    let values = NodeValues::of(profile, quantity);
+    let values = NodeValues::of_profile(profile, quantity);
     let value = match statistic {
         Statistic::Max => extreme_of(values.greatest, |new, old| new > old)?.1,
         Statistic::Min => extreme_of(values.smallest, |new, old| new < old)?.1,
@@ -110,7 +110,7 @@ struct NodeValues {
 }
 
 impl NodeValues {
-    fn of(profile: &Profile, quantity: LineQuantity) -> Self {
+    fn of_profile(profile: &Profile, quantity: LineQuantity) -> Self {
         let (p, ropes) = (profile, &profile.ropes);
         let heights = || -> Vec<f64> { p.nodes.iter().map(|node| node[2]).collect() };
         match quantity {
@@ -218,13 +218,13 @@ fn greatest_fall(values: &[f64]) -> Option<f64> {
 
 /// A place where values turn from rising to falling, a peak, or back.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Turn {
+struct TurningPoint {
     value: f64,
     peak: bool,
 }
 
 /// Where the values turn, in their order; small ripples are left out.
-fn turns(values: &[f64]) -> Option<Vec<Turn>> {
+fn turns(values: &[f64]) -> Option<Vec<TurningPoint>> {
     let first = *values.first()?;
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -241,7 +241,7 @@ fn turns(values: &[f64]) -> Option<Vec<Turn>> {
             _ => rising,
         };
         if way != rising {
-            found.extend(rising.map(|peak| Turn {
+            found.extend(rising.map(|peak| TurningPoint {
                 value: if peak { top } else { bottom },
                 peak,
             }));
@@ -252,7 +252,7 @@ fn turns(values: &[f64]) -> Option<Vec<Turn>> {
     Some(found)
 }
 
-fn count(turns: &[Turn], of: impl Fn(&Turn) -> bool) -> f64 {
+fn count(turns: &[TurningPoint], of: impl Fn(&TurningPoint) -> bool) -> f64 {
     turns.iter().filter(|turn| of(turn)).count() as f64
 }
 

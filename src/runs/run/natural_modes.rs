@@ -2,7 +2,7 @@
 
 use super::{ModePlane, Quantity, QuantityId, Subject};
 use crate::case::Case;
-use crate::modes::{Mode, ModeKind, ModesError, Pencil, lowest, modes_of};
+use crate::modes::{Mode, ModeKind, ModePencil, ModesError, lowest, modes_of};
 use crate::scene::Scene;
 use crate::statics::equilibrium::EquilibriumSearch;
 
@@ -24,7 +24,7 @@ pub(super) fn frequencies(case: &Case, scene: &Scene) -> Result<Vec<Quantity>, S
     let mut rest = scene.initial_state();
     let search = EquilibriumSearch::default().run(scene, 0.0, &mut rest);
     search.map_err(|error| error.to_string())?;
-    let mut pencil = Pencil::new(scene, &rest);
+    let mut pencil = ModePencil::new(scene, &rest);
     let pairs =
         lowest(&mut pencil, 2 * wanted.count + BEYOND).map_err(|error| error.to_string())?;
     let modes = modes_of(&pencil, &rest.x, pairs);

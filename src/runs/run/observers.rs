@@ -30,7 +30,7 @@ pub(super) fn observers(
         Method::Static => 1,
         _ => OutputTimes::new(case.solver.duration_s, case.output.interval_s).rows(),
     };
-    let response = AskedResponse::of(case).map(|asked| RecordedResponse {
+    let response = AskedResponse::of_case(case).map(|asked| RecordedResponse {
         asked,
         at_rest: match asked.period {
             Some(_) => vec![at_rest(scene)],
@@ -82,12 +82,12 @@ pub struct ObservedRun<'a> {
 #[must_use]
 pub fn of_lines(run: ObservedRun<'_>) -> Vec<Box<dyn Observer>> {
     let scenes = run.scenes.iter().copied();
-    let touchdown: Vec<TouchdownSpeed> = scenes.map(TouchdownSpeed::of).collect();
-    let late = LateSamples::of(run.duration, run.channels.len());
+    let touchdown: Vec<TouchdownSpeed> = scenes.map(TouchdownSpeed::of_scene).collect();
+    let late = LateSamples::of_duration(run.duration, run.channels.len());
     let sums = run.response.as_ref();
     let sums = sums.map(|response| ResponseSums::new(response.asked));
     vec![
-        Box::new(StepEnvelope::of(run.scenes)),
+        Box::new(StepEnvelope::of_scenes(run.scenes)),
         Box::new(touchdown),
         Box::new(run.along),
         Box::new(sums),

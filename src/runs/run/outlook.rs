@@ -93,7 +93,7 @@ pub fn method_by(outlook: Option<Outlook>, trial: impl FnOnce() -> Work) -> (Met
 impl Outlook {
     /// By the steps that both methods take where no error shortens them.
     #[must_use]
-    pub fn of(steps: &StepLengths<'_>) -> Self {
+    pub fn of_steps(steps: &StepLengths<'_>) -> Self {
         let StepLengths {
             limit,
             given,

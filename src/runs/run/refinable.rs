@@ -4,7 +4,7 @@ use std::sync::atomic::AtomicBool;
 
 use super::Quantity;
 use super::channel_statistics::reads_twice;
-use super::companions::Place;
+use super::companions::CompanionRefinement;
 use super::compute::{Computed, Resolution, compute};
 use super::requested_statistics::requested;
 use crate::case::{self, Case, DragCoefficient, DragLawName, Method, Section};
@@ -12,7 +12,7 @@ use crate::case::{self, Case, DragCoefficient, DragLawName, Method, Section};
 /// Something with companions.
 pub trait Refinable: Sync {
     /// Computes a companion.
-    fn companion(&self, place: Place, cancel: &AtomicBool) -> Computed;
+    fn companion(&self, place: CompanionRefinement, cancel: &AtomicBool) -> Computed;
 
     /// The order of its method in time; none at rest.
     fn method_order(&self) -> Option<f64>;
@@ -46,7 +46,7 @@ pub trait Refinable: Sync {
 }
 
 impl Refinable for Case {
-    fn companion(&self, place: Place, cancel: &AtomicBool) -> Computed {
+    fn companion(&self, place: CompanionRefinement, cancel: &AtomicBool) -> Computed {
         let mut case = self.clone();
         // Cycles along the line are counted by the run itself.
         case.checks.clear();

@@ -20,7 +20,7 @@ pub(super) fn replay(
     channels: &[ChannelId],
     receive: &mut RowReceiver<'_>,
 ) -> Result<(), StoreError> {
-    let mut rows = HistoryReader::of(dir, channels)?;
+    let mut rows = HistoryReader::of_channels(dir, channels)?;
     let mut shapes = ShapeReader::open(dir);
     let mut shape = shapes.next();
     for _ in 0..state.rows {

@@ -27,7 +27,7 @@ pub struct AskedResponse {
 impl AskedResponse {
     /// By a case; nothing where it does not ask.
     #[must_use]
-    pub fn of(case: &Case) -> Option<Self> {
+    pub fn of_case(case: &Case) -> Option<Self> {
         Some(Self {
             from: case.output.response_from_s?,
             period: period(case),
@@ -135,7 +135,7 @@ impl ResponseSums {
         profile.rms_vertical = by_plane(1, |m| m.z * m.z);
         let origin = &self.origin[nodes.clone()];
         let places: Vec<V3> = mean.iter().zip(origin).map(|(m, o)| m + o).collect();
-        let across = LinePlane::of(&places).across(&places);
+        let across = LinePlane::nearest_to(&places).across(&places);
         let share = 2.0 / self.count;
         let demodulated = |sums: &[V3], turn: f64| -> Vec<f64> {
             let all = sums.iter().zip(&mean).enumerate();

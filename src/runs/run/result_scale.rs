@@ -6,29 +6,29 @@ use crate::case::{ChannelId, Statistic};
 /// The results of a run over this time \[s\] that have an accuracy, each with what that is a share of, in its unit.
 #[must_use]
 pub fn result_scales(duration_s: f64, run: &Run) -> Vec<(QuantityId, f64)> {
-    let scales = Scales {
+    let scales = ResultScales {
         duration_s,
         summary: &run.summary,
         history: &run.history,
     };
     let scaled = run.summary.iter();
     scaled
-        .filter_map(|q| Some((q.id.clone(), scales.of(q)?)))
+        .filter_map(|q| Some((q.id.clone(), scales.scale_of_result(q)?)))
         .collect()
 }
 
 /// What results are a part of.
-pub(super) struct Scales<'a> {
+pub(super) struct ResultScales<'a> {
     /// Simulated time \[s\].
     pub(super) duration_s: f64,
     pub(super) summary: &'a [Quantity],
     pub(super) history: &'a History,
 }
 
-impl Scales<'_> {
+impl ResultScales<'_> {
     /// The range of its channel; of what is at rest or along the line its magnitude; of a time the duration. None of
     /// what is zero but for rounding, of places along the line, and of what is neither of a channel nor of the line.
-    pub(super) fn of(&self, q: &Quantity) -> Option<f64> {
+    pub(super) fn scale_of_result(&self, q: &Quantity) -> Option<f64> {
         const ZERO: f64 = 1e-9;
         let QuantityId::Statistic { of, statistic, .. } = &q.id else {
             return None;

@@ -86,7 +86,7 @@ impl SceneBounds {
     pub fn outlook(&self, solver: &Solver) -> Option<Outlook> {
         let (limit, at) = self.stability.as_ref().filter(|_| self.nodes > 0)?;
         let given = solver.time_step_s;
-        Some(Outlook::of(&StepLengths {
+        Some(Outlook::of_steps(&StepLengths {
             duration: solver.duration_s,
             limit: *limit,
             limited_by: at,

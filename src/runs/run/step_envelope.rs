@@ -15,7 +15,7 @@ pub(super) struct StepEnvelope {
 
 impl StepEnvelope {
     /// Over these lines.
-    pub(super) fn of(scenes: &[&Scene]) -> Self {
+    pub(super) fn of_scenes(scenes: &[&Scene]) -> Self {
         let beds = scenes.iter().map(|scene| scene.elements.bed.as_ref());
         Self {
             beds: beds.map(|bed| bed.map(|bed| bed.seabed.clone())).collect(),

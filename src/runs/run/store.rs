@@ -63,7 +63,7 @@ pub use lock::{DirectoryLock, lock_directory};
 pub use notes::RunNotes;
 pub use read::sealed_checkpoint;
 pub use read::{case_text, channel_extremes, read, read_info, read_results, resume};
-pub use recorder::Recorder;
+pub use recorder::StoringRecorder;
 pub use run_writer::{RunWriter, save};
 pub(in crate::run) use shapes_csv::ShapeReader;
 

@@ -44,7 +44,7 @@ struct TouchdownFront {
 
 impl TouchdownSpeed {
     /// For a line; without a bed nothing is recorded.
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(super) fn of_scene(scene: &Scene) -> Self {
         let nodes = if scene.elements.bed.is_some() {
             scene.line_nodes()
         } else {

@@ -59,10 +59,25 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
     state.memory.time = 0.0;
     state.memory.motion_pieces = [0, 0];
     state.memory.traveller_kinks = 0;
-    let ends = [0, here.len() - 1];
+    check_ends(&state, scene, here, name)?;
+    let method_state =
+        Some(stored.method).filter(|c| same && belongs_to(c, case.solver.method, scene));
+    let method_state = method_state.map(|known| MethodState {
+        work_counts: WorkCounts::default(),
+        ..known
+    });
+    Ok(Some(WarmStart {
+        state,
+        method_state,
+    }))
+}
+
+/// Fails if an end of the line begins apart from where the run of this name left it; `arc` is that of the nodes of the line.
+fn check_ends(state: &State, scene: &Scene, arc: &[f64], name: &str) -> Result<(), String> {
+    let ends = [0, arc.len() - 1];
     let mut held = state.clone();
     scene.prescribe(0.0, &mut held);
-    let length = here.last().copied().unwrap_or(1.0);
+    let length = arc.last().copied().unwrap_or(1.0);
     for (node, letter) in ends.into_iter().zip(["a", "b"]) {
         let place = state.x[node];
         let apart = (held.x[node] - place).norm();
@@ -74,16 +89,7 @@ pub(super) fn warm_start(case: &Case, scene: &Scene) -> Result<Option<WarmStart>
             ));
         }
     }
-    let method_state =
-        Some(stored.method).filter(|c| same && belongs_to(c, case.solver.method, scene));
-    let method_state = method_state.map(|known| MethodState {
-        work_counts: WorkCounts::default(),
-        ..known
-    });
-    Ok(Some(WarmStart {
-        state,
-        method_state,
-    }))
+    Ok(())
 }
 
 /// Whether a state of a method is that of this method.

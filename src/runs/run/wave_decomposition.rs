@@ -33,7 +33,7 @@ pub(super) fn at_rest(scene: &Scene) -> Option<WkbMedium> {
     let mut rest = scene.initial_state();
     let found = EquilibriumSearch::default().run(scene, 0.0, &mut rest);
     found.ok()?;
-    WkbMedium::of(scene, &rest)
+    WkbMedium::of_line_at_rest(scene, &rest)
 }
 
 /// Writes into the profile WKB wave number and amplitude of the line at rest at the driving period \[s\], and both waves. Changes

@@ -2,11 +2,13 @@
 
 use super::convergence::{Halves, MeanEstimate};
 use super::fractile_rule::FractileRule;
-use super::greatest::{PeakSample, Question};
+use super::greatest::{GreatestQuestion, PeakSample};
 use super::gumbel_rule::GumbelRule;
 use super::peaks::{block_maxima, over_threshold};
 use super::spectrum::welch;
-use super::{Interval, IntervalMethod, Statistic, Target, generalized_pareto, gumbel, weibull};
+use super::{
+    ExtremesTarget, Interval, IntervalMethod, Statistic, generalized_pareto, gumbel, weibull,
+};
 use crate::numerics::random::Random;
 
 /// Values of any size, some equal, some no numbers.
@@ -53,13 +55,13 @@ fn number(random: &mut Random) -> f64 {
     usual[(random.uniform() * 12.0) as usize]
 }
 
-fn target(random: &mut Random) -> Target {
+fn target(random: &mut Random) -> ExtremesTarget {
     let statistic = match (random.uniform() * 3.0) as u8 {
         0 => Statistic::Quantile(number(random)),
         1 => Statistic::MostProbable,
         _ => Statistic::Expected,
     };
-    Target {
+    ExtremesTarget {
         statistic,
         greatest_of: number(random),
     }
@@ -92,7 +94,7 @@ fn intervals() {
         let sample = values(&mut random, 9.0);
         let usual = turn % 2 == 0;
         let target = if usual {
-            Target::expected(50.0)
+            ExtremesTarget::expected(50.0)
         } else {
             target(&mut random)
         };
@@ -129,18 +131,18 @@ fn records() {
                 "{record:?} {step}"
             );
         }
-        if let Ok(found) = MeanEstimate::of(&record) {
+        if let Ok(found) = MeanEstimate::of_record(&record) {
             let numbers = [found.mean, found.error, found.batch_error, found.effective];
             assert!(numbers.iter().all(|v| v.is_finite()), "{found:?}");
         }
-        if let Ok(found) = Halves::of(&record) {
+        if let Ok(found) = Halves::of_record(&record) {
             assert!(found.p_value >= 0.0 && found.p_value <= 1.0, "{found:?}");
         }
         let threshold = number(&mut random);
         let found = over_threshold(&times, &record, threshold, number(&mut random));
         assert!(found.is_err() || found.unwrap().iter().all(|p| p.value > threshold));
         assert!(block_maxima(&times, &record, number(&mut random)).is_err() || !record.is_empty());
-        let question = Question {
+        let question = GreatestQuestion {
             statistic: Statistic::Expected,
             hours: number(&mut random),
             level: 0.9,

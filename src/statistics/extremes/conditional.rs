@@ -25,7 +25,7 @@ const NEGLIGIBLE: f64 = 40.0;
 
 /// One scale of the integral.
 #[derive(Debug, Clone, Copy)]
-struct Point {
+struct ScalePoint {
     weight: f64,
     scale: f64,
     /// Logarithm of the sum of exp(-x/scale).
@@ -36,7 +36,7 @@ struct Point {
 /// What a sample says about one figure of its law.
 #[derive(Debug)]
 pub(super) struct Posterior {
-    points: Vec<Point>,
+    points: Vec<ScalePoint>,
     count: f64,
     ln_gamma: f64,
     /// The figures are taken from the least value, over the range of values.
@@ -81,7 +81,7 @@ impl Posterior {
         // Nine deviations of the gamma law, wider above where its tail is exponential: beyond, the confidence is 0 or 1.
         let deviation = self.count.sqrt();
         let most = self.count + 9.0 * deviation + 45.0;
-        let part = |p: &Point| {
+        let part = |p: &ScalePoint| {
             let gamma = (p.ln_sum + (limit - p.offset) / p.scale).exp();
             if gamma > most {
                 p.weight
@@ -123,7 +123,7 @@ pub(super) fn settled(difference: f64, tolerance: f64) -> f64 {
 }
 
 /// The scales of the integral with their weights, evenly spaced in the logarithm.
-fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -> Vec<Point> {
+fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -> Vec<ScalePoint> {
     let n = above.len() as f64;
     let total: f64 = above.iter().sum();
     let ln_sum = |scale: f64| sum_exp(above, -1.0 / scale).ln();
@@ -145,12 +145,12 @@ fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -
         centre + side * bisect(bracket, 8, Bracket::middle, inside).high
     };
     let (first, last) = (end(-1.0), end(1.0));
-    let mut points: Vec<Point> = (0..=count)
+    let mut points: Vec<ScalePoint> = (0..=count)
         .map(|i| first + (last - first) * f64::from(i) / f64::from(count))
         .map(|log| {
             let scale = log.exp();
             let ln_sum = ln_sum(scale);
-            Point {
+            ScalePoint {
                 weight: (density_with(log, ln_sum) - floor - NEGLIGIBLE).exp(),
                 scale,
                 ln_sum,
@@ -169,14 +169,14 @@ fn points(above: &[f64], likely: f64, count: u32, offset: impl Fn(f64) -> f64) -
 #[cfg(test)]
 mod tests {
     use super::super::interval::IntervalMethod;
-    use super::super::target::Target;
+    use super::super::target::ExtremesTarget;
     use super::*;
     use crate::numerics::random::Random;
 
     /// The pivot (mode - fit)/scale given the ancillary: over many samples the confidence is uniform.
     #[test]
     fn the_confidence_is_uniform_at_three_values() {
-        let offset = Offset::Linear(Target::quantile(0.9).gumbel_offset());
+        let offset = Offset::Linear(ExtremesTarget::quantile(0.9).gumbel_offset());
         let truth = offset.at(2.0).0 + 7.0;
         let mut counts = [0_u32; 4];
         for draw in 0..800 {
@@ -229,7 +229,8 @@ mod tests {
         let mut random = Random::new(5, 0);
         let values: Vec<f64> = (0..3000).map(|_| -(-random.uniform().ln()).ln()).collect();
         let of = |method| {
-            super::super::gumbel::interval(&values, Target::quantile(0.9), 0.95, method).unwrap()
+            super::super::gumbel::interval(&values, ExtremesTarget::quantile(0.9), 0.95, method)
+                .unwrap()
         };
         let (exact, profile) = (
             of(IntervalMethod::Conditional),

@@ -32,7 +32,7 @@ impl MeanEstimate {
     ///
     /// # Errors
     /// Where values are fewer than 40, not finite or all the same.
-    pub fn of(values: &[f64]) -> Result<Self, ExtremesError> {
+    pub fn of_record(values: &[f64]) -> Result<Self, ExtremesError> {
         let (low, high) = check_spread(values, 2 * BATCHES)?;
         let range = high - low;
         let scaled: Vec<f64> = values.iter().map(|v| (v - low) / range).collect();
@@ -68,10 +68,13 @@ impl Halves {
     ///
     /// # Errors
     /// Where values are fewer than 80, not finite, or all the same in a half.
-    pub fn of(values: &[f64]) -> Result<Self, ExtremesError> {
+    pub fn of_record(values: &[f64]) -> Result<Self, ExtremesError> {
         check_finite(values, 4 * BATCHES)?;
         let (first, second) = values.split_at(values.len() / 2);
-        let (first, second) = (MeanEstimate::of(first)?, MeanEstimate::of(second)?);
+        let (first, second) = (
+            MeanEstimate::of_record(first)?,
+            MeanEstimate::of_record(second)?,
+        );
         let difference = (second.mean - first.mean) / first.error.hypot(second.error);
         Ok(Self {
             first,
@@ -148,7 +151,7 @@ mod tests {
     #[test]
     fn correlation_time_of_an_autoregression() {
         for (a, exact) in [(0.0, 1.0), (0.5, 3.0), (0.9, 19.0)] {
-            let found = MeanEstimate::of(&autoregression(a, 60_000, 5)).unwrap();
+            let found = MeanEstimate::of_record(&autoregression(a, 60_000, 5)).unwrap();
             assert!(
                 (found.correlation_steps / exact - 1.0).abs() < 0.12,
                 "{found:?}"
@@ -165,7 +168,7 @@ mod tests {
         // Three standard errors of a share of 120.
         let (mut within, records) = (0, 120);
         for seed in 0..records {
-            let found = MeanEstimate::of(&autoregression(0.8, 1200, seed)).unwrap();
+            let found = MeanEstimate::of_record(&autoregression(0.8, 1200, seed)).unwrap();
             within += u64::from(found.mean.abs() < 1.96 * found.error);
         }
         let share = within as f64 / records as f64;
@@ -191,13 +194,13 @@ mod tests {
     #[test]
     fn halves_tell_a_drift() {
         let steady = autoregression(0.7, 4000, 9);
-        assert!(Halves::of(&steady).unwrap().p_value > 0.01);
+        assert!(Halves::of_record(&steady).unwrap().p_value > 0.01);
         let drifting: Vec<f64> = steady
             .iter()
             .enumerate()
             .map(|(k, v)| v + 0.0005 * k as f64)
             .collect();
-        let found = Halves::of(&drifting).unwrap();
+        let found = Halves::of_record(&drifting).unwrap();
         assert!(found.difference > 4.0 && found.p_value < 1e-4, "{found:?}");
     }
 
@@ -206,14 +209,19 @@ mod tests {
         let sine: Vec<f64> = (0..5000)
             .map(|k| (TAU * 0.02 * f64::from(k)).sin())
             .collect();
-        let found = MeanEstimate::of(&sine).unwrap();
+        let found = MeanEstimate::of_record(&sine).unwrap();
         assert!(found.error > found.batch_error && found.mean.abs() < found.error);
         let alternating: Vec<f64> = (0..100).map(|k| f64::from(k % 2)).collect();
-        assert!(MeanEstimate::of(&alternating).unwrap().error.is_finite());
-        assert!(MeanEstimate::of(&[1.0; 50]).is_err());
-        assert!(MeanEstimate::of(&sine[..39]).is_err());
-        assert!(Halves::of(&sine[..79]).is_err());
+        assert!(
+            MeanEstimate::of_record(&alternating)
+                .unwrap()
+                .error
+                .is_finite()
+        );
+        assert!(MeanEstimate::of_record(&[1.0; 50]).is_err());
+        assert!(MeanEstimate::of_record(&sine[..39]).is_err());
+        assert!(Halves::of_record(&sine[..79]).is_err());
         let huge: Vec<f64> = sine.iter().map(|v| 1e306 * v).collect();
-        assert!(MeanEstimate::of(&huge).unwrap().error.is_finite());
+        assert!(MeanEstimate::of_record(&huge).unwrap().error.is_finite());
     }
 }

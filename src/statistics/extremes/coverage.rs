@@ -7,7 +7,7 @@ use super::generalized_pareto::{self, ParetoFit};
 use super::gumbel::{self, GumbelFit};
 use super::interval::{Interval, IntervalMethod};
 use super::special::ln_gamma;
-use super::target::Target;
+use super::target::ExtremesTarget;
 use super::weibull::{self, WeibullFit};
 use crate::numerics::random::Random;
 
@@ -36,7 +36,7 @@ pub struct CoverageStudy {
     /// Values of a sample.
     pub count: usize,
     /// The figure whose interval is tried.
-    pub target: Target,
+    pub target: ExtremesTarget,
     /// Nominal level, between 0 and 1.
     pub level: f64,
     /// The method. A seed in it is changed with the sample.
@@ -86,7 +86,10 @@ pub fn coverage(
             seed,
         })
     };
-    Ok([of(Target::quantile(0.9))?, of(Target::expected(n as f64))?])
+    Ok([
+        of(ExtremesTarget::quantile(0.9))?,
+        of(ExtremesTarget::expected(n as f64))?,
+    ])
 }
 
 /// The method whose measured coverage is nearest to the nominal: the exact one where there is one, else the corrected profile.
@@ -168,7 +171,7 @@ fn reseeded(method: IntervalMethod, draw: u64) -> IntervalMethod {
 }
 
 impl Distribution {
-    pub(super) fn truth(&self, target: Target) -> Result<f64, ExtremesError> {
+    pub(super) fn truth(&self, target: ExtremesTarget) -> Result<f64, ExtremesError> {
         match *self {
             Self::Gumbel => GUMBEL.value(target),
             Self::Weibull { shape } => weibull_of(shape).value(target),

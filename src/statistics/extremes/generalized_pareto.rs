@@ -7,7 +7,7 @@ use super::pareto_likelihood::likely;
 use super::pareto_profile::Excesses;
 use super::pareto_sums::UnitExcesses;
 use super::special::ln_gamma;
-use super::target::{ExponentialMaximum, Target};
+use super::target::{ExponentialMaximum, ExtremesTarget};
 use crate::numerics::random::Random;
 
 /// The generalized Pareto law, scale and shape of greatest likelihood above a given threshold.
@@ -60,7 +60,7 @@ impl ParetoFit {
     ///
     /// # Errors
     /// Where its probability or its number of values is out of range, and an expected value of a shape of one or above.
-    pub fn value(&self, target: Target) -> Result<f64, ExtremesError> {
+    pub fn value(&self, target: ExtremesTarget) -> Result<f64, ExtremesError> {
         target.check_for_peaks()?;
         let unit = UnitFigure::new(target).at(self.shape);
         if unit.is_finite() {
@@ -96,7 +96,7 @@ impl ParetoFit {
 pub fn interval(
     peaks: &[f64],
     threshold: f64,
-    target: Target,
+    target: ExtremesTarget,
     level: f64,
     method: IntervalMethod,
 ) -> Result<Interval, ExtremesError> {
@@ -135,11 +135,11 @@ pub(super) struct UnitFigure {
 }
 
 impl UnitFigure {
-    pub(super) fn new(target: Target) -> Self {
+    pub(super) fn new(target: ExtremesTarget) -> Self {
         Self {
             ln_exceedance: target.ln_exceedance(),
             count: target.greatest_of,
-            greatest: ExponentialMaximum::of(target.greatest_of),
+            greatest: ExponentialMaximum::of_count(target.greatest_of),
         }
     }
 
@@ -227,7 +227,7 @@ mod tests {
 
     #[test]
     fn the_expected_greatest_is_smooth_across_shape_zero() {
-        let unit = UnitFigure::new(Target::expected(300.0));
+        let unit = UnitFigure::new(ExtremesTarget::expected(300.0));
         for shape in [0.02, -0.02] {
             let (inside, outside) = (unit.at(shape), unit.at(shape * (1.0 + 1e-12)));
             assert!((inside / outside - 1.0).abs() < 1e-9);
@@ -250,7 +250,11 @@ mod tests {
             }
             if let Ok(fit) = ParetoFit::fit(&peaks, 0.0) {
                 assert!(fit.scale > 0.0 && fit.scale.is_finite() && fit.log_likelihood.is_finite());
-                assert!(fit.value(Target::quantile(0.9)).unwrap().is_finite());
+                assert!(
+                    fit.value(ExtremesTarget::quantile(0.9))
+                        .unwrap()
+                        .is_finite()
+                );
             }
         }
     }

@@ -8,7 +8,7 @@ use super::generalized_pareto;
 use super::interval::{Interval, IntervalMethod};
 use super::moments::check_step;
 use super::peaks::{global_maxima, over_threshold};
-use super::target::{Statistic, Target};
+use super::target::{ExtremesTarget, Statistic};
 use super::weibull;
 use crate::numerics::statistics::mean;
 
@@ -25,7 +25,7 @@ pub struct PeakSample {
 
 /// What is asked of the greatest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Question {
+pub struct GreatestQuestion {
     /// The figure.
     pub statistic: Statistic,
     /// Of so many hours.
@@ -99,7 +99,7 @@ impl PeakSample {
     ///
     /// # Errors
     /// Those of [`weibull::interval`]; where less than one peak is expected in the hours.
-    pub fn by_weibull(&self, question: &Question) -> Result<Interval, ExtremesError> {
+    pub fn by_weibull(&self, question: &GreatestQuestion) -> Result<Interval, ExtremesError> {
         let target = self.target(question)?;
         weibull::interval(
             &self.peaks,
@@ -114,7 +114,7 @@ impl PeakSample {
     ///
     /// # Errors
     /// Those of [`generalized_pareto::interval`]; where less than one peak is expected in the hours.
-    pub fn by_pareto(&self, question: &Question) -> Result<Interval, ExtremesError> {
+    pub fn by_pareto(&self, question: &GreatestQuestion) -> Result<Interval, ExtremesError> {
         let target = self.target(question)?;
         generalized_pareto::interval(
             &self.peaks,
@@ -125,14 +125,14 @@ impl PeakSample {
         )
     }
 
-    fn target(&self, question: &Question) -> Result<Target, ExtremesError> {
+    fn target(&self, question: &GreatestQuestion) -> Result<ExtremesTarget, ExtremesError> {
         check_inside(
             "the time in hours",
             question.hours,
             (0.0, f64::INFINITY),
             "above 0 h",
         )?;
-        Ok(Target {
+        Ok(ExtremesTarget {
             statistic: question.statistic,
             greatest_of: self.rate() * question.hours,
         })
@@ -164,7 +164,7 @@ mod tests {
         assert!((maxima.rate() - 360.0).abs() < 2.0);
         // Most probable of 1080 Rayleigh peaks.
         let exact = (2.0 * 1080.0_f64.ln()).sqrt();
-        let mut question = Question {
+        let mut question = GreatestQuestion {
             statistic: Statistic::MostProbable,
             hours: 3.0,
             level: 0.95,
@@ -187,7 +187,7 @@ mod tests {
     #[test]
     fn bad_questions_are_refused() {
         let maxima = PeakSample::global_maxima(&record(1), 0.5).unwrap();
-        let question = |hours| Question {
+        let question = |hours| GreatestQuestion {
             statistic: Statistic::Expected,
             hours,
             level: 0.95,

@@ -4,7 +4,7 @@ use super::conditional::Posterior;
 use super::error::{ExtremesError, check_probability, check_spread};
 use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
 use super::location_scale::{LocationScale, Offset};
-use super::target::Target;
+use super::target::ExtremesTarget;
 use crate::numerics::random::Random;
 use crate::numerics::roots::Bracket;
 
@@ -53,7 +53,7 @@ impl GumbelFit {
     ///
     /// # Errors
     /// Where its probability or its number of values is out of range.
-    pub fn value(&self, target: Target) -> Result<f64, ExtremesError> {
+    pub fn value(&self, target: ExtremesTarget) -> Result<f64, ExtremesError> {
         target.check()?;
         Ok(self.mode + self.scale * target.gumbel_offset())
     }
@@ -76,7 +76,7 @@ impl GumbelFit {
 /// Those of the fit; a level or target out of range; where the values do not bound the figure.
 pub fn interval(
     values: &[f64],
-    target: Target,
+    target: ExtremesTarget,
     level: f64,
     method: IntervalMethod,
 ) -> Result<Interval, ExtremesError> {
@@ -108,7 +108,11 @@ pub fn interval(
 ///
 /// # Errors
 /// Those of the fit; a target out of range; a limit that is no number.
-pub fn confidence_below(values: &[f64], target: Target, limit: f64) -> Result<f64, ExtremesError> {
+pub fn confidence_below(
+    values: &[f64],
+    target: ExtremesTarget,
+    limit: f64,
+) -> Result<f64, ExtremesError> {
     target.check()?;
     super::error::check_finite(&[limit], 1)?;
     let offset = Offset::Linear(target.gumbel_offset());
@@ -167,8 +171,11 @@ mod tests {
     fn finds_its_own_law() {
         let fit = GumbelFit::fit(&sample(law(5.0, 2.0), 20_000, 3)).unwrap();
         assert!((fit.mode - 5.0).abs() < 0.05 && (fit.scale - 2.0).abs() < 0.04);
-        assert!((fit.probability(fit.value(Target::quantile(0.9)).unwrap()) - 0.9).abs() < 1e-12);
-        assert!((fit.value(Target::most_probable(1.0)).unwrap() - fit.mode).abs() < 1e-12);
+        assert!(
+            (fit.probability(fit.value(ExtremesTarget::quantile(0.9)).unwrap()) - 0.9).abs()
+                < 1e-12
+        );
+        assert!((fit.value(ExtremesTarget::most_probable(1.0)).unwrap() - fit.mode).abs() < 1e-12);
     }
 
     /// The likelihood falls on all sides of the fit, and is the sum over the values.

@@ -4,7 +4,7 @@ use super::error::{ExtremesError, check_finite, check_probability};
 use super::gumbel::{confidence_below, interval};
 use super::interval::{Interval, IntervalMethod};
 use super::sequential::Verdict;
-use super::target::Target;
+use super::target::ExtremesTarget;
 
 /// Whether a figure of greatest values of Gumbel's law lies below a limit, at looks of `first`, `2 first`, `4 first`, ... seeds.
 ///
@@ -17,7 +17,7 @@ use super::target::Target;
 #[derive(Debug, Clone, PartialEq)]
 pub struct GumbelRule {
     limit: f64,
-    target: Target,
+    target: ExtremesTarget,
     error: f64,
     next_look: usize,
     looks: u32,
@@ -27,14 +27,14 @@ pub struct GumbelRule {
 }
 
 impl GumbelRule {
-    /// For a limit in the unit of the values and a figure ([`Target::expected`] of 1: the mean), with this probability of a false
+    /// For a limit in the unit of the values and a figure ([`ExtremesTarget::expected`] of 1: the mean), with this probability of a false
     /// verdict over all looks together, and a first look after 3 seeds or more.
     ///
     /// # Errors
     /// Where a number is out of range.
     pub fn new(
         limit: f64,
-        target: Target,
+        target: ExtremesTarget,
         error: f64,
         first: usize,
     ) -> Result<Self, ExtremesError> {
@@ -121,7 +121,7 @@ mod tests {
 
     #[test]
     fn gumbel_looks_double() {
-        let mut rule = GumbelRule::new(0.0, Target::expected(1.0), 0.05, 5).unwrap();
+        let mut rule = GumbelRule::new(0.0, ExtremesTarget::expected(1.0), 0.05, 5).unwrap();
         assert!(rule.interval().is_err());
         let mut random = Random::new(4, 0);
         for seeds in 1..=40_usize {
@@ -135,8 +135,9 @@ mod tests {
 
     #[test]
     fn bad_questions_are_refused_and_equal_values_settle_nothing() {
-        let rule =
-            |limit, error, first| GumbelRule::new(limit, Target::expected(1.0), error, first);
+        let rule = |limit, error, first| {
+            GumbelRule::new(limit, ExtremesTarget::expected(1.0), error, first)
+        };
         assert!(rule(f64::NAN, 0.05, 5).is_err() && rule(1.0, 0.05, 2).is_err());
         assert!(rule(1.0, 0.0, 5).is_err());
         let mut rule = rule(1.0, 0.05, 3).unwrap();

@@ -117,7 +117,7 @@ mod tests {
         let values: Vec<f64> = [0.3, 1.2, -0.4, 2.5, 0.9].to_vec();
         for offset in [
             Offset::Linear(2.25),
-            Offset::Expected(ExponentialMaximum::of(40.0)),
+            Offset::Expected(ExponentialMaximum::of_count(40.0)),
         ] {
             let model = LocationScale::new(values.clone(), &offset).unwrap();
             assert!(model.deviance(model.value()) < 1e-12);

@@ -66,4 +66,4 @@ pub mod weibull;
 pub use coverage::{Coverage, CoverageStudy, Distribution};
 pub use error::ExtremesError;
 pub use interval::{Interval, IntervalMethod};
-pub use target::{Statistic, Target};
+pub use target::{ExtremesTarget, Statistic};

@@ -34,7 +34,7 @@ struct GridPoint {
 }
 
 impl GridPoint {
-    fn of(excesses: &UnitExcesses, number: u32) -> Self {
+    fn of_number(excesses: &UnitExcesses, number: u32) -> Self {
         Self {
             number,
             means: excesses.means(at(number).exp_m1()),
@@ -82,7 +82,7 @@ fn maxima(excesses: &UnitExcesses, from: GridPoint, to: GridPoint, found: &mut V
         }
         return;
     }
-    let middle = GridPoint::of(excesses, from.number.midpoint(to.number));
+    let middle = GridPoint::of_number(excesses, from.number.midpoint(to.number));
     maxima(excesses, from, middle, found);
     maxima(excesses, middle, to, found);
 }
@@ -90,7 +90,7 @@ fn maxima(excesses: &UnitExcesses, from: GridPoint, to: GridPoint, found: &mut V
 /// Scale, over the greatest excess, and shape of greatest likelihood.
 pub(super) fn likely(excesses: &UnitExcesses) -> Option<(f64, f64)> {
     let mut brackets = Vec::new();
-    let [first, zero, last] = [0, ZERO, LAST].map(|number| GridPoint::of(excesses, number));
+    let [first, zero, last] = [0, ZERO, LAST].map(|number| GridPoint::of_number(excesses, number));
     maxima(excesses, first, zero, &mut brackets);
     maxima(excesses, zero, last, &mut brackets);
     let excess_of_fall = |u: f64| {
@@ -145,7 +145,9 @@ mod tests {
                 excesses.iter_mut().step_by(2).for_each(|y| *y *= factor);
             }
             let excesses = UnitExcesses::new(&excesses);
-            let points: Vec<GridPoint> = (0..=LAST).map(|k| GridPoint::of(&excesses, k)).collect();
+            let points: Vec<GridPoint> = (0..=LAST)
+                .map(|k| GridPoint::of_number(&excesses, k))
+                .collect();
             let mut found = Vec::new();
             maxima(&excesses, points[0], points[ZERO as usize], &mut found);
             let last = points[LAST as usize];

@@ -105,7 +105,7 @@ impl Model for Excesses<'_> {
 mod tests {
     use super::super::generalized_pareto::interval;
     use super::super::interval::IntervalMethod;
-    use super::super::target::Target;
+    use super::super::target::ExtremesTarget;
     use super::*;
 
     fn peaks(count: u64) -> Vec<f64> {
@@ -119,7 +119,10 @@ mod tests {
     fn the_deviance_is_least_at_the_estimate() {
         let peaks = peaks(80);
         let fit = ParetoFit::fit(&peaks, 2.0).unwrap();
-        for target in [Target::quantile(0.9), Target::expected(1000.0)] {
+        for target in [
+            ExtremesTarget::quantile(0.9),
+            ExtremesTarget::expected(1000.0),
+        ] {
             let unit = UnitFigure::new(target);
             let above: Vec<f64> = peaks.iter().map(|p| p - 2.0).collect();
             let model = Excesses::new(&above, fit, &unit);
@@ -141,7 +144,8 @@ mod tests {
                 seed: 1,
             },
         ] {
-            let found = interval(&peaks, 2.0, Target::quantile(0.99), 0.95, method).unwrap();
+            let found =
+                interval(&peaks, 2.0, ExtremesTarget::quantile(0.99), 0.95, method).unwrap();
             assert!(found.low > 4.0 && found.low < found.estimate, "{found:?}");
             assert!(
                 found.estimate < found.high && found.high < 12.0,
@@ -151,7 +155,7 @@ mod tests {
         let refused = interval(
             &peaks,
             2.0,
-            Target::quantile(0.9),
+            ExtremesTarget::quantile(0.9),
             0.95,
             IntervalMethod::Conditional,
         );

@@ -13,7 +13,7 @@ use pulp::{Simd, WithSimd};
 use crate::numerics::processor::{ARCH, LANES, Lanes};
 
 /// Excesses that share divisions.
-type Rows = [Lanes; 4];
+type ExcessRows = [Lanes; 4];
 
 /// Rows whose factors make a product before its power of two is taken apart: sixteen factors a lane.
 const ROWS: usize = 4;
@@ -28,7 +28,7 @@ const TERMS: usize = 17;
 /// Excesses over their greatest, for means over all of them.
 #[derive(Debug, Clone)]
 pub(super) struct UnitExcesses {
-    rows: Vec<Rows>,
+    rows: Vec<ExcessRows>,
     /// Zeros that fill the last rows.
     padding: f64,
     count: usize,
@@ -159,7 +159,7 @@ impl UnitExcesses {
 }
 
 /// Means of the powers.
-fn powers(rows: &[Rows], count: f64) -> [f64; TERMS] {
+fn powers(rows: &[ExcessRows], count: f64) -> [f64; TERMS] {
     let mut sums = [[0.0; LANES]; TERMS];
     for lanes in rows.as_flattened() {
         let mut power = *lanes;
@@ -187,7 +187,7 @@ struct Sums {
 
 /// The loop over all excesses, as code that is compiled for several processors.
 struct SumLoop<'a> {
-    rows: &'a [Rows],
+    rows: &'a [ExcessRows],
     ratio: f64,
 }
 
@@ -227,7 +227,7 @@ impl WithSimd for SumLoop<'_> {
 
 /// Adds four excesses a lane: `1/a + 1/b + 1/c + 1/d = ((a + b) c d + (c + d) a b)/(a b c d)`.
 #[inline(always)]
-fn add(inverse: &mut Lanes, product: &mut Lanes, row: &Rows, ratio: f64) {
+fn add(inverse: &mut Lanes, product: &mut Lanes, row: &ExcessRows, ratio: f64) {
     for lane in 0..LANES {
         let factor = |k: usize| 1.0 + ratio * row[k][lane];
         let (a, b, c, d) = (factor(0), factor(1), factor(2), factor(3));

@@ -83,7 +83,7 @@ impl NarrowBand {
     /// Where the number of peaks is not above 1.
     pub fn expected(&self, peaks: f64) -> Result<f64, ExtremesError> {
         check_peaks(peaks)?;
-        let root = ExponentialMaximum::of(peaks).ln_moment(0.5).0.exp();
+        let root = ExponentialMaximum::of_count(peaks).ln_moment(0.5).0.exp();
         Ok(self.mean + self.deviation * 2.0_f64.sqrt() * root)
     }
 
@@ -117,7 +117,7 @@ fn check_peaks(peaks: f64) -> Result<(), ExtremesError> {
 mod tests {
     use super::super::peaks::global_maxima;
     use super::super::spectrum::welch;
-    use super::super::target::Target;
+    use super::super::target::ExtremesTarget;
     use super::super::weibull::WeibullFit;
     use super::*;
     use crate::numerics::random::Random;
@@ -167,7 +167,7 @@ mod tests {
         let seeds = 12;
         for seed in 0..seeds {
             let values = record(seed, 8000);
-            let statistics = Statistics::of(&values);
+            let statistics = Statistics::of_values(&values);
             let unit: Vec<f64> = values.iter().map(|v| v / statistics.deviation).collect();
             let maxima = global_maxima(&unit);
             let peaks: Vec<f64> = maxima.iter().map(|m| m.value).collect();
@@ -175,7 +175,8 @@ mod tests {
             shape += fit.shape / f64::from(seeds as u32);
             scale += fit.scale / f64::from(seeds as u32);
             peak += mean(&peaks) / f64::from(seeds as u32);
-            most += fit.value(Target::most_probable(1000.0)).unwrap() / f64::from(seeds as u32);
+            most +=
+                fit.value(ExtremesTarget::most_probable(1000.0)).unwrap() / f64::from(seeds as u32);
             let moments = welch(&unit, 0.5, Some(800)).unwrap().moments(0.2);
             rate += NarrowBand::of_spectrum(0.0, &moments).unwrap().rate / f64::from(seeds as u32);
         }

@@ -10,7 +10,7 @@ use super::spectrum::welch;
 use super::weibull::WeibullFit;
 
 #[derive(Deserialize)]
-struct Reference {
+struct PublishedExtreme {
     times: Vec<f64>,
     values: Vec<f64>,
     block_maxima: Extremes,
@@ -58,7 +58,7 @@ struct Density {
     density: Vec<f64>,
 }
 
-fn reference() -> Reference {
+fn reference() -> PublishedExtreme {
     serde_json::from_str(include_str!("../../../tests/data/extremes.json")).unwrap()
 }
 

@@ -5,7 +5,7 @@ use super::error::ExtremesError;
 use super::fractile_rule::FractileRule;
 use super::gumbel_rule::GumbelRule;
 use super::sequential::Verdict;
-use super::target::Target;
+use super::target::ExtremesTarget;
 use crate::numerics::random::Random;
 
 /// The rule that is tried.
@@ -14,7 +14,7 @@ pub enum Rule {
     /// [`FractileRule`] for this fractile.
     Fractile(f64),
     /// [`GumbelRule`] for this figure, with a first look after so many seeds.
-    Gumbel(Target, usize),
+    Gumbel(ExtremesTarget, usize),
 }
 
 /// What is measured.
@@ -57,7 +57,7 @@ pub struct SequentialOutcome {
 /// Where the rule or the law refuses its numbers, or no stream is asked for.
 pub fn run(study: &SequentialStudy) -> Result<SequentialOutcome, ExtremesError> {
     let target = match study.rule {
-        Rule::Fractile(fractile) => Target::quantile(fractile),
+        Rule::Fractile(fractile) => ExtremesTarget::quantile(fractile),
         Rule::Gumbel(target, _) => target,
     };
     let limit =
@@ -135,7 +135,10 @@ mod tests {
     #[test]
     fn false_verdicts_are_as_rare_as_stated() {
         let allowed = 0.05 + 2.0 * (0.05 * 0.95 / 150.0_f64).sqrt();
-        for rule in [Rule::Fractile(0.37), Rule::Gumbel(Target::expected(1.0), 5)] {
+        for rule in [
+            Rule::Fractile(0.37),
+            Rule::Gumbel(ExtremesTarget::expected(1.0), 5),
+        ] {
             let outcome = study(rule, 0.0, 150);
             assert!(
                 outcome.below < allowed && outcome.above < allowed,
@@ -151,7 +154,10 @@ mod tests {
 
     #[test]
     fn a_clear_case_is_settled() {
-        for rule in [Rule::Fractile(0.5), Rule::Gumbel(Target::expected(1.0), 5)] {
+        for rule in [
+            Rule::Fractile(0.5),
+            Rule::Gumbel(ExtremesTarget::expected(1.0), 5),
+        ] {
             let outcome = study(rule, 1.0, 100);
             assert!(outcome.below > 0.97 && outcome.above < 0.03, "{outcome:?}");
             assert!(outcome.median_seeds < 40 && outcome.most_seeds >= outcome.median_seeds);

@@ -11,7 +11,7 @@ use crate::numerics::statistics::mean;
 
 /// One-sided spectral density.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Spectrum {
+pub struct SpectralDensity {
     /// Between frequencies, in Hz; the first is zero.
     pub frequency_step: f64,
     /// Density at each frequency, in the square of the unit of the record per Hz.
@@ -29,7 +29,11 @@ pub struct Spectrum {
 /// # Errors
 /// Where the record has fewer than 8 values or one that is not finite or too great to be squared, the step is not above zero, or the segment is not from 8
 /// to the number of values.
-pub fn welch(values: &[f64], step: f64, segment: Option<usize>) -> Result<Spectrum, ExtremesError> {
+pub fn welch(
+    values: &[f64],
+    step: f64,
+    segment: Option<usize>,
+) -> Result<SpectralDensity, ExtremesError> {
     check_finite(values, 8)?;
     check_step(step)?;
     let length = segment.unwrap_or_else(|| segment_length(values.len()));
@@ -68,7 +72,7 @@ pub fn welch(values: &[f64], step: f64, segment: Option<usize>) -> Result<Spectr
     if density.iter().any(|d| !d.is_finite()) {
         return Err(too_great(values));
     }
-    Ok(Spectrum {
+    Ok(SpectralDensity {
         frequency_step: 1.0 / (step * length as f64),
         density,
         segments,
@@ -131,7 +135,7 @@ fn freedom(window: &[f64], hop: usize, segments: usize) -> f64 {
     2.0 * n / (1.0 + 2.0 * sum)
 }
 
-impl Spectrum {
+impl SpectralDensity {
     /// Factors on a density that give its interval at a level of confidence: `(freedom/chi2, freedom/chi2)`, chi-squared at both
     /// tails (Bendat and Piersol, Random Data, 2010, section 8.5.3).
     ///

@@ -19,14 +19,14 @@ pub enum Statistic {
 
 /// A figure of the greatest of a number of independent values of a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target {
+pub struct ExtremesTarget {
     /// The figure.
     pub statistic: Statistic,
     /// The number of values, 1 or more and not necessarily whole: of hourly maxima the hours, of peaks the peaks in the time.
     pub greatest_of: f64,
 }
 
-impl Target {
+impl ExtremesTarget {
     /// The quantile of a single value.
     #[must_use]
     pub const fn quantile(probability: f64) -> Self {
@@ -120,7 +120,7 @@ pub(super) struct ExponentialMaximum {
 }
 
 impl ExponentialMaximum {
-    pub(super) fn of(count: f64) -> Self {
+    pub(super) fn of_count(count: f64) -> Self {
         // Down to -90: powers up to 30 of the greatest value have their mass above it.
         const STEP: f64 = 0.25;
         let point = |i: i32| {
@@ -172,14 +172,14 @@ mod tests {
 
     #[test]
     fn moments_of_the_greatest_exponential() {
-        let one = ExponentialMaximum::of(1.0);
+        let one = ExponentialMaximum::of_count(1.0);
         for power in [0.1, 0.5, 1.0, 2.0, 5.0, 20.0] {
             let exact = ln_gamma(1.0 + power);
             assert!((one.ln_moment(power).0 - exact).abs() < 1e-12, "{power}");
         }
         // The harmonic number of 1000.
         let harmonic: f64 = (1..=1000).map(|k| 1.0 / f64::from(k)).sum();
-        let many = ExponentialMaximum::of(1000.0);
+        let many = ExponentialMaximum::of_count(1000.0);
         assert!((many.ln_moment(1.0).0 - harmonic.ln()).abs() < 1e-13);
         assert!((many.mean(|z| z) - harmonic).abs() < 1e-12);
         let (h, slope) = (1e-5, many.ln_moment(0.5).1);
@@ -189,11 +189,18 @@ mod tests {
 
     #[test]
     fn exceedance_of_the_greatest() {
-        let target = Target::quantile_of_greatest(0.5, 1e12);
+        let target = ExtremesTarget::quantile_of_greatest(0.5, 1e12);
         let exact = (2.0_f64.ln() / 1e12).ln();
         assert!((target.ln_exceedance().unwrap() - exact).abs() < 1e-10);
-        assert!(Target::quantile(1.0).check().is_err() && Target::expected(0.5).check().is_err());
-        assert!(Target::most_probable(1.0).check_for_peaks().is_err());
-        assert_eq!(Target::most_probable(1.0).check(), Ok(()));
+        assert!(
+            ExtremesTarget::quantile(1.0).check().is_err()
+                && ExtremesTarget::expected(0.5).check().is_err()
+        );
+        assert!(
+            ExtremesTarget::most_probable(1.0)
+                .check_for_peaks()
+                .is_err()
+        );
+        assert_eq!(ExtremesTarget::most_probable(1.0).check(), Ok(()));
     }
 }

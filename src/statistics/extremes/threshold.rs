@@ -4,7 +4,7 @@
 use super::anderson_darling::{ExponentialDraw, Simulation, distance};
 use super::error::{ExtremesError, check_finite, check_inside, check_probability};
 use super::generalized_pareto::ParetoFit;
-use super::target::{Statistic, Target};
+use super::target::{ExtremesTarget, Statistic};
 
 /// One threshold that was tried.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,7 +85,7 @@ impl ThresholdChoice {
             let part = descending.partition_point(|p| p > threshold);
             let kept = descending.get(..part).unwrap_or_default();
             let greatest_of = count * kept.len() as f64 / peaks.len() as f64;
-            let target = Target {
+            let target = ExtremesTarget {
                 statistic,
                 greatest_of,
             };
@@ -135,7 +135,7 @@ fn numbers_above(most: usize, fewest: usize, candidates: usize) -> Vec<usize> {
 fn try_threshold(
     kept: &[f64],
     threshold: f64,
-    target: Target,
+    target: ExtremesTarget,
 ) -> Result<(ThresholdTrial, Simulation), ExtremesError> {
     let fit = ParetoFit::fit(kept, threshold)?;
     let ascending: Vec<f64> = kept.iter().rev().map(|p| p - threshold).collect();

@@ -7,7 +7,7 @@ use super::error::{ExtremesError, check_finite, check_probability};
 use super::gumbel::GumbelFit;
 use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
 use super::location_scale::{LocationScale, Offset};
-use super::target::{ExponentialMaximum, Target};
+use super::target::{ExponentialMaximum, ExtremesTarget};
 use crate::numerics::random::Random;
 
 /// Weibull's law, scale and shape of greatest likelihood above a given location.
@@ -47,7 +47,7 @@ impl WeibullFit {
     ///
     /// # Errors
     /// Where its probability or its number of values is out of range.
-    pub fn value(&self, target: Target) -> Result<f64, ExtremesError> {
+    pub fn value(&self, target: ExtremesTarget) -> Result<f64, ExtremesError> {
         target.check_for_peaks()?;
         let offset = offset(target).at(1.0 / self.shape).0;
         Ok(self.location + self.scale * (-offset).exp())
@@ -76,7 +76,7 @@ impl WeibullFit {
 pub fn interval(
     values: &[f64],
     location: f64,
-    target: Target,
+    target: ExtremesTarget,
     level: f64,
     method: IntervalMethod,
 ) -> Result<Interval, ExtremesError> {
@@ -120,10 +120,10 @@ fn negative_logs(values: &[f64], location: f64) -> Result<Vec<f64>, ExtremesErro
 }
 
 /// Minus the logarithm of the figure, above the mode of minus the logarithms of the values.
-fn offset(target: Target) -> Offset {
+fn offset(target: ExtremesTarget) -> Offset {
     match target.ln_exceedance() {
         Some(ln_exceedance) => Offset::Linear(-(-ln_exceedance).ln()),
-        None => Offset::Expected(ExponentialMaximum::of(target.greatest_of)),
+        None => Offset::Expected(ExponentialMaximum::of_count(target.greatest_of)),
     }
 }
 
@@ -148,10 +148,10 @@ mod tests {
     fn finds_its_own_law() {
         let fit = WeibullFit::fit(&sample(5.0, 3.0, 1.7, 20_000, 2), 5.0).unwrap();
         assert!((fit.scale - 3.0).abs() < 0.04 && (fit.shape - 1.7).abs() < 0.03);
-        let mean = fit.value(Target::expected(1.0)).unwrap();
+        let mean = fit.value(ExtremesTarget::expected(1.0)).unwrap();
         let exact = 5.0 + fit.scale * ln_gamma(1.0 + 1.0 / fit.shape).exp();
         assert!((mean - exact).abs() < 1e-12);
-        let thousand = fit.value(Target::most_probable(1000.0)).unwrap();
+        let thousand = fit.value(ExtremesTarget::most_probable(1000.0)).unwrap();
         assert!((fit.probability(thousand) - 0.999).abs() < 1e-12);
     }
 
@@ -178,9 +178,9 @@ mod tests {
     fn intervals_hold_their_estimate() {
         let values = sample(10.0, 1.0, 2.0, 40, 9);
         for target in [
-            Target::quantile(0.9),
-            Target::most_probable(500.0),
-            Target::expected(500.0),
+            ExtremesTarget::quantile(0.9),
+            ExtremesTarget::most_probable(500.0),
+            ExtremesTarget::expected(500.0),
         ] {
             for method in [
                 IntervalMethod::Conditional,

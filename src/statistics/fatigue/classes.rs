@@ -30,7 +30,7 @@ impl Classes {
     ///
     /// # Errors
     /// A value that is not finite; values that are all equal, or none.
-    pub fn of(values: &[f64], count: usize) -> Result<Self, SeriesError> {
+    pub fn of_values(values: &[f64], count: usize) -> Result<Self, SeriesError> {
         if let Some((index, &value)) = values.iter().enumerate().find(|(_, v)| !v.is_finite()) {
             return Err(SeriesError::Value { index, value });
         }
@@ -65,8 +65,10 @@ mod tests {
 
     #[test]
     fn bad_classes_are_refused() {
-        assert!(Classes::of(&[1.0, 1.0], 8).is_err() && Classes::of(&[], 8).is_err());
-        assert!(Classes::new(0.0, 1.0, 0).is_err() && Classes::of(&[0.0, f64::NAN], 8).is_err());
+        assert!(Classes::of_values(&[1.0, 1.0], 8).is_err() && Classes::of_values(&[], 8).is_err());
+        assert!(
+            Classes::new(0.0, 1.0, 0).is_err() && Classes::of_values(&[0.0, f64::NAN], 8).is_err()
+        );
     }
 
     #[test]

@@ -5,7 +5,7 @@
 //! functions (DNV-RP-C203, simplified fatigue analysis with Weibull ranges, for one and for two slopes). A narrow-band Gaussian tension of deviation σ has
 //! `h = 2` and `s = 2 √2 σ`, so that with one slope `E[D] = (2 √2 σ)^m / K Γ(1 + m/2)`.
 
-use super::component::Component;
+use super::component::FatigueComponent;
 use super::curve::{CurveError, check};
 use statrs::function::gamma::{gamma_lr, gamma_ur, ln_gamma};
 use std::f64::consts::{LN_10, SQRT_2};
@@ -16,7 +16,7 @@ use std::f64::consts::{LN_10, SQRT_2};
 /// # Errors
 /// A scale that is negative or not finite, a shape outside 0.2 to 20, a mean that the curve refuses, a damage above 1e300.
 pub fn weibull_damage(
-    component: &Component,
+    component: &FatigueComponent,
     scale: f64,
     shape: f64,
     mean: f64,
@@ -77,7 +77,7 @@ fn part(log: f64, share: f64) -> f64 {
 /// # Errors
 /// A number of cycles or deviation that is negative or not finite, and what [`weibull_damage`] refuses.
 pub fn narrow_band_damage(
-    component: &Component,
+    component: &FatigueComponent,
     deviation: f64,
     mean: f64,
     cycles: f64,
@@ -109,8 +109,8 @@ mod tests {
     use crate::fatigue::curve::Law;
     use crate::numerics::random::Random;
 
-    fn ratio(law: Law) -> Component {
-        Component::new("", law, Measure::TensionRatio, Some(1e6)).unwrap()
+    fn ratio(law: Law) -> FatigueComponent {
+        FatigueComponent::new("", law, Measure::TensionRatio, Some(1e6)).unwrap()
     }
 
     /// `Γ(1 + 3/2) = 3 √π / 4` and `Γ(1 + 4/2) = 2`.

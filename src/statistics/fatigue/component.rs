@@ -49,7 +49,7 @@ pub fn rope_area(diameter: f64) -> f64 {
 
 /// A curve with what turns a tension into its x: a component whose fatigue is sought.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Component {
+pub struct FatigueComponent {
     title: String,
     law: Law,
     measure: Measure,
@@ -70,7 +70,7 @@ pub struct CycleDamage {
     pub mean_slope: f64,
 }
 
-impl Component {
+impl FatigueComponent {
     /// Of a curve; `strength` is the reference (breaking) strength in N, which tension ratios and mean loads need.
     ///
     /// # Errors
@@ -220,7 +220,7 @@ impl Component {
     /// Damage of one cycle of a double amplitude and a mean of tension, N.
     ///
     /// # Errors
-    /// A range that is negative or not finite, a mean as [`Component::mean_ratio`] refuses, a damage above 1e300.
+    /// A range that is negative or not finite, a mean as [`FatigueComponent::mean_ratio`] refuses, a damage above 1e300.
     pub fn cycle_damage(&self, range: f64, mean: f64) -> Result<CycleDamage, CurveError> {
         check(
             "the range of tension in N",
@@ -251,7 +251,7 @@ impl Component {
     /// Cycles to failure at a double amplitude and a mean of tension, N; infinite at a range of zero.
     ///
     /// # Errors
-    /// Those of [`Component::cycle_damage`].
+    /// Those of [`FatigueComponent::cycle_damage`].
     pub fn cycles_to_failure(&self, range: f64, mean: f64) -> Result<f64, CurveError> {
         Ok(1.0 / self.cycle_damage(range, mean)?.damage)
     }

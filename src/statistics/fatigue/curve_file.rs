@@ -17,7 +17,7 @@
 //!
 //! Instead of `kind`, `m`, `k` and what belongs to them, `library = "dnv-studless-chain"` takes a published curve.
 
-use super::component::{Component, Measure, RangeKind, chain_area, rope_area};
+use super::component::{FatigueComponent, Measure, RangeKind, chain_area, rope_area};
 use super::curve::{CurveError, Knee, Law, check};
 use super::curve_library::{PUBLISHED, published};
 use crate::files::shallow::shallow;
@@ -65,7 +65,7 @@ struct File {
 /// What the range of a curve is related to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum FileKind {
+pub enum FileRangeKind {
     /// The reference strength.
     Tension,
     /// The nominal area, in MPa.
@@ -146,7 +146,7 @@ pub struct CurveTable {
     /// Name of a published curve.
     pub library: Option<String>,
     /// What its range is related to.
-    pub kind: Option<FileKind>,
+    pub kind: Option<FileRangeKind>,
     /// Exponent.
     pub m: Option<f64>,
     /// Constant K.
@@ -175,7 +175,7 @@ pub struct CurveTable {
 ///
 /// # Errors
 /// What is no TOML or no curve, with what would be one.
-pub fn read_curve(text: &str) -> Result<Component, CurveFileError> {
+pub fn read_curve(text: &str) -> Result<FatigueComponent, CurveFileError> {
     let file: File =
         toml::from_str(shallow(text)).map_err(|e| CurveFileError::Syntax(e.to_string()))?;
     file.curve.component()
@@ -186,7 +186,7 @@ impl CurveTable {
     ///
     /// # Errors
     /// Keys that are missing or exclude each other; numbers out of bounds.
-    pub fn component(&self) -> Result<Component, CurveFileError> {
+    pub fn component(&self) -> Result<FatigueComponent, CurveFileError> {
         let component = match &self.library {
             Some(id) => self.published_one(id)?,
             None => self.own()?,
@@ -197,7 +197,7 @@ impl CurveTable {
         }
     }
 
-    fn published_one(&self, id: &str) -> Result<Component, CurveFileError> {
+    fn published_one(&self, id: &str) -> Result<FatigueComponent, CurveFileError> {
         let own = [
             ("kind", self.kind.is_some()),
             ("m", self.m.is_some()),
@@ -224,7 +224,7 @@ impl CurveTable {
         Ok(component.with_title(title))
     }
 
-    fn own(&self) -> Result<Component, CurveFileError> {
+    fn own(&self) -> Result<FatigueComponent, CurveFileError> {
         let needed = |needed: &'static str| CurveFileError::Missing { needed };
         let kind = self
             .kind
@@ -239,8 +239,8 @@ impl CurveTable {
             exponent: m,
         });
         let measure = match kind {
-            FileKind::Tension => Measure::TensionRatio,
-            FileKind::Stress => Measure::Stress {
+            FileRangeKind::Tension => Measure::TensionRatio,
+            FileRangeKind::Stress => Measure::Stress {
                 nominal_area: self.area()?,
             },
         };
@@ -249,7 +249,7 @@ impl CurveTable {
             FileRange::Amplitude => RangeKind::Amplitude,
         };
         let title = self.title.as_deref().unwrap_or("own curve");
-        let component = Component::new(title, law, measure, self.reference_strength_n)?;
+        let component = FatigueComponent::new(title, law, measure, self.reference_strength_n)?;
         Ok(component.with_range_kind(range))
     }
 

@@ -3,7 +3,7 @@
 //! The numbers are those that public sources repeat from the standards; `confirmed` says which. Standards change: check a
 //! curve against your edition before it decides anything.
 
-use super::component::{Component, Measure, chain_area, rope_area};
+use super::component::{FatigueComponent, Measure, chain_area, rope_area};
 use super::curve::{CurveError, Law};
 
 /// What the range of a published curve is related to.
@@ -175,7 +175,7 @@ impl PublishedCurve {
         &self,
         diameter: Option<f64>,
         strength: Option<f64>,
-    ) -> Result<Component, CurveError> {
+    ) -> Result<FatigueComponent, CurveError> {
         let diameter = diameter.unwrap_or(0.0);
         let measure = match self.kind {
             CurveKind::Tension => Measure::TensionRatio,
@@ -186,7 +186,7 @@ impl PublishedCurve {
                 nominal_area: rope_area(diameter),
             },
         };
-        Component::new(self.title, self.law, measure, strength)
+        FatigueComponent::new(self.title, self.law, measure, strength)
     }
 }
 

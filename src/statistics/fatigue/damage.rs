@@ -1,6 +1,6 @@
 //! Miner's sum: the damages of all cycles added (Palmgren 1924, Miner, J. Appl. Mech. 12 (1945) A159).
 
-use super::component::Component;
+use super::component::FatigueComponent;
 use super::curve::CurveError;
 use super::mean_stress::{MeanCorrection, MeanStressError};
 use super::rainflow::Cycle;
@@ -117,7 +117,7 @@ impl Damage {
 /// Adds cycles as they come.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MinerSum<'a> {
-    component: &'a Component,
+    component: &'a FatigueComponent,
     correction: MeanCorrection,
     mean_load: MeanLoad,
     total: Damage,
@@ -126,7 +126,11 @@ pub struct MinerSum<'a> {
 impl<'a> MinerSum<'a> {
     /// Of no cycle yet.
     #[must_use]
-    pub fn new(component: &'a Component, correction: MeanCorrection, mean_load: MeanLoad) -> Self {
+    pub fn new(
+        component: &'a FatigueComponent,
+        correction: MeanCorrection,
+        mean_load: MeanLoad,
+    ) -> Self {
         Self {
             component,
             correction,
@@ -201,7 +205,7 @@ fn slope(value: f64, range: f64) -> f64 {
 /// Those of [`MinerSum::add`].
 pub fn damage<'c>(
     cycles: impl IntoIterator<Item = &'c Cycle>,
-    component: &Component,
+    component: &FatigueComponent,
     correction: MeanCorrection,
     mean_load: MeanLoad,
 ) -> Result<Damage, DamageError> {

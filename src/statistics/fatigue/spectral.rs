@@ -4,7 +4,7 @@
 //! `α1 = m1/√(m0 m2)`, `α2 = m2/√(m0 m4)`.
 
 use super::closed_form::{narrow_band_scale, weibull_damage};
-use super::component::Component;
+use super::component::FatigueComponent;
 use super::curve::CurveError;
 
 /// Why a spectrum gives no damage.
@@ -44,20 +44,20 @@ pub enum SpectralError {
 
 /// Moments m0, m1, m2, m4 of a one-sided spectrum of tension, N² Hzⁿ.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SpectralMoments {
+pub struct TensionMoments {
     m0: f64,
     m1: f64,
     m2: f64,
     m4: f64,
 }
 
-impl SpectralMoments {
+impl TensionMoments {
     /// Of a spectrum by the trapezoidal rule: frequencies in Hz, densities in N²/Hz.
     ///
     /// # Errors
     /// Lengths that differ; frequencies that do not rise from zero or more; densities that are negative or not finite; a
     /// spectrum without energy.
-    pub fn of(frequencies: &[f64], densities: &[f64]) -> Result<Self, SpectralError> {
+    pub fn of_spectrum(frequencies: &[f64], densities: &[f64]) -> Result<Self, SpectralError> {
         let (n, d) = (frequencies.len(), densities.len());
         if n != d || n < 2 {
             return Err(SpectralError::Lengths {
@@ -145,7 +145,11 @@ impl SpectralMoments {
     ///
     /// # Errors
     /// What the curve refuses.
-    pub fn narrow_band(&self, component: &Component, mean: f64) -> Result<f64, SpectralError> {
+    pub fn narrow_band(
+        &self,
+        component: &FatigueComponent,
+        mean: f64,
+    ) -> Result<f64, SpectralError> {
         let scale = narrow_band_scale(self.deviation());
         Ok(self.crossing_rate() * weibull_damage(component, scale, 2.0, mean)?)
     }
@@ -155,7 +159,11 @@ impl SpectralMoments {
     ///
     /// # Errors
     /// What the curve refuses.
-    pub fn tovo_benasciutti(&self, component: &Component, mean: f64) -> Result<f64, SpectralError> {
+    pub fn tovo_benasciutti(
+        &self,
+        component: &FatigueComponent,
+        mean: f64,
+    ) -> Result<f64, SpectralError> {
         let weight = self.level_crossing_weight();
         let narrower = narrow_band_scale(self.deviation() * self.alpha2());
         let ranges = self.crest_rate() * weibull_damage(component, narrower, 2.0, mean)?;
@@ -179,7 +187,11 @@ impl SpectralMoments {
     ///
     /// # Errors
     /// What the curve refuses.
-    pub fn dirlik(&self, component: &Component, mean: f64) -> Result<Option<f64>, SpectralError> {
+    pub fn dirlik(
+        &self,
+        component: &FatigueComponent,
+        mean: f64,
+    ) -> Result<Option<f64>, SpectralError> {
         let Some(law) = self.dirlik_law() else {
             return Ok(None);
         };

@@ -3,7 +3,7 @@
 //! Values come step by step, and crests lie between steps: a turning point is the vertex of the parabola through the value and its
 //! neighbours. It is the value itself where equal values follow each other, as those of a slack line do.
 
-use super::component::Component;
+use super::component::FatigueComponent;
 use super::damage::DamageError;
 use super::rainflow::{Cycle, ThreePointCounter};
 use super::turning_points::{Reversal, SeriesError};
@@ -61,7 +61,7 @@ impl SpotCounter {
     ///
     /// # Errors
     /// A curve that has a knee and a constant that falls with the mean load.
-    pub fn check(component: &Component) -> Result<(), SpotError> {
+    pub fn check(component: &FatigueComponent) -> Result<(), SpotError> {
         let law = component.law();
         match law.mean_slope > 0.0 && law.knee.is_some() {
             true => Err(SpotError::MeanAndKnee),
@@ -73,7 +73,12 @@ impl SpotCounter {
     ///
     /// # Errors
     /// A value that is not finite, or a cycle that the curve refuses.
-    pub fn push(&mut self, component: &Component, time: f64, value: f64) -> Result<(), SpotError> {
+    pub fn push(
+        &mut self,
+        component: &FatigueComponent,
+        time: f64,
+        value: f64,
+    ) -> Result<(), SpotError> {
         let Some(last) = self.latest else {
             (self.began, self.until) = (time, time);
             self.latest = Some(Reversal { time, value });
@@ -105,7 +110,12 @@ impl SpotCounter {
         Ok(())
     }
 
-    fn take(&mut self, component: &Component, time: f64, value: f64) -> Result<(), SpotError> {
+    fn take(
+        &mut self,
+        component: &FatigueComponent,
+        time: f64,
+        value: f64,
+    ) -> Result<(), SpotError> {
         let damage = &mut self.damage;
         let mut refused = None;
         self.cycles.push(time, value, |cycle| {
@@ -121,7 +131,7 @@ impl SpotCounter {
     ///
     /// # Errors
     /// A cycle or a mean load that the curve refuses.
-    pub fn finish(mut self, component: &Component) -> Result<(SpotDamage, f64), SpotError> {
+    pub fn finish(mut self, component: &FatigueComponent) -> Result<(SpotDamage, f64), SpotError> {
         if let (Some(last), true) = (self.latest, self.until > self.began) {
             let time = last.time;
             if time > self.began {
@@ -177,7 +187,7 @@ impl SpotCounter {
 
 impl SpotDamage {
     /// Adds a cycle at no mean load.
-    fn add(&mut self, component: &Component, cycle: &Cycle) -> Result<(), DamageError> {
+    fn add(&mut self, component: &FatigueComponent, cycle: &Cycle) -> Result<(), DamageError> {
         let one = component.cycle_damage(cycle.range, 0.0)?;
         let damage = cycle.count * one.damage;
         let sum = self.sum + damage;
@@ -212,12 +222,15 @@ mod tests {
     use crate::fatigue::component::Measure;
     use crate::fatigue::curve::Law;
 
-    fn component(law: Law) -> Component {
+    fn component(law: Law) -> FatigueComponent {
         let measure = Measure::Stress { nominal_area: 1.0 };
-        Component::new("wire", law, measure, Some(1e9)).unwrap()
+        FatigueComponent::new("wire", law, measure, Some(1e9)).unwrap()
     }
 
-    fn counted(component: &Component, values: impl Iterator<Item = (f64, f64)>) -> SpotDamage {
+    fn counted(
+        component: &FatigueComponent,
+        values: impl Iterator<Item = (f64, f64)>,
+    ) -> SpotDamage {
         let mut counter = SpotCounter::default();
         for (time, value) in values {
             counter.push(component, time, value).unwrap();

@@ -1,7 +1,7 @@
 //! Rainflow damage of random narrow-band records against the closed form.
 
 use super::closed_form::narrow_band_damage;
-use super::component::Component;
+use super::component::FatigueComponent;
 use super::damage::{DamageError, MeanLoad, MinerSum};
 use super::mean_stress::MeanCorrection;
 use super::rainflow::ThreePointCounter;
@@ -159,7 +159,7 @@ impl NarrowBandRecords {
     ///
     /// # Errors
     /// Numbers out of bounds; what the curve refuses.
-    pub fn study(&self, component: &Component) -> Result<NarrowBandStudy, StudyError> {
+    pub fn study(&self, component: &FatigueComponent) -> Result<NarrowBandStudy, StudyError> {
         self.checked()?;
         // ∫ f² over the flat band, by its middle of 1 and width w: 1 + w²/12.
         let crossings = self.periods() * (1.0 + self.bandwidth.powi(2) / 12.0).sqrt();
@@ -185,7 +185,11 @@ impl NarrowBandRecords {
         })
     }
 
-    fn rainflow_damage(&self, component: &Component, record: &[f64]) -> Result<f64, StudyError> {
+    fn rainflow_damage(
+        &self,
+        component: &FatigueComponent,
+        record: &[f64],
+    ) -> Result<f64, StudyError> {
         let mean_load = MeanLoad::OfRecord(self.mean);
         let mut sum = MinerSum::new(component, MeanCorrection::None, mean_load);
         let mut outcome = Ok(());
@@ -221,8 +225,8 @@ mod tests {
     use crate::fatigue::component::Measure;
     use crate::fatigue::curve::Law;
 
-    fn component(law: Law) -> Component {
-        Component::new("", law, Measure::TensionRatio, Some(1e7)).unwrap()
+    fn component(law: Law) -> FatigueComponent {
+        FatigueComponent::new("", law, Measure::TensionRatio, Some(1e7)).unwrap()
     }
 
     /// 24 records of 800 cycles: the ratio lies within four standard errors of one, and these are as small as stated.

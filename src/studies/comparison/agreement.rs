@@ -45,7 +45,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A result less that of another run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Change {
+pub struct ResultChange {
     /// Difference of the values, in the unit of the result.
     pub absolute: f64,
     /// Error of the difference: both errors together, which holds however they are correlated; absent where one is not
@@ -77,10 +77,10 @@ pub fn is_beyond_error(quantity: &Quantity, value: f64) -> Option<bool> {
 
 /// A result less that of another run.
 #[must_use]
-pub fn change(from: &Quantity, to: &Quantity) -> Change {
+pub fn change(from: &Quantity, to: &Quantity) -> ResultChange {
     let absolute = to.value - from.value;
     let errors = from.error_estimate().zip(to.error_estimate());
-    Change {
+    ResultChange {
         absolute,
         error: errors.map(|(a, b)| a + b),
         relative: (from.value != 0.0).then(|| absolute / from.value.abs()),

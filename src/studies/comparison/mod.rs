@@ -1,7 +1,7 @@
 //! Stored runs compared: inputs and settings that differ, every result with difference and error bars, channels, published values,
 //! cost; difference curves and shapes at a common time.
 //!
-//! Every difference is from the first run. [`Comparison::of`] only reads its runs;
+//! Every difference is from the first run. [`Comparison::of_runs`] only reads its runs;
 //! `report::comparison` shows it.
 
 mod agreement;
@@ -13,7 +13,7 @@ mod settings;
 mod shapes;
 mod validation;
 
-pub use agreement::{Agreement, Change, change, error_bar, is_beyond_error};
+pub use agreement::{Agreement, ResultChange, change, error_bar, is_beyond_error};
 pub use channels::{ChannelExtremes, ComparedChannel};
 pub use curves::{CurveDifference, difference, differences, points_less};
 pub use inputs::{ComparedInput, InputValue};
@@ -48,7 +48,7 @@ pub struct Comparison {
 impl Comparison {
     /// Compares runs with the first of them.
     #[must_use]
-    pub fn of(runs: &[&Run]) -> Self {
+    pub fn of_runs(runs: &[&Run]) -> Self {
         let infos: Vec<RunInfo> = runs.iter().map(|run| run.info.clone()).collect();
         let mut notes: Vec<String> = infos.iter().enumerate().filter_map(state).collect();
         let (inputs, unreadable) = inputs::compare(runs);

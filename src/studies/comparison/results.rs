@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::{Change, change};
+use super::{ResultChange, change};
 use crate::case::QuantityId;
 use crate::run::{Quantity, Run};
 
@@ -14,7 +14,7 @@ pub struct ComparedResult {
     /// The result in each run; absent where a run has none.
     pub values: Vec<Option<Quantity>>,
     /// Each run's result less that of the first run; absent for the first run itself and where either is missing.
-    pub changes: Vec<Option<Change>>,
+    pub changes: Vec<Option<ResultChange>>,
 }
 
 /// Every result that any of the runs has, in the order in which the runs have them.

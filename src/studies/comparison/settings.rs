@@ -29,17 +29,17 @@ pub(super) fn cost(runs: &[RunInfo]) -> Vec<ComparedSetting> {
     rows(runs, &COST)
 }
 
-type Reader<T> = (&'static str, fn(&T) -> String);
+type SettingReader<T> = (&'static str, fn(&T) -> String);
 
-fn rows(runs: &[RunInfo], readers: &[Reader<RunInfo>]) -> Vec<ComparedSetting> {
-    let row = |(name, read): &Reader<RunInfo>| ComparedSetting {
+fn rows(runs: &[RunInfo], readers: &[SettingReader<RunInfo>]) -> Vec<ComparedSetting> {
+    let row = |(name, read): &SettingReader<RunInfo>| ComparedSetting {
         name,
         values: runs.iter().map(read).collect(),
     };
     readers.iter().map(row).collect()
 }
 
-const ABOUT: [Reader<RunInfo>; 4] = [
+const ABOUT: [SettingReader<RunInfo>; 4] = [
     ("version", |run| run.version.clone()),
     ("case file", |run| run.case_file.clone()),
     ("title", |run| run.title.clone()),
@@ -51,7 +51,7 @@ const ABOUT: [Reader<RunInfo>; 4] = [
     }),
 ];
 
-const SETTINGS: [Reader<Settings>; 10] = [
+const SETTINGS: [SettingReader<Settings>; 10] = [
     ("method", |s| s.method.clone()),
     ("duration", |s| si(s.duration_s, "s")),
     ("longest step", |s| si(s.time_step_s, "s")),
@@ -66,7 +66,7 @@ const SETTINGS: [Reader<Settings>; 10] = [
     ("accuracy", |s| s.accuracy.clone().unwrap_or_default()),
 ];
 
-const COST: [Reader<RunInfo>; 6] = [
+const COST: [SettingReader<RunInfo>; 6] = [
     ("steps", |run| run.work.steps.to_string()),
     ("steps rejected", |run| run.work.rejections.to_string()),
     ("Newton iterations", |run| run.work.iterations.to_string()),

@@ -54,14 +54,14 @@ pub struct AccuracyFinding {
     /// CPU time of the search, its run included \[s\].
     pub cpu_s: f64,
     /// The cheapest setting that is as accurate; none where none of those tried is.
-    pub cheapest: Option<Setting>,
+    pub cheapest: Option<FixedDiscretisation>,
     /// The cheapest that is as accurate and knows it, with its error bars.
-    pub knowing: Option<Setting>,
+    pub knowing: Option<FixedDiscretisation>,
 }
 
 /// Segments and steps that do not change during a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Setting {
+pub struct FixedDiscretisation {
     /// Segments by those of the case.
     pub segments: f64,
     /// Steps by those of the case; none at rest.
@@ -70,7 +70,7 @@ pub struct Setting {
     pub cpu_s: f64,
 }
 
-impl Setting {
+impl FixedDiscretisation {
     fn words(self) -> String {
         let segments = format!("{} x segments", self.segments);
         match self.steps {
@@ -180,7 +180,7 @@ impl Judge<'_> {
 }
 
 /// The settings that are as accurate as asked, the cheapest first; without error bars.
-fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Setting> {
+fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<FixedDiscretisation> {
     let steps = match case.steps().method {
         Method::Static => vec![None],
         _ => STEPS.map(Some).to_vec(),
@@ -193,13 +193,13 @@ fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Settin
         let begun = cpu(ClockId::ThreadCPUTime);
         let run = run(with(case, segments, steps).ok()?, "", cancel).ok()?;
         let cpu_s = cpu(ClockId::ThreadCPUTime) - begun;
-        judge.is_met(&run).then_some(Setting {
+        judge.is_met(&run).then_some(FixedDiscretisation {
             segments,
             steps,
             cpu_s,
         })
     });
-    let mut met: Vec<Setting> = met.collect();
+    let mut met: Vec<FixedDiscretisation> = met.collect();
     met.sort_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s));
     met
 }
@@ -208,10 +208,10 @@ fn met<C: Timed>(case: &C, judge: &Judge<'_>, cancel: &AtomicBool) -> Vec<Settin
 fn knowing<C: Timed>(
     case: &C,
     judge: &Judge<'_>,
-    met: &[Setting],
+    met: &[FixedDiscretisation],
     cancel: &AtomicBool,
-) -> Option<Setting> {
-    let mut cheapest: Option<Setting> = None;
+) -> Option<FixedDiscretisation> {
+    let mut cheapest: Option<FixedDiscretisation> = None;
     for setting in met {
         // With bars it costs more than without.
         if cheapest.is_some_and(|cheapest| cheapest.cpu_s <= setting.cpu_s) {
@@ -226,7 +226,7 @@ fn knowing<C: Timed>(
         };
         let cpu_s = cpu(ClockId::ProcessCPUTime) - begun;
         if judge.is_expected(&run) && cheapest.is_none_or(|cheapest| cpu_s < cheapest.cpu_s) {
-            cheapest = Some(Setting { cpu_s, ..*setting });
+            cheapest = Some(FixedDiscretisation { cpu_s, ..*setting });
         }
     }
     cheapest
@@ -294,7 +294,7 @@ fn cpu(clock: ClockId) -> f64 {
 #[must_use]
 pub fn table(rows: &[AccuracyRow]) -> Table {
     let found = |row: &AccuracyRow| row.1.as_ref().ok().cloned();
-    Table::of("Accuracy asked, and the true one", rows)
+    Table::of_records("Accuracy asked, and the true one", rows)
         .text("case", |row| row.0.name.clone())
         .number("asked", NumberFormat::Digits(2, ""), |row| row.0.asked)
         .text("said", move |row| match found(row) {
@@ -320,7 +320,7 @@ pub fn table(rows: &[AccuracyRow]) -> Table {
         })
         .text("its setting", move |row| {
             let cheapest = found(row).and_then(|found| found.cheapest);
-            cheapest.map_or_else(String::new, Setting::words)
+            cheapest.map_or_else(String::new, FixedDiscretisation::words)
         })
         .number("that knows it", NumberFormat::Digits(3, "s"), move |row| {
             found(row)?.knowing.map(|setting| setting.cpu_s)
@@ -352,7 +352,7 @@ pub fn totals(rows: &[AccuracyRow]) -> Table {
         let within: usize = counted().map(|found| found.within).sum();
         (results > 0).then(|| within as f64 / results as f64)
     };
-    Table::of("All of them", &totals)
+    Table::of_records("All of them", &totals)
         .number("asked", NumberFormat::Digits(2, ""), |row| row.0)
         .number("cases", NumberFormat::Decimals(0, ""), |row| {
             row.1.len() as f64

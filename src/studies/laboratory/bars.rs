@@ -271,7 +271,7 @@ pub fn table(checks: &[BarCheck]) -> Table {
             Some(of(tally) as f64 / tally.results as f64)
         }
     };
-    Table::of("Error bars against converged runs", &rows)
+    Table::of_records("Error bars against converged runs", &rows)
         .text("case", |row| row.0.clone())
         .text("method", |row| row.1.clone())
         .number("results", NumberFormat::Decimals(0, ""), |row| {
@@ -351,7 +351,7 @@ pub fn results_table(checks: &[BarCheck]) -> Table {
 
 /// The columns of what a result is.
 fn named<'r, 'a>(title: &str, rows: &'r [BarRow<'a>]) -> Columns<'r, BarRow<'a>> {
-    Table::of(title, rows)
+    Table::of_records(title, rows)
         .text("case", |row| row.0.name.clone())
         .text("method", |row| row.0.setting.clone())
         .text("result", |row| row.1.name.clone())

@@ -14,7 +14,7 @@ use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 
-use self::paid_out::Drive;
+use self::paid_out::RandomDrive;
 use crate::case::{ChannelQuantity, kind};
 use crate::numerics::random::Random;
 use crate::system::motion::payout::Payout;
@@ -195,7 +195,7 @@ fn wrong_length(solved: &SolvedSystem, run: &MotionRun) -> f64 {
 /// A random system of a kind, as a file.
 #[must_use]
 pub fn text(kind: usize, random: &mut Random) -> String {
-    let mut maker = Maker {
+    let mut maker = MovingSystemWriter {
         random,
         text: String::new(),
         depth: 0.0,
@@ -212,17 +212,17 @@ pub fn text(kind: usize, random: &mut Random) -> String {
         5 => maker.hung("break"),
         6 => maker.shared(),
         7 => maker.slack(),
-        8 => maker.paid_out(Drive::Rate),
-        9 => maker.paid_out(Drive::Heave),
-        10 => maker.paid_out(Drive::Tension),
-        11 => maker.paid_out(Drive::GivesWay),
+        8 => maker.paid_out(RandomDrive::Rate),
+        9 => maker.paid_out(RandomDrive::Heave),
+        10 => maker.paid_out(RandomDrive::Tension),
+        11 => maker.paid_out(RandomDrive::GivesWay),
         12 => maker.bead(),
         _ => maker.winches_on_body(),
     }
     maker.text
 }
 
-struct Maker<'a> {
+struct MovingSystemWriter<'a> {
     random: &'a mut Random,
     text: String,
     depth: f64,
@@ -231,7 +231,7 @@ struct Maker<'a> {
     wet_weights: Vec<f64>,
 }
 
-impl Maker<'_> {
+impl MovingSystemWriter<'_> {
     fn put(&mut self, words: std::fmt::Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(words);

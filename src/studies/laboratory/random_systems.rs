@@ -113,7 +113,7 @@ pub fn run(count: usize, seed: u64) -> Vec<RandomOutcome> {
 /// A random system of a kind.
 #[must_use]
 pub fn network(kind: usize, random: &mut Random) -> Network {
-    let mut maker = Maker {
+    let mut maker = RandomNetworkBuilder {
         random,
         network: Network {
             gravity: 9.806_65,
@@ -140,13 +140,13 @@ pub fn network(kind: usize, random: &mut Random) -> Network {
     maker.network
 }
 
-struct Maker<'a> {
+struct RandomNetworkBuilder<'a> {
     random: &'a mut Random,
     network: Network,
     depth: f64,
 }
 
-impl Maker<'_> {
+impl RandomNetworkBuilder<'_> {
     fn point(&mut self, held: Held) -> usize {
         let name = format!("p{}", self.network.points.len());
         self.network.points.push(Point {

@@ -29,8 +29,8 @@ pub fn settings(name: &str, case: &Case, seed: u64, count: usize) -> Vec<BarSett
 #[must_use]
 pub fn varied(case: &Case, seed: u64, number: u64) -> Case {
     // Every case has its own stream.
-    let title = TextDigest::of(&case.case.title).0;
-    let mut by = Factors(Random::new(seed ^ title, number));
+    let title = TextDigest::of_text(&case.case.title).0;
+    let mut by = RandomFactors(Random::new(seed ^ title, number));
     let mut case = case.clone();
     let finer = by.factor(SEGMENTS);
     for section in &mut case.line {
@@ -60,9 +60,9 @@ pub fn varied(case: &Case, seed: u64, number: u64) -> Case {
 }
 
 /// Factors drawn at random.
-struct Factors(Random);
+struct RandomFactors(Random);
 
-impl Factors {
+impl RandomFactors {
     /// One from a range, evenly by its logarithm.
     fn factor(&mut self, [least, greatest]: [f64; 2]) -> f64 {
         least * (greatest / least).powf(self.0.uniform())

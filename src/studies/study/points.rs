@@ -10,7 +10,7 @@ use super::study_job::StudyJob;
 use crate::case::fields::number;
 use crate::case::{self, Attachment, Diagnostic, QuantityId, StudyValue, edit};
 use crate::run::job::Request;
-use crate::run::store::{Recorder, StoreError};
+use crate::run::store::{StoreError, StoringRecorder};
 use crate::run::{Quantity, Run, RunInfo, RunState};
 use crate::system::motion::job_request::JobRequest;
 
@@ -64,7 +64,7 @@ impl Setting {
 
 /// A point at which a case is computed.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Point {
+pub struct StudyPoint {
     /// What is set there.
     pub settings: Vec<Setting>,
 }
@@ -244,7 +244,7 @@ fn execute_stored(
     dir: &Path,
     cancel: &AtomicBool,
 ) -> Result<(Run, PathBuf), StoreError> {
-    let mut recorder = Recorder::begin_late(dir, job.initial_info(), &job.stored_text())?;
+    let mut recorder = StoringRecorder::begin_late(dir, job.initial_info(), &job.stored_text())?;
     job.name(recorder.id());
     let mut run = job.execute(cancel, &mut |event| {
         if !recorder.event(&event) {

@@ -5,14 +5,14 @@
 
 use crate::extremes::ExtremesError;
 use crate::extremes::convergence::MeanEstimate;
-use crate::extremes::greatest::{PeakSample, Question};
+use crate::extremes::greatest::{GreatestQuestion, PeakSample};
 use crate::extremes::gumbel;
 use crate::extremes::interval::{Interval, IntervalMethod};
 use crate::extremes::moments::mean_crossing_rate;
-use crate::extremes::spectrum::{Spectrum, welch};
-use crate::extremes::target::{Statistic, Target};
+use crate::extremes::spectrum::{SpectralDensity, welch};
+use crate::extremes::target::{ExtremesTarget, Statistic};
 use crate::extremes::threshold::{ThresholdChoice, ThresholdSearch};
-use crate::fatigue::component::Component;
+use crate::fatigue::component::FatigueComponent;
 use crate::fatigue::damage::{Damage, DamageError, MeanLoad, damage};
 use crate::fatigue::mean_stress::MeanCorrection;
 use crate::fatigue::rainflow::{Cycle, three_point};
@@ -35,7 +35,7 @@ pub struct ChannelRecord {
 impl ChannelRecord {
     /// Of the rows of a history, whose last one may follow earlier than the others.
     #[must_use]
-    pub fn of(time: &[f64], values: &[f64]) -> Option<Self> {
+    pub fn of_history(time: &[f64], values: &[f64]) -> Option<Self> {
         let step = time.get(1)? - time[0];
         let even = time
             .windows(2)
@@ -122,7 +122,7 @@ pub struct RecordStatistics {
     /// Up-crossings of the mean per second.
     pub crossing_rate: Result<f64, ExtremesError>,
     /// The spectrum of the longest record.
-    pub spectrum: Result<Spectrum, ExtremesError>,
+    pub spectrum: Result<SpectralDensity, ExtremesError>,
     /// The greatest value by each method, or why there is none.
     pub greatest: Vec<(ExtremeMethod, Result<GreatestValue, ExtremesError>)>,
     /// Length of all records together \[s\].
@@ -132,7 +132,7 @@ pub struct RecordStatistics {
 impl RecordStatistics {
     /// Of the records of a channel; nothing without any value.
     #[must_use]
-    pub fn of(records: &[ChannelRecord], question: ExtremeQuestion) -> Option<Self> {
+    pub fn of_records(records: &[ChannelRecord], question: ExtremeQuestion) -> Option<Self> {
         let all: Vec<f64> = records
             .iter()
             .flat_map(|r| r.values.iter().copied())
@@ -146,7 +146,7 @@ impl RecordStatistics {
         let methods = ExtremeMethod::ALL.into_iter();
         let greatest = methods.map(|method| (method, greatest(records, method, question)));
         Some(Self {
-            moments: Statistics::of(&all),
+            moments: Statistics::of_values(&all),
             mean: pooled_mean(records),
             crossing_rate: mean_crossing_rate(&longest.values, longest.step),
             spectrum: welch(&longest.values, longest.step, None),
@@ -163,7 +163,7 @@ impl RecordStatistics {
 pub fn pooled_mean(records: &[ChannelRecord]) -> Result<MeanEstimate, ExtremesError> {
     let each: Result<Vec<MeanEstimate>, _> = records
         .iter()
-        .map(|record| MeanEstimate::of(&record.values))
+        .map(|record| MeanEstimate::of_record(&record.values))
         .collect();
     let each = each?;
     let all: f64 = records
@@ -197,7 +197,7 @@ pub fn greatest(
     method: ExtremeMethod,
     question: ExtremeQuestion,
 ) -> Result<GreatestValue, ExtremesError> {
-    let ask = |statistic: Statistic, method: IntervalMethod| Question {
+    let ask = |statistic: Statistic, method: IntervalMethod| GreatestQuestion {
         statistic,
         hours: question.hours,
         level: question.level,
@@ -271,7 +271,7 @@ fn by_gumbel(
     let maxima: Vec<f64> = maxima.collect();
     let hours = records.iter().map(ChannelRecord::duration).sum::<f64>() / 3600.0 / found as f64;
     let by = |statistic| {
-        let target = Target {
+        let target = ExtremesTarget {
             statistic,
             greatest_of: question.hours / hours,
         };
@@ -303,7 +303,7 @@ pub struct RecordFatigue {
 /// A tension that the curve cannot take, or records without duration.
 pub fn fatigue(
     records: &[ChannelRecord],
-    component: &Component,
+    component: &FatigueComponent,
 ) -> Result<RecordFatigue, FatigueError> {
     let all: f64 = records
         .iter()
@@ -393,7 +393,7 @@ mod tests {
     #[test]
     fn a_narrow_band_has_the_extremes_of_rayleigh() {
         let records = records();
-        let found = RecordStatistics::of(&records, QUESTION).unwrap();
+        let found = RecordStatistics::of_records(&records, QUESTION).unwrap();
         let mean = found.mean.unwrap();
         assert!(
             (mean.mean - 1e6).abs() < 4.0 * mean.error.max(mean.batch_error),
@@ -445,13 +445,13 @@ mod tests {
 
     #[test]
     fn records_are_rows_at_even_steps() {
-        let of = |time: &[f64]| ChannelRecord::of(time, &vec![1.0; time.len()]);
+        let of = |time: &[f64]| ChannelRecord::of_history(time, &vec![1.0; time.len()]);
         assert_eq!(of(&[0.0, 0.5, 1.0]).unwrap().duration(), 1.0);
         // The last row may come early.
         assert_eq!(of(&[0.0, 0.5, 1.0, 1.2]).unwrap().duration(), 1.0);
         for uneven in [&[][..], &[1.0], &[0.0, 0.5, 0.7, 1.2], &[0.0, 0.0]] {
             assert_eq!(of(uneven), None, "{uneven:?}");
         }
-        assert!(RecordStatistics::of(&[], QUESTION).is_none());
+        assert!(RecordStatistics::of_records(&[], QUESTION).is_none());
     }
 }

@@ -138,7 +138,7 @@ impl Tried for SystemFile {
             return Ok(ComputedTrial::at_rest(&solved, rows));
         };
         let run = job::execute(&request, cancel, &mut |_| {});
-        let rows = validation::rows_of_trials(&solved, &ComparedRun::of(&run));
+        let rows = validation::rows_of_trials(&solved, &ComparedRun::of_run(&run));
         Ok(ComputedTrial::of_run(run.info, rows))
     }
 }

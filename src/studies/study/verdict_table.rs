@@ -66,7 +66,7 @@ pub fn table(findings: &[TrialVerdict]) -> Table {
         let reason = finding.reason.as_ref()?;
         Some(format!("[{}] {}: {reason}", i + 1, finding.outcome.word()))
     });
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .cell("outcome", Align::Left, |row| row.once(outcome))
         .text("case", |row| match row.first {
             (true, true) => row.verdict.case.as_str(),
@@ -107,7 +107,7 @@ pub fn compact_table(findings: &[TrialVerdict]) -> Table {
     let count = |(_, verdict): &(usize, &TrialVerdict), of: fn(&Work) -> u64| {
         work(verdict, of).map_or_else(Cell::none, |n| Cell::plain(n.to_string()))
     };
-    Table::of("", &rows)
+    Table::of_records("", &rows)
         .cell("outcome", Align::Left, |row| outcome(row.1))
         .text("case", |row| {
             let stem = Path::new(&row.1.file).file_stem().unwrap_or_default();

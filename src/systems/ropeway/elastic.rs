@@ -70,7 +70,7 @@ impl RopeEquilibrium {
 impl ElasticRope {
     /// The elastic rope of a ropeway.
     #[must_use]
-    pub fn of(ropeway: &Ropeway) -> Self {
+    pub fn of_ropeway(ropeway: &Ropeway) -> Self {
         Self {
             geometry: SpanGeometry {
                 span_m: ropeway.about.span_m,
@@ -294,7 +294,7 @@ impl ElasticRope {
 /// # Errors
 /// A setting without a solution.
 pub fn length_m(ropeway: &Ropeway) -> Result<f64, RopewayError> {
-    let span = ElasticRope::of(ropeway);
+    let span = ElasticRope::of_ropeway(ropeway);
     let given = |value: Option<f64>| {
         value.ok_or(RopewayError::NotFound("the setting of the rope is missing"))
     };

@@ -10,7 +10,7 @@ use crate::statics::equilibrium::EquilibriumSearch;
 
 /// Equilibrium of the discretised line.
 #[derive(Debug, Clone, PartialEq)]
-pub struct LineEquilibrium {
+pub struct DiscretisedEquilibrium {
     /// Nodes from the platform to the ship, x and height above still water \[m\].
     pub nodes: Vec<(f64, f64)>,
     /// Horizontal tension \[N\].
@@ -98,7 +98,7 @@ pub fn equilibrium(
     ropeway: &Ropeway,
     length_m: f64,
     arc_m: f64,
-) -> Result<LineEquilibrium, RopewayError> {
+) -> Result<DiscretisedEquilibrium, RopewayError> {
     if !(arc_m > AT_SUPPORT * length_m && arc_m < (1.0 - AT_SUPPORT) * length_m) {
         return Err(RopewayError::NotFound("the cargo hangs on a support"));
     }
@@ -112,12 +112,16 @@ pub fn equilibrium(
     Ok(line_equilibrium(ropeway, &scene, &state))
 }
 
-fn line_equilibrium(ropeway: &Ropeway, scene: &scene::Scene, state: &State) -> LineEquilibrium {
+fn line_equilibrium(
+    ropeway: &Ropeway,
+    scene: &scene::Scene,
+    state: &State,
+) -> DiscretisedEquilibrium {
     let last = scene.nodes() - 1;
     let cargo = scene.labels.clumps.first().map_or(0, |node| *node);
     let at = state.x[cargo];
-    let line = ropeway.platform.height_m + ElasticRope::of(ropeway).geometry.line_m(at.x);
-    LineEquilibrium {
+    let line = ropeway.platform.height_m + ElasticRope::of_ropeway(ropeway).geometry.line_m(at.x);
+    DiscretisedEquilibrium {
         nodes: state.x.iter().map(|p| (p.x, p.z)).collect(),
         horizontal_n: scene.end_force(0, state).x.abs(),
         platform_n: scene.tension_at(0, state),

@@ -2,7 +2,7 @@
 
 use super::elastic::RopeEquilibrium;
 use super::inextensible::{InextensibleModel, MinimumTension};
-use super::line::LineEquilibrium;
+use super::line::DiscretisedEquilibrium;
 use super::parabola;
 use super::solve::{ModelResults, SolvedRopeway};
 use super::weight_check::WeightCheck;
@@ -32,7 +32,7 @@ enum QuantityReader {
     Mean(fn((f64, f64)) -> f64),
     Motion(fn(&WinchRun) -> Result<f64, String>),
     Elastic(fn(&SolvedRopeway, &RopeEquilibrium) -> f64),
-    Line(fn(&LineEquilibrium) -> f64),
+    Line(fn(&DiscretisedEquilibrium) -> f64),
 }
 
 const fn quantity(
@@ -149,7 +149,7 @@ pub fn value(ropeway: &SolvedRopeway, results: &ModelResults, name: &str) -> Res
             .as_ref()
             .map(read)
             .map_err(unsolved("inextensible model")),
-        Check(read) => WeightCheck::of(ropeway).map(|check| read(&check)),
+        Check(read) => WeightCheck::of_ropeway(ropeway).map(|check| read(&check)),
         Parabola(read) => results
             .parabola
             .map(read)

@@ -209,7 +209,7 @@ fn results(tensions: &[f64], speed: f64) -> [f64; 5] {
         min,
         max,
         ..
-    } = Statistics::of(tensions);
+    } = Statistics::of_values(tensions);
     [mean, deviation, min, max, speed]
 }
 

@@ -4,7 +4,7 @@
 use super::RopewayError;
 use super::elastic::{self, ElasticRope, RopeEquilibrium};
 use super::inextensible::{InextensibleModel, MinimumTension, minimum_tension};
-use super::line::{self, LineEquilibrium};
+use super::line::{self, DiscretisedEquilibrium};
 use super::loaded::LoadedRope;
 use super::model::{Ropeway, SetBy};
 use super::parabola::{self, ParabolaLoad};
@@ -39,7 +39,7 @@ pub struct ModelResults {
     /// Mean tensions before and behind the cargo, eqs (9) and (10), with the horizontal tension of the elastic rope \[N\].
     pub mean_tensions_n: Option<(f64, f64)>,
     /// The discretised line.
-    pub line: Result<LineEquilibrium, RopewayError>,
+    pub line: Result<DiscretisedEquilibrium, RopewayError>,
 }
 
 /// Solves a ropeway: the length of its rope, and the inextensible model.
@@ -48,7 +48,7 @@ pub struct ModelResults {
 /// A setting without a solution.
 pub fn solve(ropeway: &Ropeway) -> Result<SolvedRopeway, RopewayError> {
     let length_m = elastic::length_m(ropeway)?;
-    let rope = ElasticRope::of(ropeway);
+    let rope = ElasticRope::of_ropeway(ropeway);
     // Every model needs a position of the cargo on the rope.
     rope.with_cargo(length_m, ropeway.cargo.position)?;
     let stored_m = ropeway.stored_m();

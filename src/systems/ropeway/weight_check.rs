@@ -20,7 +20,7 @@ impl WeightCheck {
     ///
     /// # Errors
     /// As a sentence: there is no check, or the model has no solution.
-    pub fn of(ropeway: &SolvedRopeway) -> Result<Self, String> {
+    pub fn of_ropeway(ropeway: &SolvedRopeway) -> Result<Self, String> {
         let none = || "The ropeway has no finite-element check.".to_owned();
         let check = ropeway.ropeway.finite_element.as_ref().ok_or_else(none)?;
         let unsolved = |error: &super::RopewayError| {

@@ -71,7 +71,7 @@ pub struct WinchSample {
 #[must_use]
 pub fn statistics(samples: &[WinchSample], of: impl Fn(&WinchSample) -> f64) -> Statistics {
     let values: Vec<f64> = samples.iter().map(of).collect();
-    Statistics::of(&values)
+    Statistics::of_values(&values)
 }
 
 /// Simulates the rope over a motion of the ship: with a winch, or made fast without one.

@@ -29,7 +29,7 @@ impl DynamicAnalysis {
     #[must_use]
     pub fn new(statics: &StaticAnalysis, folder: &Path, stop: &AtomicBool) -> Option<Self> {
         let unless_stopped = || (!stop.load(Ordering::Relaxed)).then_some(());
-        let motion = MotionAnalysis::of(statics, folder);
+        let motion = MotionAnalysis::of_statics(statics, folder);
         unless_stopped()?;
         let computed = motion.as_ref().and_then(|motion| motion.as_ref().ok());
         let coupled = statics.ship.coupled.is_some().then(|| match &motion {

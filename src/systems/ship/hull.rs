@@ -24,7 +24,7 @@ pub struct HullMatrices {
 impl HullMatrices {
     /// The matrices of a hull that has passed validation.
     #[must_use]
-    pub fn of(hull: &Hull) -> Self {
+    pub fn of_hull(hull: &Hull) -> Self {
         let matrix = |list: &[f64]| matrix(list).unwrap_or_else(Matrix6::zeros);
         let added_mass = matrix(&hull.added_mass_si);
         Self {
@@ -90,7 +90,7 @@ pub(super) fn check(keys: &HullKeys<'_>, coupled: bool) -> Vec<Finding> {
     let Ok(hull) = Hull::from_keys(keys) else {
         return found;
     };
-    let all = HullMatrices::of(&hull);
+    let all = HullMatrices::of_hull(&hull);
     if asymmetry(&all.mass) > 1e-9 {
         found.push(added_mass.finding(
             "is not symmetric",

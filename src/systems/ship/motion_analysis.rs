@@ -62,7 +62,10 @@ impl MotionAnalysis {
     /// # Errors
     /// [`MotionError`].
     #[must_use]
-    pub fn of(statics: &StaticAnalysis, folder: &Path) -> Option<Result<Self, MotionError>> {
+    pub fn of_statics(
+        statics: &StaticAnalysis,
+        folder: &Path,
+    ) -> Option<Result<Self, MotionError>> {
         statics.ship.motion.as_ref()?;
         Some(Self::new(statics, folder))
     }
@@ -82,7 +85,7 @@ impl MotionAnalysis {
         let records = motion.records();
         let statistics = records
             .par_iter()
-            .map(|r| [&r.x, &r.v, &r.a].map(|values| Statistics::of(values)))
+            .map(|r| [&r.x, &r.v, &r.a].map(|values| Statistics::of_values(values)))
             .collect();
         let waves = response.map(|response| WaveRealisation::new(response, &motion));
         Ok(Self {
@@ -112,7 +115,10 @@ impl MotionAnalysis {
 impl WaveRealisation {
     fn new(response: WaveResponse, motion: &ShipMotion) -> Self {
         let record = MotionRecord::new(&motion.waves, 0.0, motion.step, motion.instants);
-        let (elevation, rate) = (Statistics::of(&record.x), Statistics::of(&record.v));
+        let (elevation, rate) = (
+            Statistics::of_values(&record.x),
+            Statistics::of_values(&record.v),
+        );
         Self {
             target: response.spectrum.moments(),
             realised: Moments {

@@ -55,7 +55,7 @@ impl StaticAnalysis {
     #[must_use]
     pub fn new(ship: Ship) -> Self {
         let loads = EnvironmentalLoads::new(&ship);
-        let hull = ship.hull.as_ref().map(HullMatrices::of);
+        let hull = ship.hull.as_ref().map(HullMatrices::of_hull);
         let equilibrium = |yaw: YawEquilibrium| {
             let mooring = ship.mooring.as_ref();
             let line = mooring.map(|mooring| solve_mooring(&ship.ship, mooring, yaw.pull));

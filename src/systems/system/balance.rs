@@ -79,9 +79,9 @@ pub fn line_at_rest(
                 // It floats, or is dry between wet parts.
                 Err(CatenaryError::AtSurface(why)) => match element {
                     Some(element) => element.solve((a, b), clamps, laid.unwrap_or_default(), near),
-                    None => Err(Unsolved::of(why)),
+                    None => Err(Unsolved::of_reason(why)),
                 },
-                found => found.map_err(|error| Unsolved::of(&error)),
+                found => found.map_err(|error| Unsolved::of_reason(&error)),
             }
         }
     };

@@ -27,7 +27,7 @@ pub fn body_loads(
     let (force, stiffness) = fixed_loads(body, pose);
     let flow = physics == LinePhysics::Full && network.flows();
     let mut sum = LoadSum::none();
-    add_loads_by_pose(network, body, &MovingPose::of(pose), flow, &mut sum);
+    add_loads_by_pose(network, body, &MovingPose::at_rest(pose), flow, &mut sum);
     let (by_water, by_pose) = sum.parts();
     (force + by_water, stiffness + by_pose)
 }
@@ -46,11 +46,11 @@ pub struct MembersInWater {
 impl MembersInWater {
     /// Of a body.
     #[must_use]
-    pub fn of(body: &Body) -> Self {
-        let pose = MovingPose::of(&body.pose);
+    pub fn of_body(body: &Body) -> Self {
+        let pose = MovingPose::at_rest(&body.pose);
         let mut found = Self::default();
         for member in body.members.iter().filter(|member| !member.drag_only) {
-            let volume = Placed::of(member, &pose, &[]).volume_in_water();
+            let volume = Placed::at_pose(member, &pose, &[]).volume_in_water();
             found.volume += volume;
             found.cut_by_surface |= volume > 0.0 && volume < (1.0 - ROUNDING) * member.volume();
             found.have_added_mass |=
@@ -73,7 +73,7 @@ pub(super) fn add_loads_by_pose(
 ) {
     waterplane::add(body, moving, sum);
     for (number, member) in body.members.iter().enumerate() {
-        let placed = Placed::of(member, moving, moving.at_member(number));
+        let placed = Placed::at_pose(member, moving, moving.at_member(number));
         if !member.drag_only {
             members::buoyancy(network, &placed, sum);
         }

@@ -44,7 +44,7 @@ pub enum Contact {
 impl Bounds {
     /// The bounds of a system.
     #[must_use]
-    pub fn of(network: &Network, freedoms: &Freedoms) -> Self {
+    pub fn of_network(network: &Network, freedoms: &Freedoms) -> Self {
         let mut bounds = Self {
             bed: network.bed.clone(),
             below: vec![None; freedoms.count],

@@ -160,7 +160,7 @@ fn bodies(
         let moved = sea.filter(|_| body.kind == BodyKind::Moved);
         let response = moved.map(|sea| wave_response(file, body, sea));
         let response = response.and_then(Result::ok).flatten();
-        let flow = PotentialFlow::of(file, body).ok().flatten();
+        let flow = PotentialFlow::of_body(file, body).ok().flatten();
         let slow = flow.as_ref().and_then(|flow| flow.radiation.as_deref());
         let mut built = Body {
             spins_about,
@@ -263,7 +263,7 @@ impl Builder<'_> {
             let discretised = discretised.map_err(|why| (name.clone(), why))?;
             let built = self.line(line, parts, name, (from, to));
             let clamps = clamps::on_bodies(&self.network, (line, parts), angle, [from, to]);
-            let form = LineForm::of(self.file, &turned, parts);
+            let form = LineForm::of_parts(self.file, &turned, parts);
             self.network.lines.push(Line {
                 discretised,
                 clamps,

@@ -23,7 +23,7 @@ use crate::reference::published_history;
 /// Checks of a system.
 pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     let mut found = Vec::new();
-    let by_name = ByName::of(keys);
+    let by_name = ByName::of_keys(keys);
     for (name, point) in &keys.points {
         found.extend(place_of(point));
         found.extend(bearing(keys, point));
@@ -31,16 +31,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(outside_water(keys, name, point, &by_name));
     }
     for (name, body) in &keys.bodies {
-        found.extend(body_alone(body));
-        found.extend(not_free(&body.kind, &of_body(body)));
-        found.extend(pinned_to(keys, name, &body.kind, &body.pinned_to));
-        if body.pinned_to.is_given() {
-            let problem = "is not covered for a body that is pinned to another";
-            let remedy = "leave it out, or pin the body to the earth";
-            found.extend(body.amplitude_m.if_given(problem, remedy));
-            found.extend(body.table_time_s.if_given(problem, remedy));
-        }
-        found.extend(motion::potential_flow(body));
+        found.extend(body_with_others(keys, name, body));
     }
     for (name, rod) in &keys.rods {
         found.extend(rod_of(keys, name, rod));
@@ -48,17 +39,7 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(pinned_to(keys, name, &rod.kind, &rod.pinned_to));
     }
     found.extend(by_name.check_lines());
-    let asked = keys
-        .offset_curves
-        .iter()
-        .map(|(_, curve)| (&curve.body, &curve.place));
-    let circles = keys
-        .watch_circles
-        .iter()
-        .map(|(_, circle)| (&circle.body, &circle.place));
-    for (body, place) in asked.chain(circles) {
-        found.extend(body_asked(keys, body, place));
-    }
+    found.extend(bodies_asked(keys));
     for (_, goal) in &keys.goals {
         found.extend(quantities::unknown(&goal.result, keys));
     }
@@ -85,6 +66,33 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(published_history::check(&keys.published_curve));
     found.extend(trials(keys));
     found
+}
+
+/// A body by itself, how it is held, and its coefficients of potential flow.
+fn body_with_others(keys: &SystemKeys<'_>, name: &str, body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = body_alone(body);
+    found.extend(not_free(&body.kind, &of_body(body)));
+    found.extend(pinned_to(keys, name, &body.kind, &body.pinned_to));
+    if body.pinned_to.is_given() {
+        let problem = "is not covered for a body that is pinned to another";
+        let remedy = "leave it out, or pin the body to the earth";
+        found.extend(body.amplitude_m.if_given(problem, remedy));
+        found.extend(body.table_time_s.if_given(problem, remedy));
+    }
+    found.extend(motion::potential_flow(body));
+    found
+}
+
+/// The bodies of offset curves and of watch circles.
+fn bodies_asked(keys: &SystemKeys<'_>) -> Vec<Finding> {
+    let curves = keys.offset_curves.iter();
+    let curves = curves.map(|(_, curve)| (&curve.body, &curve.place));
+    let circles = keys.watch_circles.iter();
+    let circles = circles.map(|(_, circle)| (&circle.body, &circle.place));
+    let asked = curves.chain(circles);
+    asked
+        .flat_map(|(body, place)| body_asked(keys, body, place))
+        .collect()
 }
 
 /// The published values that trials name.

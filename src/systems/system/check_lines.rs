@@ -31,7 +31,7 @@ fn by_name<T>(tables: &[(String, T)]) -> HashMap<&str, &T> {
 
 impl<'k, 'a> ByName<'k, 'a> {
     /// The parts of a system.
-    pub(super) fn of(keys: &'k SystemKeys<'a>) -> Self {
+    pub(super) fn of_keys(keys: &'k SystemKeys<'a>) -> Self {
         let mut lines_at: HashMap<&str, Vec<&LineKeys<'a>>> = HashMap::new();
         for (_, line) in &keys.lines {
             for end in [&line.from, &line.to] {

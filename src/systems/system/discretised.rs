@@ -31,7 +31,7 @@ pub enum LineForm {
 impl LineForm {
     /// The form of a line of these parts: divided where its file has a current, or a material of it bends or has a table.
     #[must_use]
-    pub fn of(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
+    pub fn of_parts(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
         let still = file.current.is_none() || line.still_water;
         let tabled = |part: &Part| part.material.strain.is_some();
@@ -82,7 +82,7 @@ pub struct Unsolved {
 impl Unsolved {
     /// A reason that took no iterations to find.
     #[must_use]
-    pub fn of(why: &(impl ToString + ?Sized)) -> Self {
+    pub fn of_reason(why: &(impl ToString + ?Sized)) -> Self {
         Self {
             why: why.to_string(),
             iterations: 0,
@@ -98,7 +98,7 @@ impl From<LineError> for Unsolved {
         };
         Self {
             iterations,
-            ..Self::of(&error)
+            ..Self::of_reason(&error)
         }
     }
 }
@@ -113,11 +113,11 @@ impl DiscretisedLine {
         line: &LineInputs,
         parts: &[Part],
     ) -> Result<Option<Arc<Self>>, String> {
-        let form = LineForm::of(file, line, parts);
+        let form = LineForm::of_parts(file, line, parts);
         if form == LineForm::Closed {
             return Ok(None);
         }
-        let line = Arc::new(Self::of(file, line, parts));
+        let line = Arc::new(Self::of_parts(file, line, parts));
         let is_flat = file
             .seabed
             .as_ref()
@@ -137,7 +137,7 @@ impl DiscretisedLine {
         line: &LineInputs,
         parts: &[Part],
     ) -> Result<Arc<Self>, String> {
-        Arc::new(Self::of(file, line, parts)).with_element()
+        Arc::new(Self::of_parts(file, line, parts)).with_element()
     }
 
     /// The same with its element built.
@@ -149,7 +149,7 @@ impl DiscretisedLine {
         Ok(self)
     }
 
-    fn of(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
+    fn of_parts(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let mut case = case(file, line, parts);
         if let Some((bed, given)) = case.seabed.as_mut().zip(file.seabed.as_ref()) {
             bed.stiffness_n_per_m3 = given.stiffness_n_per_m3;
@@ -230,7 +230,10 @@ impl DiscretisedLine {
         let near = before.and_then(|before| before.discretised.as_ref());
         let mut element = match near {
             Some(near) => near.element.clone(),
-            None => self.element().map_err(|why| Unsolved::of(&why))?.clone(),
+            None => self
+                .element()
+                .map_err(|why| Unsolved::of_reason(&why))?
+                .clone(),
         };
         element.lay_from(laid_from);
         element.turn_clamps(directions);
@@ -250,7 +253,10 @@ impl DiscretisedLine {
     /// # Errors
     /// Why it has no element.
     pub fn unloaded(self: &Arc<Self>, (a, b): (&V3, &V3)) -> Result<LineAtRest, Unsolved> {
-        let mut element = self.element().map_err(|why| Unsolved::of(&why))?.clone();
+        let mut element = self
+            .element()
+            .map_err(|why| Unsolved::of_reason(&why))?
+            .clone();
         let found = element.unloaded(*a, *b);
         Ok(LineAtRest {
             note: Some(LineNote::NoEquilibrium),

@@ -17,7 +17,7 @@ pub(super) fn displaced_twice(solved: &SolvedSystem) -> Vec<String> {
 }
 
 fn of_body(network: &Network, body: &Body) -> Vec<String> {
-    let members = MembersInWater::of(body);
+    let members = MembersInWater::of_body(body);
     let name = &body.name;
     let mut found = Vec::new();
     if body.buoyancy > 0.0 && members.volume > 0.0 {

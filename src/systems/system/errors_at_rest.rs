@@ -8,7 +8,7 @@ use nalgebra::DVector;
 
 use super::along_bed::{force_along, on_slope, stiffness_along};
 use super::bounds::Contact;
-use super::equilibrium::{Equilibrium, search_near};
+use super::equilibrium::{SystemEquilibrium, search_near};
 use super::freedoms::Placement;
 use super::network::{Line, Network};
 use super::rest::{not_divided, refused};
@@ -38,7 +38,7 @@ pub struct FinerSystem {
     /// The system.
     pub network: Network,
     /// Where it rests.
-    pub rest: Equilibrium,
+    pub rest: SystemEquilibrium,
     /// Error of a result by its difference from that of this system.
     share: f64,
 }
@@ -57,7 +57,7 @@ impl ErrorsAtRest {
 
     /// The errors that its search and its rounding leave, those of meshes left out.
     #[must_use]
-    pub fn by_rounding(network: &Network, rest: &Equilibrium) -> Self {
+    pub fn by_rounding(network: &Network, rest: &SystemEquilibrium) -> Self {
         let (here, balanced) = (&rest.placement, balanced(network, rest));
         let distance = |here: &V3, balanced: &V3| {
             PRESUMED * (here - balanced).norm() + f64::EPSILON * here.norm()
@@ -82,7 +82,7 @@ impl ErrorsAtRest {
 
     /// The errors of a system at rest.
     #[must_use]
-    pub fn of(network: &Network, rest: &Equilibrium) -> Self {
+    pub fn of_equilibrium(network: &Network, rest: &SystemEquilibrium) -> Self {
         let lines = &rest.balance.lines;
         let unknown = Self::unknown(network);
         if lines.iter().all(|line| line.discretised.is_none()) {
@@ -91,7 +91,7 @@ impl ErrorsAtRest {
                 ..unknown
             };
         }
-        match FinerSystem::of(network, rest) {
+        match FinerSystem::of_equilibrium(network, rest) {
             Ok(finer) => finer.errors(network, rest),
             Err(why) => Self {
                 companion: Some(Err(why)),
@@ -115,7 +115,7 @@ impl ErrorsAtRest {
 }
 
 impl FinerSystem {
-    fn of(network: &Network, rest: &Equilibrium) -> Result<Self, String> {
+    fn of_equilibrium(network: &Network, rest: &SystemEquilibrium) -> Result<Self, String> {
         let finer = network.refined(RATIO);
         let finer = finer.map_err(|error| not_divided(error).problem)?;
         let found = search_near(&finer, &rest.placement);
@@ -123,7 +123,7 @@ impl FinerSystem {
         let lines = network.lines.iter();
         let divided = lines.filter_map(|line| line.discretised.as_ref());
         let order = divided
-            .map(|line| MeshOrder::of(line.case()))
+            .map(|line| MeshOrder::of_case(line.case()))
             .fold(MeshOrder::SECOND, MeshOrder::lower);
         Ok(Self {
             network: finer,
@@ -139,7 +139,7 @@ impl FinerSystem {
     }
 
     /// The errors of the system that this one is the companion of: by the meshes, and by what is left out of balance.
-    fn errors(self, network: &Network, rest: &Equilibrium) -> ErrorsAtRest {
+    fn errors(self, network: &Network, rest: &SystemEquilibrium) -> ErrorsAtRest {
         let balanced = balanced(network, rest);
         let (here, finer) = (&rest.placement, &self.rest.placement);
         let distance = |here: &V3, finer: &V3, balanced: &V3| {
@@ -184,7 +184,7 @@ fn greatest(forces: [V3; 2]) -> f64 {
 }
 
 /// Change of the forces on the ends of a line as they move to another placement \[N\].
-fn pulled(line: &Line, index: usize, rest: &Equilibrium, to: &Placement) -> [V3; 2] {
+fn pulled(line: &Line, index: usize, rest: &SystemEquilibrium, to: &Placement) -> [V3; 2] {
     let step = [line.from, line.to].map(|point| to.points[point] - rest.placement.points[point]);
     let by_ends = &rest.balance.lines[index].by_ends;
     [0, 1].map(|end| by_ends[end][0] * step[0] + by_ends[end][1] * step[1])
@@ -192,7 +192,7 @@ fn pulled(line: &Line, index: usize, rest: &Equilibrium, to: &Placement) -> [V3;
 
 /// Where the system would be if the forces that its search left out of balance were balanced: a Newton step further. The placement
 /// itself where its stiffness is singular.
-fn balanced(network: &Network, rest: &Equilibrium) -> Placement {
+fn balanced(network: &Network, rest: &SystemEquilibrium) -> Placement {
     let bed = network.bed.as_ref();
     let lying = on_slope(bed, (&rest.freedoms, &rest.placement), &rest.contacts);
     let mut force = rest.balance.force.clone();

@@ -79,7 +79,7 @@ impl FileKind for SystemFile {
         }
         let sea = sea_of(self);
         for body in self.bodies.values() {
-            let flow = PotentialFlow::of(self, body)?;
+            let flow = PotentialFlow::of_body(self, body)?;
             let Some(sea) = &sea else { continue };
             wave_response(self, body, sea)?;
             let uncovered = flow.and_then(|flow| uncovered(&flow, sea, body.yaw_deg.to_radians()));

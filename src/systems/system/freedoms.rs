@@ -35,7 +35,7 @@ pub enum UnknownBodies {
 impl Freedoms {
     /// The unknowns of a system, numbered along its lines: those that a line couples stand near each other.
     #[must_use]
-    pub fn of(network: &Network, which: UnknownBodies) -> Self {
+    pub fn of_network(network: &Network, which: UnknownBodies) -> Self {
         let points = network.points.len();
         let unknown = |body: usize| network.bodies[body].turns() || which == UnknownBodies::All;
         let part = |point: usize| match &network.points[point].held {

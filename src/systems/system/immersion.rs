@@ -23,7 +23,7 @@ impl Immersion {
 
     /// Of a point at a height above the surface \[m\].
     #[must_use]
-    pub fn of(network: &Network, point: &FreePoint, z: f64) -> Self {
+    pub fn of_point(network: &Network, point: &FreePoint, z: f64) -> Self {
         let weight = network.density * network.gravity;
         let volume = if weight > 0.0 {
             point.buoyancy / weight

@@ -29,24 +29,15 @@ pub fn solve(
 ) -> Result<LineAtRest, CatenaryError> {
     // In the plane of its ends it rubs along itself alone.
     let from = from.filter(|_| line.friction > 0.0);
-    let from_b = match from {
-        Some(LaidFrom::Share(share)) => share >= 1.0,
-        _ => b.z < a.z,
-    };
-    let (low, high) = if from_b { (b, a) } else { (a, b) };
-    let level = level_below(network, line, (low, high)).filter(|_| line.bed_contact);
-    let lies = level.is_some_and(|z| end_lies(line, low.z - z, low.z));
-    let rough = physics == LinePhysics::Full && line.friction > 0.0;
-    let rubs = rough && lies && from != Some(LaidFrom::HeldEnds);
-    let mu = if rubs { line.friction } else { 0.0 };
-    // Friction acts up to an end that lies on the bed: a leg down from it, and a rise down to it, would be of rounding.
-    let (level, high_z) = match level {
-        Some(_) if rubs => (Some(low.z), high.z.max(low.z)),
-        _ => (level, high.z),
-    };
-    let raised = V3::new(high.x, high.y, high_z);
-    let level = level.map(|z| (z, mu));
-    let given = closed_form(network, line, (low, &raised), level, from_b);
+    let ClosedForm {
+        form: given,
+        ends: (low, high),
+        from_b,
+        surface,
+        lies,
+        rough,
+        mu,
+    } = on_its_bed(network, line, (a, b), (physics, from));
     if let Some(LaidFrom::Share(share)) = from
         && share > 0.0
         && share < 1.0
@@ -56,29 +47,7 @@ pub fn solve(
     }
     let seed = before.filter(|before| before.from_b == from_b);
     let near = seed.and_then(|before| before.solution.as_ref());
-    let crosses = crosses(network, line, high.z);
-    let displaced = match from_b {
-        true => &line.displaced_reversed,
-        false => &line.displaced,
-    };
-    let solve = |given: &CatenaryLine<'_>, near: Option<&Solution>| {
-        if crosses {
-            let crossing = CrossingLine {
-                line: *given,
-                displaced_n_per_m: displaced,
-                a_above_m: low.z,
-            };
-            match crossing.solve() {
-                // Near enough to begin with.
-                Err(CatenaryError::AtSurface(_)) if physics == LinePhysics::Plain => {}
-                found => return found,
-            }
-        }
-        match near {
-            Some(near) => given.solve_from(near),
-            None => given.solve(),
-        }
-    };
+    let solve = |given: &CatenaryLine<'_>, near| solve_closed_form(given, near, surface, physics);
     let mut solved = solve(&given, near);
     // Friction that depends on how the line was laid.
     let unknown_friction = mu > 0.0 && matches!(solved, Err(CatenaryError::UnsupportedContact(_)));
@@ -101,12 +70,7 @@ pub fn solve(
     }
     let solution = match solved {
         Ok(solution) => solution,
-        Err(CatenaryError::ShapeUndetermined) => return Ok(slack()),
-        Err(error @ CatenaryError::AtSurface(_)) => return Err(error),
-        Err(error) if line.sections.len() > 1 => {
-            return replaced(&taken, (low, high), from_b, error);
-        }
-        Err(error) => return Err(error),
+        Err(error) => return without_solution(&taken, (low, high), from_b, error),
     };
     let free_of_friction = unknown_friction || (rough && !lies && solution.on_bed_m > 0.0);
     let note = free_of_friction.then_some(LineNote::WithoutFriction);
@@ -115,6 +79,86 @@ pub fn solve(
         added_weight,
         ..placed(solution, (low, high), from_b, &stiffness, note)
     })
+}
+
+/// The closed form of a line between its ends.
+struct ClosedForm<'a> {
+    form: CatenaryLine<'a>,
+    /// The end that the form begins at, and the other.
+    ends: (&'a V3, &'a V3),
+    from_b: bool,
+    /// The weight of displaced water along the line \[N/m\] and the height of its first end above the surface \[m\], where it may cross it.
+    surface: Option<(&'a [f64], f64)>,
+    /// Whether the first end lies on the bed.
+    lies: bool,
+    /// Whether the bed is rough.
+    rough: bool,
+    /// The friction that acts on what lies.
+    mu: f64,
+}
+
+/// The closed form of a line between two places on the bed below them.
+fn on_its_bed<'a>(
+    network: &Network,
+    line: &'a Line,
+    (a, b): (&'a V3, &'a V3),
+    (physics, from): (LinePhysics, Option<LaidFrom>),
+) -> ClosedForm<'a> {
+    let from_b = match from {
+        Some(LaidFrom::Share(share)) => share >= 1.0,
+        _ => b.z < a.z,
+    };
+    let (low, high) = if from_b { (b, a) } else { (a, b) };
+    let level = level_below(network, line, (low, high)).filter(|_| line.bed_contact);
+    let lies = level.is_some_and(|z| end_lies(line, low.z - z, low.z));
+    let rough = physics == LinePhysics::Full && line.friction > 0.0;
+    let rubs = rough && lies && from != Some(LaidFrom::HeldEnds);
+    let mu = if rubs { line.friction } else { 0.0 };
+    // Friction acts up to an end that lies on the bed: a leg down from it, and a rise down to it, would be of rounding.
+    let (level, high_z) = match level {
+        Some(_) if rubs => (Some(low.z), high.z.max(low.z)),
+        _ => (level, high.z),
+    };
+    let raised = V3::new(high.x, high.y, high_z);
+    let level = level.map(|z| (z, mu));
+    let displaced: &[f64] = match from_b {
+        true => &line.displaced_reversed,
+        false => &line.displaced,
+    };
+    ClosedForm {
+        form: closed_form(network, line, (low, &raised), level, from_b),
+        ends: (low, high),
+        from_b,
+        surface: crosses(network, line, high.z).then_some((displaced, low.z)),
+        lies,
+        rough,
+        mu,
+    }
+}
+
+/// Solves a closed form, near a solution where there is one; `surface` as in [`ClosedForm`].
+fn solve_closed_form(
+    given: &CatenaryLine<'_>,
+    near: Option<&Solution>,
+    surface: Option<(&[f64], f64)>,
+    physics: LinePhysics,
+) -> Result<Solution, CatenaryError> {
+    if let Some((displaced_n_per_m, a_above_m)) = surface {
+        let crossing = CrossingLine {
+            line: *given,
+            displaced_n_per_m,
+            a_above_m,
+        };
+        match crossing.solve() {
+            // Near enough to begin with.
+            Err(CatenaryError::AtSurface(_)) if physics == LinePhysics::Plain => {}
+            found => return found,
+        }
+    }
+    match near {
+        Some(near) => given.solve_from(near),
+        None => given.solve(),
+    }
 }
 
 /// Whether a line between two places has a closed form: all of it, or where the bed below it is flat or it floats.
@@ -185,6 +229,21 @@ fn smooth(line: CatenaryLine<'_>) -> CatenaryLine<'_> {
         ..bed
     });
     CatenaryLine { bed, ..line }
+}
+
+/// What stands for a line whose closed form has no solution.
+fn without_solution(
+    line: &CatenaryLine<'_>,
+    ends: (&V3, &V3),
+    from_b: bool,
+    error: CatenaryError,
+) -> Result<LineAtRest, CatenaryError> {
+    match error {
+        CatenaryError::ShapeUndetermined => Ok(slack()),
+        CatenaryError::AtSurface(_) => Err(error),
+        error if line.sections.len() > 1 => replaced(line, ends, from_b, error),
+        error => Err(error),
+    }
 }
 
 /// The line with one section in the place of several that have no solution.

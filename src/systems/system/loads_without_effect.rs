@@ -81,7 +81,7 @@ fn exposed(network: &Network) -> impl Iterator<Item = &Line> {
 
 /// How waves act on a body.
 #[derive(Clone, Copy, PartialEq)]
-enum Excitation {
+enum WaveExcitation {
     /// By what it displaces, or by its responses.
     Whole,
     /// By drag alone.
@@ -90,21 +90,21 @@ enum Excitation {
     None,
 }
 
-fn excitation(body: &Body) -> Excitation {
+fn excitation(body: &Body) -> WaveExcitation {
     let flow = body.potential_flow.as_ref();
     let by_flow = flow.is_some_and(|flow| flow.excitation.is_some());
     if by_flow || body.members.iter().any(|member| !member.drag_only) {
-        return Excitation::Whole;
+        return WaveExcitation::Whole;
     }
     let drags = body.members.iter().any(|member| member.drag > 0.0);
     match drags || body.drag_area != V3::zeros() {
-        true => Excitation::Drag,
-        false => Excitation::None,
+        true => WaveExcitation::Drag,
+        false => WaveExcitation::None,
     }
 }
 
 fn waves(network: &Network) -> impl Iterator<Item = String> {
-    let of = |kind: Excitation| {
+    let of = |kind: WaveExcitation| {
         moving(network)
             .filter(move |body| excitation(body) == kind)
             .map(|body| body.name.as_str())
@@ -117,13 +117,13 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
         remark(
             "The waves do not act on",
             "body",
-            of(Excitation::None),
+            of(WaveExcitation::None),
             "give members, or a response_file or excitation_file",
         ),
         remark(
             "The waves act by drag alone on",
             "body",
-            of(Excitation::Drag),
+            of(WaveExcitation::Drag),
             "what lifts and pushes it comes of members, or of a response_file or excitation_file",
         ),
         remark(

@@ -40,8 +40,8 @@ pub(super) fn read_waves(
     };
     ends[0] = sea.flow(first, &low, true);
     ends[1] = sea.flow(first + 1, &high, true);
-    let moving = MovingPose::of(pose);
-    let wet = Placed::of(member, &moving, ends).wet_part();
+    let moving = MovingPose::at_rest(pose);
+    let wet = Placed::at_pose(member, &moving, ends).wet_part();
     let mut last: Option<WaterMotion> = None;
     for (number, (station, share)) in (first + 2..).zip(along.iter_mut().zip(wet.shares())) {
         let place = low.lerp(&high, share);

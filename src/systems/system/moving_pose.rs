@@ -42,7 +42,7 @@ pub(super) fn unknown(value: &V3, first: usize, by: &M3) -> DualVector {
 
 impl<'a> MovingPose<'a> {
     /// At rest; its unknowns are displacements and turns in the earth's directions.
-    pub(super) fn of(pose: &Pose) -> Self {
+    pub(super) fn at_rest(pose: &Pose) -> Self {
         let one = M3::identity();
         let still = constant(&V3::zeros());
         Self::moving(

@@ -12,7 +12,7 @@ impl FreePoint {
     #[must_use]
     pub fn force(&self, network: &Network, place: &V3, physics: LinePhysics) -> (V3, M3) {
         let wet = match network.crossed {
-            true => Immersion::of(network, self, place.z),
+            true => Immersion::of_point(network, self, place.z),
             false => Immersion::WHOLE,
         };
         let mut force = self.load + V3::new(0.0, 0.0, self.buoyancy * wet.share - self.weight);

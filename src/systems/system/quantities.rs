@@ -4,7 +4,7 @@ use super::analysis::bed_clearance::least_height;
 use super::analysis::box_tree::BoxTree;
 use super::analysis::clearance::{boxed, nearest_line};
 use super::analysis::periods::periods;
-use super::equilibrium::{Equilibrium, SystemError};
+use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::loads;
 use super::model::SystemKeys;
 use super::network::Network;
@@ -16,7 +16,7 @@ use crate::case::schema::Key;
 
 /// What a result by name is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Subject {
+enum SystemSubject {
     /// A line and one of its ends.
     LineEnd,
     /// A line.
@@ -33,20 +33,20 @@ enum Subject {
 
 /// A result of a system.
 #[derive(Debug, Clone, Copy)]
-struct Quantity {
+struct SystemQuantity {
     name: &'static str,
     unit: &'static str,
-    of: Subject,
+    of: SystemSubject,
     meaning: &'static str,
 }
 
 const fn quantity(
     name: &'static str,
     unit: &'static str,
-    of: Subject,
+    of: SystemSubject,
     meaning: &'static str,
-) -> Quantity {
-    Quantity {
+) -> SystemQuantity {
+    SystemQuantity {
         name,
         unit,
         of,
@@ -56,30 +56,30 @@ const fn quantity(
 
 /// All results.
 #[rustfmt::skip] // one a line
-static QUANTITIES: [Quantity; 16] = [
-    quantity("tension_n", "N", Subject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
-    quantity("horizontal_n", "N", Subject::LineEnd, "horizontal part of the tension at an end of a line"),
-    quantity("vertical_n", "N", Subject::LineEnd, "vertical force of a line on its end, upwards"),
-    quantity("on_bed_m", "m", Subject::Line, "unstretched length of a line on the bed"),
-    quantity("clearance_m", "m", Subject::Line, "least distance of a line from another that shares no point with it"),
-    quantity("bed_clearance_m", "m", Subject::Line, "least height of a line above the bed, or of a stretch of it by arc length: bed_clearance_m[LINE|20..60]"),
-    quantity("uplift_n", "N", Subject::Point, "upward pull of the lines on a point"),
-    quantity("offset_m", "m", Subject::Body, "distance in plan of a free body from the place given"),
-    quantity("pin_force_x_n", "N", Subject::Body, "x of the force of its pin on a body"),
-    quantity("pin_force_y_n", "N", Subject::Body, "y of the force of its pin on a body"),
-    quantity("pin_force_z_n", "N", Subject::Body, "z of the force of its pin on a body"),
-    quantity("period_s", "s", Subject::Period, "natural period by its number, the longest first, or longest of one that is mostly of a body and a direction"),
-    quantity("x_m", "m", Subject::Point, "x of a point"),
-    quantity("y_m", "m", Subject::Point, "y of a point"),
-    quantity("z_m", "m", Subject::Point, "z of a point"),
-    quantity("stiffness", "N/m, N, N m", Subject::Stiffness, "stiffness of the lines on a body, by row and column from 1 to 6"),
+static QUANTITIES: [SystemQuantity; 16] = [
+    quantity("tension_n", "N", SystemSubject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
+    quantity("horizontal_n", "N", SystemSubject::LineEnd, "horizontal part of the tension at an end of a line"),
+    quantity("vertical_n", "N", SystemSubject::LineEnd, "vertical force of a line on its end, upwards"),
+    quantity("on_bed_m", "m", SystemSubject::Line, "unstretched length of a line on the bed"),
+    quantity("clearance_m", "m", SystemSubject::Line, "least distance of a line from another that shares no point with it"),
+    quantity("bed_clearance_m", "m", SystemSubject::Line, "least height of a line above the bed, or of a stretch of it by arc length: bed_clearance_m[LINE|20..60]"),
+    quantity("uplift_n", "N", SystemSubject::Point, "upward pull of the lines on a point"),
+    quantity("offset_m", "m", SystemSubject::Body, "distance in plan of a free body from the place given"),
+    quantity("pin_force_x_n", "N", SystemSubject::Body, "x of the force of its pin on a body"),
+    quantity("pin_force_y_n", "N", SystemSubject::Body, "y of the force of its pin on a body"),
+    quantity("pin_force_z_n", "N", SystemSubject::Body, "z of the force of its pin on a body"),
+    quantity("period_s", "s", SystemSubject::Period, "natural period by its number, the longest first, or longest of one that is mostly of a body and a direction"),
+    quantity("x_m", "m", SystemSubject::Point, "x of a point"),
+    quantity("y_m", "m", SystemSubject::Point, "y of a point"),
+    quantity("z_m", "m", SystemSubject::Point, "z of a point"),
+    quantity("stiffness", "N/m, N, N m", SystemSubject::Stiffness, "stiffness of the lines on a body, by row and column from 1 to 6"),
 ];
 
 /// Components of the force of a pin.
 const PIN_FORCE: [&str; 3] = ["pin_force_x_n", "pin_force_y_n", "pin_force_z_n"];
 
 /// Name and places of a result: `tension_n[mooring|b]` is `tension_n`, `mooring`, `b`.
-fn parts(name: &str) -> Option<(&'static Quantity, &str, &str)> {
+fn parts(name: &str) -> Option<(&'static SystemQuantity, &str, &str)> {
     let (quantity, rest) = name.split_once('[')?;
     let of = rest.strip_suffix(']')?;
     let quantity = QUANTITIES.iter().find(|known| known.name == quantity)?;
@@ -94,7 +94,7 @@ pub fn unit(name: &str) -> &'static str {
         return "";
     };
     match (quantity.of, direction(place)) {
-        (Subject::Stiffness, Some((i, j))) => match (i < 3, j < 3) {
+        (SystemSubject::Stiffness, Some((i, j))) => match (i < 3, j < 3) {
             (true, true) => "N/m",
             (false, false) => "N m",
             _ => "N",
@@ -129,7 +129,7 @@ pub fn value(solved: &SolvedSystem, name: &str) -> Result<f64, String> {
 /// A number of the stiffness on a body; nothing for other results.
 fn known_stiffness(solved: &SolvedSystem, name: &str) -> Option<f64> {
     let (quantity, subject, place) = parts(name)?;
-    let body = (quantity.of == Subject::Stiffness).then(|| solved.network.body(subject))?;
+    let body = (quantity.of == SystemSubject::Stiffness).then(|| solved.network.body(subject))?;
     Some(solved.stiffness[body?][direction(place)?])
 }
 
@@ -137,11 +137,11 @@ fn known_stiffness(solved: &SolvedSystem, name: &str) -> Option<f64> {
 ///
 /// # Errors
 /// Why there is none, as a sentence.
-pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64, String> {
+pub fn value_at(network: &Network, rest: &SystemEquilibrium, name: &str) -> Result<f64, String> {
     let missing = || format!("There is no result `{name}` of this system.");
     let (quantity, subject, place) = parts(name).ok_or_else(missing)?;
     match quantity.of {
-        Subject::Line | Subject::LineEnd => {
+        SystemSubject::Line | SystemSubject::LineEnd => {
             let index = network.line(subject).ok_or_else(missing)?;
             if quantity.name == "bed_clearance_m" {
                 let stretch = stretch(place).ok_or_else(missing)?;
@@ -156,7 +156,7 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
             let force = match place {
                 "a" => line.force_a,
                 "b" => line.force_b,
-                "" if quantity.of == Subject::Line => line.force_a,
+                "" if quantity.of == SystemSubject::Line => line.force_a,
                 _ => return Err(missing()),
             };
             Ok(match quantity.name {
@@ -167,7 +167,7 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
                 _ => line.on_bed(),
             })
         }
-        Subject::Point => {
+        SystemSubject::Point => {
             let index = network.point(subject).ok_or_else(missing)?;
             if quantity.name == "uplift_n" {
                 return Ok(loads::pull(network, rest, index).z);
@@ -177,7 +177,7 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
                 .position(|n| *n == quantity.name);
             Ok(rest.placement.points[index][axis.unwrap_or(0)])
         }
-        Subject::Body => {
+        SystemSubject::Body => {
             let index = network.body(subject).ok_or_else(missing)?;
             if let Some(axis) = PIN_FORCE.iter().position(|name| *name == quantity.name) {
                 let force = loads::of_pin(network, rest, index);
@@ -186,8 +186,8 @@ pub fn value_at(network: &Network, rest: &Equilibrium, name: &str) -> Result<f64
             let here = rest.placement.bodies[index].origin;
             Ok((here - network.bodies[index].pose.origin).xy().norm())
         }
-        Subject::Period => period((network, rest), subject, place).ok_or_else(missing)?,
-        Subject::Stiffness => {
+        SystemSubject::Period => period((network, rest), subject, place).ok_or_else(missing)?,
+        SystemSubject::Stiffness => {
             let index = network.body(subject).ok_or_else(missing)?;
             let at = direction(place).ok_or_else(missing)?;
             let stiffness = of_body(network, rest, index);
@@ -222,20 +222,20 @@ fn between((network, rest): AtRest<'_>, line: usize, place: &str) -> Option<f64>
 }
 
 /// A system and where it rests.
-type AtRest<'a> = (&'a Network, &'a Equilibrium);
+type AtRest<'a> = (&'a Network, &'a SystemEquilibrium);
 
 /// The error of the result of this name, where it is known: by the mesh of all lines, or of closed forms by rounding.
 #[must_use]
 pub fn error(solved: &SolvedSystem, name: &str) -> Option<f64> {
     let (quantity, subject, place) = parts(name)?;
     let (network, errors) = (&solved.network, &solved.errors);
-    let of_ends = quantity.of == Subject::LineEnd;
+    let of_ends = quantity.of == SystemSubject::LineEnd;
     if of_ends && (errors.companion.is_none() || matches!(place, "a" | "b")) {
         return errors.lines[network.line(subject)?];
     }
     match (quantity.of, quantity.unit) {
-        (Subject::Point, "m") => return errors.points[network.point(subject)?],
-        (Subject::Body, "m") => return Some(errors.bodies[network.body(subject)?]?[0]),
+        (SystemSubject::Point, "m") => return errors.points[network.point(subject)?],
+        (SystemSubject::Body, "m") => return Some(errors.bodies[network.body(subject)?]?[0]),
         _ => {}
     }
     let finer = errors.finer()?;

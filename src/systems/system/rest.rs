@@ -2,7 +2,7 @@
 
 use super::bounds::Contact;
 use super::connected::{Loose, loose};
-use super::equilibrium::{Equilibrium, SystemError, search};
+use super::equilibrium::{SystemEquilibrium, SystemError, search};
 use super::freedoms::Placement;
 use super::network::{Held, Network};
 use super::start::start;
@@ -37,7 +37,7 @@ pub fn not_divided((line, why): (String, String)) -> UnsolvedSystem {
 ///
 /// # Errors
 /// [`UnsolvedSystem`]: a part that nothing holds, a line without a solution, a point that rises out of the water.
-pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
+pub fn rest(network: &Network) -> Result<SystemEquilibrium, UnsolvedSystem> {
     if let Some(part) = loose(network) {
         return Err(not_held(network, part));
     }
@@ -49,7 +49,10 @@ pub fn rest(network: &Network) -> Result<Equilibrium, UnsolvedSystem> {
 ///
 /// # Errors
 /// As [`rest`].
-pub fn rest_from(network: &Network, start: &Placement) -> Result<Equilibrium, UnsolvedSystem> {
+pub fn rest_from(
+    network: &Network,
+    start: &Placement,
+) -> Result<SystemEquilibrium, UnsolvedSystem> {
     work_log::log(Task::Rest, format_args!("{} lines", network.lines.len()));
     let rest = search(network, start).map_err(|error| refused(network, &error))?;
     let rest = leave(network, rest);
@@ -158,7 +161,7 @@ pub fn refused(network: &Network, error: &SystemError) -> UnsolvedSystem {
 }
 
 /// A point at the surface whose buoyancy does not suffice to hold it down there.
-fn out_of_water(network: &Network, rest: &Equilibrium) -> Option<UnsolvedSystem> {
+fn out_of_water(network: &Network, rest: &SystemEquilibrium) -> Option<UnsolvedSystem> {
     for (index, point) in network.points.iter().enumerate() {
         let (Held::Free(free), Some(first)) = (&point.held, rest.freedoms.points[index]) else {
             continue;

@@ -8,7 +8,7 @@ use super::bounds::Contact;
 use super::build::{AgedParts, build, divide};
 use super::connected::{Loose, loose};
 use super::damage::without_lost_line;
-use super::equilibrium::{Equilibrium, SystemError};
+use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::errors_at_rest::ErrorsAtRest;
 use super::immersion::Immersion;
 use super::model::SystemFile;
@@ -38,7 +38,7 @@ pub struct SolvedSystem {
     /// How its lines aged, if they did.
     pub age: Option<SettledAge>,
     /// At rest.
-    pub rest: Equilibrium,
+    pub rest: SystemEquilibrium,
     /// How it rests.
     pub stability: Stability,
     /// Its numerical errors.
@@ -65,7 +65,7 @@ impl SolvedSystem {
             return self.rest.contact(point) == Contact::Surface;
         }
         let z = self.rest.placement.points[point].z;
-        let wet = Immersion::of(&self.network, free, z);
+        let wet = Immersion::of_point(&self.network, free, z);
         wet.share > 0.0 && wet.share < 1.0
     }
 }
@@ -109,7 +109,7 @@ pub fn solve(file: SystemFile) -> Result<SolvedSystem, UnsolvedSystem> {
         return Ok(solved);
     }
     Ok(SolvedSystem {
-        errors: ErrorsAtRest::of(&solved.network, &solved.rest),
+        errors: ErrorsAtRest::of_equilibrium(&solved.network, &solved.rest),
         ..solved
     })
 }

@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::along_bed::{on_slope, stiffness_along};
 use super::bounds::Contact;
-use super::equilibrium::{Equilibrium, levers};
+use super::equilibrium::{SystemEquilibrium, levers};
 use super::network::Network;
 use crate::numerics::envelope::EnvelopeMatrix;
 use crate::numerics::envelope_factors::EnvelopeCholesky;
@@ -29,7 +29,7 @@ const UNSTABLE: f64 = 1e-9;
 
 /// The stability of an equilibrium: the least eigenvalue of the stiffness of what may move.
 #[must_use]
-pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
+pub fn stability(network: &Network, rest: &SystemEquilibrium) -> Stability {
     let Some(Scaled {
         stiffness, most, ..
     }) = scaled(network, rest)
@@ -57,7 +57,7 @@ pub fn stability(network: &Network, rest: &Equilibrium) -> Stability {
 #[must_use]
 pub fn unstable_motion(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     towards: &DVector<f64>,
 ) -> Option<DVector<f64>> {
     let Scaled {
@@ -92,7 +92,7 @@ struct Scaled {
 }
 
 /// The stiffness of what may move; nothing where nothing does.
-fn scaled(network: &Network, rest: &Equilibrium) -> Option<Scaled> {
+fn scaled(network: &Network, rest: &SystemEquilibrium) -> Option<Scaled> {
     let held: Vec<bool> = rest
         .contacts
         .iter()

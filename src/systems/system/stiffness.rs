@@ -6,7 +6,7 @@ use super::along_bed::{on_slope, stiffness_along};
 use super::balance::{Balance, UnsolvedLine, balance};
 use super::body_loads::body_loads;
 use super::bounds::Contact;
-use super::equilibrium::Equilibrium;
+use super::equilibrium::SystemEquilibrium;
 use super::freedoms::{Freedoms, UnknownBodies};
 use super::line_physics::LinePhysics;
 use super::network::Network;
@@ -19,7 +19,7 @@ use crate::numerics::envelope::EnvelopeMatrix;
 /// A line without a solution; not at an equilibrium.
 pub fn of_body(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     body: usize,
 ) -> Result<Matrix6<f64>, UnsolvedLine> {
     let whole = Whole::new(network, rest)?;
@@ -30,7 +30,10 @@ pub fn of_body(
 ///
 /// # Errors
 /// As [`of_body`].
-pub fn of_bodies(network: &Network, rest: &Equilibrium) -> Result<Vec<Matrix6<f64>>, UnsolvedLine> {
+pub fn of_bodies(
+    network: &Network,
+    rest: &SystemEquilibrium,
+) -> Result<Vec<Matrix6<f64>>, UnsolvedLine> {
     if network.bodies.is_empty() {
         return Ok(Vec::new());
     }
@@ -48,8 +51,8 @@ struct Whole {
 }
 
 impl Whole {
-    fn new(network: &Network, rest: &Equilibrium) -> Result<Self, UnsolvedLine> {
-        let freedoms = Freedoms::of(network, UnknownBodies::All);
+    fn new(network: &Network, rest: &SystemEquilibrium) -> Result<Self, UnsolvedLine> {
+        let freedoms = Freedoms::of_network(network, UnknownBodies::All);
         let near = Some(rest.balance.lines.as_slice());
         let at = &rest.placement;
         let balance = balance(network, &freedoms, at, LinePhysics::Full, near)?;
@@ -57,7 +60,12 @@ impl Whole {
     }
 
     /// The stiffness by the motions along the bed of what lies on it where it slopes, but for a body that is moved itself.
-    fn along_bed(&self, network: &Network, rest: &Equilibrium, body: usize) -> EnvelopeMatrix {
+    fn along_bed(
+        &self,
+        network: &Network,
+        rest: &SystemEquilibrium,
+        body: usize,
+    ) -> EnvelopeMatrix {
         let mut stiffness = self.balance.stiffness.clone();
         let contacts = contacts(rest, &self.freedoms);
         let bed = network.bed.as_ref();
@@ -67,7 +75,7 @@ impl Whole {
         stiffness
     }
 
-    fn on_body(&self, network: &Network, rest: &Equilibrium, body: usize) -> Matrix6<f64> {
+    fn on_body(&self, network: &Network, rest: &SystemEquilibrium, body: usize) -> Matrix6<f64> {
         let first = self.freedoms.bodies[body].unwrap_or(0);
         let stiffness = &self.along_bed(network, rest, body);
         let mut block = Matrix6::zeros();
@@ -103,7 +111,7 @@ impl Whole {
 
 /// The contacts of an equilibrium in the numbers of the unknowns of all bodies.
 #[must_use]
-pub fn contacts(rest: &Equilibrium, all: &Freedoms) -> Vec<Contact> {
+pub fn contacts(rest: &SystemEquilibrium, all: &Freedoms) -> Vec<Contact> {
     let mut contacts = vec![Contact::None; all.count];
     let points = all.points.iter().zip(&rest.freedoms.points);
     let bodies = all.bodies.iter().zip(&rest.freedoms.bodies);
@@ -116,7 +124,7 @@ pub fn contacts(rest: &Equilibrium, all: &Freedoms) -> Vec<Contact> {
 }
 
 /// Whether each unknown follows a body: those of free points and other free bodies, but for heights that bed or surface hold.
-fn follows(rest: &Equilibrium, all: &Freedoms, body: usize) -> Vec<bool> {
+fn follows(rest: &SystemEquilibrium, all: &Freedoms, body: usize) -> Vec<bool> {
     let mut follows = vec![false; all.count];
     let mut add = |here: Option<usize>, there: Option<usize>, size: usize| {
         let (Some(here), Some(there)) = (here, there) else {

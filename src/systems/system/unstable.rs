@@ -6,7 +6,7 @@
 
 use nalgebra::DVector;
 
-use super::equilibrium::{Equilibrium, search, search_downhill};
+use super::equilibrium::{SystemEquilibrium, search, search_downhill};
 use super::network::{Line, Network};
 use super::stability::unstable_motion;
 use crate::numerics::V3;
@@ -25,12 +25,12 @@ enum Departure {
     /// It is unstable, and searches from beside it find no other.
     Nowhere,
     /// It is unstable, and the system comes to this one.
-    To(Box<Equilibrium>),
+    To(Box<SystemEquilibrium>),
 }
 
 /// The equilibrium that a system comes to when it is let go near one that is unstable; that one where it comes to none that is not.
 #[must_use]
-pub(super) fn leave(network: &Network, found: Equilibrium) -> Equilibrium {
+pub(super) fn leave(network: &Network, found: SystemEquilibrium) -> SystemEquilibrium {
     let mut here = match departure(network, &found) {
         Departure::To(next) => *next,
         Departure::None | Departure::Nowhere => return found,
@@ -49,11 +49,11 @@ pub(super) fn leave(network: &Network, found: Equilibrium) -> Equilibrium {
 }
 
 /// Where a system goes from an equilibrium.
-fn departure(network: &Network, rest: &Equilibrium) -> Departure {
+fn departure(network: &Network, rest: &SystemEquilibrium) -> Departure {
     let Some(motion) = unstable_motion(network, rest, &turns(network, rest)) else {
         return Departure::None;
     };
-    let is_another = |next: &Equilibrium| !is_same(network, rest, next);
+    let is_another = |next: &SystemEquilibrium| !is_same(network, rest, next);
     let next = [TURN, -TURN].into_iter().find_map(|turn| {
         let step = &motion * turn;
         let from = rest.placement.moved(network, &rest.freedoms, &step);
@@ -62,7 +62,7 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
         next.or_else(|| search_downhill(network, &from).ok().filter(is_another))
     });
     next.map_or(Departure::Nowhere, |next| {
-        Departure::To(Box::new(Equilibrium {
+        Departure::To(Box::new(SystemEquilibrium {
             steps: rest.steps + next.steps,
             evaluations: rest.evaluations + next.evaluations,
             work: rest.work + next.work,
@@ -73,7 +73,7 @@ fn departure(network: &Network, rest: &Equilibrium) -> Departure {
 
 /// A turn of each body, fixed in its own axes and of another size than those of the others: pitch, and enough of the two others where that is
 /// resisted.
-fn turns(network: &Network, rest: &Equilibrium) -> DVector<f64> {
+fn turns(network: &Network, rest: &SystemEquilibrium) -> DVector<f64> {
     let mut towards = DVector::zeros(rest.freedoms.count);
     let bodies = rest.freedoms.bodies.iter().zip(&rest.placement.bodies);
     for (number, (first, pose)) in bodies.enumerate() {
@@ -92,7 +92,7 @@ fn turns(network: &Network, rest: &Equilibrium) -> DVector<f64> {
 }
 
 /// Whether two equilibria are one, spins of rods left out.
-pub(super) fn is_same(network: &Network, one: &Equilibrium, two: &Equilibrium) -> bool {
+pub(super) fn is_same(network: &Network, one: &SystemEquilibrium, two: &SystemEquilibrium) -> bool {
     let (one, two) = (&one.placement, &two.placement);
     let size = network.lines.iter().map(Line::length);
     let near = SAME * size.fold(1.0, f64::max);

@@ -25,7 +25,7 @@ impl<'r> ComparedRun<'r> {
     ///
     /// # Errors
     /// Why the run ended early, as a sentence.
-    pub fn of(run: &'r Run) -> Result<Self, String> {
+    pub fn of_run(run: &'r Run) -> Result<Self, String> {
         ended(run.info.failure.as_ref())?;
         Ok(Self {
             history: &run.history,

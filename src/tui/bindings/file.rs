@@ -105,13 +105,13 @@ fn unknown_table(key: &str, span: &Range<usize>) -> Finding {
 }
 
 /// What is wrong with a line; its name is meant where no place is given.
-struct Fault {
+struct BindingFault {
     span: Option<Range<usize>>,
     problem: String,
     remedy: String,
 }
 
-impl Fault {
+impl BindingFault {
     fn of_name(problem: impl Into<String>, remedy: impl Into<String>) -> Self {
         Self {
             span: None,
@@ -129,11 +129,14 @@ impl Fault {
 }
 
 /// The command of a name that may be bound here.
-fn command(scope: Scope, word: &str) -> Result<CommandId, Fault> {
+fn command(scope: Scope, word: &str) -> Result<CommandId, BindingFault> {
     let found = command_of(word).ok_or_else(|| unknown_command(scope, word))?;
     if FIXED.contains(&found) {
         let remedy = "leave the line out; the terminal sends this key as a signal to every program";
-        return Err(Fault::of_name("is a command whose key is fixed", remedy));
+        return Err(BindingFault::of_name(
+            "is a command whose key is fixed",
+            remedy,
+        ));
     }
     let Scope::Pane(pane) = scope else {
         return Ok(found);
@@ -148,13 +151,13 @@ fn command(scope: Scope, word: &str) -> Result<CommandId, Fault> {
         "it is a command of {}; [{EVERYWHERE}] binds it in all of them",
         names.join(", ")
     );
-    Err(Fault::of_name(
+    Err(BindingFault::of_name(
         format!("is no command of the pane {}", pane_name(pane)),
         remedy,
     ))
 }
 
-fn unknown_command(scope: Scope, word: &str) -> Fault {
+fn unknown_command(scope: Scope, word: &str) -> BindingFault {
     let here = match scope {
         Scope::Pane(pane) => together(pane),
         Scope::Everywhere => super::registry::declared()
@@ -167,11 +170,11 @@ fn unknown_command(scope: Scope, word: &str) -> Fault {
         Some(meant) => format!("write `{meant}`"),
         None => "`seacable bindings` lists the commands".to_owned(),
     };
-    Fault::of_name("is no command", remedy)
+    BindingFault::of_name("is no command", remedy)
 }
 
 /// The keys of a value: one in quotes, or a list of them.
-fn keys(value: &TomlNode) -> Result<(Vec<String>, Vec<Range<usize>>), Fault> {
+fn keys(value: &TomlNode) -> Result<(Vec<String>, Vec<Range<usize>>), BindingFault> {
     let one = std::slice::from_ref(value);
     let items = if value.text().is_some() {
         one
@@ -181,7 +184,7 @@ fn keys(value: &TomlNode) -> Result<(Vec<String>, Vec<Range<usize>>), Fault> {
     if value.text().is_none() && !value.is_list() {
         let remedy =
             r#"give a key in quotes, "ctrl+r", or a list of keys, ["+", "="]; [] for none"#;
-        return Err(Fault::at(
+        return Err(BindingFault::at(
             &value.span,
             format!("is {}", value.describe()),
             remedy,
@@ -191,15 +194,16 @@ fn keys(value: &TomlNode) -> Result<(Vec<String>, Vec<Range<usize>>), Fault> {
     for item in items {
         let Some(word) = item.text() else {
             let remedy = "give each key in quotes";
-            return Err(Fault::at(
+            return Err(BindingFault::at(
                 &item.span,
                 format!("holds {}", item.describe()),
                 remedy,
             ));
         };
-        let key = key(word).map_err(|(problem, remedy)| Fault::at(&item.span, problem, remedy))?;
+        let key =
+            key(word).map_err(|(problem, remedy)| BindingFault::at(&item.span, problem, remedy))?;
         if keys.contains(&key) {
-            return Err(Fault::at(
+            return Err(BindingFault::at(
                 &item.span,
                 format!("`{key}` is given twice"),
                 "leave one out",
@@ -242,7 +246,7 @@ fn without_conflicts(mut bindings: Vec<Binding>) -> (Vec<Binding>, Vec<Finding>)
 }
 
 /// A command of a pane with the keys that it would have.
-struct Held<'a> {
+struct PaneBinding<'a> {
     command: Command,
     keys: Vec<&'a str>,
     /// The binding that gives them; nothing for those that it declares.
@@ -261,7 +265,7 @@ fn conflict(bindings: &[Binding]) -> Option<(usize, Finding)> {
 }
 
 /// The commands of a pane with the keys that the bindings give them.
-fn held(pane: PaneId, bindings: &[Binding]) -> Vec<Held<'_>> {
+fn held(pane: PaneId, bindings: &[Binding]) -> Vec<PaneBinding<'_>> {
     let by = |id: CommandId| {
         let of = |scope: Scope| {
             bindings
@@ -276,7 +280,7 @@ fn held(pane: PaneId, bindings: &[Binding]) -> Vec<Held<'_>> {
             Some(at) => bindings[at].keys.iter().map(String::as_str).collect(),
             None => command.keys.to_vec(),
         };
-        Held { command, keys, by }
+        PaneBinding { command, keys, by }
     });
     each.collect()
 }
@@ -284,8 +288,8 @@ fn held(pane: PaneId, bindings: &[Binding]) -> Vec<Held<'_>> {
 /// The binding that takes a key of the other command, with what is wrong; keys that both declare are shared on purpose.
 fn shared(
     pane: PaneId,
-    one: &Held,
-    other: &Held,
+    one: &PaneBinding,
+    other: &PaneBinding,
     bindings: &[Binding],
 ) -> Option<(usize, Finding)> {
     let declared = |key: &str| one.command.keys.contains(&key) && other.command.keys.contains(&key);

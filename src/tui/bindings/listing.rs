@@ -124,7 +124,7 @@ pub fn commands(keys: &KeyTable) -> Vec<ListedCommand> {
 /// The listing as a table.
 #[must_use]
 pub fn table(listed: &[ListedCommand]) -> Table {
-    Table::of("", listed)
+    Table::of_records("", listed)
         .text("table", |line| line.table.clone())
         .text("command", |line| line.name.clone())
         .text("keys", |line| line.keys.joined())

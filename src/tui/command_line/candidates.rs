@@ -10,7 +10,7 @@ use crate::state::AppState;
 
 /// What may complete a line.
 #[derive(Debug, Clone)]
-pub enum Candidate {
+pub enum CompletionCandidate {
     /// A command without an argument.
     Command(BoundCommand),
     /// A command that needs one.
@@ -28,7 +28,7 @@ pub struct Argument {
     pub help: String,
 }
 
-impl Candidate {
+impl CompletionCandidate {
     /// The line that it completes.
     #[must_use]
     pub fn line(&self, line: &str) -> String {
@@ -45,7 +45,7 @@ impl Candidate {
 
 /// What may complete a line, the best first.
 #[must_use]
-pub fn candidates(state: &AppState, line: &str) -> Vec<Candidate> {
+pub fn candidates(state: &AppState, line: &str) -> Vec<CompletionCandidate> {
     match typed(line) {
         Some(line) => of_argument(state, line),
         None => of_command(state, line.trim()),
@@ -53,7 +53,7 @@ pub fn candidates(state: &AppState, line: &str) -> Vec<Candidate> {
 }
 
 /// The arguments that fit what is typed.
-fn of_argument(state: &AppState, line: TypedLine) -> Vec<Candidate> {
+fn of_argument(state: &AppState, line: TypedLine) -> Vec<CompletionCandidate> {
     let (all, wanted) = arguments(state, line);
     let parts: Vec<Vec<&str>> = all
         .iter()
@@ -75,23 +75,25 @@ fn of_argument(state: &AppState, line: TypedLine) -> Vec<Candidate> {
     }
     let found = scored
         .into_iter()
-        .map(|(_, place)| Candidate::Argument(all[place].clone()));
+        .map(|(_, place)| CompletionCandidate::Argument(all[place].clone()));
     found.collect()
 }
 
 /// The commands that fit what is typed: by their names first, then by what they do.
-fn of_command(state: &AppState, line: &str) -> Vec<Candidate> {
+fn of_command(state: &AppState, line: &str) -> Vec<CompletionCandidate> {
     let filter = FuzzyFilter::new(line);
-    let words = WORDS.iter().map(Candidate::Word);
-    let commands = panes::commands(state).into_iter().map(Candidate::Command);
-    let mut found: Vec<(Rank, Candidate)> = words
+    let words = WORDS.iter().map(CompletionCandidate::Word);
+    let commands = panes::commands(state)
+        .into_iter()
+        .map(CompletionCandidate::Command);
+    let mut found: Vec<(Rank, CompletionCandidate)> = words
         .chain(commands)
         .filter_map(|candidate| Some((rank(&candidate, line, &filter)?, candidate)))
         .collect();
     if !filter.is_empty() {
         // Of those that only do what is typed, the ones that need no argument come first.
-        let needs_argument = |rank: &Rank, candidate: &Candidate| {
-            *rank == Rank::Described && matches!(candidate, Candidate::Word(_))
+        let needs_argument = |rank: &Rank, candidate: &CompletionCandidate| {
+            *rank == Rank::Described && matches!(candidate, CompletionCandidate::Word(_))
         };
         found.sort_by_key(|(rank, candidate)| (*rank, needs_argument(rank, candidate)));
     }
@@ -111,16 +113,16 @@ enum Rank {
     Letters(std::cmp::Reverse<u32>),
 }
 
-fn rank(candidate: &Candidate, line: &str, filter: &FuzzyFilter) -> Option<Rank> {
+fn rank(candidate: &CompletionCandidate, line: &str, filter: &FuzzyFilter) -> Option<Rank> {
     let (own, doc, label, keys) = match candidate {
-        Candidate::Command(command) => (
+        CompletionCandidate::Command(command) => (
             name(command.id),
             command.doc,
             command.label,
             command.keys.joined(),
         ),
-        Candidate::Word(word) => (word.name.to_owned(), word.doc, "", String::new()),
-        Candidate::Argument(_) => return None,
+        CompletionCandidate::Word(word) => (word.name.to_owned(), word.doc, "", String::new()),
+        CompletionCandidate::Argument(_) => return None,
     };
     let spoken = own.replace('_', " ");
     let score = || std::cmp::Reverse(filter.score(&spoken).unwrap_or(0));

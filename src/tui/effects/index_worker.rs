@@ -17,7 +17,7 @@ use crate::state::{RunEntry, RunStatus, Severity};
 
 /// What the screen asks of the index.
 #[derive(Debug)]
-pub(super) enum Question {
+pub(super) enum IndexQuestion {
     /// The runs of these case files, with these results, from the beginning.
     List {
         files: Vec<String>,
@@ -30,7 +30,7 @@ pub(super) enum Question {
 /// The thread that keeps the index; it begins with the first question.
 #[derive(Debug, Default)]
 pub(super) struct IndexWorker {
-    questions: Option<Sender<Question>>,
+    questions: Option<Sender<IndexQuestion>>,
 }
 
 /// How often the directory of the runs is looked at for runs of other programs.
@@ -45,7 +45,7 @@ const WORTH_TELLING: usize = 100;
 
 impl IndexWorker {
     /// Asks; answers come as messages.
-    pub(super) fn ask(&mut self, question: Question, out: &Outbox) -> Vec<Msg> {
+    pub(super) fn ask(&mut self, question: IndexQuestion, out: &Outbox) -> Vec<Msg> {
         if self.questions.is_none() {
             let (sender, receiver) = unbounded();
             let out = out.clone();
@@ -66,7 +66,7 @@ impl IndexWorker {
     }
 }
 
-fn keep(questions: &Receiver<Question>, out: &Outbox) {
+fn keep(questions: &Receiver<IndexQuestion>, out: &Outbox) {
     lower_priority();
     let root = Path::new(store::DEFAULT_ROOT);
     let index = match RunIndex::open(root, cache_dir().ok().as_deref()) {
@@ -86,11 +86,11 @@ fn keep(questions: &Receiver<Question>, out: &Outbox) {
     };
     loop {
         match questions.recv_timeout(LOOK) {
-            Ok(Question::List { files, results }) => {
+            Ok(IndexQuestion::List { files, results }) => {
                 (keeper.files, keeper.results, keeper.since) = (files, results, 0);
                 keeper.work(true);
             }
-            Ok(Question::Refresh) => keeper.work(false),
+            Ok(IndexQuestion::Refresh) => keeper.work(false),
             Err(RecvTimeoutError::Timeout) if keeper.may_have_changed() => keeper.work(false),
             Err(RecvTimeoutError::Timeout) => {}
             Err(RecvTimeoutError::Disconnected) => return,

@@ -17,7 +17,7 @@ use self::watcher::{Input, Watcher};
 use super::ordered_worker::OrderedWorker;
 use super::outbox::Outbox;
 use crate::background::lower_priority;
-use crate::jobs::{JobFolder, JobsDir, Launcher, Submission, client};
+use crate::jobs::{JobFolder, JobSubmission, JobsDir, Launcher, client};
 use crate::msg::Msg;
 use crate::state::job_process::{NewProcess, ProcessEffect, ProcessMsg, ProcessWork};
 use crate::state::{JobNumber, Severity};
@@ -154,10 +154,10 @@ fn folders(folders: &Folders) -> std::sync::MutexGuard<'_, BTreeMap<JobNumber, J
 }
 
 /// The request as it is kept.
-fn submission(new: &NewProcess) -> Result<Submission, String> {
+fn submission(new: &NewProcess) -> Result<JobSubmission, String> {
     let mut submission = match &new.work {
-        ProcessWork::Run(request) => Submission::of_run(request, &new.name, &new.case)?,
-        ProcessWork::Sweep(request) => Submission::of_sweep(request, &new.name)?,
+        ProcessWork::Run(request) => JobSubmission::of_run(request, &new.name, &new.case)?,
+        ProcessWork::Sweep(request) => JobSubmission::of_sweep(request, &new.name)?,
     };
     submission.spec.label.clone_from(&new.label);
     Ok(submission)

@@ -9,12 +9,12 @@ use crossbeam_channel::{Sender, unbounded};
 use super::outbox::Outbox;
 use crate::msg::Msg;
 
-type Work = Box<dyn FnOnce() -> Vec<Msg> + Send>;
+type OrderedTask = Box<dyn FnOnce() -> Vec<Msg> + Send>;
 
 /// The thread.
 #[derive(Debug)]
 pub(super) struct OrderedWorker {
-    queue: Option<Sender<Work>>,
+    queue: Option<Sender<OrderedTask>>,
     open: Arc<(Mutex<Open>, Condvar)>,
 }
 
@@ -43,7 +43,7 @@ impl Open {
 impl OrderedWorker {
     /// Starts the thread; where the system gives none, everything is done at once.
     pub(super) fn start(name: &str, out: Outbox) -> Self {
-        let (queue, work) = unbounded::<Work>();
+        let (queue, work) = unbounded::<OrderedTask>();
         let open: Arc<(Mutex<Open>, Condvar)> = Arc::default();
         let done = Arc::clone(&open);
         let started = std::thread::Builder::new()

@@ -7,7 +7,7 @@ use super::outbox::Outbox;
 use crate::case::Case;
 use crate::chart::Glyphs;
 use crate::comparison::Comparison;
-use crate::msg::{ComparedRun, Msg, StudyRequest};
+use crate::msg::{Msg, RunToCompare, StudyRequest};
 use crate::number::duration;
 use crate::report::effects::TornadoView;
 use crate::report::{comparison, physics};
@@ -18,17 +18,17 @@ use crate::study::{effects, physics as scene_physics};
 
 /// Reads the runs that are not in memory, and compares all with the first.
 pub(super) fn compare(
-    runs: Vec<ComparedRun>,
+    runs: Vec<RunToCompare>,
     width: usize,
     glyphs: Glyphs,
 ) -> Result<String, String> {
-    let read = |run: ComparedRun| match run {
-        ComparedRun::Memory(run) => Ok(run),
-        ComparedRun::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
+    let read = |run: RunToCompare| match run {
+        RunToCompare::Memory(run) => Ok(run),
+        RunToCompare::Stored(dir) => store::read(&dir).map(Arc::new).map_err(|e| e.to_string()),
     };
     let runs: Vec<Arc<Run>> = runs.into_iter().map(read).collect::<Result<_, _>>()?;
     let all: Vec<&Run> = runs.iter().map(Arc::as_ref).collect();
-    let page = comparison::report(&Comparison::of(&all), &all, width);
+    let page = comparison::report(&Comparison::of_runs(&all), &all, width);
     Ok(page.to_text(width, glyphs))
 }
 
@@ -59,7 +59,7 @@ fn input_effects(
     tell: &(dyn Fn(PointProgress<'_>) + Sync),
 ) -> Result<String, String> {
     let found = effects::compute::<Case>(&request.base, cancel, tell)?;
-    let Some(view) = TornadoView::of(&found, &request.result) else {
+    let Some(view) = TornadoView::of_result(&found, &request.result) else {
         return Err(format!(
             "The run of the case does not have `{}`.",
             request.result

@@ -111,7 +111,7 @@ fn answer(effect: SweepEffect) -> Option<SweepMsg> {
             SweepMsg::Read(dir, read.unwrap_or_else(|_| Err(FAULT.to_owned())))
         }
         SweepEffect::Check(snapshot) => {
-            let verdict = catch_unwind(AssertUnwindSafe(|| SweepVerdict::of(&snapshot)));
+            let verdict = catch_unwind(AssertUnwindSafe(|| SweepVerdict::of_snapshot(&snapshot)));
             let verdict = verdict.unwrap_or_else(|_| SweepVerdict {
                 done: snapshot.done(),
                 ..SweepVerdict::default()

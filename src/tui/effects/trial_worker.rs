@@ -53,7 +53,7 @@ pub(super) fn compute_trials(
 
 /// A file with trials.
 fn hard_case(path: &Path) -> Option<HardCase> {
-    let hard = match FileType::of(path) {
+    let hard = match FileType::of_path(path) {
         FileType::Line => HardCase::load::<Case>(path),
         FileType::System => HardCase::load::<SystemFile>(path),
         _ => return None,

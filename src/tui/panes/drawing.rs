@@ -8,7 +8,7 @@ use super::interface::{Pane, PaneInfo, about};
 use crate::chart;
 use crate::command::{self, Command, CommandId, main, other};
 use crate::msg::Effect;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::{AppState, DocumentContent};
 use crate::update::export::{self, TEXT_WIDTH};
 use crate::update::motion::plot_verb;
@@ -54,7 +54,7 @@ impl Pane for DrawingPane {
         if verb.is_none() && id != CommandId::Write {
             return None;
         }
-        let shown = document.parts.last(Part::Drawing);
+        let shown = document.parts.last(ScreenPart::Drawing);
         let Some(base) = shown.and_then(|view| view.chart.as_ref()) else {
             return Some(Vec::new());
         };
@@ -73,7 +73,7 @@ impl Pane for DrawingPane {
         let document = painter.state.document.as_ref();
         if let Some(DocumentContent::Section(section)) = document.map(|document| &document.content)
         {
-            painter.part(area, Part::Drawing, |painter, view| {
+            painter.part(area, ScreenPart::Drawing, |painter, view| {
                 if let Some(base) = &view.chart {
                     painter.chart(&section.view.chart(base), area);
                 }

@@ -9,7 +9,7 @@ use crate::command::{self, Command, CommandId, FILTER, LIST, main, other};
 use crate::msg::Effect;
 use crate::plots;
 use crate::report::figures::FigureId;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::{AppState, DocumentContent};
 use crate::update::build;
 use crate::update::motion::{moved, step};
@@ -166,14 +166,18 @@ fn scene(painter: &mut Painter, area: Rect) {
             let Some(on) = state.charted() else { return };
             painter.chart(&plots::chart(on, FigureId::Shape), area);
         }
-        DocumentContent::Section(section) => painter.part(area, Part::Drawing, |painter, view| {
-            if let Some(base) = &view.chart {
-                painter.chart(&section.view.chart(base), area);
+        DocumentContent::Section(section) => {
+            painter.part(area, ScreenPart::Drawing, |painter, view| {
+                if let Some(base) = &view.chart {
+                    painter.chart(&section.view.chart(base), area);
+                }
+            });
+        }
+        _ => painter.part(area, ScreenPart::Drawing, |painter, view| {
+            match &view.chart {
+                Some(chart) => painter.chart(chart, area),
+                None => painter.paragraph(area, "There is nothing to be drawn."),
             }
-        }),
-        _ => painter.part(area, Part::Drawing, |painter, view| match &view.chart {
-            Some(chart) => painter.chart(chart, area),
-            None => painter.paragraph(area, "There is nothing to be drawn."),
         }),
     }
 }

@@ -10,7 +10,7 @@ use crate::line_tables::LineTable;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::report::limits;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::text_request::TextOf;
 use crate::state::{AppState, LineView};
 use crate::table::Table;
@@ -48,7 +48,7 @@ impl Pane for NodesPane {
             return of_table.then_some("There is no finished run. `:run` runs the case.");
         };
         let next = matches!(id, CommandId::NextTable | CommandId::PreviousTable);
-        (next && LineTable::of(&run).len() < 2).then_some("This run has one table of the line.")
+        (next && LineTable::of_run(&run).len() < 2).then_some("This run has one table of the line.")
     }
 
     fn update(&self, state: &mut AppState, id: CommandId) -> Option<Vec<Effect>> {
@@ -83,7 +83,7 @@ impl Pane for NodesPane {
         let Some((_, run, _)) = line.runs_view.reported() else {
             return painter.paragraph(area, "There is no finished run yet. `:run` runs the case.");
         };
-        let part = Part::Line(line.line_table.or_nodes(&run));
+        let part = ScreenPart::Line(line.line_table.or_nodes(&run));
         painter.part(area, part, |painter, view| {
             let below = limits_above(painter, area, view.limits.as_ref());
             painter.table(&line.nodes_pane, &view.table, below);

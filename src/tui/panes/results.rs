@@ -68,7 +68,7 @@ impl Pane for ResultsPane {
         };
         let [head, list] = below_head(area);
         let lines = result_lines::all(line);
-        let widths = Widths::of(&lines, area.width);
+        let widths = Widths::of_lines(&lines, area.width);
         title(painter, head, line);
         painter.list(list, line.result, lines.len(), |painter, at, i| {
             let style = painter.line_style(i == line.result);
@@ -88,7 +88,7 @@ pub fn band(painter: &mut Painter, area: Rect) {
     let [head, list] = below_head(area);
     title(painter, head, line);
     let lines = result_lines::chosen(line);
-    let widths = Widths::of(&lines, area.width);
+    let widths = Widths::of_lines(&lines, area.width);
     // What is coarse says so by its numbers.
     let stale = staleness(painter.state).is_some_and(|words| !words.starts_with("coarse:"));
     for (words, y) in lines.iter().zip(list.top()..list.bottom()) {
@@ -191,7 +191,7 @@ struct Widths {
 }
 
 impl Widths {
-    fn of(lines: &[ResultLine], room: u16) -> Self {
+    fn of_lines(lines: &[ResultLine], room: u16) -> Self {
         let widest = |of: fn(&ResultLine) -> &str| {
             let width = lines.iter().map(|line| of(line).width()).max().unwrap_or(0);
             u16::try_from(width).unwrap_or(u16::MAX)

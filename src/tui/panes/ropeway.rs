@@ -7,7 +7,7 @@ use crate::chart::Glyphs;
 use crate::command::{Command, CommandId, main, other};
 use crate::msg::Effect;
 use crate::number::{percent, rounded};
-use crate::state::parts::{Part, PartView};
+use crate::state::parts::{PartView, ScreenPart};
 use crate::state::{AppState, DocumentContent, RopewayView};
 use crate::table::CellStyle;
 use crate::update::edit;
@@ -74,7 +74,7 @@ impl Pane for RopewayPane {
         };
         let [bar, below] = below_head(area);
         slider(painter, bar, ropeway);
-        painter.part(below, Part::Drawing, |painter, view| {
+        painter.part(below, ScreenPart::Drawing, |painter, view| {
             let Some(chart) = &view.chart else {
                 return words(painter, below, view);
             };

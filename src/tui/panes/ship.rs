@@ -6,7 +6,7 @@ use super::interface::{Pane, PaneInfo, about};
 use crate::command::{self, CommandId, DOWN};
 use crate::msg::Effect;
 use crate::part_views::ship::LIST;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::{AppState, DocumentContent};
 use crate::update::motion::{moved, step};
 use crate::view::painter::Painter;
@@ -28,7 +28,7 @@ impl Pane for ShipPane {
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        painter.part(area, Part::Drawing, |painter, view| {
+        painter.part(area, ScreenPart::Drawing, |painter, view| {
             let [drawing, list] =
                 Layout::horizontal([Constraint::Min(0), Constraint::Length(LIST)]).areas(area);
             if let Some(chart) = &view.chart {

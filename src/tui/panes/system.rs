@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::interface::{Pane, PaneInfo, about};
 use crate::command::{Command, CommandId, main};
 use crate::msg::Effect;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::{AppState, DocumentContent, SystemView};
 use crate::view::painter::Painter;
 
@@ -38,7 +38,7 @@ impl Pane for SystemPane {
     }
 
     fn view(&self, painter: &mut Painter, area: Rect) {
-        painter.part(area, Part::Drawing, |painter, view| {
+        painter.part(area, ScreenPart::Drawing, |painter, view| {
             let text = view.table.to_text(area.width.into());
             let wanted = u16::try_from(text.lines().count()).unwrap_or(u16::MAX);
             let rows = wanted.min(area.height.saturating_sub(VIEW));

@@ -5,7 +5,7 @@ use ratatui::layout::{Constraint, Layout, Rect};
 use super::interface::{Pane, PaneInfo, about};
 use crate::command::{COLUMNS, Command, CommandId, DOWN, LIST, SORT, TABLE, main, other};
 use crate::msg::Effect;
-use crate::state::parts::Part;
+use crate::state::parts::ScreenPart;
 use crate::state::ship::MOTIONS;
 use crate::state::{AppState, DocumentContent};
 use crate::update::motion::table_verb;
@@ -54,7 +54,7 @@ impl Pane for TablesPane {
             (CommandId::NextTrace, DocumentContent::Ship(ship)) => ship::next_motion(ship),
             _ => {
                 let verb = verb?;
-                let shown = document.parts.last(Part::Tab(document.tab));
+                let shown = document.parts.last(ScreenPart::Tab(document.tab));
                 if let Some(view) = shown
                     && let Some(pane) = document.tables.get_mut(document.tab)
                 {
@@ -71,7 +71,7 @@ impl Pane for TablesPane {
         };
         let [names, rest] = below_head(area);
         painter.tabs(names, document.kind().info().tabs, Some(document.tab));
-        painter.part(rest, Part::Tab(document.tab), |painter, view| {
+        painter.part(rest, ScreenPart::Tab(document.tab), |painter, view| {
             let below = match &view.chart {
                 None => rest,
                 Some(chart) => {

@@ -8,7 +8,7 @@ use crate::state::parts::PartView;
 
 pub(crate) fn view(name: &str, run: &Run, which: LineTable) -> PartView {
     let mut table = which.table(run);
-    table.title = match (which, LineTable::of(run).len()) {
+    table.title = match (which, LineTable::of_run(run).len()) {
         (LineTable::Nodes, 1) => format!("Nodes of {name}; `:write` writes them as CSV."),
         (which, count) => {
             let number = 1 + which as usize;

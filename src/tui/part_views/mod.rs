@@ -1,5 +1,5 @@
 //! What the parts of the screen show that take more than drawing. Nothing here is called on the drawing thread: see
-//! [`Part`].
+//! [`ScreenPart`].
 
 pub mod line;
 mod part_view;
@@ -10,11 +10,11 @@ pub mod system;
 
 use super::state::DocumentContent;
 use super::state::part_request::PartRequest;
-use super::state::parts::{Part, PartOf, PartView};
+use super::state::parts::{PartOf, PartView, ScreenPart};
 
 /// A part of a model.
 #[must_use]
-pub fn of_model(model: &DocumentContent, part: Part) -> PartView {
+pub fn of_model(model: &DocumentContent, part: ScreenPart) -> PartView {
     match model {
         DocumentContent::Section(section) => section::view(section, part),
         DocumentContent::Ropeway(ropeway) => ropeway::view(ropeway, part),
@@ -29,7 +29,7 @@ impl PartRequest {
     #[must_use]
     pub fn view(&self) -> PartView {
         match (&self.key.of, self.key.part, &self.model) {
-            (PartOf::Run(name, run), Part::Line(table), _) => line::view(name, run, table),
+            (PartOf::Run(name, run), ScreenPart::Line(table), _) => line::view(name, run, table),
             (_, part, Some(model)) => of_model(model, part),
             _ => PartView::default(),
         }

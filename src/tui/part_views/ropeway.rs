@@ -7,18 +7,18 @@ use crate::report::ropeway::{cargo, drawing, tables, winch};
 use crate::ropeway::elastic::Carrier;
 use crate::ropeway::{ModelResults, SolvedRopeway};
 use crate::state::RopewayView;
-use crate::state::parts::{Part, PartView};
+use crate::state::parts::{PartView, ScreenPart};
 use crate::table::{CellStyle, Table};
 
-pub(super) fn view(ropeway: &RopewayView, part: Part) -> PartView {
+pub(super) fn view(ropeway: &RopewayView, part: ScreenPart) -> PartView {
     let solved = &ropeway.worked;
     with_table(match part {
-        Part::Tab(0) => (None, tables::crossing(solved, 20)),
-        Part::Tab(1) => (Some(winch::hauling_chart(solved)), winch::hauling(solved)),
-        Part::Tab(2) => winch_on_ship(solved),
-        Part::Tab(3) => (Some(cargo::crossing_chart(solved)), cargo::cargo(solved)),
-        Part::Tab(4) => (None, ropes(ropeway)),
-        Part::Tab(_) => {
+        ScreenPart::Tab(0) => (None, tables::crossing(solved, 20)),
+        ScreenPart::Tab(1) => (Some(winch::hauling_chart(solved)), winch::hauling(solved)),
+        ScreenPart::Tab(2) => winch_on_ship(solved),
+        ScreenPart::Tab(3) => (Some(cargo::crossing_chart(solved)), cargo::cargo(solved)),
+        ScreenPart::Tab(4) => (None, ropes(ropeway)),
+        ScreenPart::Tab(_) => {
             let none = || Table::titled("The file has no finite-element check.");
             (None, tables::weight_check(solved).unwrap_or_else(none))
         }

@@ -10,7 +10,7 @@ use crate::ship::stability::DynamicStability;
 use crate::ship::yaw_equilibria::YawStability;
 use crate::ship::{DynamicAnalysis, MooredEquilibrium, MotionAnalysis};
 use crate::state::ShipView;
-use crate::state::parts::{Part, PartView};
+use crate::state::parts::{PartView, ScreenPart};
 use crate::state::ship::{AT_SEA, MOTIONS};
 use crate::table::{CellStyle, Table};
 use crate::wrap::{WideWords, wrap};
@@ -18,23 +18,23 @@ use crate::wrap::{WideWords, wrap};
 /// Columns of the list of headings.
 pub const LIST: u16 = 34;
 
-pub(super) fn view(ship: &ShipView, part: Part) -> PartView {
+pub(super) fn view(ship: &ShipView, part: ScreenPart) -> PartView {
     let rest = &ship.statics;
     let or = |table: Option<Table>, words: &str| table.unwrap_or_else(|| Table::titled(words));
     with_table(match part {
-        Part::Tab(0) => (Some(statics::moments(rest)), statics::headings(rest)),
-        Part::Tab(tab) if AT_SEA.contains(&tab) => {
+        ScreenPart::Tab(0) => (Some(statics::moments(rest)), statics::headings(rest)),
+        ScreenPart::Tab(tab) if AT_SEA.contains(&tab) => {
             at_sea(ship, tab).unwrap_or_else(|table| (None, table))
         }
-        Part::Tab(7) => {
+        ScreenPart::Tab(7) => {
             let words = "Dynamic stability needs [hull], and [mooring] with a solution.";
             (None, or(statics::eigenvalues(rest), words))
         }
-        Part::Tab(8) => (
+        ScreenPart::Tab(8) => (
             None,
             or(statics::loads(rest), "There is no stable equilibrium."),
         ),
-        Part::Tab(_) => {
+        ScreenPart::Tab(_) => {
             let words = "There is no stable equilibrium, or no [mooring] with a solution.";
             (None, or(statics::mooring(rest), words))
         }

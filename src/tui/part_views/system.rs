@@ -4,7 +4,7 @@ use super::part_view::with_table;
 use crate::chart::Chart;
 use crate::report::system::{analysis, tables, views};
 use crate::state::SystemView;
-use crate::state::parts::{Part, PartView};
+use crate::state::parts::{PartView, ScreenPart};
 use crate::system::analysis::analyses::OffsetCurve;
 use crate::system::analysis::periods::NaturalModes;
 use crate::system::analysis::watch_circle::WatchCircle;
@@ -18,17 +18,17 @@ const EQUILIBRIA: usize = 6;
 const OFFSETS: usize = 7;
 const WATCH_CIRCLE: usize = 8;
 
-pub(super) fn view(system: &SystemView, part: Part) -> PartView {
+pub(super) fn view(system: &SystemView, part: ScreenPart) -> PartView {
     let solved = &system.solved;
     with_table(match part {
-        Part::Tab(0) => (None, tables::lines(solved)),
-        Part::Tab(1) => (None, tables::points(solved)),
-        Part::Tab(2 | 3) if solved.network.bodies.is_empty() => {
+        ScreenPart::Tab(0) => (None, tables::lines(solved)),
+        ScreenPart::Tab(1) => (None, tables::points(solved)),
+        ScreenPart::Tab(2 | 3) if solved.network.bodies.is_empty() => {
             (None, Table::titled("The system has no body."))
         }
-        Part::Tab(2) => (None, tables::bodies(solved)),
-        Part::Tab(tab @ CLEARANCES..) => analyses(system, tab),
-        Part::Tab(_) => (None, tables::stiffness(solved, 0)),
+        ScreenPart::Tab(2) => (None, tables::bodies(solved)),
+        ScreenPart::Tab(tab @ CLEARANCES..) => analyses(system, tab),
+        ScreenPart::Tab(_) => (None, tables::stiffness(solved, 0)),
         _ => return drawn(system),
     })
 }

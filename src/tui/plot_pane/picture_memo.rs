@@ -19,7 +19,12 @@ struct Drawn {
 
 impl PictureMemo {
     /// The picture of a chart in so many columns and rows.
-    pub(super) fn of(&self, chart: &Chart, size: (usize, usize), glyphs: Glyphs) -> Arc<Picture> {
+    pub(super) fn picture(
+        &self,
+        chart: &Chart,
+        size: (usize, usize),
+        glyphs: Glyphs,
+    ) -> Arc<Picture> {
         let mut last = self.0.borrow_mut();
         let known = last.as_ref().filter(|last| {
             let same_size = (last.picture.width, last.picture.height) == size;
@@ -62,17 +67,17 @@ mod tests {
             series: vec![Series::new("s", 0, vec![(0.0, y), (1.0, 2.0)])],
             ..Chart::default()
         };
-        let first = memo.of(&chart(0.0), (40, 12), Glyphs::Braille);
+        let first = memo.picture(&chart(0.0), (40, 12), Glyphs::Braille);
         assert!(Arc::ptr_eq(
             &first,
-            &memo.of(&chart(0.0), (40, 12), Glyphs::Braille)
+            &memo.picture(&chart(0.0), (40, 12), Glyphs::Braille)
         ));
         for (y, size, glyphs) in [
             (1.0, (40, 12), Glyphs::Braille),
             (1.0, (41, 12), Glyphs::Braille),
             (1.0, (41, 12), Glyphs::Ascii),
         ] {
-            let picture = memo.of(&chart(y), size, glyphs);
+            let picture = memo.picture(&chart(y), size, glyphs);
             assert_eq!(*picture, chart::draw(&chart(y), size.0, size.1, glyphs));
         }
     }

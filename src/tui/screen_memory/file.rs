@@ -14,7 +14,7 @@ use super::ScreenMemory;
 use crate::places::state_dir;
 use crate::visible;
 use seacable_base::files::shallow::shallow;
-use seacable_base::files::{Target, disk, read};
+use seacable_base::files::{WriteTarget, disk, read};
 
 /// Screens of more directories are not kept.
 const MOST: usize = 50;
@@ -113,7 +113,7 @@ fn keep<T: Serialize>(path: &Path, content: &T) -> io::Result<()> {
     if let Some(dir) = path.parent() {
         disk::create_dir_all(dir)?;
     }
-    Ok(Target::replacing(path).write(text.as_bytes())?)
+    Ok(WriteTarget::replacing(path).write(text.as_bytes())?)
 }
 
 /// Removes the screens of the directories that no session was in for longest.

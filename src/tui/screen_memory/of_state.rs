@@ -9,7 +9,7 @@ use std::path::Path;
 impl ScreenMemory {
     /// What the screen shows now.
     #[must_use]
-    pub fn of(state: &AppState) -> Self {
+    pub fn of_state(state: &AppState) -> Self {
         let list = Self {
             pane: pane_name(state.focus()),
             cases_filter: state.cases.filter.input.value().to_owned(),
@@ -36,8 +36,10 @@ impl ScreenMemory {
             zoomed: document.zoomed,
             tab: document.tab,
             charts: charts_of(document),
-            runs: document.runs_view().map(|view| RunsMemory::of(&view.runs)),
-            tables: of_tables::of(document),
+            runs: document
+                .runs_view()
+                .map(|view| RunsMemory::of_runs(&view.runs)),
+            tables: of_tables::memories_of_tables(document),
             ..Self::default()
         }
     }
@@ -51,7 +53,7 @@ impl ScreenMemory {
 
     /// Shows the list of cases as it was.
     pub fn restore_list(&self, state: &mut AppState) {
-        state.cases.filter = Filter::of(&self.cases_filter);
+        state.cases.filter = Filter::of_words(&self.cases_filter);
     }
 
     /// Shows the open file as it was; what there is no more stays as it opens.
@@ -64,7 +66,7 @@ impl ScreenMemory {
         document.tab = self.tab.min(document.tables.len().saturating_sub(1));
         let editor = &mut document.editor;
         editor.folded = self.folded;
-        editor.filter = Filter::of(&self.input_filter);
+        editor.filter = Filter::of_words(&self.input_filter);
         let place = editor.fields().position(|row| row.path == self.input);
         editor.field = place.unwrap_or(0);
         self.restore_charts(document);

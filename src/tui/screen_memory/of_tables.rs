@@ -8,7 +8,7 @@ use crate::table_pane::TablePane;
 
 impl TableMemory {
     /// The table as it is; nothing where the user changed nothing.
-    fn of(table: &str, pane: &TablePane) -> Option<Self> {
+    fn of_pane(table: &str, pane: &TablePane) -> Option<Self> {
         let sorted = pane.sorted_by();
         let memory = Self {
             table: table.to_owned(),
@@ -25,7 +25,7 @@ impl TableMemory {
     }
 
     fn restore(&self, pane: &mut TablePane) {
-        pane.filter = Filter::of(&self.filter);
+        pane.filter = Filter::of_words(&self.filter);
         pane.hide_only(self.hidden.clone());
         let sort = (!self.sort.is_empty()).then(|| (self.sort.clone(), self.greatest_first));
         pane.sort_by(sort);
@@ -52,17 +52,17 @@ fn panes(document: &mut Document) -> Vec<(String, &mut TablePane)> {
 }
 
 /// The tables of a file that the user changed.
-pub(super) fn of(document: &Document) -> Vec<TableMemory> {
+pub(super) fn memories_of_tables(document: &Document) -> Vec<TableMemory> {
     let names = document.kind().info().tabs;
     let mut all: Vec<Option<TableMemory>> = names
         .iter()
         .zip(&document.tables)
-        .map(|(name, pane)| TableMemory::of(&format!("tables: {name}"), pane))
+        .map(|(name, pane)| TableMemory::of_pane(&format!("tables: {name}"), pane))
         .collect();
-    all.push(TableMemory::of("validation", &document.checks_pane));
+    all.push(TableMemory::of_pane("validation", &document.checks_pane));
     if let Some(line) = document.line() {
-        all.push(TableMemory::of("nodes", &line.nodes_pane));
-        all.push(TableMemory::of("modes", &line.modes.pane));
+        all.push(TableMemory::of_pane("nodes", &line.nodes_pane));
+        all.push(TableMemory::of_pane("modes", &line.modes.pane));
     }
     all.into_iter().flatten().collect()
 }
@@ -77,7 +77,7 @@ pub(super) fn restore(memories: &[TableMemory], document: &mut Document) {
 }
 
 impl RunsMemory {
-    pub(super) fn of(runs: &RunList) -> Self {
+    pub(super) fn of_runs(runs: &RunList) -> Self {
         let wanted = runs.wanted_sort();
         let hidden = runs.hidden.iter().filter_map(|name| word(runs, name));
         Self {
@@ -92,7 +92,7 @@ impl RunsMemory {
     }
 
     pub(super) fn restore(&self, runs: &mut RunList) {
-        runs.filter = Filter::of(&self.filter);
+        runs.filter = Filter::of_words(&self.filter);
         runs.hide_only(
             self.hidden
                 .iter()

@@ -42,9 +42,9 @@ pub fn read(text: &str, file: &str) -> (Config, Vec<Diagnostic>) {
 }
 
 /// What is wrong: with the key or with its value, and what would be right.
-type Fault = (bool, String, String);
+type SettingFault = (bool, String, String);
 
-fn set(config: &mut Config, key: &str, value: &TomlNode) -> Result<(), Fault> {
+fn set(config: &mut Config, key: &str, value: &TomlNode) -> Result<(), SettingFault> {
     match key {
         "theme" => config.palette = Some(word(value, &Palette::NAMES)?),
         "glyphs" => {
@@ -69,7 +69,7 @@ fn set(config: &mut Config, key: &str, value: &TomlNode) -> Result<(), Fault> {
 }
 
 /// One of several words.
-fn word<T: Copy>(value: &TomlNode, names: &[(&str, T)]) -> Result<T, Fault> {
+fn word<T: Copy>(value: &TomlNode, names: &[(&str, T)]) -> Result<T, SettingFault> {
     let given = value.text();
     let found = names.iter().find(|(name, _)| Some(*name) == given);
     found.map(|(_, meant)| *meant).ok_or_else(|| {

@@ -1,12 +1,12 @@
 //! The files of the settings, read.
 
-use super::{Settings, config, config_file, keys_file};
+use super::{UserSettings, config, config_file, keys_file};
 use crate::bindings;
 use crate::{
     case::{Diagnostic, render_all},
     visible,
 };
-use seacable_base::files::{Target, disk, read};
+use seacable_base::files::{WriteTarget, disk, read};
 use std::{
     io::ErrorKind,
     path::{Path, PathBuf},
@@ -31,12 +31,12 @@ pub fn made_keys_file() -> std::io::Result<PathBuf> {
         if let Some(dir) = path.parent() {
             disk::create_dir_all(dir)?;
         }
-        Target::new(&path).write(bindings::listing::default_file().as_bytes())?;
+        WriteTarget::new(&path).write(bindings::listing::default_file().as_bytes())?;
     }
     Ok(path)
 }
 
-impl Settings {
+impl UserSettings {
     /// Reads both files; one that is not there sets nothing.
     #[must_use]
     pub fn load() -> Self {

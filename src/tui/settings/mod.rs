@@ -13,7 +13,7 @@ pub use files::{is_file, made_keys_file};
 
 /// What the files of the user set, and what is wrong with them.
 #[derive(Debug, Clone, Default)]
-pub struct Settings {
+pub struct UserSettings {
     /// The keys.
     pub keys: KeyTable,
     /// The look of the screen.

@@ -35,7 +35,7 @@ impl PartialEq for Filter {
 impl Filter {
     /// A filter of these words, as if they had been typed.
     #[must_use]
-    pub fn of(words: &str) -> Self {
+    pub fn of_words(words: &str) -> Self {
         Self {
             input: Input::new(words.to_owned()),
             typing: false,

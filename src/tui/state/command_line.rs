@@ -25,7 +25,7 @@ const MOST: usize = 100;
 impl LineHistory {
     /// The lines of an earlier session.
     #[must_use]
-    pub fn of(mut lines: Vec<String>) -> Self {
+    pub fn of_lines(mut lines: Vec<String>) -> Self {
         lines.drain(..lines.len().saturating_sub(MOST));
         Self(lines)
     }

@@ -9,7 +9,7 @@ use super::document_kind::DocumentKind;
 use super::line::LineView;
 use super::parameter_editor::ParameterEditor;
 use super::part_request::PartRequest;
-use super::parts::{Part, PartKey, PartOf, Parts};
+use super::parts::{PartKey, PartOf, Parts, ScreenPart};
 use super::reading::{Draft, FileOfText, Reading};
 use super::runs_view::{Charted, RunsView};
 use super::sweeps::SweepsView;
@@ -165,13 +165,13 @@ impl Document {
 
     /// What a part of the screen is of now; nothing where there is no such part.
     #[must_use]
-    pub fn part_key(&self, part: Part) -> Option<PartKey> {
+    pub fn part_key(&self, part: ScreenPart) -> Option<PartKey> {
         let of = match (&self.content, part) {
-            (DocumentContent::Line(line), Part::Line(_)) => {
+            (DocumentContent::Line(line), ScreenPart::Line(_)) => {
                 let (name, run, _) = line.runs_view.reported()?;
                 PartOf::Run(name, run)
             }
-            (DocumentContent::Line(_), _) | (_, Part::Line(_)) => return None,
+            (DocumentContent::Line(_), _) | (_, ScreenPart::Line(_)) => return None,
             _ => self.parts.of_inputs(self.kind().choice(part)),
         };
         Some(PartKey { part, of })
@@ -179,13 +179,13 @@ impl Document {
 
     /// Whether a part is shown as it is now.
     #[must_use]
-    pub fn is_shown(&self, part: Part) -> bool {
+    pub fn is_shown(&self, part: ScreenPart) -> bool {
         let key = self.part_key(part);
         key.is_none_or(|key| self.parts.is_known(&key))
     }
 
     /// The request for a part that is not known as it is now, and is not being worked out.
-    pub fn ask_part(&mut self, part: Part) -> Option<PartRequest> {
+    pub fn ask_part(&mut self, part: ScreenPart) -> Option<PartRequest> {
         let key = self.part_key(part)?;
         let begun = self.parts.begin(&key);
         let model = matches!(key.of, PartOf::Inputs(..)).then(|| self.content.clone());

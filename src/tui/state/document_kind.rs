@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::parts::Part;
+use super::parts::ScreenPart;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::command::{Command, CommandId, MODEL};
@@ -38,12 +38,12 @@ pub trait DocumentKind {
     }
 
     /// What the user has chosen that a part depends on besides the inputs.
-    fn choice(&self, _part: Part) -> u64 {
+    fn choice(&self, _part: ScreenPart) -> u64 {
         0
     }
 
     /// Whether a part is of an analysis that is older than the inputs, and is being made anew.
-    fn is_behind(&self, _part: Part) -> bool {
+    fn is_behind(&self, _part: ScreenPart) -> bool {
         false
     }
 

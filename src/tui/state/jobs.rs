@@ -162,7 +162,7 @@ impl Jobs {
     /// How many compute for the store at this moment.
     #[must_use]
     pub fn computing(&self) -> usize {
-        self.of(JobPurpose::Run)
+        self.lines_of_purpose(JobPurpose::Run)
             .filter(|l| l.state == JobState::Running)
             .count()
     }
@@ -181,11 +181,13 @@ impl Jobs {
 
     fn open_lines(&self) -> impl Iterator<Item = &JobLine> {
         let stored = [JobPurpose::Run, JobPurpose::Sweep];
-        let all = stored.into_iter().flat_map(|purpose| self.of(purpose));
+        let all = stored
+            .into_iter()
+            .flat_map(|purpose| self.lines_of_purpose(purpose));
         all.filter(|l| l.state.is_open())
     }
 
-    fn of(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {
+    fn lines_of_purpose(&self, purpose: JobPurpose) -> impl Iterator<Item = &JobLine> {
         self.lines.iter().filter(move |l| l.purpose == purpose)
     }
 }

@@ -91,7 +91,7 @@ impl LineView {
     /// A case as read, before its first solve.
     #[must_use]
     pub fn new(case: Case) -> Self {
-        let runs_view = RunsView::new(FigureId::of(&case), true);
+        let runs_view = RunsView::new(FigureId::of_case(&case), true);
         Self {
             runs_view,
             sweeps: SweepsView::default(),
@@ -115,7 +115,7 @@ impl LineView {
     pub fn checked_runs(&self, text: &str) -> Vec<(Option<StudyPoint>, Arc<Run>)> {
         // The variants follow when they are worked out.
         if self.plan.text != text {
-            let run = self.complete_run(TextDigest::of(text));
+            let run = self.complete_run(TextDigest::of_text(text));
             return run.into_iter().map(|run| (None, run)).collect();
         }
         let needed = self.plan.of_published_values().iter();
@@ -131,7 +131,7 @@ impl LineView {
     /// The newest complete run of exactly this text.
     fn complete_run(&self, text: TextDigest) -> Option<Arc<Run>> {
         let live = self.runs_view.live.done.as_ref();
-        let live = live.filter(|_| TextDigest::of(&self.runs_view.live.done_text) == text);
+        let live = live.filter(|_| TextDigest::of_text(&self.runs_view.live.done_text) == text);
         let entries = self.runs_view.runs.all().iter().rev();
         let curves = entries
             .filter(|entry| entry.text == text)

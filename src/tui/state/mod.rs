@@ -57,7 +57,7 @@ pub use runs_view::{Charted, RunsView};
 pub use section::SectionView;
 pub use ship::ShipView;
 pub use system::SystemView;
-pub use variants::{Variant, VariantPlan, VariedRuns};
+pub use variants::{CaseVariant, VariantPlan, VariedRuns};
 
 use std::collections::VecDeque;
 use std::path::PathBuf;

@@ -225,17 +225,7 @@ impl Question {
                 format!("This makes {count} runs; each is computed and stored."),
                 &[('r', "run them"), ('c', "edit the range")],
             ),
-            Self::ReportFormat => (
-                "Write the report as:".to_owned(),
-                &[
-                    ('h', "HTML with its charts, for browser and printer"),
-                    ('m', "Markdown"),
-                    ('t', "text"),
-                    ('v', "CSV of the results"),
-                    ('j', "JSON of the results"),
-                    ('c', "do not write it"),
-                ],
-            ),
+            Self::ReportFormat => ("Write the report as:".to_owned(), REPORT_FORMATS),
             Self::Overwrite => (
                 "The file has changed on disk since it was opened.".to_owned(),
                 &[
@@ -247,6 +237,16 @@ impl Question {
         }
     }
 }
+
+/// Keys of the formats of a report, as [`Question::format_of`] has them.
+const REPORT_FORMATS: &[(char, &str)] = &[
+    ('h', "HTML with its charts, for browser and printer"),
+    ('m', "Markdown"),
+    ('t', "text"),
+    ('v', "CSV of the results"),
+    ('j', "JSON of the results"),
+    ('c', "do not write it"),
+];
 
 fn jobs_go_on(count: usize, warning: Option<&str>) -> String {
     let jobs = format!(

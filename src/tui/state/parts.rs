@@ -10,7 +10,7 @@ use crate::table::{CellStyle, Table};
 
 /// A part of the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Part {
+pub enum ScreenPart {
     /// The view of a model.
     Drawing,
     /// A tab of its tables.
@@ -44,7 +44,7 @@ impl PartialEq for PartOf {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartKey {
     /// The part.
-    pub part: Part,
+    pub part: ScreenPart,
     /// What it is of.
     pub of: PartOf,
 }
@@ -85,7 +85,7 @@ impl Parts {
 
     /// What a part showed last.
     #[must_use]
-    pub fn last(&self, part: Part) -> Option<&Arc<PartView>> {
+    pub fn last(&self, part: ScreenPart) -> Option<&Arc<PartView>> {
         let known = self.known.iter().find(|(key, _)| key.part == part);
         known.map(|(_, view)| view)
     }

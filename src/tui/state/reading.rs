@@ -79,12 +79,12 @@ impl Reading {
     /// All that is wrong with it.
     pub fn new(file: &FileOfText, text: String) -> Result<Self, Vec<Diagnostic>> {
         let content = content_again(file.kind, &text, (&file.path, &file.name), &file.files)?;
-        Ok(Self::of(file, text, content))
+        Ok(Self::of_text(file, text, content))
     }
 
     /// The reading of a text with this content.
     #[must_use]
-    pub fn of(file: &FileOfText, text: String, mut content: DocumentContent) -> Self {
+    pub fn of_text(file: &FileOfText, text: String, mut content: DocumentContent) -> Self {
         let before = file.before.clone();
         let before = before.unwrap_or_else(|| Arc::new(InputsBefore::new(file.kind, &file.saved)));
         let known = file.saved_rows.clone();
@@ -236,7 +236,7 @@ pub fn read_title(path: &Path) -> Result<FileTitle, Vec<Diagnostic>> {
 }
 
 fn read<K: FileKind>(bytes: FileBytes) -> Result<K, Vec<Diagnostic>> {
-    let opened = OpenedFile::of::<K>(bytes, &ImportOptions::default())?;
+    let opened = OpenedFile::of_bytes::<K>(bytes, &ImportOptions::default())?;
     Ok(opened.read::<K>()?.content)
 }
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parts::Part;
+use super::parts::ScreenPart;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::facade::FieldRow;
@@ -85,9 +85,9 @@ impl DocumentKind for RopewayView {
         }
     }
 
-    fn choice(&self, part: Part) -> u64 {
+    fn choice(&self, part: ScreenPart) -> u64 {
         match part {
-            Part::Drawing | Part::Tab(ROPES) => self.position.to_bits(),
+            ScreenPart::Drawing | ScreenPart::Tab(ROPES) => self.position.to_bits(),
             _ => 0,
         }
     }

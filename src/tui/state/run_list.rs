@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use super::case_list::Filter;
 use super::curves::RunEntry;
 use crate::run::index::{MeasuredResult, RunColumns, SyncProgress};
-use crate::run_filter::{RunFilter, RunText};
+use crate::run_filter::{FilterText, RunFilter};
 
 /// A column of the table of runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,7 +67,7 @@ pub struct RunList {
     /// Whether they are there: no run has come, gone or changed its directory since.
     placed: bool,
     /// What the words of a filter are looked for in, run by run; empty until it is needed.
-    texts: Vec<RunText>,
+    texts: Vec<FilterText>,
     /// Those on the charts, in their order.
     on_charts: Vec<usize>,
     /// How many are marked.
@@ -309,7 +309,7 @@ impl RunList {
         let known = self.texts.len() == self.entries.len();
         let narrows = known && RunFilter::narrows(&self.filtered_by, typed);
         if filter.has_words() && !known {
-            self.texts = self.entries.iter().map(RunText::new).collect();
+            self.texts = self.entries.iter().map(FilterText::new).collect();
         }
         let passes = |at: &usize| filter.passes(self, &self.entries[*at], self.texts.get(*at));
         self.rows = match narrows {
@@ -373,13 +373,13 @@ impl RunList {
         let RunColumn::Input(at) = column else {
             return None;
         };
-        self.columns.inputs.get(at)?.of(run.number?)
+        self.columns.inputs.get(at)?.value_in_run(run.number?)
     }
 
     /// The value of a result of a run.
     #[must_use]
     pub fn result(&self, run: &RunEntry, at: usize) -> Option<&MeasuredResult> {
-        self.columns.results.get(at)?.of(run.number?)
+        self.columns.results.get(at)?.result_in_run(run.number?)
     }
 
     /// The columns of the table: inputs that differ among its rows, then results, then the rest.

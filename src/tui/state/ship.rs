@@ -7,7 +7,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parts::Part;
+use super::parts::ScreenPart;
 use super::value_check::ValidationTable;
 use crate::case::EditedKey;
 use crate::facade::FieldRow;
@@ -140,17 +140,17 @@ impl DocumentKind for ShipView {
         }
     }
 
-    fn choice(&self, part: Part) -> u64 {
+    fn choice(&self, part: ScreenPart) -> u64 {
         let chosen = match part {
-            Part::Drawing => Some(self.equilibrium),
-            Part::Tab(MOTIONS) => self.trace,
+            ScreenPart::Drawing => Some(self.equilibrium),
+            ScreenPart::Tab(MOTIONS) => self.trace,
             _ => None,
         };
         chosen.map_or(0, |chosen| chosen as u64 + 1)
     }
 
-    fn is_behind(&self, part: Part) -> bool {
-        let at_sea = matches!(part, Part::Tab(tab) if AT_SEA.contains(&tab));
+    fn is_behind(&self, part: ScreenPart) -> bool {
+        let at_sea = matches!(part, ScreenPart::Tab(tab) if AT_SEA.contains(&tab));
         at_sea && self.running.is_some() && self.dynamic.is_some()
     }
 

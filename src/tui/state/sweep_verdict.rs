@@ -39,7 +39,7 @@ pub struct GoverningCase {
 impl SweepVerdict {
     /// Works it out from the records of all runs. For the threads behind the screen.
     #[must_use]
-    pub fn of(snapshot: &SweepSnapshot) -> Self {
+    pub fn of_snapshot(snapshot: &SweepSnapshot) -> Self {
         let done = snapshot.done();
         let Some(results) = snapshot.answers() else {
             return Self {

@@ -131,7 +131,7 @@ impl SweepRead {
     #[must_use]
     pub fn new(snapshot: SweepSnapshot) -> Self {
         Self {
-            table: Arc::new(LoadCaseTable::of(&snapshot)),
+            table: Arc::new(LoadCaseTable::of_snapshot(&snapshot)),
             snapshot: Arc::new(snapshot),
         }
     }
@@ -243,7 +243,7 @@ impl OpenSweep {
     /// Brings map and table in step with the load cases and what is chosen.
     pub fn arrange(&mut self) {
         let values = self.shown().map_or_else(Vec::new, |of| of.values.clone());
-        self.map = HeatMap::of(&self.table, &values, &self.choice);
+        self.map = HeatMap::of_result(&self.table, &values, &self.choice);
         let (column, row) = self.cursor;
         let last = |count: usize| count.saturating_sub(1);
         self.cursor = (

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::document_kind::{DocumentKind, KindInfo};
-use super::parts::Part;
+use super::parts::ScreenPart;
 use super::runs_view::RunsView;
 use super::sweeps::{NO_LOAD_CASES, SweepsView};
 use super::trials::NO_TRIALS;
@@ -145,9 +145,9 @@ impl DocumentKind for SystemView {
         }
     }
 
-    fn choice(&self, part: Part) -> u64 {
+    fn choice(&self, part: ScreenPart) -> u64 {
         match part {
-            Part::Drawing => self.view as u64,
+            ScreenPart::Drawing => self.view as u64,
             _ => 0,
         }
     }
@@ -172,7 +172,7 @@ impl DocumentKind for SystemView {
     }
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
-        self.analyses = Some(Arc::new(Analyses::of(&self.solved)));
+        self.analyses = Some(Arc::new(Analyses::of_system(&self.solved)));
         let rows = validation::rows(&self.solved, None);
         self.checks = ValidationTable::edited(rows, edited);
     }

@@ -12,7 +12,7 @@ use crate::study::vary::Variation;
 
 /// A case at a point of a study.
 #[derive(Debug, Clone)]
-pub struct Variant {
+pub struct CaseVariant {
     /// The point; absent: the case itself.
     pub at: Option<StudyPoint>,
     /// Its text.
@@ -31,7 +31,7 @@ pub struct VariantPlan {
     /// The text of the case.
     pub text: String,
     /// The variants, those that the published values need first.
-    pub variants: Vec<Variant>,
+    pub variants: Vec<CaseVariant>,
     /// How many of them the published values need.
     pub needed: usize,
 }
@@ -60,9 +60,9 @@ impl VariantPlan {
                 Ok((text, case)) => (text, Ok(Box::new(case))),
                 Err(why) => (String::new(), Err(why)),
             };
-            Variant {
+            CaseVariant {
                 at,
-                digest: TextDigest::of(&text),
+                digest: TextDigest::of_text(&text),
                 rows: rows(FileType::Line, &text),
                 text,
                 case,
@@ -77,13 +77,13 @@ impl VariantPlan {
 
     /// The variants that the published values need.
     #[must_use]
-    pub fn of_published_values(&self) -> &[Variant] {
+    pub fn of_published_values(&self) -> &[CaseVariant] {
         self.variants.get(..self.needed).unwrap_or_default()
     }
 
     /// The variants of a study.
-    pub fn of_study<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Variant> {
-        let of = move |v: &&Variant| v.at.as_ref().is_some_and(|at| at.study == name);
+    pub fn of_study<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a CaseVariant> {
+        let of = move |v: &&CaseVariant| v.at.as_ref().is_some_and(|at| at.study == name);
         self.variants.iter().filter(of)
     }
 }

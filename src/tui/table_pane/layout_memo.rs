@@ -11,7 +11,7 @@ pub(super) struct LayoutMemo(RefCell<Option<LaidOut>>);
 
 /// What a layout depends on besides the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct LayoutKey {
+pub(super) struct LayoutMemoKey {
     /// Head of the column that sorts, and whether the greatest comes first.
     pub(super) sort: Option<(String, bool)>,
     /// Heads of the columns that are hidden.
@@ -24,16 +24,16 @@ pub(super) struct LayoutKey {
 #[derive(Debug)]
 struct LaidOut {
     table: Table,
-    key: LayoutKey,
+    key: LayoutMemoKey,
     layout: Arc<TableLayout>,
 }
 
 impl LayoutMemo {
     /// The layout of a table as the user has it; made by `lay_out` where it is not that of the last time.
-    pub(super) fn of(
+    pub(super) fn layout(
         &self,
         table: &Table,
-        key: LayoutKey,
+        key: LayoutMemoKey,
         lay_out: impl FnOnce() -> TableLayout,
     ) -> Arc<TableLayout> {
         let mut last = self.0.borrow_mut();
@@ -75,15 +75,15 @@ mod tests {
     fn a_layout_is_made_anew_when_anything_changes_that_it_depends_on() {
         let memo = LayoutMemo::default();
         let made = std::cell::Cell::new(0);
-        let table = |n: usize| Table::of("", &[n]).count("n", |n| n).build();
+        let table = |n: usize| Table::of_records("", &[n]).count("n", |n| n).build();
         let lay_out = |n, sort: Option<&str>, width| {
-            let key = LayoutKey {
+            let key = LayoutMemoKey {
                 sort: sort.map(|head| (head.to_owned(), false)),
                 hidden: Vec::new(),
                 filter: String::new(),
                 width,
             };
-            memo.of(&table(n), key, || {
+            memo.layout(&table(n), key, || {
                 made.set(made.get() + 1);
                 table(n).layout(width)
             });

@@ -11,7 +11,7 @@ fn table() -> Table {
         ("chain|polyester", "3.88 MN", "PASS", CellStyle::Good),
         ("polyester|wire", "not run", "NOT RUN", CellStyle::Dim),
     ];
-    Table::of("Joints", &rows)
+    Table::of_records("Joints", &rows)
         .text("joint", |row| row.0)
         .cell("tension", Align::Decimal, |row| Cell::plain(row.1))
         .cell("outcome", Align::Left, |row| Cell::new(row.2, row.3))
@@ -91,7 +91,9 @@ fn no_size_is_too_small() {
 
 #[test]
 fn a_wide_line_can_be_scrolled_to_its_end() {
-    let table = Table::of("", &["0123456789"]).count("n", |n| n).build();
+    let table = Table::of_records("", &["0123456789"])
+        .count("n", |n| n)
+        .build();
     let mut pane = TablePane::default();
     pane.act(TableVerb::Column(1), &table);
     // Narrower than the number, so the table is set as records: "n:" above the number.

@@ -3,7 +3,7 @@
 mod progress;
 mod steps;
 
-pub use self::steps::{COUNT, Step};
+pub use self::steps::{COUNT, TutorialStep};
 
 /// The tutorial while it runs.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -2,7 +2,7 @@
 
 use super::{
     Since, Tutorial,
-    steps::{COUNT, Step},
+    steps::{COUNT, TutorialStep},
 };
 use crate::pane::PaneId;
 use crate::state::{AppState, JobState, RunStatus};
@@ -31,8 +31,8 @@ impl Tutorial {
 
     /// The step shown.
     #[must_use]
-    pub fn shown(&self) -> Step {
-        Step::of(self.step)
+    pub fn shown(&self) -> TutorialStep {
+        TutorialStep::of_number(self.step)
     }
 
     /// Whether the user has done what the step asks for.

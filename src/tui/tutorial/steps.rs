@@ -7,7 +7,7 @@ use crate::state::{AppState, Overlay, ParameterEditor};
 
 /// A step of the tutorial.
 #[derive(Clone, Copy)]
-pub struct Step {
+pub struct TutorialStep {
     /// Its title.
     pub title: &'static str,
     /// What to do, with names of commands for their keys.
@@ -15,7 +15,7 @@ pub struct Step {
     pub(super) done: fn(&AppState, &Since) -> bool,
 }
 
-impl std::fmt::Debug for Step {
+impl std::fmt::Debug for TutorialStep {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Step")
             .field("title", &self.title)
@@ -26,23 +26,23 @@ impl std::fmt::Debug for Step {
 /// How many there are.
 pub const COUNT: usize = STEPS.len();
 
-impl Step {
+impl TutorialStep {
     /// A step by its number, from 0; the last one beyond.
     #[must_use]
-    pub fn of(number: usize) -> Self {
+    pub fn of_number(number: usize) -> Self {
         STEPS[number.min(COUNT - 1)]
     }
 }
 
-const STEPS: [Step; 11] = [
-    Step {
+const STEPS: [TutorialStep; 11] = [
+    TutorialStep {
         title: "Open a case",
         words: |_| {
             "These are cases: files that describe a line. `:down` and `:up` move the cursor. Put it on pendulous/manifold.toml, and open it with `:open`.".to_owned()
         },
         done: |state, _| state.line().is_some(),
     },
-    Step {
+    TutorialStep {
         title: "Results and their errors",
         words: |state| {
             format!(
@@ -52,7 +52,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, _| state.focus() == PaneId::Results,
     },
-    Step {
+    TutorialStep {
         title: "Change a value",
         words: |state| {
             format!(
@@ -62,7 +62,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, since| text(state) != since.text,
     },
-    Step {
+    TutorialStep {
         title: "Hold results, and see differences",
         words: |state| {
             format!(
@@ -72,7 +72,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, since| holds(state) && text(state) != since.text,
     },
-    Step {
+    TutorialStep {
         title: "Published values",
         words: |state| {
             format!(
@@ -82,7 +82,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, _| state.focus() == PaneId::Validation,
     },
-    Step {
+    TutorialStep {
         title: "Undo",
         words: |_| {
             "`:undo` takes an edit back. Press it until `*unsaved` is gone from the first line: the case is as the paper has it.".to_owned()
@@ -93,14 +93,14 @@ const STEPS: [Step; 11] = [
                 .is_some_and(|editor| !editor.unsaved() && !waits(editor))
         },
     },
-    Step {
+    TutorialStep {
         title: "Run and store",
         words: |_| {
             "So far all was in memory. `:run` computes the case with estimates of its errors, and stores the run below runs/.".to_owned()
         },
         done: |state, since| complete_runs(state) > since.runs,
     },
-    Step {
+    TutorialStep {
         title: "A second run",
         words: |state| {
             format!(
@@ -110,7 +110,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, since| complete_runs(state) > since.runs && text(state) != since.text,
     },
-    Step {
+    TutorialStep {
         title: "Compare two runs",
         words: |state| {
             format!(
@@ -120,7 +120,7 @@ const STEPS: [Step; 11] = [
         },
         done: |state, _| matches!(state.overlay, Some(Overlay::Page { .. })),
     },
-    Step {
+    TutorialStep {
         title: "Write a report",
         words: |state| {
             format!(
@@ -136,7 +136,7 @@ const STEPS: [Step; 11] = [
                     .any(|said| said.text.contains("report") && said.text.contains(" is in "))
         },
     },
-    Step {
+    TutorialStep {
         title: "That is all",
         words: |_| {
             "`:help` shows the keys of the pane you are in, `:palette` finds any command by a word. `:tutorial` ends this; it can be started again at any time.".to_owned()

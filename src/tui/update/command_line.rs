@@ -7,7 +7,7 @@ use super::motion::moved;
 use super::overlay::run_command;
 use super::text_input::type_key;
 use crate::bindings::names::name;
-use crate::command_line::candidates::{Argument, Candidate, candidates};
+use crate::command_line::candidates::{Argument, CompletionCandidate, candidates};
 use crate::command_line::{LineCommand, typed};
 use crate::key::KeyPress;
 use crate::msg::Effect;
@@ -48,7 +48,7 @@ pub(super) fn begin_anew(line: &mut CommandLine) {
 }
 
 /// Takes what is under the cursor into the line; where it is there already, goes to the next.
-fn complete(line: &mut CommandLine, found: &[Candidate]) {
+fn complete(line: &mut CommandLine, found: &[CompletionCandidate]) {
     let now = line.input.value().to_owned();
     let Some(candidate) = found.get(line.cursor) else {
         return;
@@ -84,12 +84,16 @@ fn recall(state: &AppState, line: &mut CommandLine, by: isize) {
 }
 
 /// Does what is typed, or says on the line why not.
-fn enter(state: &mut AppState, mut line: CommandLine, found: &[Candidate]) -> Vec<Effect> {
+fn enter(
+    state: &mut AppState,
+    mut line: CommandLine,
+    found: &[CompletionCandidate],
+) -> Vec<Effect> {
     let now = line.input.value().trim().to_owned();
     let done = match typed(line.input.value()) {
         Some(typed) => {
             let chosen = match found.get(line.cursor) {
-                Some(Candidate::Argument(argument)) => Some(argument),
+                Some(CompletionCandidate::Argument(argument)) => Some(argument),
                 _ => None,
             };
             let needs_value = matches!(typed.word.id, LineCommand::Set | LineCommand::Vary);
@@ -104,12 +108,12 @@ fn enter(state: &mut AppState, mut line: CommandLine, found: &[Candidate]) -> Ve
                 .map(|effects| (text.trim().to_owned(), effects))
         }
         None => match found.get(line.cursor) {
-            Some(Candidate::Word(_)) => {
+            Some(CompletionCandidate::Word(_)) => {
                 complete(&mut line, found);
                 state.overlay = Some(Overlay::Palette(line));
                 return Vec::new();
             }
-            Some(Candidate::Command(command)) => {
+            Some(CompletionCandidate::Command(command)) => {
                 let id = command.id;
                 panes::enabled(state, id).map(|()| (name(id), run_command(state, id)))
             }

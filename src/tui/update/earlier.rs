@@ -7,7 +7,7 @@ use crate::theme::Palette;
 /// Takes it: the screen where no file is named, or the file that it is of.
 pub fn begin(state: &mut AppState, earlier: &mut Remembered, without_file: bool) {
     let session = &earlier.session;
-    state.history = LineHistory::of(session.commands.clone());
+    state.history = LineHistory::of_lines(session.commands.clone());
     state.tutorial_left = session.tutorial_step;
     let named = |name: &String| Palette::NAMES.iter().find(|(known, _)| known == name);
     if let Some((_, palette)) = session.theme.as_ref().and_then(named) {

@@ -39,7 +39,7 @@ pub(super) fn of_sweep(state: &AppState, request: &SweepRequest) -> Option<Box<J
     let directory = state.jobs.processes.as_ref()?;
     Some(Box::new(JobProcess {
         case: plain(directory, &request.path),
-        text: TextDigest::of(&request.text),
+        text: TextDigest::of_text(&request.text),
         ..JobProcess::default()
     }))
 }

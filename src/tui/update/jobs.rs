@@ -186,7 +186,7 @@ pub(super) fn queue(
         at,
         duration_s: info.settings.duration_s,
         shown,
-        ..RunEntry::session(TextDigest::of(request.text()), method)
+        ..RunEntry::session(TextDigest::of_text(request.text()), method)
     };
     let process = job_processes::of_entry(state, &entry);
     if let Some(view) = state.runs_view_mut() {

@@ -186,7 +186,7 @@ fn filter(state: &mut AppState, words: &str) -> Done {
     let (filter, cursor, _) = state
         .filter_mut()
         .ok_or("There is no list here to be filtered.")?;
-    *filter = Filter::of(words);
+    *filter = Filter::of_words(words);
     *cursor = 0;
     filter::filtered(state);
     Ok(Vec::new())

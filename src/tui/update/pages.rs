@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::jobs::overrides;
 use super::notice::{info, warn};
 use crate::case::stand_alone;
-use crate::msg::{ComparedRun, Effect, StudyRequest};
+use crate::msg::{Effect, RunToCompare, StudyRequest};
 use crate::result_lines::{shown_run, solved_run};
 use crate::state::line::RunningStudy;
 use crate::state::study_of::StudyOf;
@@ -27,11 +27,11 @@ pub fn compare(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     let chosen = view.runs.chosen();
-    let mut runs: Vec<ComparedRun> = chosen.iter().filter_map(|run| of_entry(run)).collect();
+    let mut runs: Vec<RunToCompare> = chosen.iter().filter_map(|run| of_entry(run)).collect();
     if runs.len() == 1 {
         let against = view.against.as_ref().map(|(_, run)| run);
         if let Some(run) = against.or_else(|| solved_run(view)) {
-            runs.insert(0, ComparedRun::Memory(Arc::clone(run)));
+            runs.insert(0, RunToCompare::Memory(Arc::clone(run)));
         }
     }
     if runs.len() < 2 {
@@ -48,10 +48,10 @@ pub fn compare(state: &mut AppState) -> Vec<Effect> {
     effects
 }
 
-fn of_entry(run: &RunEntry) -> Option<ComparedRun> {
+fn of_entry(run: &RunEntry) -> Option<RunToCompare> {
     match &run.curves.run {
-        Some(whole) => Some(ComparedRun::Memory(Arc::clone(whole))),
-        None => run.dir.clone().map(ComparedRun::Stored),
+        Some(whole) => Some(RunToCompare::Memory(Arc::clone(whole))),
+        None => run.dir.clone().map(RunToCompare::Stored),
     }
 }
 

@@ -4,24 +4,24 @@ use std::sync::Arc;
 
 use crate::msg::Effect;
 use crate::pane::PaneId;
-use crate::state::parts::{Part, PartKey, PartView};
+use crate::state::parts::{PartKey, PartView, ScreenPart};
 use crate::state::value_check::{ValidationTable, ValueCheck};
 use crate::state::{AppState, Document};
 use crate::view::layout;
 
 /// The part that a pane shows, if any.
 #[must_use]
-pub fn of_pane(document: &Document, pane: PaneId) -> Option<Part> {
+pub fn of_pane(document: &Document, pane: PaneId) -> Option<ScreenPart> {
     match pane {
         PaneId::Model if document.line().is_some() => None,
         PaneId::Drawing | PaneId::Ropeway | PaneId::Ship | PaneId::System | PaneId::Model => {
-            Some(Part::Drawing)
+            Some(ScreenPart::Drawing)
         }
-        PaneId::Tables => Some(Part::Tab(document.tab)),
+        PaneId::Tables => Some(ScreenPart::Tab(document.tab)),
         PaneId::Nodes => {
             let line = document.line()?;
             let (_, run, _) = line.runs_view.reported()?;
-            Some(Part::Line(line.line_table.or_nodes(&run)))
+            Some(ScreenPart::Line(line.line_table.or_nodes(&run)))
         }
         _ => None,
     }
@@ -34,7 +34,7 @@ pub(super) fn follow(state: &mut AppState) -> Vec<Effect> {
         return Vec::new();
     };
     let parts = panes.into_iter().filter_map(|pane| of_pane(document, pane));
-    let parts: Vec<Part> = parts.collect();
+    let parts: Vec<ScreenPart> = parts.collect();
     let asked = parts.into_iter().filter_map(|part| document.ask_part(part));
     asked
         .map(|request| Effect::MakePart(Box::new(request)))

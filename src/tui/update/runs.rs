@@ -99,8 +99,10 @@ pub(super) fn kept(state: &mut AppState, dir: &Path, run: Arc<Run>) -> Vec<Effec
     if let Some(view) = state.runs_view_mut() {
         view.live.kept = Some(dir.to_owned());
         let info = &run.info;
-        let mut entry =
-            RunEntry::session(TextDigest::of(&run.case_text), info.settings.method.clone());
+        let mut entry = RunEntry::session(
+            TextDigest::of_text(&run.case_text),
+            info.settings.method.clone(),
+        );
         if let Some(name) = dir.file_name() {
             entry.id = name.to_string_lossy().into_owned();
         }

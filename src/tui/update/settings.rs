@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::notice::info;
 use crate::msg::Effect;
-use crate::settings::{Settings, keys_file};
+use crate::settings::{UserSettings, keys_file};
 use crate::state::{AppState, Overlay, Severity};
 
 /// Takes what the files set as the program starts: what is wrong is shown, what is not is in force.
-pub fn begin(state: &mut AppState, settings: Settings) {
+pub fn begin(state: &mut AppState, settings: UserSettings) {
     if let Some(palette) = settings.config.palette {
         state.capabilities.palette = palette;
     }
@@ -20,7 +20,7 @@ pub fn begin(state: &mut AppState, settings: Settings) {
 }
 
 /// Takes what the files set when they are read again.
-pub(super) fn read(state: &mut AppState, settings: Settings) -> Vec<Effect> {
+pub(super) fn read(state: &mut AppState, settings: UserSettings) -> Vec<Effect> {
     let is_right = settings.faults.is_empty();
     begin(state, settings);
     match is_right {
@@ -29,7 +29,7 @@ pub(super) fn read(state: &mut AppState, settings: Settings) -> Vec<Effect> {
     }
 }
 
-fn report(state: &mut AppState, settings: &Settings) {
+fn report(state: &mut AppState, settings: &UserSettings) {
     let (Some(text), Ok(path)) = (settings.story(), keys_file()) else {
         return;
     };

@@ -7,7 +7,9 @@ use crate::facade;
 use crate::msg::Effect;
 use crate::pane::PaneId;
 use crate::state::line::PlannedWork;
-use crate::state::{AppState, JobState, LineView, Overlay, RunEntry, RunStatus, Severity, Variant};
+use crate::state::{
+    AppState, CaseVariant, JobState, LineView, Overlay, RunEntry, RunStatus, Severity,
+};
 
 /// Runs the study of the case, or asks which.
 pub(super) fn ask(state: &mut AppState) -> Vec<Effect> {
@@ -38,7 +40,7 @@ pub(super) fn study(state: &mut AppState, index: usize) -> Vec<Effect> {
     let Some(study) = line.case.study.get(index) else {
         return Vec::new();
     };
-    let wanted: Vec<Variant> = line.plan.of_study(&study.name).cloned().collect();
+    let wanted: Vec<CaseVariant> = line.plan.of_study(&study.name).cloned().collect();
     line.runs_view.hide_runs();
     let effects = variants(state, wanted, true);
     if let Some(document) = &mut state.document {
@@ -71,7 +73,7 @@ fn ready(state: &mut AppState, work: PlannedWork) -> Option<&mut LineView> {
 }
 
 /// Queues the variants that are not there yet, and shows those that are.
-fn variants(state: &mut AppState, wanted: Vec<Variant>, shown: bool) -> Vec<Effect> {
+fn variants(state: &mut AppState, wanted: Vec<CaseVariant>, shown: bool) -> Vec<Effect> {
     let mut effects = Vec::new();
     let mut begun = 0;
     for variant in wanted {

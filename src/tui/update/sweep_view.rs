@@ -290,7 +290,7 @@ fn entry(dir: &Path, label: &str) -> RunEntry {
         kind: RunOrigin::Stored,
         state: RunStatus::Job(JobState::Done),
         dir: Some(dir.to_owned()),
-        ..RunEntry::session(TextDigest::of(""), String::new())
+        ..RunEntry::session(TextDigest::of_text(""), String::new())
     }
 }
 

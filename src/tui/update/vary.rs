@@ -308,7 +308,7 @@ fn show_or_queue(
     mut request: Request,
     queued: &mut Queued,
 ) -> Vec<Effect> {
-    let digest = TextDigest::of(&request.text);
+    let digest = TextDigest::of_text(&request.text);
     let same = |run: &RunEntry| run.text == digest && studies::usable(run);
     let Some((line, editor)) = state.document.as_mut().and_then(Document::line_and_editor) else {
         return Vec::new();

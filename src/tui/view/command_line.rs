@@ -6,7 +6,7 @@ use super::paint::{below_head, row, wrap};
 use super::painter::Painter;
 use crate::bindings::BoundCommand;
 use crate::command_line::arguments::meaning;
-use crate::command_line::candidates::{Argument, Candidate, candidates};
+use crate::command_line::candidates::{Argument, CompletionCandidate, candidates};
 use crate::command_line::{LineWord, typed};
 use crate::panes;
 use crate::state::command_line::CommandLine;
@@ -25,9 +25,13 @@ impl Painter<'_> {
         self.list(below, line.cursor, found.len(), |painter, at, i| {
             let selected = i == line.cursor;
             match &found[i] {
-                Candidate::Command(command) => painter.command_line(at, command, selected),
-                Candidate::Word(word) => painter.word_line(at, word, selected),
-                Candidate::Argument(argument) => painter.argument_line(at, argument, selected),
+                CompletionCandidate::Command(command) => {
+                    painter.command_line(at, command, selected);
+                }
+                CompletionCandidate::Word(word) => painter.word_line(at, word, selected),
+                CompletionCandidate::Argument(argument) => {
+                    painter.argument_line(at, argument, selected);
+                }
             }
         });
     }

@@ -10,7 +10,7 @@ use super::paint::{below_head, cut, first_line, rest, right, row, span, tabs_see
 use crate::chart::{Chart, Glyphs};
 use crate::plain::ascii;
 use crate::plot_pane::draw_chart;
-use crate::state::parts::{Part, PartView};
+use crate::state::parts::{PartView, ScreenPart};
 use crate::state::{AppState, Filter};
 use crate::table::Table;
 use crate::table_pane::TablePane;
@@ -129,7 +129,7 @@ impl Painter<'_> {
     }
 
     /// Draws a part that is worked out behind the screen as it is known, with a mark where that is older than what it is of.
-    pub fn part(&mut self, area: Rect, part: Part, draw: impl FnOnce(&mut Self, &PartView)) {
+    pub fn part(&mut self, area: Rect, part: ScreenPart, draw: impl FnOnce(&mut Self, &PartView)) {
         let Some(document) = &self.state.document else {
             return;
         };

@@ -9,7 +9,7 @@ use seacable::tui::bindings::names::{name, pane_name};
 use seacable::tui::bindings::{file, listing, registry};
 use seacable::tui::key::KeyPress;
 use seacable::tui::pane::PaneId;
-use seacable::tui::settings::Settings;
+use seacable::tui::settings::UserSettings;
 use seacable::tui::state::{Overlay, Severity};
 
 use super::desk::Desk;
@@ -47,10 +47,10 @@ fn footer_help_palette_and_messages_show_the_keys_of_the_user() {
 fn faults_of_the_file_are_shown_and_open_the_editor() {
     let mut desk = Desk::with_case(SMALL);
     let (keys, faults) = file::read("[keys]\nrnu = \"f5\"\nsave = \"f6\"\n", "keys.toml");
-    desk.tell(Msg::SettingsRead(Box::new(Settings {
+    desk.tell(Msg::SettingsRead(Box::new(UserSettings {
         keys,
         faults,
-        ..Settings::default()
+        ..UserSettings::default()
     })));
     assert_eq!(desk.state.note.as_ref().unwrap().level, Severity::Error);
     let Some(Overlay::Text { text, .. }) = &desk.state.overlay else {

@@ -43,7 +43,7 @@ fn the_next_session_shows_what_the_last_one_did() {
     desk.keys("enter j 2 ] + 7 l l o - 3 /");
     desk.type_text("body");
     desk.keys("enter l -");
-    let memory = ScreenMemory::of(&desk.state);
+    let memory = ScreenMemory::of_state(&desk.state);
     let text = toml::to_string(&memory).unwrap();
     assert!(
         text.contains("pane = \"runs\"") && text.contains("input_filter = \"current\""),
@@ -53,19 +53,19 @@ fn the_next_session_shows_what_the_last_one_did() {
     assert_eq!(read, memory);
     let next = next_session(&read);
     assert_eq!(next.state.focus(), PaneId::Runs);
-    assert_eq!(ScreenMemory::of(&next.state), memory);
+    assert_eq!(ScreenMemory::of_state(&next.state), memory);
 }
 
 #[test]
 fn a_memory_of_another_file_or_of_nonsense_changes_nothing() {
     let desk = Desk::with_case(SMALL);
-    let before = ScreenMemory::of(&desk.state);
+    let before = ScreenMemory::of_state(&desk.state);
     let other = ScreenMemory {
         case: Some(PathBuf::from("/elsewhere/other.toml")),
         pane: "jobs".to_owned(),
         ..ScreenMemory::default()
     };
-    assert_eq!(ScreenMemory::of(&next_session(&other).state), before);
+    assert_eq!(ScreenMemory::of_state(&next_session(&other).state), before);
     let odd = "pane = \"no such pane\"\ntab = 99\n[charts]\nchart = \"none\"\nx = [nan, inf]\n[[tables]]\ntable = \"nodes\"\nsort = \"no such column\"\n";
     let odd: ScreenMemory = toml::from_str(odd).unwrap();
     let odd = ScreenMemory {

@@ -40,7 +40,7 @@ use desk::{Desk, content_of, looks, run, shared};
 use seacable::chart::Glyphs;
 use seacable::run::RunState;
 use seacable::run::job::JobEvent;
-use seacable::tui::command_line::candidates::{Candidate, candidates};
+use seacable::tui::command_line::candidates::{CompletionCandidate, candidates};
 use seacable::tui::key::KeyPress;
 use seacable::tui::panes;
 use seacable::tui::recovery::RecoveredEdits;
@@ -632,8 +632,7 @@ fn every_command_can_be_reached_by_a_key_or_by_its_name() {
             for command in panes::commands(&desk.state) {
                 assert!(!command.doc.is_empty(), "{command:?}");
                 let found = candidates(&desk.state, command.doc);
-                let is_it =
-                    |c: &Candidate| matches!(c, Candidate::Command(of) if of.id == command.id);
+                let is_it = |c: &CompletionCandidate| matches!(c, CompletionCandidate::Command(of) if of.id == command.id);
                 assert!(found.iter().any(is_it), "{}", command.doc);
                 for key in command.keys.iter() {
                     let spelled = key.parse::<KeyPress>().map(|k| k.to_string());

@@ -373,7 +373,7 @@ fn a_stored_sweep_is_read_judged_and_followed_to_the_governing_run() {
         SweepEffect::Check(snapshot) => Some(snapshot.clone()),
         _ => None,
     });
-    let verdict = SweepVerdict::of(&snapshot.unwrap());
+    let verdict = SweepVerdict::of_snapshot(&snapshot.unwrap());
     desk.sweep(SweepMsg::Checked(dir.clone(), Arc::new(verdict)));
     let screen = desk.screen();
     for words in ["weak wire", "fails", "strong wire", "Uses"] {

@@ -67,17 +67,17 @@ fn the_charts_are_those_that_have_something_to_show() {
     let mut desk = wave(SMALL);
     let open = desk.state.line().unwrap();
     assert_eq!(open.runs_view.chart, FigureId::Shape);
-    assert_eq!(FigureId::of(&open.case).len(), 7);
+    assert_eq!(FigureId::of_case(&open.case).len(), 7);
     // Without bending stiffness there is no curvature to show, and with time there is a history.
     desk.keys("2 [");
     assert_eq!(desk.state.line().unwrap().runs_view.chart, FigureId::Study);
     let text = case::edit::set(WAVE, "materials.umbilical.ei_n_m2", "0.0").unwrap();
     let bare = case::parse(&text, "bare").unwrap();
-    assert_eq!(FigureId::of(&bare).len(), 5);
+    assert_eq!(FigureId::of_case(&bare).len(), 5);
     let text = case::edit::set(WAVE, "solver.method", "alpha").unwrap();
     let moving = case::parse(&text, "moving").unwrap();
     assert_eq!(
-        FigureId::of(&moving),
+        FigureId::of_case(&moving),
         [
             FigureId::Tensions,
             FigureId::OnBed,

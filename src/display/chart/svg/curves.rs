@@ -8,10 +8,10 @@ use crate::chart::decimate::decimate;
 use crate::chart::{Chart, Series};
 
 /// A place in the picture.
-pub(super) type Place = (f64, f64);
+pub(super) type PicturePoint = (f64, f64);
 
 /// A line of places that hang together.
-pub(super) type Polyline = Vec<Place>;
+pub(super) type Polyline = Vec<PicturePoint>;
 
 /// Markers along a curve are at least so far apart.
 const SPACING: f64 = 150.0;
@@ -56,7 +56,7 @@ fn curve(series: &Series, lines: &[Polyline], page: &mut SvgPage) {
 }
 
 /// A line as commands of a path; a single place is a short stroke.
-pub(super) fn path(line: &[Place]) -> String {
+pub(super) fn path(line: &[PicturePoint]) -> String {
     let mut d = String::new();
     for (i, (x, y)) in line.iter().enumerate() {
         d.push(if i == 0 { 'M' } else { 'L' });
@@ -115,7 +115,8 @@ fn inside(points: &[(f64, f64)], plan: &SvgPlan) -> Vec<Polyline> {
     };
     let dots = decimate(points.iter().map(at));
     let single = [(dots[0], dots[0])];
-    let pairs: Vec<(Place, Place)> = dots.windows(2).map(|pair| (pair[0], pair[1])).collect();
+    let pairs: Vec<(PicturePoint, PicturePoint)> =
+        dots.windows(2).map(|pair| (pair[0], pair[1])).collect();
     let pairs = if pairs.is_empty() {
         &single[..]
     } else {
@@ -126,7 +127,7 @@ fn inside(points: &[(f64, f64)], plan: &SvgPlan) -> Vec<Polyline> {
         let Some((from, to)) = clip(*from, *to, 0.0, (plan.across, plan.down)) else {
             continue;
         };
-        let back = |(x, y): Place| (x + plan.left, y + plan.top);
+        let back = |(x, y): PicturePoint| (x + plan.left, y + plan.top);
         let (from, to) = (back(from), back(to));
         match lines.last_mut() {
             Some(open) if open.last().is_some_and(|last| distance(*last, from) < 1e-6) => {
@@ -140,7 +141,7 @@ fn inside(points: &[(f64, f64)], plan: &SvgPlan) -> Vec<Polyline> {
 }
 
 /// The line without the places that are on the straight between their neighbours.
-fn thinned(line: &[Place]) -> Polyline {
+fn thinned(line: &[PicturePoint]) -> Polyline {
     let mut kept: Polyline = line.first().copied().into_iter().collect();
     let mut begin = 0;
     for end in 1..line.len() {
@@ -160,7 +161,7 @@ fn thinned(line: &[Place]) -> Polyline {
 }
 
 /// Distance of a place from the line between two.
-fn aside(place: Place, from: Place, to: Place) -> f64 {
+fn aside(place: PicturePoint, from: PicturePoint, to: PicturePoint) -> f64 {
     let (dx, dy) = (to.0 - from.0, to.1 - from.1);
     let length = dx.hypot(dy);
     let (px, py) = (place.0 - from.0, place.1 - from.1);
@@ -171,14 +172,14 @@ fn aside(place: Place, from: Place, to: Place) -> f64 {
     (px - along * dx).hypot(py - along * dy)
 }
 
-fn distance(a: Place, b: Place) -> f64 {
+fn distance(a: PicturePoint, b: PicturePoint) -> f64 {
     (a.0 - b.0).hypot(a.1 - b.1)
 }
 
 /// The markers of a curve along it, those of several curves at different places, so that curves that coincide show both.
 fn markers(series: &Series, lines: &[Polyline], (turn, of): (usize, usize), page: &mut SvgPage) {
     let offset = SPACING * (turn as f64 + 0.5) / of.max(1) as f64;
-    let mut placed: Vec<Place> = Vec::new();
+    let mut placed: Vec<PicturePoint> = Vec::new();
     let mut passed = 0.0;
     let mut due = offset;
     for pair in lines.iter().flat_map(|line| line.windows(2)) {
@@ -199,7 +200,7 @@ fn markers(series: &Series, lines: &[Polyline], (turn, of): (usize, usize), page
     }
     if placed.is_empty() {
         // A short curve gets its marker in the middle.
-        let all: Vec<&Place> = lines.iter().flatten().collect();
+        let all: Vec<&PicturePoint> = lines.iter().flatten().collect();
         placed.extend(all.get(all.len() / 2).copied());
     }
     for place in placed {

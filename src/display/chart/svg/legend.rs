@@ -4,7 +4,7 @@ use super::curves;
 use super::ink::{self, TEXT};
 use super::page::{Anchor, SvgPage, WIDTH, shortened, width};
 use super::plan::{ROW, SvgPlan, share};
-use crate::chart::draw::Shown;
+use crate::chart::draw::AxisDisplay;
 use crate::chart::{Chart, Series};
 
 /// Length of a sample of a curve, and the room before its name.
@@ -51,7 +51,7 @@ impl Legend {
 }
 
 /// Where the curves of a chart are named in a picture of this height.
-pub(super) fn place(chart: &Chart, shown: (Shown, Shown), height: f64) -> Legend {
+pub(super) fn place(chart: &Chart, shown: (AxisDisplay, AxisDisplay), height: f64) -> Legend {
     let named = || named(chart);
     if !(chart.legend || chart.ends) || named().next().is_none() || chart.map.is_some() {
         return Legend::None;
@@ -72,13 +72,13 @@ fn named(chart: &Chart) -> impl Iterator<Item = &Series> {
 }
 
 /// Whether a curve ends at the right of the plot.
-fn has_end(series: &Series, (x, y): (Shown, Shown)) -> bool {
+fn has_end(series: &Series, (x, y): (AxisDisplay, AxisDisplay)) -> bool {
     let last = last_point(series, x, y);
     last.is_some_and(|last| (END..=1.0 + 1e-9).contains(&share(x, last.0)))
 }
 
 /// The last point of a curve within the plot's range of x.
-fn last_point(series: &Series, x: Shown, y: Shown) -> Option<(f64, f64)> {
+fn last_point(series: &Series, x: AxisDisplay, y: AxisDisplay) -> Option<(f64, f64)> {
     let inside = |p: &&(f64, f64)| x.1.shows(p.0) && y.1.shows(p.1) && p.0 <= x.0.1;
     series.points.iter().rev().find(inside).copied()
 }
@@ -117,7 +117,7 @@ pub(super) fn draw(chart: &Chart, plan: &SvgPlan, page: &mut SvgPage) {
 }
 
 /// A short piece of a curve with its marker.
-fn sample(series: &Series, (left, y): curves::Place, length: f64, page: &mut SvgPage) {
+fn sample(series: &Series, (left, y): curves::PicturePoint, length: f64, page: &mut SvgPage) {
     let (colour, dash) = (ink::colour(series), ink::dash(series));
     page.path(
         &curves::path(&[(left, y), (left + length, y)]),

@@ -1,11 +1,11 @@
 //! Reference lines and areas with their names, which lie where they cover neither each other nor, if possible, a curve.
 
-use super::curves::{Place, Polyline};
+use super::curves::{PicturePoint, Polyline};
 use super::ink::{AREA, LIMIT};
 use super::page::{Anchor, SvgPage, shortened, width};
 use super::plan::{SvgPlan, share};
 use crate::chart::clip::clip;
-use crate::chart::{Chart, Limit, LimitLine};
+use crate::chart::{Chart, LimitLine, ReferenceLine};
 
 /// Size of the names.
 const SIZE: f64 = 11.0;
@@ -126,7 +126,7 @@ pub(super) fn names(chart: &Chart, plan: &SvgPlan, curves: &[Polyline], page: &m
 }
 
 /// A thin line from a name to its area, where it is not beside it.
-fn lead(limit: &Limit, plan: &SvgPlan, (left, top, wide, _): Area, page: &mut SvgPage) {
+fn lead(limit: &ReferenceLine, plan: &SvgPlan, (left, top, wide, _): Area, page: &mut SvgPage) {
     let LimitLine::Band { x, y } = limit.line else {
         return;
     };
@@ -145,7 +145,7 @@ fn lead(limit: &Limit, plan: &SvgPlan, (left, top, wide, _): Area, page: &mut Sv
 }
 
 /// What is written; of a bound beyond the plot with the way to it.
-fn label(limit: &Limit, plan: &SvgPlan) -> String {
+fn label(limit: &ReferenceLine, plan: &SvgPlan) -> String {
     match limit.line {
         LimitLine::Bound(y) if row(plan, y).is_none() && !limit.label.is_empty() => {
             let way = if share(plan.y, y) > 1.0 { '↑' } else { '↓' };
@@ -156,7 +156,7 @@ fn label(limit: &Limit, plan: &SvgPlan) -> String {
 }
 
 /// Where the name of a limit may lie, the best place first.
-fn places(limit: &Limit, plan: &SvgPlan, wide: f64) -> Vec<Area> {
+fn places(limit: &ReferenceLine, plan: &SvgPlan, wide: f64) -> Vec<Area> {
     let tops: Vec<f64> = match limit.line {
         LimitLine::Horizontal(y) => row(plan, y).map_or_else(Vec::new, beside),
         LimitLine::Bound(y) => row(plan, y).map_or_else(|| at_edge(plan, y), beside),
@@ -217,7 +217,7 @@ fn overlap(a: Area, b: Area) -> bool {
 
 /// How many pieces of curves cross an area.
 fn crossings((left, top, wide, tall): Area, curves: &[Polyline]) -> usize {
-    let within = |(x, y): Place| (x - left, y - top);
+    let within = |(x, y): PicturePoint| (x - left, y - top);
     let pieces = curves.iter().flat_map(|line| line.windows(2));
     pieces
         .filter(|pair| clip(within(pair[0]), within(pair[1]), 0.0, (wide, tall)).is_some())

@@ -24,7 +24,7 @@ const LINE: f64 = 17.0;
 /// The chart as an SVG element, about as tall as it is with so many lines of characters.
 #[must_use]
 pub fn svg(chart: &Chart, lines: usize) -> String {
-    let plan = SvgPlan::of(chart, LINE * lines as f64);
+    let plan = SvgPlan::of_chart(chart, LINE * lines as f64);
     let mut page = SvgPage::default();
     plan.draw_head(&mut page);
     if let Some(map) = &chart.map {

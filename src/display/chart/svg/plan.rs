@@ -4,7 +4,7 @@ use super::ink::{TEXT, TITLE};
 use super::legend::{self, Legend};
 use super::map;
 use super::page::{Anchor, SvgPage, WIDTH, shortened, width};
-use crate::chart::draw::{Shown, axis_name, ranges};
+use crate::chart::draw::{AxisDisplay, axis_name, ranges};
 use crate::chart::range::equalise;
 use crate::chart::ticks::{self, Tick};
 use crate::chart::{AxisRange, AxisScale, Chart};
@@ -37,8 +37,8 @@ pub(super) struct SvgPlan {
     pub(super) across: f64,
     pub(super) down: f64,
     /// What the axes show.
-    pub(super) x: Shown,
-    pub(super) y: Shown,
+    pub(super) x: AxisDisplay,
+    pub(super) y: AxisDisplay,
     /// Their ticks.
     pub(super) along: Vec<Tick>,
     pub(super) up: Vec<Tick>,
@@ -51,7 +51,7 @@ pub(super) struct SvgPlan {
 
 impl SvgPlan {
     /// A plan of about this height.
-    pub(super) fn of(chart: &Chart, height: f64) -> Self {
+    pub(super) fn of_chart(chart: &Chart, height: f64) -> Self {
         let title = wrap(&chart.title, title_columns(), WideWords::Broken);
         let title: Vec<String> = title.into_iter().filter(|line| !line.is_empty()).collect();
         let legend = legend::place(chart, ranges(chart), height);
@@ -171,7 +171,7 @@ fn title_columns() -> usize {
 }
 
 /// Name and unit of the y axis.
-fn name(chart: &Chart, (range, scale): Shown) -> String {
+fn name(chart: &Chart, (range, scale): AxisDisplay) -> String {
     let unit = ticks::scale(range, &chart.y.unit).unit(&chart.y.unit);
     axis_name(&chart.y.label, &unit, scale, usize::MAX)
 }

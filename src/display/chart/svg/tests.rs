@@ -1,5 +1,5 @@
 use super::{ink, map, svg};
-use crate::chart::{Axis, AxisScale, Chart, GridMap, Limit, LimitLine, Series};
+use crate::chart::{Axis, AxisScale, Chart, GridMap, LimitLine, ReferenceLine, Series};
 
 fn ramp(slot: usize) -> Series {
     let points = (0..=10).map(|i| (f64::from(i), f64::from(i) * (slot + 1) as f64));
@@ -80,7 +80,10 @@ fn words_are_words_and_no_markup() {
     hostile.title = "</svg><script>alert(1)</script>".to_owned();
     hostile.series[0].label = "a\" onload=\"b".to_owned();
     hostile.x.label = "time & <b>".to_owned();
-    hostile.limits = vec![Limit::new("<img src=x>", LimitLine::Horizontal(5.0))];
+    hostile.limits = vec![ReferenceLine::new(
+        "<img src=x>",
+        LimitLine::Horizontal(5.0),
+    )];
     let text = svg(&hostile, 20);
     assert_eq!(text.matches("<svg").count(), 1);
     assert_eq!(text.matches("</svg>").count(), 1);
@@ -233,17 +236,17 @@ fn error_bars_have_caps_and_no_gaps() {
 fn reference_lines_are_named_beside_each_other() {
     let mut limited = chart(1);
     limited.limits = vec![
-        Limit::new("breaks at 5 N", LimitLine::Bound(5.0)),
-        Limit::new("rope breaks at 5 N", LimitLine::Bound(5.0)),
-        Limit::new("chain breaks at 5 MN", LimitLine::Bound(5e6)),
-        Limit::new(
+        ReferenceLine::new("breaks at 5 N", LimitLine::Bound(5.0)),
+        ReferenceLine::new("rope breaks at 5 N", LimitLine::Bound(5.0)),
+        ReferenceLine::new("chain breaks at 5 MN", LimitLine::Bound(5e6)),
+        ReferenceLine::new(
             "published: mean",
             LimitLine::Band {
                 x: (2.0, 4.0),
                 y: (3.0, 4.0),
             },
         ),
-        Limit::new("at the time", LimitLine::Vertical(8.0)),
+        ReferenceLine::new("at the time", LimitLine::Vertical(8.0)),
     ];
     let text = svg(&limited, 20);
     for name in [

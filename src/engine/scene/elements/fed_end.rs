@@ -78,7 +78,7 @@ pub struct DrumPull {
 }
 
 /// The end segment in motion.
-struct Motion {
+struct FedEndMotion {
     chord: Chord,
     /// From the end node to its neighbour \[m\].
     d: V3,
@@ -113,11 +113,11 @@ impl FedEnd {
         self.whole.half_weight / self.whole.axial.length
     }
 
-    fn motion(&self, line: &LumpedLine, state: &State) -> Motion {
+    fn motion(&self, line: &LumpedLine, state: &State) -> FedEndMotion {
         let (i, [f, g]) = (self.segment(line), self.nodes(line));
         let chord = line.chord(i, state);
         let sign = [1.0, -1.0][self.end];
-        Motion {
+        FedEndMotion {
             d: chord.tangent * (chord.length * sign),
             t: chord.tangent * sign,
             w: state.v[g] - state.v[f],
@@ -128,13 +128,13 @@ impl FedEnd {
     }
 
     /// Loads on the end node and its neighbour by the flow of mass \[N\], as residuals.
-    fn momentum(&self, motion: &Motion) -> [V3; 2] {
+    fn momentum(&self, motion: &FedEndMotion) -> [V3; 2] {
         let PaidOut {
             length,
             rate,
             acceleration,
         } = self.now;
-        let Motion { d, w, m, .. } = motion;
+        let FedEndMotion { d, w, m, .. } = motion;
         let half = 0.5 * m;
         let by_place = d * (rate * rate / length);
         [
@@ -150,7 +150,7 @@ impl FedEnd {
         let (line, state) = (at.line, at.state);
         let (i, nodes) = (self.segment(line), self.nodes(line));
         let motion = self.motion(line, state);
-        let Motion {
+        let FedEndMotion {
             d, t, w, m, chord, ..
         } = &motion;
         let (k, half) = (c.stiffness, 0.5 * m);
@@ -178,7 +178,7 @@ impl FedEnd {
     }
 
     /// Derivative of the tension by the length paid out, weighted by the factors.
-    fn tension_by_length(&self, at: At<'_>, motion: &Motion, c: Factors) -> f64 {
+    fn tension_by_length(&self, at: At<'_>, motion: &FedEndMotion, c: Factors) -> f64 {
         let tension = at
             .line
             .pull(self.segment(at.line), &motion.chord, at.t, at.state);
@@ -197,7 +197,7 @@ impl FedEnd {
         let [f, g] = self.nodes(line);
         let motion = self.motion(line, state);
         let tension = line.pull(self.segment(line), &motion.chord, at.t, state);
-        let Motion { d, t, w, m, .. } = &motion;
+        let FedEndMotion { d, t, w, m, .. } = &motion;
         let PaidOut {
             length: l,
             rate: q,
@@ -301,7 +301,7 @@ impl Element for FedEnd {
 
     /// The material at the end node moves on from it.
     fn add_energy(&self, at: At<'_>, energy: &mut f64) {
-        let Motion { d, m, .. } = self.motion(at.line, at.state);
+        let FedEndMotion { d, m, .. } = self.motion(at.line, at.state);
         let [f, _] = self.nodes(at.line);
         let runs = d * (self.now.rate / self.now.length);
         *energy +=
@@ -313,7 +313,7 @@ impl Element for FedEnd {
         let (line, state) = (at.line, at.state);
         let (i, [f, g]) = (self.segment(line), self.nodes(line));
         let motion = self.motion(line, state);
-        let Motion { d, w, m, .. } = &motion;
+        let FedEndMotion { d, w, m, .. } = &motion;
         let PaidOut {
             length: l,
             rate: q,

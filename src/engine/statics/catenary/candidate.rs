@@ -7,7 +7,7 @@
 use super::crossing::Crossings;
 use super::error::CatenaryError;
 use super::profile::Pieces;
-use super::solution::{LocalFrame, Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, LocalFrame, Solution, StartingUnknown};
 
 /// Greatest error of force, over the end tension, that is accepted.
 pub(super) const ACCEPTED: f64 = 1e-7;
@@ -19,7 +19,7 @@ pub(super) struct Candidate {
     /// (H, V) at A and at B.
     pub ends: [(f64, f64); 2],
     pub on_bed: f64,
-    pub shape: Shape,
+    pub shape: CatenaryShape,
     pub iterations: u32,
     pub residual: f64,
     pub stiffness: [[f64; 2]; 2],

@@ -6,7 +6,7 @@ use super::convex_newton::{BayUnknowns, Residuals, relative, residuals};
 use super::elements::{LineElements, SuspendedPart};
 use super::error::CatenaryError;
 use super::profile::{PieceLaw, Pieces, ProfileBuilder};
-use super::solution::{Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, Solution, StartingUnknown};
 
 impl CompositeLine {
     /// Newton steps on the misses with 30 digits until they are rounding; the error left.
@@ -86,23 +86,23 @@ impl CompositeLine {
         candidate.verified(self.frame, self.pieces(pattern, &state))
     }
 
-    fn shape(&self, pattern: &ContactPattern, on_bed: f64) -> Shape {
+    fn shape(&self, pattern: &ContactPattern, on_bed: f64) -> CatenaryShape {
         let from_a = pattern.bays.first().is_none_or(|bay| bay.from.is_some());
         match (pattern.grounded.len(), pattern.slack) {
-            (0, true) => Shape::HangingDouble,
-            (0, false) => Shape::Hanging,
-            _ if on_bed <= 0.0 && from_a => Shape::Hanging,
-            (1, _) if pattern.bays.is_empty() => Shape::WhollyOnBed,
+            (0, true) => CatenaryShape::HangingDouble,
+            (0, false) => CatenaryShape::Hanging,
+            _ if on_bed <= 0.0 && from_a => CatenaryShape::Hanging,
+            (1, _) if pattern.bays.is_empty() => CatenaryShape::WhollyOnBed,
             (1, slack) if from_a => {
                 if slack {
-                    Shape::SlackOnBed
+                    CatenaryShape::SlackOnBed
                 } else {
-                    Shape::PartlyOnBed
+                    CatenaryShape::PartlyOnBed
                 }
             }
-            (1, true) => Shape::SlackTroughOnBed,
-            (1, false) => Shape::TroughOnBed,
-            _ => Shape::ManyOnBed,
+            (1, true) => CatenaryShape::SlackTroughOnBed,
+            (1, false) => CatenaryShape::TroughOnBed,
+            _ => CatenaryShape::ManyOnBed,
         }
     }
 

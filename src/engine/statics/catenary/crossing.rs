@@ -18,7 +18,7 @@ use smallvec::SmallVec;
 
 use super::error::CatenaryError;
 use super::line::{CatenaryLine, SectionProperties};
-use super::profile::{Piece, PieceLaw};
+use super::profile::{PieceLaw, ProfilePiece};
 use super::solution::Solution;
 use super::span::length;
 use crate::numerics::roots::false_position;
@@ -303,7 +303,7 @@ impl CrossingLine<'_> {
 }
 
 /// The least and the greatest height of a piece above end A.
-fn extremes(piece: &Piece) -> [f64; 2] {
+fn extremes(piece: &ProfilePiece) -> [f64; 2] {
     let ends = [piece.from, piece.from + piece.length].map(|arc| piece.point(arc).z_m);
     let turn = match piece.kind {
         PieceLaw::Suspended { va, w, .. } if va * w < 0.0 && -va / w < piece.length => {

@@ -14,7 +14,7 @@
 //! Where a line goes through the surface (`crossing`) the vertical force beyond changes by `k dz`, with the change dz of its height there, as
 //! more of it gets dry: reach, rise and the force at the end of a bay then follow from dH, do and the rise of its beginning by a march along its spans.
 
-use super::profile::{Piece, PieceLaw};
+use super::profile::{PieceLaw, ProfilePiece};
 use super::solution::Solution;
 use super::span::{Compliance, Span};
 use smallvec::SmallVec;
@@ -78,7 +78,7 @@ impl Solution {
     /// as the root of `d`.
     #[must_use]
     pub fn end_stiffness(&self, friction: f64) -> EndStiffness {
-        let response = LineCompliance::of(self, friction);
+        let response = LineCompliance::of_line(self, friction);
         let up = self.frame.up;
         let mut out = EndStiffness::default();
         let motions = [(1.0, 0.0, 0.0), (0.0, up, 0.0), (0.0, 0.0, up)];
@@ -110,12 +110,13 @@ struct LineCompliance {
 type Bays = SmallVec<[BayCompliance; 2]>;
 
 impl LineCompliance {
-    fn of(line: &Solution, friction: f64) -> Self {
+    fn of_line(line: &Solution, friction: f64) -> Self {
         let pieces = line.pieces.slice();
         let bays = bays(line);
         let bed = grounded_compliance(pieces);
-        let slack =
-            |piece: &Piece| matches!(piece.kind, PieceLaw::Slack { .. }) && piece.length > 0.0;
+        let slack = |piece: &ProfilePiece| {
+            matches!(piece.kind, PieceLaw::Slack { .. }) && piece.length > 0.0
+        };
         let mut found = Self {
             bays,
             rub: friction * bed,
@@ -176,7 +177,8 @@ impl LineCompliance {
 fn bays(line: &Solution) -> Bays {
     let pieces = line.pieces.slice();
     let whole: f64 = pieces.iter().map(|piece| piece.length).sum();
-    let counts = |(_, piece): &(usize, &Piece)| piece.length == 0.0 || piece.length > 1e-11 * whole;
+    let counts =
+        |(_, piece): &(usize, &ProfilePiece)| piece.length == 0.0 || piece.length > 1e-11 * whole;
     let mut bays = Bays::new();
     let (mut open, mut first) = (false, true);
     for (number, piece) in pieces.iter().enumerate().filter(counts) {
@@ -207,7 +209,7 @@ fn bays(line: &Solution) -> Bays {
 }
 
 /// `L/EA` of the grounded pieces that carry tension.
-fn grounded_compliance(pieces: &[Piece]) -> f64 {
+fn grounded_compliance(pieces: &[ProfilePiece]) -> f64 {
     let taut = pieces.iter().map(|piece| match piece.kind {
         PieceLaw::Grounded { end, loss, ea, .. } => {
             let taut = if loss > 0.0 {

@@ -4,8 +4,8 @@ use super::candidate::{Candidate, ROUNDING};
 use super::error::CatenaryError;
 use super::grounded_span::{GroundedForces, GroundedSpan};
 use super::planar_line::PlanarLine;
-use super::profile::{Piece, PieceLaw, Pieces, grounded_tension_sum};
-use super::solution::{Shape, Solution, StartingUnknown};
+use super::profile::{PieceLaw, Pieces, ProfilePiece, grounded_tension_sum};
+use super::solution::{CatenaryShape, Solution, StartingUnknown};
 use super::span::length;
 use super::touchdown::{TouchdownLine, TouchdownUnknowns};
 
@@ -47,7 +47,7 @@ pub(super) fn partial_contact(
             (state.h, touchdown.v_b(state, &leg)),
         ],
         on_bed,
-        shape: Shape::PartlyOnBed,
+        shape: CatenaryShape::PartlyOnBed,
         iterations,
         residual,
         stiffness: [[by_x.0, by_z.0], [by_x.1, by_z.1]],
@@ -68,8 +68,8 @@ pub(super) fn partial_contact(
     found.verified(line.frame, Pieces::few(&pieces))
 }
 
-fn grounded_piece(touchdown: &TouchdownLine, length: f64, end: f64) -> Piece {
-    Piece {
+fn grounded_piece(touchdown: &TouchdownLine, length: f64, end: f64) -> ProfilePiece {
+    ProfilePiece {
         length,
         kind: PieceLaw::Grounded {
             end,
@@ -78,7 +78,7 @@ fn grounded_piece(touchdown: &TouchdownLine, length: f64, end: f64) -> Piece {
             sin: touchdown.slope.sin,
             ea: touchdown.line.ea,
         },
-        ..Piece::default()
+        ..ProfilePiece::default()
     }
 }
 
@@ -109,7 +109,7 @@ pub(super) fn full_contact(touchdown: &TouchdownLine, t_b: f64) -> Result<Soluti
     let found = Candidate {
         ends: [(t_a * cos, t_a * sin), (t_b * cos, t_b * sin)],
         on_bed: length,
-        shape: Shape::WhollyOnBed,
+        shape: CatenaryShape::WhollyOnBed,
         iterations: 0,
         residual,
         stiffness: [
@@ -151,19 +151,19 @@ pub(super) fn slack_contact(
     let found = Candidate {
         ends: [(0.0, 0.0), (0.0, v)],
         on_bed,
-        shape: Shape::SlackOnBed,
+        shape: CatenaryShape::SlackOnBed,
         iterations: 0,
         residual: straight_error(line, straight, touchdown.height),
         stiffness: [[0.0, 0.0], [0.0, lift_stiffness(line, v)]],
         seed: StartingUnknown::None,
     };
-    let heap = Piece {
+    let heap = ProfilePiece {
         length: on_bed,
         kind: PieceLaw::Slack {
             x: foot.0,
             z: foot.1,
         },
-        ..Piece::default()
+        ..ProfilePiece::default()
     };
     let pieces = [heap, line.suspended_piece(on_bed, straight, foot, 0.0, 0.0)];
     found.verified(line.frame, Pieces::few(&pieces))
@@ -193,9 +193,9 @@ pub(super) fn grounded_span(
         ends: [(forces.h, -v_a), (forces.h, v_b)],
         on_bed,
         shape: if slack {
-            Shape::SlackTroughOnBed
+            CatenaryShape::SlackTroughOnBed
         } else {
-            Shape::TroughOnBed
+            CatenaryShape::TroughOnBed
         },
         iterations: forces.iterations,
         residual,
@@ -212,7 +212,7 @@ pub(super) fn grounded_span(
     )
 }
 
-fn grounded_span_pieces(grounded: &GroundedSpan, forces: &GroundedForces) -> [Piece; 3] {
+fn grounded_span_pieces(grounded: &GroundedSpan, forces: &GroundedForces) -> [ProfilePiece; 3] {
     let line = &grounded.line;
     let h = forces.h;
     let [(s_a, depth), (s_b, _)] = [0, 1].map(|i| (forces.legs[i].v / line.w, grounded.rise[i]));
@@ -231,7 +231,7 @@ fn grounded_span_pieces(grounded: &GroundedSpan, forces: &GroundedForces) -> [Pi
     } else {
         PieceLaw::Slack { x: up.0, z: up.1 }
     };
-    let middle = Piece {
+    let middle = ProfilePiece {
         from: s_a,
         length: on_bed,
         x: down.0,

@@ -4,7 +4,7 @@ use super::candidate::Candidate;
 use super::composite_touchdown::{CompositeTouchdown, CompositeUnknowns};
 use super::error::CatenaryError;
 use super::profile::{PieceLaw, Pieces, ProfileBuilder, grounded_tension_sum};
-use super::solution::{Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, Solution, StartingUnknown};
 
 impl CompositeTouchdown<'_> {
     pub(super) fn solution(
@@ -21,9 +21,9 @@ impl CompositeTouchdown<'_> {
             ends: [(at_a * slope.cos, at_a * slope.sin), (state.h, v_b)],
             on_bed: self.chain().length - suspended,
             shape: match (state.h <= 0.0, self.wholly) {
-                (true, _) => Shape::SlackOnBed,
-                (false, true) => Shape::WhollyOnBed,
-                (false, false) => Shape::PartlyOnBed,
+                (true, _) => CatenaryShape::SlackOnBed,
+                (false, true) => CatenaryShape::WhollyOnBed,
+                (false, false) => CatenaryShape::PartlyOnBed,
             },
             iterations,
             residual,

@@ -15,7 +15,7 @@ use super::end_stiffness::EndStiffness;
 use super::error::CatenaryError;
 use super::line::{CatenaryLine, SectionProperties};
 use super::profile::{PieceLaw, ProfileBuilder};
-use super::solution::{LocalFrame, Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, LocalFrame, Solution, StartingUnknown};
 
 /// Greatest number of Newton steps.
 const MOST_STEPS: u32 = 200;
@@ -55,10 +55,15 @@ impl RubbedPart {
     fn stretch(&self) -> f64 {
         0.5 * self.taut() * (self.near.max(0.0) + self.far().max(0.0)) / self.ea
     }
+
+    /// Derivative of the stretch with respect to the tension.
+    fn give(&self) -> f64 {
+        self.taut() / self.ea
+    }
 }
 
 impl Side {
-    fn of(sections: &[SectionProperties], friction: f64, at_place: f64) -> Self {
+    fn of_sections(sections: &[SectionProperties], friction: f64, at_place: f64) -> Self {
         let mut near = at_place;
         let mut parts = Vec::with_capacity(sections.len());
         for section in sections {
@@ -109,24 +114,10 @@ impl CatenaryLine<'_> {
             .iter()
             .map(|section| section.length_m / section.ea_n)
             .sum();
-        let sides_at = |at_place: f64| [0, 1].map(|i| Side::of(&sides[i], bed.friction, at_place));
-        let both =
-            |sides: &[Side; 2], of: fn(&RubbedPart) -> f64| sides[0].sum(of) + sides[1].sum(of);
-        let give = |part: &RubbedPart| part.taut() / part.ea;
-        let mut at_place = wanted / compliance;
-        let mut steps = 0;
-        loop {
-            let here = sides_at(at_place);
-            let step = (both(&here, RubbedPart::stretch) - wanted) / both(&here, give);
-            let size = here[0].end.max(here[1].end);
-            steps += 1;
-            if !step.is_finite() || step <= 4.0 * f64::EPSILON * size || steps >= MOST_STEPS {
-                break;
-            }
-            at_place -= step;
-        }
-        let found = sides_at(at_place);
-        let k = 1.0 / both(&found, give);
+        let sides_at =
+            |at_place: f64| [0, 1].map(|i| Side::of_sections(&sides[i], bed.friction, at_place));
+        let (found, steps) = stretched_to(wanted, wanted / compliance, sides_at);
+        let k = 1.0 / both(&found, RubbedPart::give);
         let miss = (both(&found, RubbedPart::stretch) - wanted).abs();
         let by_distance = |side: &Side| {
             if side.end > 0.0 {
@@ -143,7 +134,7 @@ impl CatenaryLine<'_> {
         let candidate = Candidate {
             ends: [(found[0].end, 0.0), (found[1].end, 0.0)],
             on_bed: whole,
-            shape: Shape::WhollyOnBed,
+            shape: CatenaryShape::WhollyOnBed,
             iterations: steps,
             residual: (k * (miss - 4.0 * f64::EPSILON * whole)).max(0.0)
                 / found[0].end.max(found[1].end),
@@ -154,13 +145,7 @@ impl CatenaryLine<'_> {
             along: if self.ends.x_m < 0.0 { -1.0 } else { 1.0 },
             up: 1.0,
         };
-        let mut profile = ProfileBuilder::default();
-        for part in found[0].parts.iter().rev() {
-            push_part(&mut profile, part, true);
-        }
-        for part in &found[1].parts {
-            push_part(&mut profile, part, false);
-        }
+        let profile = profile_over(&found);
         Ok((candidate.verified(frame, profile.pieces())?, stiffness))
     }
 
@@ -191,6 +176,40 @@ impl CatenaryLine<'_> {
         before.reverse();
         [before, after]
     }
+}
+
+/// A sum over the parts of both sides.
+fn both(sides: &[Side; 2], of: fn(&RubbedPart) -> f64) -> f64 {
+    sides[0].sum(of) + sides[1].sum(of)
+}
+
+/// Both sides under the tension at the place by which they stretch as far as wanted, by Newton's method from a tension above it, and its
+/// steps.
+fn stretched_to(wanted: f64, above: f64, sides_at: impl Fn(f64) -> [Side; 2]) -> ([Side; 2], u32) {
+    let mut at_place = above;
+    let mut steps = 0;
+    loop {
+        let here = sides_at(at_place);
+        let step = (both(&here, RubbedPart::stretch) - wanted) / both(&here, RubbedPart::give);
+        let size = here[0].end.max(here[1].end);
+        steps += 1;
+        if !step.is_finite() || step <= 4.0 * f64::EPSILON * size || steps >= MOST_STEPS {
+            return (here, steps);
+        }
+        at_place -= step;
+    }
+}
+
+/// The profile over both sides, from A.
+fn profile_over(sides: &[Side; 2]) -> ProfileBuilder {
+    let mut profile = ProfileBuilder::default();
+    for part in sides[0].parts.iter().rev() {
+        push_part(&mut profile, part, true);
+    }
+    for part in &sides[1].parts {
+        push_part(&mut profile, part, false);
+    }
+    profile
 }
 
 /// Adds a part to the profile from A: one between A and the place that the line was laid from (`towards`) loses tension along it.

@@ -5,7 +5,7 @@
 //! 30 digits before it is returned; otherwise [`CatenaryLine::solve`] fails with a [`CatenaryError`].
 //!
 //! ```
-//! use seacable_engine::statics::catenary::{CatenaryLine, EndOffset, RigidBed, SectionProperties, Shape};
+//! use seacable_engine::statics::catenary::{CatenaryLine, CatenaryShape, EndOffset, RigidBed, SectionProperties};
 //!
 //! // 900 m of chain from an anchor on the bed to a fairlead 100 m above it, 860 m away.
 //! let chain = [SectionProperties::new(900.0, 1_200.0, 5.0e8)];
@@ -16,7 +16,7 @@
 //!     surface_above_a_m: None,
 //! };
 //! let rest = line.solve()?;
-//! assert_eq!(rest.shape, Shape::PartlyOnBed);
+//! assert_eq!(rest.shape, CatenaryShape::PartlyOnBed);
 //! assert!(rest.residual < 1e-12);
 //! // A fairlead moved by a metre: start from here.
 //! let moved = CatenaryLine { ends: EndOffset { x_m: 861.0, z_m: 100.0 }, ..line }.solve_from(&rest)?;
@@ -65,7 +65,7 @@ pub use end_stiffness::EndStiffness;
 pub use error::CatenaryError;
 pub use line::{CatenaryLine, EndOffset, RigidBed, SectionProperties};
 pub use profile::ProfilePoint;
-pub use solution::{Shape, Solution};
+pub use solution::{CatenaryShape, Solution};
 
 use solution::StartingUnknown;
 

@@ -2,7 +2,7 @@
 
 use super::error::CatenaryError;
 use super::line::RigidBed;
-use super::profile::{Piece, PieceLaw};
+use super::profile::{PieceLaw, ProfilePiece};
 use super::solution::LocalFrame;
 use super::span::Span;
 
@@ -36,8 +36,8 @@ impl PlanarLine {
         at: (f64, f64),
         h: f64,
         va: f64,
-    ) -> Piece {
-        Piece {
+    ) -> ProfilePiece {
+        ProfilePiece {
             from,
             length,
             x: at.0,

@@ -22,14 +22,14 @@ pub struct ProfilePoint {
     reason = "a line of one section is solved without allocation"
 )]
 pub(super) enum Pieces {
-    Few([Piece; 3], usize),
-    Many(Vec<Piece>),
+    Few([ProfilePiece; 3], usize),
+    Many(Vec<ProfilePiece>),
 }
 
 impl Pieces {
     /// Up to three pieces, empty ones left out.
-    pub(super) fn few(pieces: &[Piece]) -> Self {
-        let mut few = [Piece::default(); 3];
+    pub(super) fn few(pieces: &[ProfilePiece]) -> Self {
+        let mut few = [ProfilePiece::default(); 3];
         let mut n = 0;
         for piece in pieces {
             if piece.length > 0.0 && n < few.len() {
@@ -40,7 +40,7 @@ impl Pieces {
         Self::Few(few, n)
     }
 
-    pub(super) fn slice(&self) -> &[Piece] {
+    pub(super) fn slice(&self) -> &[ProfilePiece] {
         match self {
             Self::Few(few, n) => &few[..*n],
             Self::Many(many) => many,
@@ -50,7 +50,7 @@ impl Pieces {
 
 /// A part of the line with one law of shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Piece {
+pub(super) struct ProfilePiece {
     /// Unstretched arc length where it begins, and its own unstretched length.
     pub from: f64,
     pub length: f64,
@@ -77,7 +77,7 @@ pub(super) enum PieceLaw {
     Slack { x: f64, z: f64 },
 }
 
-impl Default for Piece {
+impl Default for ProfilePiece {
     fn default() -> Self {
         Self {
             from: 0.0,
@@ -95,7 +95,7 @@ pub(super) fn grounded_tension_sum(end: f64, loss: f64, n: f64) -> f64 {
     n * (end - 0.5 * loss * n)
 }
 
-impl Piece {
+impl ProfilePiece {
     pub(super) fn point(&self, arc: f64) -> ProfilePoint {
         let u = (arc - self.from).clamp(0.0, self.length);
         let (dx, dz, tension_n) = match self.kind {
@@ -161,13 +161,13 @@ pub(super) struct ProfileBuilder {
     arc: f64,
     x: f64,
     z: f64,
-    pieces: Vec<Piece>,
+    pieces: Vec<ProfilePiece>,
 }
 
 impl ProfileBuilder {
     /// A part of this unstretched length that reaches (dx, dz).
     pub(super) fn push(&mut self, length: f64, law: PieceLaw, (dx, dz): (f64, f64)) {
-        self.pieces.push(Piece {
+        self.pieces.push(ProfilePiece {
             from: self.arc,
             length,
             x: self.x,

@@ -5,7 +5,7 @@ use super::profile::{Pieces, ProfilePoint};
 
 /// The form of a line at rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Shape {
+pub enum CatenaryShape {
     /// Straight and weightless.
     Straight,
     /// Suspended: it touches nothing between its ends.
@@ -28,7 +28,7 @@ pub enum Shape {
     ManyOnBed,
 }
 
-impl Shape {
+impl CatenaryShape {
     /// The shape in words.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -83,7 +83,7 @@ pub struct Solution {
     /// Unstretched length resting on the bed, or against the surface \[m\].
     pub on_bed_m: f64,
     /// Its form.
-    pub shape: Shape,
+    pub shape: CatenaryShape,
     /// Whether `on_bed_m` rests against the surface above instead.
     pub against_surface: bool,
     /// Evaluations of the line spent on it.

@@ -4,7 +4,7 @@ use super::candidate::{Candidate, ROUNDING};
 use super::error::CatenaryError;
 use super::planar_line::PlanarLine;
 use super::profile::Pieces;
-use super::solution::{Shape, Solution, StartingUnknown};
+use super::solution::{CatenaryShape, Solution, StartingUnknown};
 use super::span::{Span, length};
 use super::suspended::SuspendedForces;
 use crate::numerics::double_double::DoubleDouble;
@@ -53,7 +53,7 @@ pub(super) fn straight(line: &PlanarLine) -> Result<Option<Solution>, CatenaryEr
     let found = Candidate {
         ends: [(h, v - 0.5 * load), (h, v + 0.5 * load)],
         on_bed: 0.0,
-        shape: Shape::Straight,
+        shape: CatenaryShape::Straight,
         iterations: 0,
         residual: 0.0,
         stiffness,
@@ -96,9 +96,9 @@ pub(super) fn suspended(
         ends: [(h, va), (h, va + load)],
         on_bed: 0.0,
         shape: match (h > 0.0 && line.x > 0.0, va < 0.0) {
-            (true, _) => Shape::Hanging,
-            (false, true) if va + load > 0.0 => Shape::HangingDouble,
-            (false, _) => Shape::Vertical,
+            (true, _) => CatenaryShape::Hanging,
+            (false, true) if va + load > 0.0 => CatenaryShape::HangingDouble,
+            (false, _) => CatenaryShape::Vertical,
         },
         iterations: forces.iterations,
         residual,

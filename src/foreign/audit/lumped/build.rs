@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::{Bend, Elasticity, LumpedLine, LumpedModel, LumpedPoint};
+use super::{Bend, LumpedModel, LumpedPoint, ModelLine, SegmentElasticity};
 use crate::import::mooring::{
-    Attachment, Damping, Hold, Line, LineType, Mass, Mooring, Rod, Stiffness,
+    Attachment, Damping, Hold, Mass, Mooring, MooringLine, MooringLineType, Rod, Stiffness,
 };
 use crate::import::to_case::sea::SeaOfCase;
 use crate::numerics::V3;
@@ -83,7 +83,7 @@ struct EndNodes {
 }
 
 impl EndNodes {
-    fn of(&self, at: Attachment) -> Result<usize, String> {
+    fn node_at(&self, at: Attachment) -> Result<usize, String> {
         match at {
             Attachment::Point(point) => Ok(self.points[point]),
             Attachment::Rod(rod, end) => Ok(self.rods[rod][end]),
@@ -142,7 +142,7 @@ fn rod_nodes(model: &mut LumpedModel, mooring: &Mooring, rod: &Rod) -> [usize; 2
 fn add_line(
     model: &mut LumpedModel,
     mooring: &Mooring,
-    line: &Line,
+    line: &MooringLine,
     nodes: &EndNodes,
     refined: usize,
 ) -> Result<(), String> {
@@ -152,26 +152,18 @@ fn add_line(
     let Mass::InAir(mass) = of.mass.value else {
         return Err("its mass is given in water".to_owned());
     };
-    let elasticity = match &of.stiffness.value {
-        Stiffness::Constant(ea) => Elasticity::Constant(*ea),
-        Stiffness::Viscoelastic { slow, .. } => {
-            model.creeps = true;
-            Elasticity::Constant(*slow)
-        }
-        Stiffness::Table(rows) => {
-            let mut rows = rows.clone();
-            rows.retain(|row| row[0] > 0.0);
-            Elasticity::Table(rows)
-        }
-        Stiffness::Syrope(_) => return Err("a Syrope rope depends on its past".to_owned()),
-    };
+    let elasticity = elasticity(&of.stiffness.value)?;
+    model.creeps |= matches!(of.stiffness.value, Stiffness::Viscoelastic { .. });
     let damping = match of.damping.value {
         Damping::Coefficient(damping) => damping,
         // Of the critical damping of a segment in air, as MoorDyn takes it.
         Damping::Ratio(ratio) => ratio * segment * (elasticity.initial() * mass).sqrt(),
         Damping::Two(slow, _) => slow,
     };
-    let ends = [nodes.of(line.ends[0].value)?, nodes.of(line.ends[1].value)?];
+    let ends = [
+        nodes.node_at(line.ends[0].value)?,
+        nodes.node_at(line.ends[1].value)?,
+    ];
     let inner = shape(model, of, line, ends, segments);
     let first = model.start.len();
     model.free.extend(inner.iter().map(|_| true));
@@ -181,23 +173,15 @@ fn add_line(
     all.push(ends[1]);
     let number = model.lines.len();
     if of.bending.value > 0.0 {
-        model.bends.extend(all.windows(3).map(|nodes| Bend {
-            nodes: [nodes[0], nodes[1], nodes[2]],
-            ei: of.bending.value,
-            line: number,
-            length: segment,
-        }));
-        for (end, at) in line.ends.iter().enumerate() {
-            clamp(
-                model,
-                mooring,
-                at.value,
-                (&all, end),
-                (of.bending.value, number, segment),
-            );
-        }
+        bend(
+            model,
+            mooring,
+            line,
+            &all,
+            (of.bending.value, number, segment),
+        );
     }
-    model.lines.push(LumpedLine {
+    model.lines.push(ModelLine {
         nodes: all,
         segment,
         elasticity,
@@ -208,6 +192,45 @@ fn add_line(
         added_mass: [of.added_mass_normal.value, of.added_mass_tangential.value],
     });
     Ok(())
+}
+
+/// Adds the bending stiffness of a line over its nodes, and its clamps.
+fn bend(
+    model: &mut LumpedModel,
+    mooring: &Mooring,
+    line: &MooringLine,
+    nodes: &[usize],
+    (ei, number, segment): (f64, usize, f64),
+) {
+    model.bends.extend(nodes.windows(3).map(|nodes| Bend {
+        nodes: [nodes[0], nodes[1], nodes[2]],
+        ei,
+        line: number,
+        length: segment,
+    }));
+    for (end, at) in line.ends.iter().enumerate() {
+        clamp(
+            model,
+            mooring,
+            at.value,
+            (nodes, end),
+            (ei, number, segment),
+        );
+    }
+}
+
+/// The tension of segments by their strain.
+fn elasticity(stiffness: &Stiffness) -> Result<SegmentElasticity, String> {
+    match stiffness {
+        Stiffness::Constant(ea) => Ok(SegmentElasticity::Constant(*ea)),
+        Stiffness::Viscoelastic { slow, .. } => Ok(SegmentElasticity::Constant(*slow)),
+        Stiffness::Table(rows) => {
+            let mut rows = rows.clone();
+            rows.retain(|row| row[0] > 0.0);
+            Ok(SegmentElasticity::Table(rows))
+        }
+        Stiffness::Syrope(_) => Err("a Syrope rope depends on its past".to_owned()),
+    }
 }
 
 /// A line that bends and ends at a rod goes on in the direction of the rod, but for joints that turn: a node close behind its end holds it.
@@ -256,8 +279,8 @@ fn clamp(
 /// Inner nodes of a line between its ends: a catenary, with a bed where an end is on it, straight where there is none.
 fn shape(
     model: &LumpedModel,
-    of: &LineType,
-    line: &Line,
+    of: &MooringLineType,
+    line: &MooringLine,
     ends: [usize; 2],
     segments: usize,
 ) -> Vec<V3> {

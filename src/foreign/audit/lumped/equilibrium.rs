@@ -35,7 +35,7 @@ pub struct Unknowns {
 impl Unknowns {
     /// Of a model.
     #[must_use]
-    pub fn of(model: &LumpedModel) -> Self {
+    pub fn of_model(model: &LumpedModel) -> Self {
         let free: Vec<usize> = (0..model.free.len()).filter(|n| model.free[*n]).collect();
         let mut at = vec![None; model.free.len()];
         for (k, node) in free.iter().enumerate() {
@@ -87,9 +87,9 @@ impl Unknowns {
 /// # Errors
 /// What is left out of balance, where the search does not end.
 pub fn at_rest(model: &LumpedModel, start: &[V3]) -> Result<Vec<V3>, String> {
-    let unknowns = Unknowns::of(model);
+    let unknowns = Unknowns::of_model(model);
     let still = vec![V3::zeros(); start.len()];
-    let mut loads = Loads::of(model);
+    let mut loads = Loads::of_model(model);
     let mut x = start.to_vec();
     let longest = model.lines.iter().map(|line| line.segment);
     let longest = longest.fold(0.0, f64::max);

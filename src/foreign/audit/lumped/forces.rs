@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::{Bend, LumpedLine, LumpedModel};
+use super::{Bend, LumpedModel, ModelLine};
 use crate::numerics::{M3, V3};
 use crate::scene::{LostBuoyancy, lost_buoyancy};
 
@@ -18,7 +18,7 @@ pub struct Loads {
 impl Loads {
     /// Room for the nodes of a model.
     #[must_use]
-    pub fn of(model: &LumpedModel) -> Self {
+    pub fn of_model(model: &LumpedModel) -> Self {
         Self {
             force: vec![V3::zeros(); model.start.len()],
             mass: vec![M3::zeros(); model.start.len()],
@@ -103,7 +103,7 @@ impl LumpedModel {
     }
 
     /// Tension and internal damping of the segments of a line.
-    fn segments(&self, line: &LumpedLine, x: &[V3], v: &[V3], loads: &mut Loads) {
+    fn segments(&self, line: &ModelLine, x: &[V3], v: &[V3], loads: &mut Loads) {
         for pair in line.nodes.windows(2) {
             let [a, b] = [pair[0], pair[1]];
             let apart = x[b] - x[a];
@@ -126,7 +126,7 @@ impl LumpedModel {
     }
 
     /// Weight, drag, bed and mass of the nodes of a line.
-    fn nodes(&self, line: &LumpedLine, x: &[V3], v: &[V3], drag_scale: f64, loads: &mut Loads) {
+    fn nodes(&self, line: &ModelLine, x: &[V3], v: &[V3], drag_scale: f64, loads: &mut Loads) {
         let last = line.nodes.len() - 1;
         let area = 0.25 * PI * line.diameter * line.diameter;
         for (i, node) in line.nodes.iter().copied().enumerate() {
@@ -161,7 +161,7 @@ impl LumpedModel {
 
 /// The dry part of a segment between nodes at these heights \[m\]. `MoorDyn` lumps the buoyancy of the wet part half at each node (`Line::calcSubSeg`);
 /// here it is where it acts, so that it has an energy.
-pub(super) fn dry_part(line: &LumpedLine, heights: [f64; 2]) -> LostBuoyancy {
+pub(super) fn dry_part(line: &ModelLine, heights: [f64; 2]) -> LostBuoyancy {
     lost_buoyancy(0.5 * line.diameter, heights)
 }
 

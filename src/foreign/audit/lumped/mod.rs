@@ -20,7 +20,7 @@ pub struct LumpedModel {
     /// Whether each is free.
     pub free: Vec<bool>,
     /// The lines.
-    pub lines: Vec<LumpedLine>,
+    pub lines: Vec<ModelLine>,
     /// Masses of free points.
     pub points: Vec<LumpedPoint>,
     /// Nodes that bend as the inside of a line: before, itself, behind, with EI \[N m²\].
@@ -43,13 +43,13 @@ pub struct LumpedModel {
 
 /// A line of lumped masses.
 #[derive(Debug, Clone)]
-pub struct LumpedLine {
+pub struct ModelLine {
     /// Its nodes from A to B.
     pub nodes: Vec<usize>,
     /// Unstretched length of a segment \[m\].
     pub segment: f64,
     /// Tension by strain.
-    pub elasticity: Elasticity,
+    pub elasticity: SegmentElasticity,
     /// Internal damping BA \[N s\].
     pub damping: f64,
     /// Mass per length \[kg/m\].
@@ -64,14 +64,14 @@ pub struct LumpedLine {
 
 /// Tension by strain.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Elasticity {
+pub enum SegmentElasticity {
     /// EA \[N\].
     Constant(f64),
     /// Strains and tensions \[N\], rising.
     Table(Vec<[f64; 2]>),
 }
 
-impl Elasticity {
+impl SegmentElasticity {
     /// Tension \[N\] at a strain, and its slope \[N\]. Segments bear no compression.
     #[must_use]
     pub fn at(&self, strain: f64) -> (f64, f64) {
@@ -167,7 +167,7 @@ impl LumpedModel {
 
     /// Weight of a line in water \[N\].
     #[must_use]
-    pub fn weight(&self, line: &LumpedLine) -> f64 {
+    pub fn weight(&self, line: &ModelLine) -> f64 {
         let area = std::f64::consts::FRAC_PI_4 * line.diameter * line.diameter;
         let length = line.segment * (line.nodes.len() - 1) as f64;
         (line.mass - self.density * area) * self.gravity * length

@@ -59,7 +59,7 @@ pub struct Relaxed {
 /// The run in time with more drag; tensions are sampled this often \[s\].
 #[must_use]
 pub fn dynamic(model: &LumpedModel, settings: &RelaxationSettings, sample: f64) -> Relaxed {
-    let mut march = March::of(model, settings.drag_scale);
+    let mut march = RelaxationMarch::of_model(model, settings.drag_scale);
     let mut past: Vec<Vec<f64>> = Vec::new();
     let mut time = 0.0;
     let samples = whole(settings.longest / sample);
@@ -93,7 +93,7 @@ pub fn dynamic(model: &LumpedModel, settings: &RelaxationSettings, sample: f64) 
 /// The stationary scheme.
 #[must_use]
 pub fn stationary(model: &LumpedModel, settings: &RelaxationSettings) -> Relaxed {
-    let mut march = March::of(model, 1.0);
+    let mut march = RelaxationMarch::of_model(model, 1.0);
     let mut before = march.x.clone();
     let (mut boost, mut error, mut first, mut last) = (1.0, 0.0, None, None);
     let segments = model.lines.iter().map(|line| line.segment);
@@ -155,7 +155,7 @@ fn whole(count: f64) -> usize {
 }
 
 /// Nodes that move.
-struct March<'m> {
+struct RelaxationMarch<'m> {
     model: &'m LumpedModel,
     drag_scale: f64,
     x: Vec<V3>,
@@ -166,8 +166,8 @@ struct March<'m> {
     work: f64,
 }
 
-impl<'m> March<'m> {
-    fn of(model: &'m LumpedModel, drag_scale: f64) -> Self {
+impl<'m> RelaxationMarch<'m> {
+    fn of_model(model: &'m LumpedModel, drag_scale: f64) -> Self {
         let still = vec![V3::zeros(); model.start.len()];
         Self {
             model,
@@ -175,7 +175,7 @@ impl<'m> March<'m> {
             x: model.start.clone(),
             half: [model.start.clone(), still.clone()],
             v: still,
-            loads: Loads::of(model),
+            loads: Loads::of_model(model),
             work: 0.0,
         }
     }

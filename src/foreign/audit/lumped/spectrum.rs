@@ -24,9 +24,9 @@ pub struct FastestMode {
 /// Nothing where nothing is free.
 #[must_use]
 pub fn fastest(model: &LumpedModel, x: &[V3]) -> Vec<FastestMode> {
-    let unknowns = Unknowns::of(model);
+    let unknowns = Unknowns::of_model(model);
     let still = vec![V3::zeros(); x.len()];
-    let mut loads = Loads::of(model);
+    let mut loads = Loads::of_model(model);
     model.evaluate(x, &still, 0.0, &mut loads);
     let stiff = stiffness(model, &unknowns, x);
     let damped = dampers(model, &unknowns, x);

@@ -8,11 +8,11 @@ use crate::import::index::Index;
 use crate::import::listing::listed;
 use crate::import::moordyn::line_types::unique;
 use crate::import::moordyn::parts;
-use crate::import::moordyn::sections::Block;
-use crate::import::moordyn::table::{Column, Table, TableRow};
-use crate::import::mooring::{Body, Given, Hold, Mooring};
+use crate::import::moordyn::sections::SectionBlock;
+use crate::import::moordyn::table::{HeaderColumn, SectionTable, TableRow};
+use crate::import::mooring::{Given, Hold, Mooring, MooringBody};
 
-const COLUMNS: [Column; 18] = [
+const COLUMNS: [HeaderColumn; 18] = [
     ("ID", &["#", "Name", "Body"]),
     ("Type", &["Attachment"]),
     ("X", &["X0"]),
@@ -38,7 +38,7 @@ const NEEDED: usize = 15;
 
 /// Reads the bodies. Those that are points without directions (`Point3`) are returned by their places in the list.
 pub fn read_bodies(
-    block: &Block<'_>,
+    block: &SectionBlock<'_>,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) -> Vec<usize> {
@@ -50,7 +50,7 @@ pub fn read_bodies(
         parts::read_bodies(block, mooring, faults);
         return Vec::new();
     }
-    let table = Table::of(block, &COLUMNS, NEEDED, faults);
+    let table = SectionTable::of_block(block, &COLUMNS, NEEDED, faults);
     let mut found = table.read(faults, body);
     unique(&mut found, |(one, _)| (&one.id, &one.span), "body", faults);
     let mut points = Vec::new();
@@ -63,7 +63,7 @@ pub fn read_bodies(
 }
 
 /// A body, and whether it is a point.
-fn body(row: &TableRow<'_, '_>) -> Result<(Body, bool), Fault> {
+fn body(row: &TableRow<'_, '_>) -> Result<(MooringBody, bool), Fault> {
     let word = row.words[1];
     let is_point = word.is("Point3");
     let hold = if is_point || word.is("Rigid6") || word.is("Free") {
@@ -94,7 +94,7 @@ fn body(row: &TableRow<'_, '_>) -> Result<(Body, bool), Fault> {
     ];
     let (drag, added) = (row.not_negative(13)?, row.not_negative(14)?);
     let area = drag.value;
-    let body = Body {
+    let body = MooringBody {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
         hold: Given::new(hold, word.span()),
@@ -116,8 +116,8 @@ fn body(row: &TableRow<'_, '_>) -> Result<(Body, bool), Fault> {
 }
 
 /// What is said of bodies that lie in the surface, where `CableDyn` has them wet as a sphere is.
-fn at_the_surface(bodies: &[Body]) -> Option<String> {
-    let pierces = |body: &&Body| {
+fn at_the_surface(bodies: &[MooringBody]) -> Option<String> {
+    let pierces = |body: &&MooringBody| {
         let radius = (0.75 * body.volume.value / PI).cbrt();
         let is_hull = body.waterplane.value != [0.0; 3];
         !is_hull && body.hold.value.turns() && body.place[2].value > -radius && radius > 0.0
@@ -208,5 +208,5 @@ fn renumber(hold: &mut Hold, kept: &[usize]) {
 
 /// Bodies by their identifiers.
 pub fn index(mooring: &Mooring) -> Index {
-    Index::of(mooring.bodies.iter().map(|body| body.id.as_str()))
+    Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str()))
 }

@@ -10,16 +10,16 @@ use crate::import::moordyn::line_types::unique;
 use crate::import::moordyn::parts::{
     LINE_COLUMNS, POINT_COLUMNS, line, one_turbine, type_of, whole,
 };
-use crate::import::moordyn::sections::{Block, Section};
-use crate::import::moordyn::table::{Column, Table, TableRow};
-use crate::import::mooring::{Attachment, Given, Hold, Line, Mooring, Point};
+use crate::import::moordyn::sections::{SectionBlock, SectionTitle};
+use crate::import::moordyn::table::{HeaderColumn, SectionTable, TableRow};
+use crate::import::mooring::{Attachment, Given, Hold, Mooring, MooringLine, MooringPoint};
 use crate::import::words::Row;
 
 /// Columns of a point without masses.
 const PLAIN_POINT: usize = 5;
 
 /// Columns of a line whose sections are in a table of their own.
-const SHORT_LINE: [Column; 4] = [
+const SHORT_LINE: [HeaderColumn; 4] = [
     LINE_COLUMNS[0],
     ("NodeA", &["AttachA", "EndA"]),
     ("NodeB", &["AttachB", "EndB"]),
@@ -29,7 +29,7 @@ const SHORT_LINE: [Column; 4] = [
 /// Columns of a row of a short table of lines.
 const SHORT_NEEDED: usize = 3;
 
-const SECTION_COLUMNS: [Column; 4] = [
+const SECTION_COLUMNS: [HeaderColumn; 4] = [
     ("LineID", &["ID", "Line"]),
     ("LineType", &["Type", "TypeName"]),
     ("Length", &["UnstrLen"]),
@@ -40,10 +40,14 @@ const SECTION_COLUMNS: [Column; 4] = [
 pub type AtRods = HashMap<usize, Attachment>;
 
 /// Reads the points, and which of them are ends of rods.
-pub fn read_points(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) -> AtRods {
-    let table = Table::of(block, &POINT_COLUMNS, PLAIN_POINT, faults);
+pub fn read_points(
+    block: &SectionBlock<'_>,
+    mooring: &mut Mooring,
+    faults: &mut Vec<Fault>,
+) -> AtRods {
+    let table = SectionTable::of_block(block, &POINT_COLUMNS, PLAIN_POINT, faults);
     let on_bodies = bodies::index(mooring);
-    let ends = Ends::of(mooring);
+    let ends = Ends::of_mooring(mooring);
     let mut turbines = Vec::new();
     let mut found = table.read(faults, |row| {
         one_turbine(row, mooring, &mut turbines)?;
@@ -72,13 +76,13 @@ fn end_of_rod(row: &TableRow<'_, '_>, ends: &Ends) -> Result<Option<Attachment>,
     }
 }
 
-fn point(row: &TableRow<'_, '_>, hold: Given<Hold>) -> Result<Point, Fault> {
+fn point(row: &TableRow<'_, '_>, hold: Given<Hold>) -> Result<MooringPoint, Fault> {
     let none = || Given::new(0.0, row.row.span());
     let optional = |column: usize| match row.words.get(column) {
         Some(_) => row.not_negative(column),
         None => Ok(none()),
     };
-    Ok(Point {
+    Ok(MooringPoint {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
         hold,
@@ -103,7 +107,7 @@ pub fn on_rods(mooring: &mut Mooring, at_rods: &AtRods) {
 }
 
 /// A section of a line.
-struct Piece {
+struct LineSection {
     of_type: Given<usize>,
     length: Given<f64>,
     segments: Given<usize>,
@@ -112,15 +116,15 @@ struct Piece {
 /// A row of the table of lines.
 enum LineRow {
     /// With its type, length and segments.
-    Whole(Line),
+    Whole(MooringLine),
     /// Its identifier, its row and what it is between.
     Short(Given<String>, [Given<Attachment>; 2]),
 }
 
 /// Reads the lines with their sections; each section is a line of the mooring that is joined to the next inside its line.
 pub fn read_lines(
-    block: &Block<'_>,
-    sections: Option<&Block<'_>>,
+    block: &SectionBlock<'_>,
+    sections: Option<&SectionBlock<'_>>,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
@@ -128,19 +132,19 @@ pub fn read_lines(
     let header = rows.next().map(Row::words).unwrap_or_default();
     let is_short = !header.iter().any(|word| word.is("LineType"));
     let table = match is_short {
-        true => Table::of(block, &SHORT_LINE, SHORT_NEEDED, faults),
-        false => Table::of(block, &LINE_COLUMNS, SHORT_NEEDED, faults),
+        true => SectionTable::of_block(block, &SHORT_LINE, SHORT_NEEDED, faults),
+        false => SectionTable::of_block(block, &LINE_COLUMNS, SHORT_NEEDED, faults),
     };
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let to = Ends::of(mooring);
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let to = Ends::of_mooring(mooring);
     let found = table.read(faults, |row| line_row(row, (&to, &types)));
     let mut named: Vec<(Given<String>, LineRow)> =
         found.into_iter().map(|row| (id(&row), row)).collect();
     unique(&mut named, |(id, _)| (&id.value, &id.span), "line", faults);
-    let index = Index::of(named.iter().map(|(id, _)| id.value.as_str()));
-    let mut pieces: Vec<Vec<Piece>> = named.iter().map(|_| Vec::new()).collect();
+    let index = Index::of_identifiers(named.iter().map(|(id, _)| id.value.as_str()));
+    let mut pieces: Vec<Vec<LineSection>> = named.iter().map(|_| Vec::new()).collect();
     if let Some(block) = sections {
-        let table = Table::of(block, &SECTION_COLUMNS, SECTION_COLUMNS.len(), faults);
+        let table = SectionTable::of_block(block, &SECTION_COLUMNS, SECTION_COLUMNS.len(), faults);
         for (line, piece) in table.read(faults, |row| piece(row, (&index, &types))) {
             pieces[line].push(piece);
         }
@@ -196,16 +200,16 @@ fn line_row(
 fn piece(
     row: &TableRow<'_, '_>,
     (lines, types): (&Index, &TypeIndex<'_>),
-) -> Result<(usize, Piece), Fault> {
+) -> Result<(usize, LineSection), Fault> {
     let number = row.words[0].text;
     let line = lines.find(number);
-    let line = line.ok_or_else(|| missing(row, 0, Section::Lines, number))?;
+    let line = line.ok_or_else(|| missing(row, 0, SectionTitle::Lines, number))?;
     let segments = whole(row, 3)?;
     if segments.value == 0 {
         return Err(row.fault(3, "the section has no segments", "give 1 or more"));
     }
-    let piece = Piece {
-        of_type: type_of(row, 1, types, Section::LineTypes)?,
+    let piece = LineSection {
+        of_type: type_of(row, 1, types, SectionTitle::LineTypes)?,
         length: row.positive(2)?,
         segments,
     };
@@ -214,10 +218,10 @@ fn piece(
 
 /// Puts a line down as its sections, from its end A to its end B.
 fn put(
-    lines: &mut Vec<Line>,
+    lines: &mut Vec<MooringLine>,
     id: &Given<String>,
     [a, b]: [Given<Attachment>; 2],
-    pieces: Vec<Piece>,
+    pieces: Vec<LineSection>,
 ) {
     let last = pieces.len() - 1;
     let mut from = a;
@@ -227,7 +231,7 @@ fn put(
             true => b.clone(),
             false => Given::new(Attachment::Inside(lines.len()), span),
         };
-        lines.push(Line {
+        lines.push(MooringLine {
             id: id.value.clone(),
             span: id.span.clone(),
             of_type: piece.of_type,

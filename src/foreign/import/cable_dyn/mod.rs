@@ -15,7 +15,7 @@ use super::moordyn::files::Files;
 use super::moordyn::line_types::{read_line_types, read_rod_types};
 use super::moordyn::loads;
 use super::moordyn::parts::read_rods;
-use super::moordyn::sections::{Block, Section, Sections};
+use super::moordyn::sections::{SectionBlock, SectionTitle, Sections};
 use super::mooring::{Mooring, Program, Unmodelled};
 use super::words::Row;
 
@@ -28,11 +28,11 @@ pub fn is_cable_dyn(text: &str, sections: &Sections<'_>) -> bool {
     let is_banner = |line: &str| {
         line.trim_start().starts_with("---") && line.to_lowercase().contains("cabledyn")
     };
-    let types = sections.block(Section::LineTypes);
+    let types = sections.block(SectionTitle::LineTypes);
     let mut header = types.iter().flat_map(|block| block.rows.iter().take(1));
     let names_own = header.any(|row| row.words().iter().any(|word| word.is("Cd_n")));
     text.lines().take(TITLE_ROWS).any(is_banner)
-        || sections.block(Section::LineSections).is_some()
+        || sections.block(SectionTitle::LineSections).is_some()
         || names_own
 }
 
@@ -50,7 +50,7 @@ pub fn without_remarks<'t>(sections: Sections<'t>) -> Sections<'t> {
             ..row
         }
     };
-    let blocks = sections.blocks.into_iter().map(|block| Block {
+    let blocks = sections.blocks.into_iter().map(|block| SectionBlock {
         rows: block.rows.into_iter().map(cut).collect(),
         ..block
     });
@@ -69,30 +69,30 @@ pub fn assembled(
 ) -> Mooring {
     let block = |section| sections.block(section);
     mooring.program = Program::CableDyn;
-    if let Some(types) = block(Section::LineTypes) {
+    if let Some(types) = block(SectionTitle::LineTypes) {
         read_line_types(types, files, &mut mooring, faults);
     }
-    if let Some(types) = block(Section::RodTypes) {
+    if let Some(types) = block(SectionTitle::RodTypes) {
         read_rod_types(types, &mut mooring, faults);
     }
-    let buoys = block(Section::Bodies).map(|rows| read_bodies(rows, &mut mooring, faults));
-    if let Some(rods) = block(Section::Rods) {
+    let buoys = block(SectionTitle::Bodies).map(|rows| read_bodies(rows, &mut mooring, faults));
+    if let Some(rods) = block(SectionTitle::Rods) {
         read_rods(rods, &mut mooring, faults);
     }
-    if let Some(rows) = block(Section::ExternalLoads) {
+    if let Some(rows) = block(SectionTitle::ExternalLoads) {
         loads::read(rows, &mut mooring, faults);
     }
-    let at_rods = block(Section::Points).map(|rows| read_points(rows, &mut mooring, faults));
-    if let Some(lines) = block(Section::Lines) {
-        let pieces = block(Section::LineSections);
+    let at_rods = block(SectionTitle::Points).map(|rows| read_points(rows, &mut mooring, faults));
+    if let Some(lines) = block(SectionTitle::Lines) {
+        let pieces = block(SectionTitle::LineSections);
         read_lines(lines, pieces, &mut mooring, faults);
     }
     on_rods(&mut mooring, &at_rods.unwrap_or_default());
     on_one_point(&mut mooring, &buoys.unwrap_or_default(), faults);
-    if let Some(failures) = block(Section::Failure) {
+    if let Some(failures) = block(SectionTitle::Failure) {
         events::read_failures(failures, &mut mooring, faults);
     }
-    if let Some(past) = block(Section::SyropeIc) {
+    if let Some(past) = block(SectionTitle::SyropeIc) {
         events::read_past(past, &mut mooring, faults);
     }
     for (section, name, what) in UNMODELLED {
@@ -100,35 +100,39 @@ pub fn assembled(
             events::read_unmodelled(rows, name, what, &mut mooring);
         }
     }
-    if let Some(rows) = block(Section::Options) {
+    if let Some(rows) = block(SectionTitle::Options) {
         options::read(rows, files, &mut mooring, faults);
     }
     mooring
 }
 
 /// Sections that are not modelled, with the name by which they are left out.
-const UNMODELLED: [(Section, &str, &str); 5] = [
+const UNMODELLED: [(SectionTitle, &str, &str); 5] = [
     (
-        Section::EndConnections,
+        SectionTitle::EndConnections,
         "clamps",
         "ends of lines that are clamped or turn against a stiffness (END CONNECTIONS)",
     ),
     (
-        Section::Control,
+        SectionTitle::Control,
         "control",
         "lines that another program's controller drives",
     ),
     (
-        Section::EquivalentBuoyancy,
+        SectionTitle::EquivalentBuoyancy,
         "",
         "buoyancy modules that are spread along sections (EQUIVALENT BUOYANCY)",
     ),
     (
-        Section::LineAttachments,
+        SectionTitle::LineAttachments,
         "",
         "clumps and floats on lines (ATTACHMENTS)",
     ),
-    (Section::Turbines, "", "turbines of an array (TURBINES)"),
+    (
+        SectionTitle::Turbines,
+        "",
+        "turbines of an array (TURBINES)",
+    ),
 ];
 
 /// A part that is not modelled, at bytes of the file.

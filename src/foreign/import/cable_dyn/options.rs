@@ -4,8 +4,8 @@ use super::unmodelled;
 use crate::import::fault::Fault;
 use crate::import::moordyn::files::Files;
 use crate::import::moordyn::options as moordyn;
-use crate::import::moordyn::sections::Block;
-use crate::import::mooring::{CurrentProfile, Given, Mooring, Setting};
+use crate::import::moordyn::sections::SectionBlock;
+use crate::import::mooring::{Given, Mooring, MooringCurrent, ProgramSetting};
 use crate::import::words::{Row, Word};
 
 /// Options that are those of `MoorDyn` by another name, in small letters.
@@ -117,7 +117,12 @@ const START: &str = "bodies begin where they rest here";
 const OFF: [&str; 3] = ["none", "0", "false"];
 
 /// Reads the options.
-pub fn read(block: &Block<'_>, files: &Files<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+pub fn read(
+    block: &SectionBlock<'_>,
+    files: &Files<'_>,
+    mooring: &mut Mooring,
+    faults: &mut Vec<Fault>,
+) {
     for row in &block.rows {
         let words = without_description(row);
         let read = match words.as_slice() {
@@ -199,7 +204,7 @@ fn current(
     }
     let mut rows: Vec<[f64; 3]> = levels.iter().map(|[z, x, y, _]| [*z, *x, *y]).collect();
     rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
-    let profile = CurrentProfile {
+    let profile = MooringCurrent {
         file: String::new(),
         rows,
     };
@@ -255,7 +260,7 @@ fn option(words: &[Word<'_>], files: &Files<'_>, mooring: &mut Mooring) -> Resul
         if is_off && *same == "FrictionCoefficient" {
             return Ok(());
         }
-        let setting = Setting {
+        let setting = ProgramSetting {
             name: moordyn::known_name(same).to_owned(),
             written: name.text.to_owned(),
             value: value.text.to_owned(),

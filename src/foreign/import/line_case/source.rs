@@ -29,7 +29,8 @@ impl<'t> LineSource<'t> {
     /// A case that was read from a text.
     pub(super) fn new(text: &'t str, case: Case) -> Self {
         // It was parsed before.
-        let root = TomlNode::parse(text).unwrap_or_else(|_| TomlNode::of(&Default::default()));
+        let root =
+            TomlNode::parse(text).unwrap_or_else(|_| TomlNode::of_table(&Default::default()));
         Self { text, case, root }
     }
 

@@ -13,14 +13,15 @@ use super::listing::listed;
 use super::moordyn::holds::missing;
 use super::moordyn::line_types::unique;
 use super::moordyn::parts::type_of;
-use super::moordyn::sections::{Block, Section, Sections};
-use super::moordyn::table::{Column, Table, TableRow};
+use super::moordyn::sections::{SectionBlock, SectionTitle, Sections};
+use super::moordyn::table::{HeaderColumn, SectionTable, TableRow};
 use super::mooring::{
-    Attachment, Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Stiffness,
+    Attachment, Damping, Given, Hold, Mass, Mooring, MooringLine, MooringLineType, MooringPoint,
+    Program, Stiffness,
 };
 use super::words::{Row, Word};
 
-const TYPE_COLUMNS: [Column; 9] = [
+const TYPE_COLUMNS: [HeaderColumn; 9] = [
     ("LineType", &["Name", "TypeName"]),
     ("Diam", &["Diameter"]),
     ("MassDenInAir", &["MassDen", "Mass/m", "MassDensityInAir"]),
@@ -32,7 +33,7 @@ const TYPE_COLUMNS: [Column; 9] = [
     ("Cdt", &[]),
 ];
 
-const NODE_COLUMNS: [Column; 10] = [
+const NODE_COLUMNS: [HeaderColumn; 10] = [
     ("Node", &["ID"]),
     ("Type", &[]),
     ("X", &[]),
@@ -45,7 +46,7 @@ const NODE_COLUMNS: [Column; 10] = [
     ("FZ", &[]),
 ];
 
-const LINE_COLUMNS: [Column; 6] = [
+const LINE_COLUMNS: [HeaderColumn; 6] = [
     ("Line", &["ID"]),
     ("LineType", &["Type"]),
     ("UnstrLen", &["Length", "UnstretchedLength"]),
@@ -88,7 +89,7 @@ pub fn is_map(sections: &Sections<'_>) -> bool {
         let header = rows.map(Row::words_with_marks);
         header.take(2).flatten().collect::<Vec<Word<'_>>>()
     };
-    let (types, lines) = (words(Section::LineTypes), words(Section::Lines));
+    let (types, lines) = (words(SectionTitle::LineTypes), words(SectionTitle::Lines));
     let count = |names: &[&str]| {
         let all = types.iter().chain(&lines);
         all.filter(|word| names.iter().any(|name| word.is(name)))
@@ -109,10 +110,9 @@ const NEEDED: usize = 5;
 pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
     let mut faults = sections.faults.clone();
     let mut mooring = Mooring::new(Program::MapPlusPlus);
-    let mut block =
-        |section: Section, read: &mut dyn FnMut(&Block<'_>, &mut Vec<Fault>)| match sections
-            .block(section)
-        {
+    let mut block = |section: SectionTitle,
+                     read: &mut dyn FnMut(&SectionBlock<'_>, &mut Vec<Fault>)| {
+        match sections.block(section) {
             Some(block) => read(block, &mut faults),
             None => faults.push(Fault::new(
                 0..0,
@@ -120,17 +120,18 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
                 format!("there is no section {}", section.title()),
                 "a MAP++ file has LINE DICTIONARY, NODE PROPERTIES and LINE PROPERTIES",
             )),
-        };
-    block(Section::LineTypes, &mut |rows, faults| {
+        }
+    };
+    block(SectionTitle::LineTypes, &mut |rows, faults| {
         line_types(rows, &mut mooring, faults);
     });
-    block(Section::Points, &mut |rows, faults| {
+    block(SectionTitle::Points, &mut |rows, faults| {
         nodes(rows, &mut mooring, faults);
     });
-    block(Section::Lines, &mut |rows, faults| {
+    block(SectionTitle::Lines, &mut |rows, faults| {
         lines(rows, &mut mooring, faults);
     });
-    if let Some(rows) = sections.block(Section::Options) {
+    if let Some(rows) = sections.block(SectionTitle::Options) {
         options::read(rows, &mut mooring, &mut faults);
     }
     if faults.is_empty() {
@@ -141,8 +142,8 @@ pub fn read(sections: &Sections<'_>) -> Result<Mooring, Vec<Fault>> {
     Err(faults)
 }
 
-fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &TYPE_COLUMNS, NEEDED, faults);
+fn line_types(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &TYPE_COLUMNS, NEEDED, faults);
     let mut unused = Vec::new();
     let mut found = table.read(faults, |row| {
         let mass = row.not_negative(2)?;
@@ -150,7 +151,7 @@ fn line_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
         let mut in_motion = |column| of_motion(row, column, &mut unused);
         let damping = in_motion(5)?;
         let none = || Given::new(0.0, row.row.span());
-        Ok(LineType {
+        Ok(MooringLineType {
             name: row.words[0].text.to_owned(),
             span: row.row.span(),
             diameter: row.positive(1)?,
@@ -203,14 +204,14 @@ fn of_motion(
     Ok(Given::new(0.0, given.span))
 }
 
-fn nodes(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::with_marks(block, &NODE_COLUMNS, 10, faults);
+fn nodes(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::with_marks(block, &NODE_COLUMNS, 10, faults);
     let mut found = table.read(faults, node);
     unique(&mut found, |one| (&one.id, &one.span), "node", faults);
     mooring.points = found;
 }
 
-fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
+fn node(row: &TableRow<'_, '_>) -> Result<MooringPoint, Fault> {
     let word = row.words[1];
     let hold = if ["fix", "fixed"].iter().any(|one| word.is(one)) {
         Hold::Fixed
@@ -246,7 +247,7 @@ fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
         true => solved_for(column),
         false => Ok(Given::new(0.0, row.words[column].span())),
     };
-    Ok(Point {
+    Ok(MooringPoint {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
         hold: Given::new(hold, word.span()),
@@ -259,18 +260,18 @@ fn node(row: &TableRow<'_, '_>) -> Result<Point, Fault> {
     })
 }
 
-fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::with_marks(block, &LINE_COLUMNS, 5, faults);
+fn lines(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::with_marks(block, &LINE_COLUMNS, 5, faults);
     let mut flags = Flags::default();
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let nodes = Index::of(mooring.points.iter().map(|node| node.id.as_str()));
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let nodes = Index::of_identifiers(mooring.points.iter().map(|node| node.id.as_str()));
     let mut found = table.read(faults, |row| {
         let end = |column: usize| {
             let word = row.words[column];
             let point = nodes.find(word.text);
             let point = point.ok_or_else(|| Fault {
                 problem: format!("there is no node `{}`", word.text),
-                ..missing(row, column, Section::Points, word.text)
+                ..missing(row, column, SectionTitle::Points, word.text)
             })?;
             Ok(Given::new(point, word.span()))
         };
@@ -281,10 +282,10 @@ fn lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
         }
         let length = length(row)?;
         let without_bed = flags.read(row);
-        Ok(Line {
+        Ok(MooringLine {
             id: row.words[0].text.to_owned(),
             span: row.row.span(),
-            of_type: type_of(row, 1, &types, Section::LineTypes)?,
+            of_type: type_of(row, 1, &types, SectionTitle::LineTypes)?,
             ends: ends.map(|end| Given::new(Attachment::Point(end.value), end.span)),
             length,
             segments: Given::new(0, row.row.span()),

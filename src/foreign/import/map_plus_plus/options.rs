@@ -1,9 +1,9 @@
 //! The section SOLVER OPTIONS: `repeat 120 240`; the others control a solver that is not used here.
 
-use super::Block;
+use super::SectionBlock;
 use crate::case::nearest;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Given, Mooring, Setting};
+use crate::import::mooring::{Given, Mooring, ProgramSetting};
 use crate::import::words::{Row, Word};
 
 /// The options of MAP++.
@@ -32,7 +32,7 @@ const NAMES: [&str; 21] = [
 ];
 
 /// Reads the options.
-pub fn read(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+pub fn read(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     for (number, row) in block.rows.iter().enumerate() {
         let words = row.words();
         let Some(first) = words.first() else { continue };
@@ -86,7 +86,7 @@ fn option(row: &Row<'_>, words: &[Word<'_>], mooring: &mut Mooring, faults: &mut
     } else {
         mooring.remarks.push(unknown(first.text, &name));
     }
-    mooring.settings.push(Setting {
+    mooring.settings.push(ProgramSetting {
         name,
         written: first.text.to_owned(),
         value: words

@@ -1,14 +1,14 @@
 //! The tables FAILURE, SYROPE IC and CONTROL.
 
 use super::holds::{Ends, attachment, missing};
-use super::sections::{Block, Section};
-use super::table::{Column, Table, TableRow};
+use super::sections::{SectionBlock, SectionTitle};
+use super::table::{HeaderColumn, SectionTable, TableRow};
 use crate::import::fault::Fault;
 use crate::import::index::Index;
-use crate::import::mooring::{Failure, Mooring, PastTension, Unmodelled};
+use crate::import::mooring::{LineFailure, Mooring, PastTension, Unmodelled};
 use crate::import::words::Row;
 
-const FAILURE_COLUMNS: [Column; 5] = [
+const FAILURE_COLUMNS: [HeaderColumn; 5] = [
     ("FailID", &["ID", "FailureID", "Failure", "#"]),
     ("Attachment", &["Point", "Node", "PointID"]),
     ("Lines", &["Line(s)", "Line", "LineID(s)", "AffectedLines"]),
@@ -16,17 +16,17 @@ const FAILURE_COLUMNS: [Column; 5] = [
     ("FailTen", &["Tension", "FailTension"]),
 ];
 
-const PAST_COLUMNS: [Column; 3] = [
+const PAST_COLUMNS: [HeaderColumn; 3] = [
     ("Line(s)", &["Lines", "Line"]),
     ("Tmax0", &["Tmax"]),
     ("Tmean0", &["Tmean"]),
 ];
 
 /// Reads what comes off.
-pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &FAILURE_COLUMNS, 5, faults);
-    let to = Ends::of(mooring);
-    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
+pub fn read_failures(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &FAILURE_COLUMNS, 5, faults);
+    let to = Ends::of_mooring(mooring);
+    let by_id = Index::of_identifiers(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.failures = table.read(faults, |row| {
         let time = row.not_negative(3)?;
         let tension = row.not_negative(4)?;
@@ -48,7 +48,7 @@ pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<
                 "name the point or the end of a rod that the line comes off, and lines that end there",
             ));
         }
-        Ok(Failure {
+        Ok(LineFailure {
             span: row.row.span(),
             from,
             lines,
@@ -59,9 +59,9 @@ pub fn read_failures(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<
 }
 
 /// Reads the past of ropes.
-pub fn read_past(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &PAST_COLUMNS, 3, faults);
-    let by_id = Index::of(mooring.lines.iter().map(|line| line.id.as_str()));
+pub fn read_past(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &PAST_COLUMNS, 3, faults);
+    let by_id = Index::of_identifiers(mooring.lines.iter().map(|line| line.id.as_str()));
     mooring.past_tensions = table.read(faults, |row| {
         let greatest = row.not_negative(1)?;
         let mean = row.not_negative(2)?;
@@ -82,7 +82,12 @@ pub fn read_past(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Faul
 }
 
 /// What another program drives is not in the file.
-pub fn read_unmodelled(block: &Block<'_>, name: &'static str, what: &str, mooring: &mut Mooring) {
+pub fn read_unmodelled(
+    block: &SectionBlock<'_>,
+    name: &'static str,
+    what: &str,
+    mooring: &mut Mooring,
+) {
     let is_data = |row: &&Row<'_>| {
         let words = row.words();
         words.first().is_some_and(|word| word.number().is_some())
@@ -105,7 +110,7 @@ fn lines(row: &TableRow<'_, '_>, column: usize, by_id: &Index) -> Result<Vec<usi
         let number = lower.strip_prefix("line").unwrap_or(&lower);
         by_id.find(number).ok_or_else(|| Fault {
             span: part.span(),
-            ..missing(row, column, Section::Lines, number)
+            ..missing(row, column, SectionTitle::Lines, number)
         })
     });
     found.collect()

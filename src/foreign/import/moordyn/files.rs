@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::case::read_current;
 use crate::files::root;
 use crate::import::fault::Fault;
-use crate::import::mooring::{CurrentFile, WaveComponent, WorkingCurve, WorkingForm};
+use crate::import::mooring::{CurrentFile, PolyesterCurve, WaveComponent, WorkingForm};
 use crate::import::words::{Row, Word};
 
 /// The file of a current by height.
@@ -107,7 +107,7 @@ impl Files<'_> {
         &self,
         name: Word<'_>,
         key: &str,
-    ) -> Result<(WorkingCurve, Vec<[f64; 2]>), Fault> {
+    ) -> Result<(PolyesterCurve, Vec<[f64; 2]>), Fault> {
         let text = self.text(name, key)?;
         let wrong = |problem: String| {
             let remedy = "it has rows for OWC, WCType (LINEAR, QUADRATIC or EXP), k1 and k2, each value before its name";
@@ -134,7 +134,7 @@ impl Files<'_> {
             "EXP" => WorkingForm::Exponential,
             other => return Err(wrong(format!("WCType in `{}` is `{other}`", name.text))),
         };
-        let working = WorkingCurve {
+        let working = PolyesterCurve {
             form,
             k1: number("k1")?,
             k2: number("k2")?,

@@ -1,6 +1,6 @@
 //! What holds a point, rod or body, and what lines are attached to, by the words of the tables.
 
-use super::sections::Section;
+use super::sections::SectionTitle;
 use super::table::TableRow;
 use crate::import::fault::Fault;
 use crate::import::index::Index;
@@ -18,14 +18,14 @@ const NUMBERED: [&str; 4] = ["free", "connect", "con", "point"];
 
 /// A word in its parts, as `MoorDyn` cuts it: letters, a number, and what follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Parts<'w> {
+struct WordParts<'w> {
     letters: &'w str,
     number: &'w str,
     more: &'w str,
 }
 
-impl<'w> Parts<'w> {
-    fn of(word: &'w str) -> Self {
+impl<'w> WordParts<'w> {
+    fn of_word(word: &'w str) -> Self {
         let end = |text: &str, of: fn(&char) -> bool| {
             text.find(|letter: char| !of(&letter)).unwrap_or(text.len())
         };
@@ -50,7 +50,7 @@ pub fn hold(
 ) -> Result<Given<Hold>, Fault> {
     let word = row.words[column];
     let lower = word.text.to_lowercase();
-    let parts = Parts::of(&lower);
+    let parts = WordParts::of_word(&lower);
     let given = |hold| Ok(Given::new(hold, word.span()));
     let pinned = |hold: Hold| Hold::Pinned(Box::new(hold));
     let is_pin = |word: &str| PINNED.contains(&word);
@@ -59,7 +59,7 @@ pub fn hold(
     }
     let on_body = |number: &str| {
         let body = bodies.find(number).map(Hold::Body);
-        body.ok_or_else(|| missing(row, column, Section::Bodies, number))
+        body.ok_or_else(|| missing(row, column, SectionTitle::Bodies, number))
     };
     let with_pin = |hold: Hold, is_pinned: bool| match is_pinned {
         true => given(pinned(hold)),
@@ -108,7 +108,7 @@ fn unknown(row: &TableRow<'_, '_>, column: usize) -> Fault {
 }
 
 /// The fault of a word with letters behind its number, which `MoorDyn` leaves out.
-fn behind_number(row: &TableRow<'_, '_>, column: usize, parts: &Parts<'_>) -> Fault {
+fn behind_number(row: &TableRow<'_, '_>, column: usize, parts: &WordParts<'_>) -> Fault {
     let known = [&FIXED[..], &COUPLED, &FREE].concat();
     if !known.contains(&parts.letters) {
         return unknown(row, column);
@@ -129,7 +129,7 @@ pub fn idle_numbers<'w>(words: impl Iterator<Item = Word<'w>>) -> Option<String>
     let mut found: Vec<&str> = Vec::new();
     for word in words {
         let lower = word.text.to_lowercase();
-        let parts = Parts::of(&lower);
+        let parts = WordParts::of_word(&lower);
         let names_another = parts.letters == "body" || turbine(&lower).is_some();
         if !parts.number.is_empty() && !names_another && !found.contains(&word.text) {
             found.push(word.text);
@@ -165,10 +165,10 @@ pub struct Ends {
 impl Ends {
     /// Those of a mooring.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         Self {
-            points: Index::of(mooring.points.iter().map(|point| point.id.as_str())),
-            rods: Index::of(mooring.rods.iter().map(|rod| rod.id.as_str())),
+            points: Index::of_identifiers(mooring.points.iter().map(|point| point.id.as_str())),
+            rods: Index::of_identifiers(mooring.rods.iter().map(|rod| rod.id.as_str())),
         }
     }
 }
@@ -188,7 +188,7 @@ pub fn attachment(
         .strip_prefix("rod")
         .or_else(|| lower.strip_prefix('r'));
     if let Some(rest) = rod {
-        let parts = Parts::of(rest);
+        let parts = WordParts::of_word(rest);
         let number = parts.number;
         let end = match (parts.letters, parts.more) {
             ("", "a") => 0,
@@ -202,12 +202,12 @@ pub fn attachment(
             }
         };
         let rod = ends.rods.find(number);
-        let rod = rod.ok_or_else(|| missing(row, column, Section::Rods, number))?;
+        let rod = rod.ok_or_else(|| missing(row, column, SectionTitle::Rods, number))?;
         return Ok(Given::new(Attachment::Rod(rod, end), word.span()));
     }
     let number = point_number(&lower);
     let point = ends.points.find(number);
-    let point = point.ok_or_else(|| missing(row, column, Section::Points, number))?;
+    let point = point.ok_or_else(|| missing(row, column, SectionTitle::Points, number))?;
     Ok(Given::new(Attachment::Point(point), word.span()))
 }
 
@@ -220,7 +220,12 @@ pub fn point_number(lower: &str) -> &str {
 }
 
 /// A reference to a row of a section that is not there.
-pub fn missing(row: &TableRow<'_, '_>, column: usize, section: Section, number: &str) -> Fault {
+pub fn missing(
+    row: &TableRow<'_, '_>,
+    column: usize,
+    section: SectionTitle,
+    number: &str,
+) -> Fault {
     let what = section.of_one();
     let fault = row.fault(
         column,

@@ -3,11 +3,11 @@
 use std::collections::HashSet;
 
 use super::files::Files;
-use super::sections::Block;
-use super::table::{Column, Table, TableRow};
+use super::sections::SectionBlock;
+use super::table::{HeaderColumn, SectionTable, TableRow};
 use crate::import::fault::Fault;
 use crate::import::mooring::{
-    Damping, Given, LineType, Mass, Mooring, Program, RodType, Stiffness, Syrope, Unmodelled,
+    Damping, Given, Mass, Mooring, MooringLineType, Program, RodType, Stiffness, Syrope, Unmodelled,
 };
 use crate::import::words::{Row, Word};
 
@@ -18,7 +18,7 @@ const COEFFICIENTS: &[&str] = &[
 ];
 
 /// Columns of the second version.
-const COLUMNS: [Column; 13] = [
+const COLUMNS: [HeaderColumn; 13] = [
     ("TypeName", &["Name", "LineType", "Type"]),
     ("Diam", &["Diameter", "D"]),
     ("Mass/m", &["MassDen", "MassDenInAir", "Mass", "w"]),
@@ -35,7 +35,7 @@ const COLUMNS: [Column; 13] = [
 ];
 
 /// Columns of the first version, in the order of its documentation.
-const COLUMNS_1: [Column; 9] = [
+const COLUMNS_1: [HeaderColumn; 9] = [
     COLUMNS[0],
     COLUMNS[1],
     COLUMNS[2],
@@ -48,7 +48,7 @@ const COLUMNS_1: [Column; 9] = [
 ];
 
 /// Columns of `CableDyn`; with four of shear and rotation before the coefficients of the water, which are not read.
-const COLUMNS_CABLE: [Column; 14] = [
+const COLUMNS_CABLE: [HeaderColumn; 14] = [
     COLUMNS[0],
     COLUMNS[1],
     COLUMNS[2],
@@ -65,7 +65,7 @@ const COLUMNS_CABLE: [Column; 14] = [
     ("Ca_t", COEFFICIENTS),
 ];
 
-const ROD_COLUMNS: [Column; 7] = [
+const ROD_COLUMNS: [HeaderColumn; 7] = [
     ("TypeName", &["Name", "RodType", "Type"]),
     ("Diam", &["Diameter", "D"]),
     ("Mass/m", &["MassDen", "MassDenInAir", "Mass", "w"]),
@@ -77,7 +77,7 @@ const ROD_COLUMNS: [Column; 7] = [
 
 /// Whether the header of a block has a column for bending stiffness: the first version has none.
 #[must_use]
-pub fn is_first_version(block: &Block<'_>) -> bool {
+pub fn is_first_version(block: &SectionBlock<'_>) -> bool {
     let header = block.rows.iter().map(Row::words).find(|words| {
         let is = |name: &str| words.iter().any(|word| word.is(name));
         is("EA")
@@ -87,7 +87,7 @@ pub fn is_first_version(block: &Block<'_>) -> bool {
 
 /// Reads the line types.
 pub fn read_line_types(
-    block: &Block<'_>,
+    block: &SectionBlock<'_>,
     files: &Files<'_>,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
@@ -95,7 +95,7 @@ pub fn read_line_types(
     let program = mooring.program;
     let first = program == Program::MoorDyn1;
     let has_shear = program == Program::CableDyn && has_shear(block);
-    let (columns, required): (&[Column], _) = match (first, has_shear) {
+    let (columns, required): (&[HeaderColumn], _) = match (first, has_shear) {
         (true, _) => (&COLUMNS_1, 9),
         (_, true) => (&COLUMNS_CABLE, 14),
         _ => (&COLUMNS, 10),
@@ -105,16 +105,16 @@ pub fn read_line_types(
         let remark = "Stiffness in shear and torsion and rotary inertia of the line types (GAs, GJ, Irt, Irn) are passed over.";
         mooring.remarks.push(remark.to_owned());
     }
-    if program == Program::MoorDyn && order == Order::AddedMass {
+    if program == Program::MoorDyn && order == CoefficientOrder::AddedMass {
         mooring.remarks.push(
             "The header of the line types names Can Cat Cdn Cdt; MoorDyn 2 reads these four columns as Cd Ca CdAx CaAx, by their \
              order, and so they are read here."
                 .to_owned(),
         );
     }
-    let table = Table::of(block, columns, required, faults);
+    let table = SectionTable::of_block(block, columns, required, faults);
     let mut unmodelled = Vec::new();
-    let mut found: Vec<LineType> = table.read(faults, |row| {
+    let mut found: Vec<MooringLineType> = table.read(faults, |row| {
         match program {
             Program::MoorDyn1 => nine_columns(row)?,
             Program::CableDyn => {}
@@ -138,14 +138,14 @@ pub fn read_line_types(
 }
 
 /// Whether the header of a block has the columns of shear and rotation of `CableDyn`.
-fn has_shear(block: &Block<'_>) -> bool {
+fn has_shear(block: &SectionBlock<'_>) -> bool {
     let mut rows = block.rows.iter().take(2);
     rows.any(|row| row.words().iter().any(|word| word.is("GAs")))
 }
 
 /// Reads the rod types.
-pub fn read_rod_types(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &ROD_COLUMNS, 7, faults);
+pub fn read_rod_types(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &ROD_COLUMNS, 7, faults);
     let mut found = table.read(faults, |row| {
         Ok(RodType {
             name: row.words[0].text.to_owned(),
@@ -188,27 +188,28 @@ pub fn unique<T>(
 
 /// What one of the four coefficients of the water is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Coefficient {
+enum WaterCoefficient {
     DragNormal,
     AddedNormal,
     DragTangential,
     AddedTangential,
 }
 
-use Coefficient::{AddedNormal, AddedTangential, DragNormal, DragTangential};
+use WaterCoefficient::{AddedNormal, AddedTangential, DragNormal, DragTangential};
 
 /// The order in which the second version reads them.
-const DRAG_FIRST: [Coefficient; 4] = [DragNormal, AddedNormal, DragTangential, AddedTangential];
+const DRAG_FIRST: [WaterCoefficient; 4] =
+    [DragNormal, AddedNormal, DragTangential, AddedTangential];
 /// The order in which the first version reads them.
-const ADDED_MASS_FIRST: [Coefficient; 4] =
+const ADDED_MASS_FIRST: [WaterCoefficient; 4] =
     [AddedNormal, AddedTangential, DragNormal, DragTangential];
 
 /// The order in which `CableDyn` reads them.
-const DRAG_PAIR_FIRST: [Coefficient; 4] =
+const DRAG_PAIR_FIRST: [WaterCoefficient; 4] =
     [DragNormal, DragTangential, AddedNormal, AddedTangential];
 
 /// Names in headers.
-const NAMES: [(&str, Coefficient); 12] = [
+const NAMES: [(&str, WaterCoefficient); 12] = [
     ("Cd_n", DragNormal),
     ("Cd_t", DragTangential),
     ("Ca_n", AddedNormal),
@@ -225,15 +226,15 @@ const NAMES: [(&str, Coefficient); 12] = [
 
 /// Which of the four coefficients come first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Order {
+enum CoefficientOrder {
     Drag,
     AddedMass,
     DragPair,
 }
 
-impl Order {
+impl CoefficientOrder {
     /// The order in which a program reads them where the header does not name them.
-    fn of(program: Program) -> Self {
+    fn of_program(program: Program) -> Self {
         match program {
             Program::MoorDyn1 => Self::AddedMass,
             Program::CableDyn => Self::DragPair,
@@ -243,7 +244,11 @@ impl Order {
 }
 
 /// The order that the header names; a fault where it is none of the two that files have.
-fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Vec<Fault>) -> Order {
+fn coefficients_by_name<'t>(
+    block: &SectionBlock<'t>,
+    program: Program,
+    faults: &mut Vec<Fault>,
+) -> CoefficientOrder {
     let coefficient = |word: &Word<'t>| {
         let known = NAMES
             .iter()
@@ -258,15 +263,15 @@ fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Ve
     };
     let header = block.rows.iter().map(named).find(|named| named.len() == 4);
     let Some(header) = header else {
-        return Order::of(program);
+        return CoefficientOrder::of_program(program);
     };
-    let order: Vec<Coefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
+    let order: Vec<WaterCoefficient> = header.iter().map(|(_, coefficient)| *coefficient).collect();
     let of_cables = program == Program::CableDyn;
     if order == DRAG_PAIR_FIRST && of_cables {
-        return Order::DragPair;
+        return CoefficientOrder::DragPair;
     }
     if order == ADDED_MASS_FIRST && !of_cables {
-        return Order::AddedMass;
+        return CoefficientOrder::AddedMass;
     }
     if order != DRAG_FIRST {
         let (read, names) = match program {
@@ -289,7 +294,7 @@ fn coefficients_by_name<'t>(block: &Block<'t>, program: Program, faults: &mut Ve
             format!("columns are read by their order: {names}"),
         ));
     }
-    Order::Drag
+    CoefficientOrder::Drag
 }
 
 /// Refuses a row with more numbers than the header has names: which of the columns the header leaves out is not known.
@@ -336,8 +341,8 @@ fn line_type(
     row: &TableRow<'_, '_>,
     files: &Files<'_>,
     (first, at): (bool, usize),
-    order: Order,
-) -> Result<LineType, Fault> {
+    order: CoefficientOrder,
+) -> Result<MooringLineType, Fault> {
     let stiffness = stiffness(row, files)?;
     let damping = damping(row, &stiffness.value)?;
     let bending = match first {
@@ -352,18 +357,18 @@ fn line_type(
         drag_tangential,
         added_mass_tangential,
     ] = match (first, order) {
-        (true, Order::AddedMass) => {
+        (true, CoefficientOrder::AddedMass) => {
             let [can, cat, cdn, cdt] = by_order;
             [cdn, can, cdt, cat]
         }
-        (_, Order::DragPair) => {
+        (_, CoefficientOrder::DragPair) => {
             let [cdn, cdt, can, cat] = by_order;
             [cdn, can, cdt, cat]
         }
         _ => by_order,
     };
     let mass = row.not_negative(2)?;
-    Ok(LineType {
+    Ok(MooringLineType {
         name: row.words[0].text.to_owned(),
         span: row.row.span(),
         diameter: row.positive(1)?,

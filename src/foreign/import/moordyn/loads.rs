@@ -5,13 +5,13 @@
 //! of a rod across it and along it, of the velocity over ground. One number of a damping is that along all axes.
 
 use super::holds::{missing, point_number};
-use super::sections::{Block, Section};
-use super::table::{Column, Table, TableRow};
+use super::sections::{SectionBlock, SectionTitle};
+use super::table::{HeaderColumn, SectionTable, TableRow};
 use crate::import::fault::Fault;
 use crate::import::index::Index;
 use crate::import::mooring::{BodyLoad, Given, Hold, Mooring, Unmodelled};
 
-const COLUMNS: [Column; 6] = [
+const COLUMNS: [HeaderColumn; 6] = [
     ("ID", &["#", "LoadID"]),
     ("Object", &["Name", "Attachment"]),
     ("Fext", &["F", "Force"]),
@@ -40,13 +40,13 @@ struct Objects {
 }
 
 /// Reads the loads onto the points and bodies that were read before.
-pub fn read(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+pub fn read(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let objects = Objects {
-        points: Index::of(mooring.points.iter().map(|point| point.id.as_str())),
-        bodies: Index::of(mooring.bodies.iter().map(|body| body.id.as_str())),
-        rods: Index::of(mooring.rods.iter().map(|rod| rod.id.as_str())),
+        points: Index::of_identifiers(mooring.points.iter().map(|point| point.id.as_str())),
+        bodies: Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str())),
+        rods: Index::of_identifiers(mooring.rods.iter().map(|rod| rod.id.as_str())),
     };
-    let table = Table::of(block, &COLUMNS, COLUMNS.len(), faults);
+    let table = SectionTable::of_block(block, &COLUMNS, COLUMNS.len(), faults);
     let found = table.read(faults, |row| load(row, &objects));
     for (object, load) in found {
         match object {
@@ -99,14 +99,14 @@ fn object(row: &TableRow<'_, '_>, objects: &Objects) -> Result<Object, Fault> {
     let lower = row.words[1].text.to_lowercase();
     let (section, number, found) = if let Some(number) = lower.strip_prefix("body") {
         let body = objects.bodies.find(number).map(Object::Body);
-        (Section::Bodies, number, body)
+        (SectionTitle::Bodies, number, body)
     } else if let Some(number) = lower.strip_prefix("rod").or(lower.strip_prefix('r')) {
         let rod = objects.rods.find(number).map(Object::Rod);
-        (Section::Rods, number, rod)
+        (SectionTitle::Rods, number, rod)
     } else if lower.starts_with('p') {
         let number = point_number(&lower);
         let point = objects.points.find(number).map(Object::Point);
-        (Section::Points, number, point)
+        (SectionTitle::Points, number, point)
     } else {
         let problem = format!("`{}` is no point, rod or body", row.words[1].text);
         return Err(row.fault(1, problem, "write Point, Rod or Body with its number"));

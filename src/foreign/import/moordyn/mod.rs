@@ -17,9 +17,9 @@ pub mod water_kinematics;
 use std::path::Path;
 
 use self::files::Files;
-use self::sections::{Section, Sections};
+use self::sections::{SectionTitle, Sections};
 use super::fault::{Fault, without_followers};
-use super::mooring::{Hold, Mooring, Point, Program};
+use super::mooring::{Hold, Mooring, MooringPoint, Program};
 use super::size;
 use super::words::Row;
 use super::{cable_dyn, map_plus_plus};
@@ -47,7 +47,7 @@ pub fn read_into(
         Some(rest) => (rest, start + '\u{feff}'.len_utf8()),
         None => (text, start),
     };
-    let sections = Sections::of(text, start);
+    let sections = Sections::of_text(text, start);
     let too_large = size::check(&sections);
     if !too_large.is_empty() {
         return Err(too_large);
@@ -68,41 +68,15 @@ pub fn read_into(
         true => cable_dyn::assembled(mooring, &sections, &files, &mut faults),
         false => assembled(mooring, &sections, &files, &mut faults),
     };
-    for (section, needed) in [
-        (
-            Section::Points,
-            mooring.rods.is_empty() && mooring.bodies.is_empty(),
-        ),
-        (
-            Section::Lines,
-            mooring.rods.is_empty() && mooring.bodies.is_empty(),
-        ),
-        (Section::LineTypes, sections.block(Section::Lines).is_some()),
-    ] {
-        if needed && sections.block(section).is_none() {
-            faults.push(Fault::new(
-                0..0,
-                section.title(),
-                format!("there is no section {}", section.title()),
-                "a mooring has LINE TYPES, POINTS and LINES",
-            ));
-        }
-    }
+    faults.extend(missing_sections(&mooring, &sections));
     if sections
-        .block(Section::Outputs)
+        .block(SectionTitle::Outputs)
         .is_some_and(|block| !block.rows.is_empty())
     {
         mooring.passed_over.push("OUTPUTS".to_owned());
     }
     if faults.is_empty() && mooring.lines.is_empty() && !has_bodies(&mooring) {
-        faults.push(Fault::new(
-            sections
-                .block(Section::Lines)
-                .map_or(0..0, |block| block.span.clone()),
-            "LINES",
-            "the file has no lines, and no body or rod that is free, pinned or coupled",
-            "add a line: nothing in the file moves or comes to an equilibrium",
-        ));
+        faults.push(nothing_moves(&sections));
     }
     if faults.is_empty() {
         return Ok(mooring);
@@ -111,6 +85,40 @@ pub fn read_into(
     faults.sort_by_key(|fault| fault.span.start);
     faults.dedup();
     Err(faults)
+}
+
+/// Sections that a file needs and does not have.
+fn missing_sections(mooring: &Mooring, sections: &Sections<'_>) -> Vec<Fault> {
+    let has_lines_alone = mooring.rods.is_empty() && mooring.bodies.is_empty();
+    let has_lines = sections.block(SectionTitle::Lines).is_some();
+    let needed = [
+        (SectionTitle::Points, has_lines_alone),
+        (SectionTitle::Lines, has_lines_alone),
+        (SectionTitle::LineTypes, has_lines),
+    ];
+    let missing = needed
+        .into_iter()
+        .filter(|(section, needed)| *needed && sections.block(*section).is_none());
+    let fault = |(section, _): (SectionTitle, bool)| {
+        Fault::new(
+            0..0,
+            section.title(),
+            format!("there is no section {}", section.title()),
+            "a mooring has LINE TYPES, POINTS and LINES",
+        )
+    };
+    missing.map(fault).collect()
+}
+
+/// The fault of a file without lines in which nothing moves.
+fn nothing_moves(sections: &Sections<'_>) -> Fault {
+    let block = sections.block(SectionTitle::Lines);
+    Fault::new(
+        block.map_or(0..0, |block| block.span.clone()),
+        "LINES",
+        "the file has no lines, and no body or rod that is free, pinned or coupled",
+        "add a line: nothing in the file moves or comes to an equilibrium",
+    )
 }
 
 /// Whether a body, or a rod with a length, moves or comes to an equilibrium.
@@ -129,43 +137,43 @@ fn assembled(
     faults: &mut Vec<Fault>,
 ) -> Mooring {
     let block = |section| sections.block(section);
-    let first = block(Section::LineTypes).is_some_and(line_types::is_first_version);
+    let first = block(SectionTitle::LineTypes).is_some_and(line_types::is_first_version);
     mooring.program = match first {
         true => Program::MoorDyn1,
         false => Program::MoorDyn,
     };
-    if let Some(types) = block(Section::LineTypes) {
+    if let Some(types) = block(SectionTitle::LineTypes) {
         line_types::read_line_types(types, files, &mut mooring, faults);
     }
-    if let Some(types) = block(Section::RodTypes) {
+    if let Some(types) = block(SectionTitle::RodTypes) {
         line_types::read_rod_types(types, &mut mooring, faults);
     }
-    if let Some(bodies) = block(Section::Bodies) {
+    if let Some(bodies) = block(SectionTitle::Bodies) {
         parts::read_bodies(bodies, &mut mooring, faults);
     }
-    if let Some(rods) = block(Section::Rods) {
+    if let Some(rods) = block(SectionTitle::Rods) {
         parts::read_rods(rods, &mut mooring, faults);
     }
-    if let Some(points) = block(Section::Points) {
+    if let Some(points) = block(SectionTitle::Points) {
         parts::read_points(points, &mut mooring, faults);
     }
-    if let Some(lines) = block(Section::Lines) {
+    if let Some(lines) = block(SectionTitle::Lines) {
         parts::read_lines(lines, &mut mooring, faults);
     }
-    if let Some(failures) = block(Section::Failure) {
+    if let Some(failures) = block(SectionTitle::Failure) {
         events::read_failures(failures, &mut mooring, faults);
     }
-    if let Some(past) = block(Section::SyropeIc) {
+    if let Some(past) = block(SectionTitle::SyropeIc) {
         events::read_past(past, &mut mooring, faults);
     }
-    if let Some(rows) = block(Section::Control) {
+    if let Some(rows) = block(SectionTitle::Control) {
         let what = "lines that another program's controller drives";
         events::read_unmodelled(rows, "control", what, &mut mooring);
     }
-    if let Some(rows) = block(Section::ExternalLoads) {
+    if let Some(rows) = block(SectionTitle::ExternalLoads) {
         loads::read(rows, &mut mooring, faults);
     }
-    if let Some(rows) = block(Section::Options) {
+    if let Some(rows) = block(SectionTitle::Options) {
         options::read_options(rows, files, &mut mooring, faults);
     }
     without_depth(&mut mooring);
@@ -174,7 +182,8 @@ fn assembled(
 
 /// Takes a depth of 0 for one that is not given, as `MoorDyn` does, which then has the bed at the deepest fixed point.
 fn without_depth(mooring: &mut Mooring) {
-    let is_below = |point: &Point| point.hold.value == Hold::Fixed && point.place[2].value < 0.0;
+    let is_below =
+        |point: &MooringPoint| point.hold.value == Hold::Fixed && point.place[2].value < 0.0;
     let is_zero = mooring
         .sea
         .depth

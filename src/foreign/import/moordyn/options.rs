@@ -4,10 +4,12 @@ use super::elevation::{STEP, elevation};
 use std::f64::consts::FRAC_PI_2;
 
 use super::files::{Files, PROFILE};
-use super::sections::Block;
+use super::sections::SectionBlock;
 use super::water_kinematics;
 use crate::import::fault::Fault;
-use crate::import::mooring::{CurrentProfile, Given, Mooring, Program, Sea, Setting, Unmodelled};
+use crate::import::mooring::{
+    Given, Mooring, MooringCurrent, MooringSea, Program, ProgramSetting, Unmodelled,
+};
 use crate::import::words::{Row, Word};
 
 /// Names of options in small letters, the first by which it is known here, and whether its value is a number.
@@ -64,7 +66,7 @@ const MEANINGLESS: [&str; 7] = [
 
 /// Reads the options, and what the sea of the mooring is by them.
 pub fn read_options(
-    block: &Block<'_>,
+    block: &SectionBlock<'_>,
     files: &Files<'_>,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
@@ -141,7 +143,7 @@ fn known(word: &str) -> Option<(&'static str, bool)> {
 }
 
 /// The setting of a row, and the word of its value; none where its name is not known.
-fn setting<'t>(row: &Row<'t>) -> Result<Option<(Setting, Word<'t>)>, Fault> {
+fn setting<'t>(row: &Row<'t>) -> Result<Option<(ProgramSetting, Word<'t>)>, Fault> {
     let words = row.words();
     let (name, value) = match words.as_slice() {
         [value, name, ..] if known(name.text).is_some() => (*name, *value),
@@ -174,7 +176,7 @@ fn setting<'t>(row: &Row<'t>) -> Result<Option<(Setting, Word<'t>)>, Fault> {
     if is_number && !MEANINGLESS.contains(&known) {
         value.required(&key)?;
     }
-    let setting = Setting {
+    let setting = ProgramSetting {
         name: known.to_owned(),
         written: name.text.to_owned(),
         value: value.text.to_owned(),
@@ -194,7 +196,7 @@ pub fn known_name(word: &str) -> &'static str {
 /// # Errors
 /// Its value is none, or the file that it names has a fault.
 pub fn take(
-    setting: &Setting,
+    setting: &ProgramSetting,
     value: Word<'_>,
     files: &Files<'_>,
     mooring: &mut Mooring,
@@ -233,7 +235,7 @@ pub fn depths_of_places(
     value: Word<'_>,
     name: &str,
     files: &Files<'_>,
-    sea: &mut Sea,
+    sea: &mut MooringSea,
 ) -> Result<(), Fault> {
     let key = format!("OPTIONS, {name}");
     let text = files.text(value, &key)?;
@@ -267,7 +269,12 @@ pub fn depths_of_places(
 }
 
 /// A file of depths over a grid, which the case carries in it.
-fn depths(value: Word<'_>, key: &str, files: &Files<'_>, sea: &mut Sea) -> Result<(), Fault> {
+fn depths(
+    value: Word<'_>,
+    key: &str,
+    files: &Files<'_>,
+    sea: &mut MooringSea,
+) -> Result<(), Fault> {
     sea.depth_text = Some(files.text(value, key)?);
     sea.depth_file = Some(Given::new(value.text.to_owned(), value.span()));
     Ok(())
@@ -285,7 +292,7 @@ fn current(
         Some(1.0) => {
             let (rows, first) = files.current(value, key)?;
             mooring.sea.current_first = first;
-            let profile = CurrentProfile {
+            let profile = MooringCurrent {
                 file: PROFILE.to_owned(),
                 rows,
             };
@@ -312,11 +319,11 @@ fn current(
 
 /// The current of a file, which has one alone.
 fn set_current(
-    profile: Given<CurrentProfile>,
+    profile: Given<MooringCurrent>,
     key: &str,
     mooring: &mut Mooring,
 ) -> Result<(), Fault> {
-    let other = |before: &&Given<CurrentProfile>| before.value.file != profile.value.file;
+    let other = |before: &&Given<MooringCurrent>| before.value.file != profile.value.file;
     if let Some(before) = mooring.sea.current.as_ref().filter(other) {
         let problem = format!(
             "there are two currents, of `{}` and of `{}`",

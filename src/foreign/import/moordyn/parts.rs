@@ -2,15 +2,15 @@
 
 use super::holds::{Ends, attachment, hold, idle_numbers, turbine};
 use super::line_types::unique;
-use super::sections::{Block, Section};
-use super::table::{Column, Table, TableRow, is_named};
+use super::sections::{SectionBlock, SectionTitle};
+use super::table::{HeaderColumn, SectionTable, TableRow, is_named};
 use crate::import::fault::Fault;
 use crate::import::index::{Index, TypeIndex};
 use crate::import::listing::listed;
-use crate::import::mooring::{Body, Given, Hold, Line, Mooring, Point, Rod};
+use crate::import::mooring::{Given, Hold, Mooring, MooringBody, MooringLine, MooringPoint, Rod};
 use crate::import::words::Word;
 
-const BODY_COLUMNS: [Column; 14] = [
+const BODY_COLUMNS: [HeaderColumn; 14] = [
     ("ID", &["#", "Name", "Body"]),
     ("Attachment", &["Type"]),
     ("X0", &["X"]),
@@ -27,7 +27,7 @@ const BODY_COLUMNS: [Column; 14] = [
     ("Ca*", &["Ca"]),
 ];
 
-const ROD_COLUMNS: [Column; 11] = [
+const ROD_COLUMNS: [HeaderColumn; 11] = [
     ("ID", &["#", "Name", "Rod"]),
     ("RodType", &["Type", "TypeName"]),
     ("Attachment", &["Type"]),
@@ -42,7 +42,7 @@ const ROD_COLUMNS: [Column; 11] = [
 ];
 
 /// Columns of a point.
-pub const POINT_COLUMNS: [Column; 9] = [
+pub const POINT_COLUMNS: [HeaderColumn; 9] = [
     ("ID", &["#", "Node", "Name", "Point"]),
     ("Attachment", &["Type"]),
     ("X", &[]),
@@ -54,7 +54,7 @@ pub const POINT_COLUMNS: [Column; 9] = [
     ("Ca", &[]),
 ];
 
-const LOADED_POINT_COLUMNS: [Column; 12] = [
+const LOADED_POINT_COLUMNS: [HeaderColumn; 12] = [
     POINT_COLUMNS[0],
     POINT_COLUMNS[1],
     POINT_COLUMNS[2],
@@ -70,7 +70,7 @@ const LOADED_POINT_COLUMNS: [Column; 12] = [
 ];
 
 /// Columns of a line.
-pub const LINE_COLUMNS: [Column; 7] = [
+pub const LINE_COLUMNS: [HeaderColumn; 7] = [
     ("ID", &["#", "Line", "Name"]),
     ("LineType", &["Type", "TypeName"]),
     ("AttachA", &["NodeA", "EndA", "NodeAnch", "AttachmentA"]),
@@ -87,7 +87,7 @@ const OUTPUT_FLAGS: usize = 6;
 const NODES: &str = "NumNodes";
 
 /// Lines of the first version: length and segments before the ends.
-const LINE_COLUMNS_1: [Column; 7] = [
+const LINE_COLUMNS_1: [HeaderColumn; 7] = [
     LINE_COLUMNS[0],
     LINE_COLUMNS[1],
     LINE_COLUMNS[4],
@@ -98,8 +98,8 @@ const LINE_COLUMNS_1: [Column; 7] = [
 ];
 
 /// Reads the bodies.
-pub fn read_bodies(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &BODY_COLUMNS, 14, faults);
+pub fn read_bodies(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &BODY_COLUMNS, 14, faults);
     let none = Index::default();
     let mut found = table.read(faults, |row| body(row, (mooring, &none)));
     mooring.remarks.extend(idle_numbers(table.words(1)));
@@ -116,8 +116,8 @@ pub fn read_bodies(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
     }
 }
 
-fn body(row: &TableRow<'_, '_>, on: (&Mooring, &Index)) -> Result<Body, Fault> {
-    Ok(Body {
+fn body(row: &TableRow<'_, '_>, on: (&Mooring, &Index)) -> Result<MooringBody, Fault> {
+    Ok(MooringBody {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
         hold: hold(row, 1, on)?,
@@ -191,10 +191,10 @@ fn counts<const N: usize>(
 }
 
 /// Reads the rods.
-pub fn read_rods(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
-    let table = Table::of(block, &ROD_COLUMNS, 10, faults);
+pub fn read_rods(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+    let table = SectionTable::of_block(block, &ROD_COLUMNS, 10, faults);
     let bodies = bodies_of(mooring);
-    let types = TypeIndex::of(mooring.rod_types.iter().map(|of| of.name.as_str()));
+    let types = TypeIndex::of_names(mooring.rod_types.iter().map(|of| of.name.as_str()));
     let mut found = table.read(faults, |row| rod(row, (mooring, &bodies), &types));
     mooring.remarks.extend(idle_numbers(table.words(2)));
     unique(&mut found, |one| (&one.id, &one.span), "rod", faults);
@@ -202,7 +202,7 @@ pub fn read_rods(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Faul
 }
 
 fn bodies_of(mooring: &Mooring) -> Index {
-    Index::of(mooring.bodies.iter().map(|body| body.id.as_str()))
+    Index::of_identifiers(mooring.bodies.iter().map(|body| body.id.as_str()))
 }
 
 fn rod(
@@ -213,7 +213,7 @@ fn rod(
     Ok(Rod {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, types, Section::RodTypes)?,
+        of_type: type_of(row, 1, types, SectionTitle::RodTypes)?,
         hold: hold(row, 2, on)?,
         ends: [row.triple(3)?, row.triple(6)?],
         segments: whole(row, 9)?,
@@ -222,17 +222,17 @@ fn rod(
 }
 
 /// Reads the points.
-pub fn read_points(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+pub fn read_points(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let has_loads = block
         .rows
         .iter()
         .take(2)
         .any(|row| row.words().iter().any(|word| word.is("FX")));
-    let (columns, required): (&[Column], _) = match has_loads {
+    let (columns, required): (&[HeaderColumn], _) = match has_loads {
         true => (&LOADED_POINT_COLUMNS, 12),
         false => (&POINT_COLUMNS, 9),
     };
-    let table = Table::of(block, columns, required, faults);
+    let table = SectionTable::of_block(block, columns, required, faults);
     let mut turbines: Vec<String> = Vec::new();
     let bodies = bodies_of(mooring);
     let mut found = table.read(faults, |row| {
@@ -244,7 +244,11 @@ pub fn read_points(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fa
     mooring.points = found;
 }
 
-fn point(row: &TableRow<'_, '_>, on: (&Mooring, &Index), has_loads: bool) -> Result<Point, Fault> {
+fn point(
+    row: &TableRow<'_, '_>,
+    on: (&Mooring, &Index),
+    has_loads: bool,
+) -> Result<MooringPoint, Fault> {
     let numbers = row.words.iter().skip(2).map_while(Word::number).count();
     if !has_loads && numbers >= 10 {
         return Err(row.fault(
@@ -258,7 +262,7 @@ fn point(row: &TableRow<'_, '_>, on: (&Mooring, &Index), has_loads: bool) -> Res
         true => (row.triple(7)?, 10),
         false => ([none(), none(), none()], 7),
     };
-    Ok(Point {
+    Ok(MooringPoint {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
         hold: hold_of_point(row, on)?,
@@ -313,18 +317,18 @@ fn hold_of_point(row: &TableRow<'_, '_>, on: (&Mooring, &Index)) -> Result<Given
 }
 
 /// Reads the lines.
-pub fn read_lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
+pub fn read_lines(block: &SectionBlock<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) {
     let length_first = block.rows.iter().take(2).any(|row| {
         let third = row.words().get(2).copied();
         third.is_some_and(|word| is_named(&LINE_COLUMNS[4], word.text))
     });
-    let (columns, at): (&[Column], [usize; 4]) = match length_first {
+    let (columns, at): (&[HeaderColumn], [usize; 4]) = match length_first {
         true => (&LINE_COLUMNS_1, [4, 5, 2, 3]),
         false => (&LINE_COLUMNS, [2, 3, 4, 5]),
     };
-    let table = Table::of(block, columns, 6, faults);
-    let types = TypeIndex::of(mooring.line_types.iter().map(|of| of.name.as_str()));
-    let to = Ends::of(mooring);
+    let table = SectionTable::of_block(block, columns, 6, faults);
+    let types = TypeIndex::of_names(mooring.line_types.iter().map(|of| of.name.as_str()));
+    let to = Ends::of_mooring(mooring);
     let mut found = table.read(faults, |row| line(row, (&to, &types), at));
     let asks = |word: Word<'_>| word.text != "-" && word.text != "0";
     if table.words(OUTPUT_FLAGS).any(asks) {
@@ -338,7 +342,7 @@ pub fn read_lines(block: &Block<'_>, mooring: &mut Mooring, faults: &mut Vec<Fau
 }
 
 /// What is said where the header names nodes for segments.
-fn numbers_of_nodes(block: &Block<'_>) -> Option<String> {
+fn numbers_of_nodes(block: &SectionBlock<'_>) -> Option<String> {
     let mut rows = block.rows.iter().take(2);
     let is_named = rows.any(|row| row.words().iter().any(|word| word.is(NODES)));
     is_named.then(|| {
@@ -355,7 +359,7 @@ pub fn line(
     row: &TableRow<'_, '_>,
     (to, types): (&Ends, &TypeIndex<'_>),
     [a, b, length, segments]: [usize; 4],
-) -> Result<Line, Fault> {
+) -> Result<MooringLine, Fault> {
     let ends = [attachment(row, a, to)?, attachment(row, b, to)?];
     if ends[0].value == ends[1].value {
         return Err(row.fault(
@@ -368,10 +372,10 @@ pub fn line(
     if divided.value == 0 {
         return Err(row.fault(segments, "the line has no segments", "give 1 or more"));
     }
-    Ok(Line {
+    Ok(MooringLine {
         id: row.words[0].text.to_owned(),
         span: row.row.span(),
-        of_type: type_of(row, 1, types, Section::LineTypes)?,
+        of_type: type_of(row, 1, types, SectionTitle::LineTypes)?,
         ends,
         length: row.positive(length)?,
         segments: divided,
@@ -396,7 +400,7 @@ pub fn type_of(
     row: &TableRow<'_, '_>,
     column: usize,
     types: &TypeIndex<'_>,
-    section: Section,
+    section: SectionTitle,
 ) -> Result<Given<usize>, Fault> {
     let word = row.words[column];
     types

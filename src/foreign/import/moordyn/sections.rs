@@ -7,7 +7,7 @@ use crate::import::words::Row;
 
 /// The sections that are known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Section {
+pub enum SectionTitle {
     /// Line types.
     LineTypes,
     /// Rod types.
@@ -45,47 +45,47 @@ pub enum Section {
 }
 
 /// Titles by which a section is known, in the order in which they are looked for.
-const TITLES: [(&str, Section); 34] = [
-    ("LINE TYPES", Section::LineTypes),
-    ("LINE DICTIONARY", Section::LineTypes),
-    ("ROD TYPES", Section::RodTypes),
-    ("ROD DICTIONARY", Section::RodTypes),
-    ("BODIES", Section::Bodies),
-    ("BODY LIST", Section::Bodies),
-    ("BODY PROPERTIES", Section::Bodies),
-    ("ROD LIST", Section::Rods),
-    ("ROD PROPERTIES", Section::Rods),
-    ("RODS", Section::Rods),
-    ("CONNECTION PROPERTIES", Section::Points),
-    ("NODE PROPERTIES", Section::Points),
-    ("POINT PROPERTIES", Section::Points),
-    ("POINT LIST", Section::Points),
-    ("POINTS", Section::Points),
-    ("LINETYPES", Section::LineTypes),
-    ("RODTYPES", Section::RodTypes),
-    ("END CONNECTION", Section::EndConnections),
-    ("EQUIVALENT BUOYANCY", Section::EquivalentBuoyancy),
-    ("EQUIVALENT SECTIONS", Section::EquivalentBuoyancy),
-    ("BUOYANCY SECTIONS", Section::EquivalentBuoyancy),
-    ("ATTACHMENTS", Section::LineAttachments),
-    ("LINE PROPERTIES", Section::Lines),
-    ("LINE LIST", Section::Lines),
-    ("LINES", Section::Lines),
-    ("SYROPE IC", Section::SyropeIc),
-    ("FAILURE", Section::Failure),
-    ("CONTROL", Section::Control),
-    ("EXTERNAL LOADS", Section::ExternalLoads),
-    ("OPTIONS", Section::Options),
-    ("OUTPUT", Section::Outputs),
-    ("SECTIONS", Section::LineSections),
-    ("TURBINES", Section::Turbines),
-    ("CONNECTS", Section::Points),
+const TITLES: [(&str, SectionTitle); 34] = [
+    ("LINE TYPES", SectionTitle::LineTypes),
+    ("LINE DICTIONARY", SectionTitle::LineTypes),
+    ("ROD TYPES", SectionTitle::RodTypes),
+    ("ROD DICTIONARY", SectionTitle::RodTypes),
+    ("BODIES", SectionTitle::Bodies),
+    ("BODY LIST", SectionTitle::Bodies),
+    ("BODY PROPERTIES", SectionTitle::Bodies),
+    ("ROD LIST", SectionTitle::Rods),
+    ("ROD PROPERTIES", SectionTitle::Rods),
+    ("RODS", SectionTitle::Rods),
+    ("CONNECTION PROPERTIES", SectionTitle::Points),
+    ("NODE PROPERTIES", SectionTitle::Points),
+    ("POINT PROPERTIES", SectionTitle::Points),
+    ("POINT LIST", SectionTitle::Points),
+    ("POINTS", SectionTitle::Points),
+    ("LINETYPES", SectionTitle::LineTypes),
+    ("RODTYPES", SectionTitle::RodTypes),
+    ("END CONNECTION", SectionTitle::EndConnections),
+    ("EQUIVALENT BUOYANCY", SectionTitle::EquivalentBuoyancy),
+    ("EQUIVALENT SECTIONS", SectionTitle::EquivalentBuoyancy),
+    ("BUOYANCY SECTIONS", SectionTitle::EquivalentBuoyancy),
+    ("ATTACHMENTS", SectionTitle::LineAttachments),
+    ("LINE PROPERTIES", SectionTitle::Lines),
+    ("LINE LIST", SectionTitle::Lines),
+    ("LINES", SectionTitle::Lines),
+    ("SYROPE IC", SectionTitle::SyropeIc),
+    ("FAILURE", SectionTitle::Failure),
+    ("CONTROL", SectionTitle::Control),
+    ("EXTERNAL LOADS", SectionTitle::ExternalLoads),
+    ("OPTIONS", SectionTitle::Options),
+    ("OUTPUT", SectionTitle::Outputs),
+    ("SECTIONS", SectionTitle::LineSections),
+    ("TURBINES", SectionTitle::Turbines),
+    ("CONNECTS", SectionTitle::Points),
 ];
 
 /// Titles of rows of dashes that begin no section.
 const OTHER_TITLES: [&str; 3] = ["NEED THIS LINE", "INPUT FILE", "END"];
 
-impl Section {
+impl SectionTitle {
     /// The title by which it is usually written.
     #[must_use]
     pub fn title(self) -> &'static str {
@@ -127,9 +127,9 @@ impl Section {
 
 /// A section with its rows, blank ones left out.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Block<'t> {
+pub struct SectionBlock<'t> {
     /// Which.
-    pub section: Section,
+    pub section: SectionTitle,
     /// Its row of dashes.
     pub span: Range<usize>,
     /// Its rows.
@@ -142,7 +142,7 @@ pub struct Sections<'t> {
     /// Rows before the first section.
     pub head: Vec<Row<'t>>,
     /// The sections in their order.
-    pub blocks: Vec<Block<'t>>,
+    pub blocks: Vec<SectionBlock<'t>>,
     /// What is wrong with the titles.
     pub faults: Vec<Fault>,
 }
@@ -150,7 +150,7 @@ pub struct Sections<'t> {
 impl<'t> Sections<'t> {
     /// Cuts a text whose first byte is counted as `start`.
     #[must_use]
-    pub fn of(text: &'t str, start: usize) -> Self {
+    pub fn of_text(text: &'t str, start: usize) -> Self {
         let mut sections = Self::default();
         let mut open = true;
         for row in Row::all_from(text, start) {
@@ -173,7 +173,7 @@ impl<'t> Sections<'t> {
 
     /// The rows of a section; none if the file does not have it.
     #[must_use]
-    pub fn block(&self, section: Section) -> Option<&Block<'t>> {
+    pub fn block(&self, section: SectionTitle) -> Option<&SectionBlock<'t>> {
         self.blocks.iter().find(|block| block.section == section)
     }
 
@@ -189,7 +189,7 @@ impl<'t> Sections<'t> {
                     "put all its rows into one",
                 ));
             }
-            self.blocks.push(Block {
+            self.blocks.push(SectionBlock {
                 section: *section,
                 span: row.span(),
                 rows: Vec::new(),
@@ -276,22 +276,22 @@ mod tests {
 
     #[test]
     fn sections_hold_their_rows() {
-        let sections = Sections::of(FILE, 0);
+        let sections = Sections::of_text(FILE, 0);
         assert_eq!(sections.faults, []);
         assert_eq!(sections.head[0].text, "some title");
         let rows = |section| sections.block(section).unwrap().rows.len();
-        assert_eq!(rows(Section::LineTypes), 3);
-        assert_eq!(rows(Section::Options), 1);
-        assert!(sections.block(Section::Points).is_none());
+        assert_eq!(rows(SectionTitle::LineTypes), 3);
+        assert_eq!(rows(SectionTitle::Options), 1);
+        assert!(sections.block(SectionTitle::Points).is_none());
     }
 
     #[test]
     fn a_title_that_is_not_known_says_which_is_meant() {
         let text = FILE.replace("LINE TYPES Chain studless 0.018m", "LINE TYPPES");
-        let faults = Sections::of(&text, 0).faults;
+        let faults = Sections::of_text(&text, 0).faults;
         assert_eq!(faults.len(), 1);
         assert!(faults[0].remedy.contains("LINE TYPES"), "{faults:?}");
         let twice = format!("{FILE}--- LINE TYPES ---\n");
-        assert_eq!(Sections::of(&twice, 0).faults.len(), 1);
+        assert_eq!(Sections::of_text(&twice, 0).faults.len(), 1);
     }
 }

@@ -1,19 +1,19 @@
 //! A table of a section: its header, and rows whose columns are known by name.
 
-use super::sections::Block;
+use super::sections::SectionBlock;
 use crate::import::fault::Fault;
 use crate::import::mooring::Given;
 use crate::import::words::{Row, Word};
 
 /// A column: the name by which messages call it, and other names that headers have for it.
-pub type Column = (&'static str, &'static [&'static str]);
+pub type HeaderColumn = (&'static str, &'static [&'static str]);
 
 /// A table with the columns that its program reads by their order.
 #[derive(Debug, Clone)]
-pub struct Table<'t> {
+pub struct SectionTable<'t> {
     /// The name of its section.
     title: &'static str,
-    columns: Vec<Column>,
+    columns: Vec<HeaderColumn>,
     /// Columns that every row has.
     required: usize,
     rows: Vec<Row<'t>>,
@@ -21,14 +21,14 @@ pub struct Table<'t> {
     marks: bool,
 }
 
-impl<'t> Table<'t> {
+impl<'t> SectionTable<'t> {
     /// The table of a block. Its header has these columns, of which the last may be missing.
     ///
     /// # Errors
     /// The header is missing, or names columns where the program reads others.
-    pub fn of(
-        block: &Block<'t>,
-        columns: &[Column],
+    pub fn of_block(
+        block: &SectionBlock<'t>,
+        columns: &[HeaderColumn],
         required: usize,
         faults: &mut Vec<Fault>,
     ) -> Self {
@@ -69,14 +69,14 @@ impl<'t> Table<'t> {
 
     /// The same, of a program that marks numbers with `#`.
     pub fn with_marks(
-        block: &Block<'t>,
-        columns: &[Column],
+        block: &SectionBlock<'t>,
+        columns: &[HeaderColumn],
         required: usize,
         faults: &mut Vec<Fault>,
     ) -> Self {
         Self {
             marks: true,
-            ..Self::of(block, columns, required, faults)
+            ..Self::of_block(block, columns, required, faults)
         }
     }
 
@@ -138,7 +138,7 @@ impl<'t> Table<'t> {
 /// A row of a table.
 #[derive(Debug, Clone)]
 pub struct TableRow<'a, 't> {
-    table: &'a Table<'t>,
+    table: &'a SectionTable<'t>,
     /// The row.
     pub row: Row<'t>,
     /// Its words.
@@ -285,7 +285,7 @@ fn is_units(row: &Row<'_>) -> bool {
 }
 
 /// Whether a row names columns: two of its words at least are among their names, and one in three.
-fn is_header(words: &[Word<'_>], columns: &[Column]) -> bool {
+fn is_header(words: &[Word<'_>], columns: &[HeaderColumn]) -> bool {
     let known = words
         .iter()
         .filter(|word| columns.iter().any(|column| is_named(column, word.text)))
@@ -295,9 +295,9 @@ fn is_header(words: &[Word<'_>], columns: &[Column]) -> bool {
 
 /// The names of the columns in a remark right before the rows: `# Node Type X Y Z`.
 fn behind_mark<'t>(
-    block: &Block<'t>,
+    block: &SectionBlock<'t>,
     first: Option<&Row<'t>>,
-    columns: &[Column],
+    columns: &[HeaderColumn],
 ) -> Option<Vec<Word<'t>>> {
     let before = block.rows.iter().take_while(|row| Some(*row) != first);
     let mut remarks = before.map(Row::words_with_marks);
@@ -310,14 +310,14 @@ fn behind_mark<'t>(
 }
 
 /// Whether a header names a column so.
-pub fn is_named((name, others): &Column, word: &str) -> bool {
+pub fn is_named((name, others): &HeaderColumn, word: &str) -> bool {
     let word = word.trim_end_matches(['*', ',']);
     name.trim_end_matches('*').eq_ignore_ascii_case(word)
         || others.iter().any(|other| other.eq_ignore_ascii_case(word))
 }
 
 /// Names that stand where the program reads another column.
-fn check_order(words: &[Word<'_>], columns: &[Column], title: &str, faults: &mut Vec<Fault>) {
+fn check_order(words: &[Word<'_>], columns: &[HeaderColumn], title: &str, faults: &mut Vec<Fault>) {
     for (word, column) in words.iter().zip(columns) {
         let elsewhere = || {
             columns
@@ -340,7 +340,7 @@ fn check_order(words: &[Word<'_>], columns: &[Column], title: &str, faults: &mut
     }
 }
 
-fn no_header(block: &Block<'_>, columns: &[Column], first: Option<&Row<'_>>) -> Fault {
+fn no_header(block: &SectionBlock<'_>, columns: &[HeaderColumn], first: Option<&Row<'_>>) -> Fault {
     let names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
     let title = block.section.title();
     Fault::new(

@@ -5,7 +5,7 @@
 //! is linear, beyond them constant. Values are looked for by their names, which stand behind them, or else by the lines of the form.
 
 use crate::import::fault::Fault;
-use crate::import::mooring::{CurrentProfile, Unmodelled};
+use crate::import::mooring::{MooringCurrent, Unmodelled};
 use crate::import::words::{Row, Word};
 
 /// The line of `WaveKinMod` and of `CurrentMod`, from 0, where nothing names them.
@@ -23,7 +23,7 @@ const MOST_ROWS: usize = 100;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WaterKinematics {
     /// A steady current.
-    pub current: Option<CurrentProfile>,
+    pub current: Option<MooringCurrent>,
     /// What is not modelled.
     pub unmodelled: Vec<Unmodelled>,
     /// What is said of it.
@@ -71,17 +71,7 @@ pub fn read(
     match current.and_then(|word| word.number()) {
         Some(0.0) => {}
         Some(1.0) => {
-            let table = table(&rows, line);
-            let Some((first, _)) = table.first() else {
-                let problem = "no row of numbers follows CurrentMod";
-                return Err(wrong(line, problem, "write rows z, x-current, y-current"));
-            };
-            let sign = sign(&table, depths_too).ok_or_else(|| {
-                let problem = "a height z is above the water";
-                let remedy = "give heights from still water up, 0 or below: -20 at a depth of 20 m";
-                wrong(*first, problem, remedy)
-            })?;
-            found.current = Some(profile(name, &table, sign));
+            found.current = Some(steady_current((&rows, line), name, depths_too, wrong)?);
         }
         Some(2.0) => put("currents", "the current of the host (CurrentMod 2)"),
         _ => {
@@ -95,6 +85,26 @@ pub fn read(
         ));
     }
     Ok(found)
+}
+
+/// The current of the table behind a line; `wrong` makes a fault of a line, a problem and its remedy.
+fn steady_current(
+    (rows, line): (&[Row<'_>], usize),
+    name: &str,
+    depths_too: bool,
+    wrong: impl Fn(usize, &str, &str) -> Fault,
+) -> Result<MooringCurrent, Fault> {
+    let table = table(rows, line);
+    let Some((first, _)) = table.first() else {
+        let problem = "no row of numbers follows CurrentMod";
+        return Err(wrong(line, problem, "write rows z, x-current, y-current"));
+    };
+    let sign = sign(&table, depths_too).ok_or_else(|| {
+        let problem = "a height z is above the water";
+        let remedy = "give heights from still water up, 0 or below: -20 at a depth of 20 m";
+        wrong(*first, problem, remedy)
+    })?;
+    Ok(profile(name, &table, sign))
 }
 
 /// The line, from 0, and the first word of the row that names a value; else those of the line where the form has it.
@@ -133,11 +143,11 @@ fn sign(rows: &[(usize, [f64; 3])], depths_too: bool) -> Option<f64> {
     }
 }
 
-fn profile(name: &str, rows: &[(usize, [f64; 3])], sign: f64) -> CurrentProfile {
+fn profile(name: &str, rows: &[(usize, [f64; 3])], sign: f64) -> MooringCurrent {
     let rows = rows.iter().map(|(_, [z, x, y])| [sign * z, *x, *y]);
     let mut rows: Vec<[f64; 3]> = rows.collect();
     rows.sort_by(|a, b| b[0].total_cmp(&a[0]));
-    CurrentProfile {
+    MooringCurrent {
         file: name.to_owned(),
         rows,
     }

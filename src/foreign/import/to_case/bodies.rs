@@ -2,7 +2,9 @@
 
 use super::case_text::{CaseText, number, numbers, text};
 use super::context::Context;
-use crate::import::mooring::{Body, BodyLoad, Given, Hold, Point, Program, Rod, RodType};
+use crate::import::mooring::{
+    BodyLoad, Given, Hold, MooringBody, MooringPoint, Program, Rod, RodType,
+};
 use crate::numerics::V3;
 use crate::system::pose::Pose;
 
@@ -44,7 +46,7 @@ fn kind_of(hold: &Hold, context: &Context<'_>) -> &'static str {
     }
 }
 
-fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, body: &Body) {
+fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, body: &MooringBody) {
     let kind = kind_of(&body.hold.value, context);
     case.given("kind", kind, &body.hold.span, "Attachment");
     let place: Vec<f64> = body.place.iter().map(|given| given.value).collect();
@@ -90,7 +92,7 @@ fn one_body(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, bo
 }
 
 /// The angles of a body \[deg\] in the order of a case: yaw first, where `MoorDyn` has roll first.
-fn yaw_first(body: &Body) -> [f64; 3] {
+fn yaw_first(body: &MooringBody) -> [f64; 3] {
     let given = body.angles.each_ref().map(|angle| angle.value);
     // One angle alone is the same in every order.
     if given.iter().filter(|angle| **angle != 0.0).count() < 2 {
@@ -108,7 +110,7 @@ fn rods_on<'m>(context: &Context<'m>, body: usize) -> Vec<(usize, &'m Rod)> {
 }
 
 /// The points on a body, whose mass and volume MoorDyn adds to those of the body.
-fn points_on<'m>(context: &Context<'m>, body: usize) -> Vec<&'m Point> {
+fn points_on<'m>(context: &Context<'m>, body: usize) -> Vec<&'m MooringPoint> {
     let points = context.on_bodies[body].points.iter();
     points
         .map(|point| &context.mooring.points[*point])
@@ -116,7 +118,7 @@ fn points_on<'m>(context: &Context<'m>, body: usize) -> Vec<&'m Point> {
 }
 
 /// The place of a point \[m\], of one on a body in the frame of the body.
-fn place_of(point: &Point) -> V3 {
+fn place_of(point: &MooringPoint) -> V3 {
     V3::from(point.place.each_ref().map(|given| given.value))
 }
 
@@ -124,10 +126,10 @@ fn place_of(point: &Point) -> V3 {
 fn inertia(
     case: &mut CaseText<'_>,
     context: &Context<'_>,
-    body: &Body,
-    (rods, points): (&[(usize, &Rod)], &[&Point]),
+    body: &MooringBody,
+    (rods, points): (&[(usize, &Rod)], &[&MooringPoint]),
 ) {
-    let points: Vec<&&Point> = points
+    let points: Vec<&&MooringPoint> = points
         .iter()
         .filter(|point| point.mass.value > 0.0)
         .collect();
@@ -207,7 +209,12 @@ fn together(parts: &[MassOf]) -> MassOf {
 
 /// Volume, added mass and drag of a body and of the points on it. `MoorDyn` lets weight and buoyancy of the body act at the same point;
 /// drag and added mass of its points act here at its origin.
-fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, points: &[&Point]) {
+fn water(
+    case: &mut CaseText<'_>,
+    context: &Context<'_>,
+    body: &MooringBody,
+    points: &[&MooringPoint],
+) {
     let of_points: f64 = points.iter().map(|point| point.volume.value).sum();
     let volume = body.volume.value + of_points;
     if volume > 0.0 {
@@ -248,6 +255,12 @@ fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, points: &[
             );
         }
     }
+    drag_and_waterplane(case, body, points);
+    loads(case, context, body);
+}
+
+/// Drag areas along the axes, and the stiffness of the waterplane.
+fn drag_and_waterplane(case: &mut CaseText<'_>, body: &MooringBody, points: &[&MooringPoint]) {
     let of_points: f64 = points.iter().map(|point| point.drag_area.value).sum();
     let area = body.drag_area.value;
     let along = [0, 1, 2].map(|axis| area[axis] + of_points);
@@ -265,11 +278,10 @@ fn water(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body, points: &[
         let span = &body.waterplane.span;
         case.given("waterplane_stiffness", &six, span, "C33 C44 C55");
     }
-    loads(case, context, body);
 }
 
 /// Loads at the origin of a body, and its damping.
-fn loads(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
+fn loads(case: &mut CaseText<'_>, context: &Context<'_>, body: &MooringBody) {
     let sum = |of: &dyn Fn(&BodyLoad) -> [f64; 3]| {
         let mut all = [0.0; 3];
         for load in &body.loads {
@@ -313,7 +325,7 @@ fn loads(case: &mut CaseText<'_>, context: &Context<'_>, body: &Body) {
 }
 
 /// Where the buoyancy of a body and of the points on it acts \[m\], in the frame of the body.
-fn centre_of_buoyancy(body: &Body, points: &[&Point], volume: f64) -> V3 {
+fn centre_of_buoyancy(body: &MooringBody, points: &[&MooringPoint], volume: f64) -> V3 {
     let centre = V3::from(body.centre.value);
     let floating = points.iter().filter(|point| point.volume.value > 0.0);
     let moment: V3 = floating

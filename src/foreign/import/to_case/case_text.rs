@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::ops::Range;
 
 use super::columns;
-use crate::import::beside::Beside;
+use crate::import::beside::ReferencedFile;
 use crate::import::mooring::{Mooring, Program};
 use crate::padding::at_left;
 
@@ -16,7 +16,7 @@ const COMMENT_COLUMN: usize = 40;
 pub struct CaseText<'t> {
     source: LineStarts,
     program: Option<Program>,
-    beside: Option<(&'t Beside, LineStarts)>,
+    beside: Option<(&'t ReferencedFile, LineStarts)>,
     /// What is written.
     pub text: String,
     /// Of each of its lines, the bytes of the source that it comes from.
@@ -26,11 +26,11 @@ pub struct CaseText<'t> {
 impl<'t> CaseText<'t> {
     /// An empty case of a mooring that was read from a source.
     #[must_use]
-    pub fn of(source: &str, mooring: &'t Mooring) -> Self {
+    pub fn of_mooring(source: &str, mooring: &'t Mooring) -> Self {
         let beside = mooring.beside.as_ref();
         Self {
             program: Some(mooring.program),
-            beside: beside.map(|beside| (beside, LineStarts::of(&beside.text))),
+            beside: beside.map(|beside| (beside, LineStarts::of_text(&beside.text))),
             ..Self::of_text(source)
         }
     }
@@ -39,7 +39,7 @@ impl<'t> CaseText<'t> {
     #[must_use]
     pub fn of_text(source: &str) -> Self {
         Self {
-            source: LineStarts::of(source),
+            source: LineStarts::of_text(source),
             program: None,
             beside: None,
             text: String::new(),
@@ -83,7 +83,7 @@ impl<'t> CaseText<'t> {
     }
 
     /// The file beside the source that bytes are of.
-    fn beside_of(&self, span: &Range<usize>) -> Option<&(&'t Beside, LineStarts)> {
+    fn beside_of(&self, span: &Range<usize>) -> Option<&(&'t ReferencedFile, LineStarts)> {
         let beside = self.beside.as_ref();
         beside.filter(|(beside, _)| beside.holds(span))
     }
@@ -115,7 +115,7 @@ struct LineStarts {
 }
 
 impl LineStarts {
-    fn of(text: &str) -> Self {
+    fn of_text(text: &str) -> Self {
         let bytes = text.bytes().enumerate();
         let ends = bytes.filter(|(_, byte)| *byte == b'\n').map(|(at, _)| at);
         Self {
@@ -186,7 +186,7 @@ mod tests {
     #[test]
     fn lines_know_their_rows() {
         let mooring = Mooring::new(Program::MoorDyn);
-        let mut case = CaseText::of("one\ntwo 0.09\n", &mooring);
+        let mut case = CaseText::of_mooring("one\ntwo 0.09\n", &mooring);
         case.table("[materials.two]", Some(&(4..7)));
         case.given("diameter_m", &number(0.09), &(8..12), "Diam");
         case.assumed("gravity", "9.8", "assumed");

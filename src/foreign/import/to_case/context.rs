@@ -2,8 +2,8 @@
 
 use super::{
     super::mooring::{Attachment, Hold, Mooring},
-    joints::Joints,
-    motion::Motion,
+    joints::LineJoints,
+    motion::CoupledMotion,
     names::Names,
     sea::SeaOfCase,
 };
@@ -18,11 +18,11 @@ pub struct Context<'m> {
     /// Its sea.
     pub sea: SeaOfCase,
     /// How coupled parts move.
-    pub motion: Motion,
+    pub motion: CoupledMotion,
     /// Whether coupled points are on one body.
     pub has_vessel: bool,
     /// The ends of its lines.
-    pub joints: Joints,
+    pub joints: LineJoints,
     /// The points and rods on each body.
     pub on_bodies: Vec<OnBody>,
 }

@@ -15,20 +15,20 @@ pub struct Chain {
 }
 
 /// A line and which of its ends.
-type LineEnd = (usize, usize);
+type LineWithEnd = (usize, usize);
 
 /// The ends of lines by what they are attached to.
 #[derive(Debug, Clone, Default)]
-pub struct Joints {
-    at_rods: HashMap<usize, Vec<LineEnd>>,
-    inside: HashMap<usize, Vec<LineEnd>>,
+pub struct LineJoints {
+    at_rods: HashMap<usize, Vec<LineWithEnd>>,
+    inside: HashMap<usize, Vec<LineWithEnd>>,
     points: HashMap<usize, usize>,
 }
 
-impl Joints {
+impl LineJoints {
     /// Those of a mooring.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         let mut joints = Self::default();
         for (number, line) in mooring.lines.iter().enumerate() {
             for (end, attached) in line.ends.iter().enumerate() {
@@ -48,7 +48,7 @@ impl Joints {
 
     /// Ends of lines at a rod.
     #[must_use]
-    pub fn at_rod(&self, rod: usize) -> &[LineEnd] {
+    pub fn at_rod(&self, rod: usize) -> &[LineWithEnd] {
         self.at_rods.get(&rod).map_or(&[], Vec::as_slice)
     }
 
@@ -65,7 +65,7 @@ impl Joints {
     }
 
     /// The two lines that are one line of the case across this place, each with the end that is at it.
-    fn joined_at(&self, mooring: &Mooring, at: Attachment) -> Option<[LineEnd; 2]> {
+    fn joined_at(&self, mooring: &Mooring, at: Attachment) -> Option<[LineWithEnd; 2]> {
         match at {
             Attachment::Point(_) => None,
             Attachment::Rod(rod, _) => self.joined_by(mooring, rod),
@@ -77,7 +77,7 @@ impl Joints {
     }
 
     /// The same of a free joint, which joins two lines that bend.
-    fn joined_by(&self, mooring: &Mooring, rod: usize) -> Option<[LineEnd; 2]> {
+    fn joined_by(&self, mooring: &Mooring, rod: usize) -> Option<[LineWithEnd; 2]> {
         let joint = &mooring.rods[rod];
         if !joint.is_joint() || joint.hold.value != Hold::Free {
             return None;
@@ -97,7 +97,7 @@ impl Joints {
 
 /// The lines of the case.
 #[must_use]
-pub fn chains(mooring: &Mooring, joints: &Joints) -> Vec<Chain> {
+pub fn chains(mooring: &Mooring, joints: &LineJoints) -> Vec<Chain> {
     let mut used = vec![false; mooring.lines.len()];
     let mut chains = Vec::new();
     for first in 0..mooring.lines.len() {
@@ -128,7 +128,7 @@ struct Growing {
 
 impl Growing {
     /// Lengthens it at one of its ends by all lines that are joined there.
-    fn extend(&mut self, mooring: &Mooring, joints: &Joints, used: &mut [bool], at: usize) {
+    fn extend(&mut self, mooring: &Mooring, joints: &LineJoints, used: &mut [bool], at: usize) {
         while let Some(joined) = joints.joined_at(mooring, self.ends[at]) {
             let Some(&(next, end)) = joined.iter().find(|(line, _)| !used[*line]) else {
                 return;

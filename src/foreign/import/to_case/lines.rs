@@ -19,7 +19,7 @@ const FEWEST: usize = 2;
 pub fn write(case: &mut CaseText<'_>, context: &Context<'_>) {
     let mooring = context.mooring;
     let ways = Ways {
-        pasts: Pasts::of(mooring),
+        pasts: Pasts::of_mooring(mooring),
         failures: failures_by_line(mooring),
     };
     for chain in chains(mooring, &context.joints) {
@@ -70,19 +70,7 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, ways:
             "UnstrLen",
         );
     }
-    let segments: usize = chain
-        .pieces
-        .iter()
-        .map(|(line, _)| mooring.lines[*line].segments.value)
-        .sum();
-    if segments > 0 {
-        let value = segments.max(FEWEST).to_string();
-        let what = match segments < FEWEST {
-            true => "NumSegs; no line here has fewer",
-            false => "NumSegs",
-        };
-        case.given("segments", &value, &first.segments.span, what);
-    }
+    segments(case, mooring, chain);
     if let Some(flag) = &first.without_bed {
         case.given("bed_contact", "false", flag, "OMIT_CONTACT");
     }
@@ -91,23 +79,42 @@ fn one_line(case: &mut CaseText<'_>, context: &Context<'_>, chain: &Chain, ways:
     if let Some(friction) = friction.as_ref().filter(|given| given.value >= 0.0) {
         case.given("friction", &number(friction.value), &friction.span, "CB");
     }
-    if !mooring.repeats.is_empty() {
-        let mut angles = vec![0.0];
-        // MAP++ turns them clockwise as seen from above (expand_node_position_z of its src/mapinit.c).
-        angles.extend(
-            mooring
-                .repeats
-                .iter()
-                .map(|angle| (-angle.value).rem_euclid(360.0)),
-        );
-        let span = &mooring.repeats[0].span;
-        case.given("repeat_at_deg", &numbers(&angles), span, "repeat");
-    }
+    repeats(case, mooring);
     clamps(case, context, chain);
     releases(case, context, chain, ways);
     if chain.pieces.len() > 1 {
         sections(case, context, chain, &ways.pasts);
     }
+}
+
+/// The segments of all pieces of a line together.
+fn segments(case: &mut CaseText<'_>, mooring: &Mooring, chain: &Chain) {
+    let pieces = chain.pieces.iter();
+    let segments: usize = pieces
+        .map(|(line, _)| mooring.lines[*line].segments.value)
+        .sum();
+    if segments == 0 {
+        return;
+    }
+    let value = segments.max(FEWEST).to_string();
+    let what = match segments < FEWEST {
+        true => "NumSegs; no line here has fewer",
+        false => "NumSegs",
+    };
+    let first = &mooring.lines[chain.pieces[0].0];
+    case.given("segments", &value, &first.segments.span, what);
+}
+
+/// Angles at which all lines are repeated about the vertical axis.
+fn repeats(case: &mut CaseText<'_>, mooring: &Mooring) {
+    let Some(first) = mooring.repeats.first() else {
+        return;
+    };
+    let mut angles = vec![0.0];
+    // MAP++ turns them clockwise as seen from above (expand_node_position_z of its src/mapinit.c).
+    let repeats = mooring.repeats.iter();
+    angles.extend(repeats.map(|angle| (-angle.value).rem_euclid(360.0)));
+    case.given("repeat_at_deg", &numbers(&angles), &first.span, "repeat");
 }
 
 /// Directions of lines that bend, at the rods that hold them.

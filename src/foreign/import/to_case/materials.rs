@@ -6,13 +6,13 @@ use std::ops::Range;
 use super::case_text::{CaseText, number as number_of, numbers, text};
 use super::names::Names;
 use crate::import::mooring::{
-    Damping, Given, LineType, Mass, Mooring, PastTension, Program, Stiffness, Syrope, WorkingCurve,
-    WorkingForm,
+    Damping, Given, Mass, Mooring, MooringLineType, PastTension, PolyesterCurve, Program,
+    Stiffness, Syrope, WorkingForm,
 };
 
 /// Writes the materials that lines are made of. Ropes whose strain depends on their past are one for each past.
 pub fn write(case: &mut CaseText<'_>, mooring: &Mooring, names: &Names) {
-    let pasts = Pasts::of(mooring);
+    let pasts = Pasts::of_mooring(mooring);
     let mut written = HashSet::new();
     for (number, line) in mooring.lines.iter().enumerate() {
         let name = name_of(mooring, names, &pasts, number);
@@ -45,7 +45,7 @@ pub struct Pasts {
 impl Pasts {
     /// Those of a mooring; of a line that is named twice the first counts.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         let mut pasts = Self::default();
         for (number, past) in mooring.past_tensions.iter().enumerate() {
             for line in &past.lines {
@@ -55,7 +55,8 @@ impl Pasts {
         let mut first: HashMap<usize, Option<[f64; 2]>> = HashMap::new();
         for (number, line) in mooring.lines.iter().enumerate() {
             let of_type = line.of_type.value;
-            let is_syrope = |of: &LineType| matches!(of.stiffness.value, Stiffness::Syrope(_));
+            let is_syrope =
+                |of: &MooringLineType| matches!(of.stiffness.value, Stiffness::Syrope(_));
             if !is_syrope(&mooring.line_types[of_type]) {
                 continue;
             }
@@ -87,7 +88,7 @@ pub fn name_of(mooring: &Mooring, names: &Names, pasts: &Pasts, line: usize) -> 
     }
 }
 
-fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
+fn material(case: &mut CaseText<'_>, of: &MooringLineType, program: Program) {
     let mut one = |key: &str, given: &Given<f64>, column: &str| {
         case.given(key, &number_of(given.value), &given.span, column);
     };
@@ -145,7 +146,7 @@ fn material(case: &mut CaseText<'_>, of: &LineType, program: Program) {
 }
 
 /// Tension by strain, where it is more than one stiffness.
-fn elasticity(case: &mut CaseText<'_>, of: &LineType) {
+fn elasticity(case: &mut CaseText<'_>, of: &MooringLineType) {
     let span = &of.stiffness.span;
     let curve = match &of.stiffness.value {
         Stiffness::Table(curve) => Some(curve),
@@ -199,7 +200,7 @@ fn elasticity(case: &mut CaseText<'_>, of: &LineType) {
 
 /// The curve below the greatest past tension. A first parameter below 1 is a ratio of strains, above it a stiffness.
 fn working_curve(case: &mut CaseText<'_>, rope: &Syrope, span: &Range<usize>) {
-    let WorkingCurve { form, k1, k2 } = rope.working_curve;
+    let PolyesterCurve { form, k1, k2 } = rope.working_curve;
     let shape = match form {
         WorkingForm::Linear => "linear",
         WorkingForm::Quadratic => "quadratic",

@@ -16,8 +16,8 @@ pub mod start;
 pub mod unmodelled;
 
 use self::case_text::{CaseText, text};
-use self::joints::Joints;
-use self::motion::Motion;
+use self::joints::LineJoints;
+use self::motion::CoupledMotion;
 use self::names::Names;
 use self::sea::sea_of;
 use super::fault::Fault;
@@ -42,15 +42,15 @@ pub fn case_of(
     let coupled = coupled_parts(mooring);
     let context = Context {
         has_vessel: coupled > 1 && !motion.is_of_each() || coupled > 0 && motion.is_of_one_body(),
-        names: Names::of(mooring),
-        joints: Joints::of(mooring),
+        names: Names::of_mooring(mooring),
+        joints: LineJoints::of_mooring(mooring),
         on_bodies: OnBody::all(mooring),
         mooring,
         sea,
         motion,
     };
     let left_out = unmodelled::leave_out(&context, options)?;
-    let mut case = CaseText::of(source, mooring);
+    let mut case = CaseText::of_mooring(source, mooring);
     head(&mut case, &context, file, (&left_out, &options.without));
     let in_air = is_in_air(mooring);
     sea::write(&mut case, mooring, options, &context.sea, in_air);
@@ -99,11 +99,11 @@ fn coupled_parts(mooring: &Mooring) -> usize {
     (points.count() + joints.count()) * copies
 }
 
-fn motion_of(mooring: &Mooring, options: &ImportOptions) -> Result<Motion, Vec<Fault>> {
+fn motion_of(mooring: &Mooring, options: &ImportOptions) -> Result<CoupledMotion, Vec<Fault>> {
     let Some(path) = &options.motion else {
-        return Ok(Motion::none());
+        return Ok(CoupledMotion::none());
     };
-    Motion::read(path, mooring).map_err(|why| {
+    CoupledMotion::read(path, mooring).map_err(|why| {
         vec![Fault::new(
             0..0,
             "",

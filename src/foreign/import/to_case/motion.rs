@@ -14,7 +14,7 @@ const NEAR: f64 = 0.5;
 
 /// What a column of coordinates belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Part {
+enum CoupledPart {
     Body(usize),
     Rod(usize),
     /// The end A of a rod that is pinned.
@@ -30,12 +30,12 @@ enum Layout {
     /// Six motions of the whole about its origin.
     Vessel,
     /// The coordinates of each coupled part, from this column on.
-    Each(Vec<(Part, usize)>),
+    Each(Vec<(CoupledPart, usize)>),
 }
 
 /// The motion of coupled parts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct CoupledMotion {
     layout: Layout,
     /// Times from 0 \[s\].
     times: Vec<f64>,
@@ -45,7 +45,7 @@ pub struct Motion {
     pub remarks: Vec<String>,
 }
 
-impl Motion {
+impl CoupledMotion {
     /// Nothing moves.
     #[must_use]
     pub fn none() -> Self {
@@ -131,7 +131,7 @@ impl Motion {
         match &self.layout {
             Layout::Vessel => self.write_table(case, 0, [0.0; 6]),
             Layout::Each(_) => {
-                let Some((first, rest)) = self.of(Part::Body(body)) else {
+                let Some((first, rest)) = self.start_of_part(CoupledPart::Body(body)) else {
                     return;
                 };
                 match is_pinned {
@@ -145,7 +145,7 @@ impl Motion {
 
     /// Writes the motion of a point.
     pub fn write_point(&self, case: &mut CaseText<'_>, point: usize) {
-        if let Some((first, rest)) = self.of(Part::Point(point)) {
+        if let Some((first, rest)) = self.start_of_part(CoupledPart::Point(point)) {
             self.write_places(case, first, rest);
         }
     }
@@ -172,7 +172,7 @@ impl Motion {
     }
 
     /// The first column of a part, and where the part is at first, which its table is relative to.
-    fn of(&self, part: Part) -> Option<(usize, [f64; 6])> {
+    fn start_of_part(&self, part: CoupledPart) -> Option<(usize, [f64; 6])> {
         let Layout::Each(parts) = &self.layout else {
             return None;
         };
@@ -240,7 +240,7 @@ impl Motion {
     }
 }
 
-impl Motion {
+impl CoupledMotion {
     /// Turns the angles in these columns \[deg\], three a body, from roll first, as MoorDyn takes them, into yaw first.
     fn angles_yaw_first(&mut self, columns: &[usize]) {
         for three in columns.chunks_exact(3) {
@@ -261,15 +261,15 @@ impl Motion {
 }
 
 /// Coupled coordinates of a part.
-fn degrees(part: Part) -> usize {
+fn degrees(part: CoupledPart) -> usize {
     match part {
-        Part::Body(_) | Part::Rod(_) => 6,
-        Part::PinnedRod(_) | Part::Point(_) => 3,
+        CoupledPart::Body(_) | CoupledPart::Rod(_) => 6,
+        CoupledPart::PinnedRod(_) | CoupledPart::Point(_) => 3,
     }
 }
 
 /// Coupled parts in the order of MoorDyn: bodies, rods, points.
-fn coupled(mooring: &Mooring) -> Vec<Part> {
+fn coupled(mooring: &Mooring) -> Vec<CoupledPart> {
     let bodies = mooring.bodies.iter().enumerate();
     let bodies = bodies.filter(|(_, body)| body.hold.value.is_coupled());
     let rods = mooring.rods.iter().enumerate();
@@ -277,17 +277,17 @@ fn coupled(mooring: &Mooring) -> Vec<Part> {
     let points = mooring.points.iter().enumerate();
     let points = points.filter(|(_, point)| point.hold.value == Hold::Coupled);
     bodies
-        .map(|(number, _)| Part::Body(number))
+        .map(|(number, _)| CoupledPart::Body(number))
         .chain(rods.map(|(number, rod)| match rod.hold.value {
-            Hold::Coupled => Part::Rod(number),
-            _ => Part::PinnedRod(number),
+            Hold::Coupled => CoupledPart::Rod(number),
+            _ => CoupledPart::PinnedRod(number),
         }))
-        .chain(points.map(|(number, _)| Part::Point(number)))
+        .chain(points.map(|(number, _)| CoupledPart::Point(number)))
         .collect()
 }
 
 /// The layout of so many columns; by the first row where both would do.
-fn layout(parts: &[Part], mooring: &Mooring, first: &[f64], count: usize) -> Option<Layout> {
+fn layout(parts: &[CoupledPart], mooring: &Mooring, first: &[f64], count: usize) -> Option<Layout> {
     if parts.is_empty() {
         return None;
     }
@@ -298,11 +298,11 @@ fn layout(parts: &[Part], mooring: &Mooring, first: &[f64], count: usize) -> Opt
         column += degrees(*part);
     }
     let fits = column == count;
-    let is_near = |(part, column): &(Part, usize)| {
+    let is_near = |(part, column): &(CoupledPart, usize)| {
         let place = match part {
-            Part::Body(body) => &mooring.bodies[*body].place,
-            Part::Rod(rod) | Part::PinnedRod(rod) => &mooring.rods[*rod].ends[0],
-            Part::Point(point) => &mooring.points[*point].place,
+            CoupledPart::Body(body) => &mooring.bodies[*body].place,
+            CoupledPart::Rod(rod) | CoupledPart::PinnedRod(rod) => &mooring.rods[*rod].ends[0],
+            CoupledPart::Point(point) => &mooring.points[*point].place,
         };
         let here = first.get(1 + column..4 + column);
         here.is_some_and(|here| {

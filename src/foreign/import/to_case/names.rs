@@ -25,7 +25,7 @@ pub struct Names {
 impl Names {
     /// The names of a mooring.
     #[must_use]
-    pub fn of(mooring: &Mooring) -> Self {
+    pub fn of_mooring(mooring: &Mooring) -> Self {
         let types = mooring.line_types.iter().map(|of| name(&of.name));
         let bodies = distinct(
             mooring.bodies.iter().map(|body| prefixed("body", &body.id)),

@@ -3,7 +3,7 @@
 use super::case_text::{CaseText, number, numbers, text};
 use super::context::{Context, is_in_air};
 use super::start::is_dropped;
-use crate::import::mooring::{Attachment, Given, Hold, Point, Rod};
+use crate::import::mooring::{Attachment, Given, Hold, MooringPoint, Rod};
 
 /// The name of what an end of a line is attached to.
 #[must_use]
@@ -79,7 +79,12 @@ fn on_body(
     }
 }
 
-fn one_point(case: &mut CaseText<'_>, context: &Context<'_>, number_of: usize, point: &Point) {
+fn one_point(
+    case: &mut CaseText<'_>,
+    context: &Context<'_>,
+    number_of: usize,
+    point: &MooringPoint,
+) {
     held(case, context, &point.hold, &point.place, Some(number_of));
     if point.hold.value != Hold::Free {
         return;

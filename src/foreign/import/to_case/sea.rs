@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use super::super::imported::ImportOptions;
 use super::case_text::{CaseText, number, numbers, text};
 use crate::import::mooring::{
-    CurrentFile, CurrentProfile, Elevation, Given, Hold, Mooring, Program, Sea, WaveComponent,
+    CurrentFile, Elevation, Given, Hold, Mooring, MooringCurrent, MooringSea, Program,
+    WaveComponent,
 };
 use crate::import::{fault::Fault, yaml};
 
@@ -226,7 +227,7 @@ fn bed(case: &mut CaseText<'_>, mooring: &Mooring, options: &ImportOptions, dept
 }
 
 /// Friction along lines, and across them where that is another.
-fn friction(case: &mut CaseText<'_>, sea: &Sea) {
+fn friction(case: &mut CaseText<'_>, sea: &MooringSea) {
     const SILENT: &str = "assumed: none, as where the file is silent";
     let (along, across) = match &sea.friction_along {
         Some(along) => (Some((along, "mu_kA")), sea.friction.as_ref()),
@@ -262,7 +263,7 @@ pub fn write_depths(case: &mut CaseText<'_>, mooring: &Mooring) {
 }
 
 /// Writes the current by height.
-pub fn write_current(case: &mut CaseText<'_>, profile: &Given<CurrentProfile>) {
+pub fn write_current(case: &mut CaseText<'_>, profile: &Given<MooringCurrent>) {
     case.table("[current]", Some(&profile.span));
     // The profile runs from above; heights above the water have no water.
     let (file, all) = (&profile.value.file, &profile.value.rows);

@@ -2,10 +2,10 @@
 
 use super::case_text::CaseText;
 use super::context::Context;
-use crate::import::mooring::{Attachment, Hold, Mooring, Program, Setting};
+use crate::import::mooring::{Attachment, Hold, Mooring, Program, ProgramSetting};
 
 /// The option by which `MoorDyn` does not bring the system to rest first.
-fn without_rest(mooring: &Mooring) -> Option<&Setting> {
+fn without_rest(mooring: &Mooring) -> Option<&ProgramSetting> {
     let is_of_moordyn = matches!(mooring.program, Program::MoorDyn | Program::MoorDyn1);
     let setting = mooring.setting("tmaxic").filter(|_| is_of_moordyn);
     setting.filter(|setting| setting.number() == Some(0.0))

@@ -5,7 +5,9 @@ use std::f64::consts::PI;
 use super::super::imported::ImportOptions;
 use super::context::Context;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Given, Hold, Line, Mass, Rod, Stiffness, Unmodelled};
+use crate::import::mooring::{
+    Attachment, Given, Hold, Mass, MooringLine, Rod, Stiffness, Unmodelled,
+};
 use crate::statics::catenary::{CatenaryLine, EndOffset, SectionProperties};
 
 /// Names by which `--without` leaves out what is not modelled.
@@ -228,7 +230,7 @@ fn negative_friction(context: &Context<'_>) -> Vec<Unmodelled> {
 }
 
 /// Whether a line hangs clear of the bed, by its catenary; nothing where an end of it is free.
-fn hangs_clear(context: &Context<'_>, line: &Line) -> Option<bool> {
+fn hangs_clear(context: &Context<'_>, line: &MooringLine) -> Option<bool> {
     let mooring = context.mooring;
     let depth = context.sea.depth.unwrap_or(0.0);
     let place = |end: usize| {

@@ -4,9 +4,11 @@ use std::path::Path;
 
 use super::mapping::Mapping;
 use super::raft::{self, RaftMooring};
-use super::tree::Node;
+use super::tree::YamlNode;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Body, Given, Hold, Line, Mooring, Point};
+use crate::import::mooring::{
+    Attachment, Given, Hold, Mooring, MooringBody, MooringLine, MooringPoint,
+};
 
 /// Lines that an array may have at most.
 const GREATEST_COUNT: usize = 20_000;
@@ -62,7 +64,7 @@ const WANTED: [&str; 4] = ["mooringID", "x_location", "y_location", "heading_adj
 const TABLE: &str = "give `keys: [turbineID, platformID, mooringID, x_location, y_location, heading_adjust]` and rows of `data`";
 
 /// The columns of a row: of the mooring, x, y, the heading, and how many there are.
-struct Columns {
+struct ArrayColumns {
     wanted: [usize; 4],
     count: usize,
 }
@@ -93,7 +95,11 @@ fn turbines(array: &Mapping<'_>, faults: &mut Vec<Fault>) -> Vec<Turbine> {
 }
 
 /// Where the keys that are read stand.
-fn columns(array: &Mapping<'_>, keys: &[Node<'_>], faults: &mut Vec<Fault>) -> Option<Columns> {
+fn columns(
+    array: &Mapping<'_>,
+    keys: &[YamlNode<'_>],
+    faults: &mut Vec<Fault>,
+) -> Option<ArrayColumns> {
     let found = WANTED.map(|name| {
         let column = keys.iter().position(|key| key.text() == Some(name));
         if column.is_none() {
@@ -106,7 +112,7 @@ fn columns(array: &Mapping<'_>, keys: &[Node<'_>], faults: &mut Vec<Fault>) -> O
     let [Some(mooring), Some(x), Some(y), Some(heading)] = found else {
         return None;
     };
-    Some(Columns {
+    Some(ArrayColumns {
         wanted: [mooring, x, y, heading],
         count: keys.len(),
     })
@@ -116,8 +122,8 @@ fn columns(array: &Mapping<'_>, keys: &[Node<'_>], faults: &mut Vec<Fault>) -> O
 fn turbine(
     array: &Mapping<'_>,
     number: usize,
-    row: &Node<'_>,
-    columns: &Columns,
+    row: &YamlNode<'_>,
+    columns: &ArrayColumns,
     faults: &mut Vec<Fault>,
 ) -> Option<Turbine> {
     let key = format!("data[{number}]");
@@ -164,11 +170,11 @@ fn whole(given: &Given<f64>) -> Option<usize> {
 }
 
 /// The platform of a turbine. RAFT turns the points on it and not the platform.
-fn body(turbine: &Turbine) -> Body {
+fn body(turbine: &Turbine) -> MooringBody {
     let span = turbine.place[0].span.clone();
     let none = || Given::new(0.0, span.clone());
     let [x, y] = turbine.place.clone();
-    Body {
+    MooringBody {
         id: turbine.number.to_string(),
         span: span.clone(),
         hold: Given::new(Hold::Coupled, span.clone()),
@@ -188,13 +194,13 @@ fn body(turbine: &Turbine) -> Body {
 /// The lines of `array_mooring`, from its file.
 fn shared_lines(
     root: &Mapping<'_>,
-    shared: &Node<'_>,
+    shared: &YamlNode<'_>,
     text: &str,
     folder: &Path,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
-    let Some(table) = Mapping::of(*shared, root.key("array_mooring"), faults) else {
+    let Some(table) = Mapping::of_node(*shared, root.key("array_mooring"), faults) else {
         return;
     };
     if let Some(depths) = table.get("bathymetry") {
@@ -282,7 +288,7 @@ fn place(turbine: &Turbine, system: &RaftMooring, mooring: &mut Mooring) {
             true => Hold::Body(turbine.number - 1),
             false => point.hold.value.clone(),
         };
-        mooring.points.push(Point {
+        mooring.points.push(MooringPoint {
             id: prefix(&point.id),
             hold: Given::new(hold, point.hold.span.clone()),
             place: [
@@ -298,7 +304,7 @@ fn place(turbine: &Turbine, system: &RaftMooring, mooring: &mut Mooring) {
             Attachment::Point(point) => Given::new(Attachment::Point(first + point), end.span),
             Attachment::Rod(..) | Attachment::Inside(_) => end,
         });
-        mooring.lines.push(Line {
+        mooring.lines.push(MooringLine {
             id: prefix(&line.id),
             ends,
             ..line.clone()

@@ -6,12 +6,14 @@
 use std::path::Path;
 
 use super::famodel_fairleads::{Fairleads, fairleads};
-use super::famodel_lines::{LineConfig, Parts};
+use super::famodel_lines::{ArrayParts, LineConfig};
 use super::famodel_rows::rows;
 use super::mapping::Mapping;
-use super::tree::{Node, shortened};
+use super::tree::{YamlNode, shortened};
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Body, Given, Hold, Line, Mooring, Point, Program, Sea};
+use crate::import::mooring::{
+    Attachment, Given, Hold, Mooring, MooringBody, MooringLine, MooringPoint, MooringSea, Program,
+};
 
 /// Lines that an array may have at most.
 const GREATEST_COUNT: usize = 20_000;
@@ -30,7 +32,7 @@ struct SystemLine<'d> {
     heading: Given<f64>,
     /// Its fairlead by number from 1.
     fairlead: Option<Given<f64>>,
-    row: Node<'d>,
+    row: YamlNode<'d>,
 }
 
 /// A row of the array.
@@ -38,7 +40,7 @@ struct Platform<'d> {
     name: Given<String>,
     place: [Given<f64>; 3],
     heading: Given<f64>,
-    mooring: Node<'d>,
+    mooring: YamlNode<'d>,
     kind: Given<f64>,
 }
 
@@ -57,7 +59,7 @@ pub fn read(root: &Mapping<'_>, folder: &Path) -> Result<Mooring, Vec<Fault>> {
         }
     }
     let depth = sea(root, &mut mooring, &mut faults);
-    let parts = Parts::read(root, &mut faults);
+    let parts = ArrayParts::read(root, &mut faults);
     let platforms = platforms(root, &mut faults);
     if let Some(depth) = depth {
         for platform in &platforms {
@@ -95,10 +97,10 @@ fn sea(root: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>) -> Op
     let site = root.mapping("site", remedy, faults)?;
     let general = site.mapping("general", remedy, faults)?;
     let depth = general.positive("water_depth", faults);
-    mooring.sea = Sea {
+    mooring.sea = MooringSea {
         density: general.optional_positive("rho_water", faults).flatten(),
         depth: depth.clone(),
-        ..Sea::default()
+        ..MooringSea::default()
     };
     let depth = depth?;
     if let Some(bed) = site.optional_mapping("bathymetry") {
@@ -158,7 +160,7 @@ fn platforms<'d>(root: &Mapping<'d>, faults: &mut Vec<Fault>) -> Vec<Platform<'d
 /// The lines of a mooring system.
 fn system<'d>(
     root: &Mapping<'d>,
-    name: &Node<'_>,
+    name: &YamlNode<'_>,
     faults: &mut Vec<Fault>,
 ) -> Option<Vec<SystemLine<'d>>> {
     let remedy = "give `mooring_systems` with the lines of each by heading";
@@ -180,7 +182,7 @@ fn system<'d>(
         ));
         return None;
     };
-    let table = Mapping::of(node, systems.key(&shortened(text)), faults)?;
+    let table = Mapping::of_node(node, systems.key(&shortened(text)), faults)?;
     let mut lines = Vec::new();
     for row in rows(
         &table,
@@ -209,7 +211,7 @@ fn moor(
     folder: &Path,
     platform: &Platform<'_>,
     depth: &Given<f64>,
-    parts: &Parts,
+    parts: &ArrayParts,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
@@ -306,15 +308,15 @@ fn add(
     [anchor, at, center]: [[f64; 3]; 3],
     body: usize,
     span: &std::ops::Range<usize>,
-    parts: &Parts,
+    parts: &ArrayParts,
     mooring: &mut Mooring,
 ) {
-    let point = |id: String, hold: Hold, place: [f64; 3]| Point {
+    let point = |id: String, hold: Hold, place: [f64; 3]| MooringPoint {
         id,
         span: span.clone(),
         hold: Given::new(hold, span.clone()),
         place: place.map(|value| Given::new(value, span.clone())),
-        ..Parts::no_connector(span)
+        ..ArrayParts::no_connector(span)
     };
     let first = mooring.points.len();
     let point_name = |number: usize| format!("{name}-p{number}");
@@ -345,7 +347,7 @@ fn add(
         }
         let attached =
             |number: usize| Given::new(Attachment::Point(first + number), section.span.clone());
-        mooring.lines.push(Line {
+        mooring.lines.push(MooringLine {
             id: format!("{name}-s{}", number + 1),
             span: section.span.clone(),
             of_type: section.of_type.clone(),
@@ -357,10 +359,10 @@ fn add(
     }
 }
 
-fn body_of(platform: &Platform<'_>) -> Body {
+fn body_of(platform: &Platform<'_>) -> MooringBody {
     let span = platform.name.span.clone();
     let none = || Given::new(0.0, span.clone());
-    Body {
+    MooringBody {
         id: platform.name.value.clone(),
         span: span.clone(),
         hold: Given::new(Hold::Coupled, span.clone()),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::load;
 use super::mapping::Mapping;
-use super::tree::{Node, shortened};
+use super::tree::{YamlNode, shortened};
 use crate::import::fault::{Fault, line_and_column};
 use crate::import::moordyn::files::Files;
 use crate::import::mooring::Given;
@@ -29,7 +29,7 @@ pub fn fairleads(
 ) -> Option<Fairleads> {
     let remedy = "a platform has `rFair` and `zFair`, or `fairleads`";
     if let Some(node) = root.get("platform") {
-        return of_platform(&Mapping::of(node, "platform", faults)?, None, faults);
+        return of_platform(&Mapping::of_node(node, "platform", faults)?, None, faults);
     }
     let list = root.required("platforms", remedy, faults)?;
     let items = list.items().unwrap_or_default();
@@ -55,29 +55,22 @@ pub fn fairleads(
         .filter(|scalar| scalar.tag.as_deref() == Some("!include"))
     {
         Some(scalar) => included(&scalar.text, node, &path, folder, faults),
-        None => of_platform(&Mapping::of(*node, path, faults)?, None, faults),
+        None => of_platform(&Mapping::of_node(*node, path, faults)?, None, faults),
     }
 }
 
 /// The fairleads of a platform in a file of its own.
 fn included(
     name: &str,
-    node: &Node<'_>,
+    node: &YamlNode<'_>,
     path: &str,
     folder: &Path,
     faults: &mut Vec<Fault>,
 ) -> Option<Fairleads> {
     let at = node.span();
-    let word = Word {
-        text: name,
-        start: at.start,
-    };
-    let text = match (Files { folder }).text(word, path) {
+    let text = match text_of_platform(name, &at, path, folder) {
         Ok(text) => text,
-        Err(mut fault) => {
-            fault.span = at;
-            fault.remedy =
-                "put it there: it has the place of the fairleads (rFair, zFair)".to_owned();
+        Err(fault) => {
             faults.push(fault);
             return None;
         }
@@ -96,7 +89,7 @@ fn included(
             return None;
         }
     };
-    let Some(root) = document.root().filter(Node::is_mapping) else {
+    let Some(root) = document.root().filter(YamlNode::is_mapping) else {
         let problem = format!(
             "the file `{}` is no YAML file of a platform",
             shortened(name)
@@ -111,7 +104,7 @@ fn included(
     };
     let node = root
         .get("platform")
-        .filter(Node::is_mapping)
+        .filter(YamlNode::is_mapping)
         .unwrap_or(root);
     let platform = Mapping {
         node,
@@ -121,6 +114,25 @@ fn included(
     let read = of_platform(&platform, Some(&at), &mut inside);
     faults.extend(inside.into_iter().map(outside));
     read
+}
+
+/// The text of the file of a platform that is named at a place.
+fn text_of_platform(
+    name: &str,
+    at: &Range<usize>,
+    path: &str,
+    folder: &Path,
+) -> Result<String, Fault> {
+    let word = Word {
+        text: name,
+        start: at.start,
+    };
+    let text = (Files { folder }).text(word, path);
+    text.map_err(|fault| Fault {
+        span: at.clone(),
+        remedy: "put it there: it has the place of the fairleads (rFair, zFair)".to_owned(),
+        ..fault
+    })
 }
 
 /// A fault of an included file where that is named, with its row there in the words.

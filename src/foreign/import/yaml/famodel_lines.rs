@@ -6,11 +6,13 @@ use super::mapping::{Lookup, Mapping, find, listed};
 use super::system::Named;
 use super::tree::shortened;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Damping, Given, Hold, LineType, Mass, Point, Stiffness};
+use crate::import::mooring::{
+    Damping, Given, Hold, Mass, MooringLineType, MooringPoint, Stiffness,
+};
 
 /// A piece of a line of one type.
 #[derive(Debug, Clone)]
-pub struct Section {
+pub struct LinePiece {
     /// Its row.
     pub span: Range<usize>,
     /// Its type, by its place in the list.
@@ -27,7 +29,7 @@ pub struct LineConfig {
     /// Horizontal distance of anchor and fairlead \[m\].
     pub span: Given<f64>,
     /// Its sections, one at least.
-    pub sections: Vec<Section>,
+    pub sections: Vec<LinePiece>,
 }
 
 /// A connector between sections.
@@ -40,14 +42,14 @@ struct Connector {
 
 /// The parts that an array is of.
 #[derive(Debug, Clone)]
-pub struct Parts {
+pub struct ArrayParts {
     /// Line types.
-    pub types: Named<LineType>,
+    pub types: Named<MooringLineType>,
     connectors: Named<Connector>,
     configs: Named<LineConfig>,
 }
 
-impl Parts {
+impl ArrayParts {
     /// Reads the tables of an array.
     pub fn read(root: &Mapping<'_>, faults: &mut Vec<Fault>) -> Self {
         let types = table(root, "mooring_line_types", faults, line_type);
@@ -84,7 +86,7 @@ impl Parts {
         }
         let found = find(
             name,
-            &Lookup::of(&self.configs.names),
+            &Lookup::of_names(&self.configs.names),
             "configuration",
             key,
             faults,
@@ -94,12 +96,12 @@ impl Parts {
 
     /// A point with the mass, volume and drag of a connector.
     #[must_use]
-    pub fn connector(&self, connector: Option<usize>, point: Point) -> Point {
+    pub fn connector(&self, connector: Option<usize>, point: MooringPoint) -> MooringPoint {
         let found = connector.and_then(|number| self.connectors.entries.get(number)?.as_ref());
         let Some(found) = found else {
             return point;
         };
-        Point {
+        MooringPoint {
             mass: found.mass.clone(),
             volume: found.volume.clone(),
             drag_area: found.drag_area.clone(),
@@ -109,9 +111,9 @@ impl Parts {
 
     /// A point of nothing but rope.
     #[must_use]
-    pub fn no_connector(span: &Range<usize>) -> Point {
+    pub fn no_connector(span: &Range<usize>) -> MooringPoint {
         let none = || Given::new(0.0, span.clone());
-        Point {
+        MooringPoint {
             id: String::new(),
             span: span.clone(),
             hold: Given::new(Hold::Free, span.clone()),
@@ -140,7 +142,7 @@ fn table<T>(
         return named;
     };
     for (name, node) in table.node.entries().unwrap_or_default() {
-        let row = Mapping::of(node, table.key(&shortened(name)), faults);
+        let row = Mapping::of_node(node, table.key(&shortened(name)), faults);
         named.names.push(name.to_owned());
         named
             .entries
@@ -149,7 +151,7 @@ fn table<T>(
     named
 }
 
-fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<LineType> {
+fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<MooringLineType> {
     let diameter = row.positive("d_vol", faults);
     let mass = row.not_negative("m", faults);
     let stiffness = row.positive("EA", faults);
@@ -160,7 +162,7 @@ fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<L
     };
     let (mass, stiffness) = (mass?, stiffness?);
     let none = || Given::new(0.0, row.node.span());
-    Some(LineType {
+    Some(MooringLineType {
         name: name.to_owned(),
         span: row.node.key_span(),
         diameter: diameter?,
@@ -177,6 +179,18 @@ fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<L
     })
 }
 
+/// What the sections of a configuration are.
+const PIECES: &str = "each is `- connectorType: NAME`, or `- type: NAME` with a `length`";
+
+/// A fault where a configuration is given by half.
+fn refuse_half(row: &Mapping<'_>, faults: &mut Vec<Fault>) {
+    let symmetric = row.get("symmetric");
+    if let Some(symmetric) = symmetric.filter(|node| node.text() != Some("False")) {
+        let problem = "configurations that are given by half (symmetric) are not read";
+        faults.push(row.fault(&symmetric, "symmetric", problem, "write out all sections"));
+    }
+}
+
 /// A configuration: connectors and sections in turn, from the anchor on.
 fn config(
     row: &Mapping<'_>,
@@ -184,31 +198,24 @@ fn config(
     connectors: &[String],
     faults: &mut Vec<Fault>,
 ) -> Option<LineConfig> {
-    const REMEDY: &str = "each is `- connectorType: NAME`, or `- type: NAME` with a `length`";
     let span = row.positive("span", faults);
-    if let Some(symmetric) = row
-        .get("symmetric")
-        .filter(|node| node.text() != Some("False"))
-    {
-        let problem = "configurations that are given by half (symmetric) are not read";
-        faults.push(row.fault(&symmetric, "symmetric", problem, "write out all sections"));
-    }
-    let list = row.required("sections", REMEDY, faults)?;
+    refuse_half(row, faults);
+    let list = row.required("sections", PIECES, faults)?;
     let items = list.items().unwrap_or_default();
-    let mut sections: Vec<Section> = Vec::new();
+    let mut sections: Vec<LinePiece> = Vec::new();
     let mut is_valid = true;
     for (number, node) in items.into_iter().enumerate() {
         let path = format!("{}[{}]", row.key("sections"), number + 1);
-        let Some(item) = Mapping::of(node, path, faults) else {
+        let Some(item) = Mapping::of_node(node, path, faults) else {
             is_valid = false;
             continue;
         };
         if item.get("connectorType").is_some() {
-            let name = item.word("connectorType", REMEDY, faults)?;
+            let name = item.word("connectorType", PIECES, faults)?;
             let key = item.key("connectorType");
             let connector = find(
                 &name,
-                &Lookup::of(connectors),
+                &Lookup::of_names(connectors),
                 "connector type",
                 key,
                 faults,
@@ -226,7 +233,7 @@ fn config(
             is_valid = false;
             let problem = "this is neither a connector nor a section of a line type";
             let span = item.node.span();
-            faults.push(Fault::new(span, item.path.clone(), problem, REMEDY));
+            faults.push(Fault::new(span, item.path.clone(), problem, PIECES));
         }
     }
     if sections.is_empty() && is_valid {
@@ -244,19 +251,19 @@ fn config(
     })
 }
 
-fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Option<Section> {
+fn section(item: &Mapping<'_>, types: &[String], faults: &mut Vec<Fault>) -> Option<LinePiece> {
     let name = item.word("type", "name a line type", faults);
     let of_type = name.and_then(|name| {
         find(
             &name,
-            &Lookup::of(types),
+            &Lookup::of_names(types),
             "line type",
             item.key("type"),
             faults,
         )
     });
     let length = item.positive("length", faults);
-    Some(Section {
+    Some(LinePiece {
         span: item.node.span(),
         of_type: of_type?,
         length: length?,

@@ -3,24 +3,24 @@
 use std::ops::Range;
 
 use super::mapping::Mapping;
-use super::tree::Node;
+use super::tree::YamlNode;
 use crate::import::fault::Fault;
 use crate::import::mooring::Given;
 
 /// A row of a table of `keys` and `data`.
-pub struct Row<'d> {
+pub struct DataRow<'d> {
     /// Its values with their keys.
-    pub cells: Vec<(&'d str, Node<'d>)>,
+    pub cells: Vec<(&'d str, YamlNode<'d>)>,
     /// Its bytes.
     pub span: Range<usize>,
     mapping: Mapping<'d>,
     path: String,
 }
 
-impl<'d> Row<'d> {
+impl<'d> DataRow<'d> {
     /// The value of a key, if it has one.
     #[must_use]
-    pub fn get(&self, key: &str) -> Option<Node<'d>> {
+    pub fn get(&self, key: &str) -> Option<YamlNode<'d>> {
         let cell = self.cells.iter().find(|(name, _)| *name == key);
         cell.map(|(_, node)| *node).filter(|node| !node.is_null())
     }
@@ -30,7 +30,12 @@ impl<'d> Row<'d> {
     }
 
     /// The value of a key that must be there.
-    pub fn required(&self, key: &str, remedy: &str, faults: &mut Vec<Fault>) -> Option<Node<'d>> {
+    pub fn required(
+        &self,
+        key: &str,
+        remedy: &str,
+        faults: &mut Vec<Fault>,
+    ) -> Option<YamlNode<'d>> {
         let found = self.get(key);
         if found.is_none() {
             let problem = format!("there is no `{key}`");
@@ -64,7 +69,7 @@ impl<'d> Row<'d> {
 }
 
 /// The rows of a table of `keys` and `data`.
-pub fn rows<'d>(table: &Mapping<'d>, remedy: &str, faults: &mut Vec<Fault>) -> Vec<Row<'d>> {
+pub fn rows<'d>(table: &Mapping<'d>, remedy: &str, faults: &mut Vec<Fault>) -> Vec<DataRow<'d>> {
     let lists = ["keys", "data"].map(|key| {
         let node = table.required(key, remedy, faults)?;
         let items = node.items();
@@ -99,7 +104,7 @@ pub fn rows<'d>(table: &Mapping<'d>, remedy: &str, faults: &mut Vec<Fault>) -> V
             ));
             continue;
         }
-        rows.push(Row {
+        rows.push(DataRow {
             cells: names.iter().copied().zip(cells).collect(),
             span: node.span(),
             mapping: table.clone(),

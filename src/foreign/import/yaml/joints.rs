@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::mapping::Mapping;
-use super::tree::{Node, shortened};
+use super::tree::{YamlNode, shortened};
 use crate::import::fault::Fault;
 use crate::import::mooring::Given;
 
@@ -21,7 +21,7 @@ struct AxialJoint<'d> {
 
 /// The joints of a platform by their names.
 #[derive(Debug, Clone, Default)]
-pub struct Joints<'d> {
+pub struct PlatformJoints<'d> {
     joints: HashMap<&'d str, Mapping<'d>>,
     axial: HashMap<&'d str, AxialJoint<'d>>,
     /// Whether angles are in radians: in files before version 2.
@@ -30,9 +30,13 @@ pub struct Joints<'d> {
     pub has_angles: bool,
 }
 
-impl<'d> Joints<'d> {
+impl<'d> PlatformJoints<'d> {
     /// The joints of `components: floating_platform`, if there is one.
-    pub fn of(root: &Mapping<'d>, components: &Mapping<'d>, faults: &mut Vec<Fault>) -> Self {
+    pub fn of_components(
+        root: &Mapping<'d>,
+        components: &Mapping<'d>,
+        faults: &mut Vec<Fault>,
+    ) -> Self {
         let mut all = Self::default();
         let Some(platform) = components.optional_mapping("floating_platform") else {
             return all;
@@ -43,7 +47,7 @@ impl<'d> Joints<'d> {
             false => Vec::new(),
         };
         for row in rows {
-            let named = |node: Node<'d>| node.text();
+            let named = |node: YamlNode<'d>| node.text();
             if let Some(name) = row.get("name").and_then(named) {
                 all.joints.insert(name, row);
             }

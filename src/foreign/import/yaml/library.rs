@@ -2,7 +2,7 @@
 
 use super::load;
 use super::mapping::Mapping;
-use super::tree::{Node, in_a_row, shortened};
+use super::tree::{YamlNode, in_a_row, shortened};
 use crate::case::Diagnostic;
 use crate::import::fault::{self, Fault, GREATEST_FAULTS};
 use crate::line_types::{Library, LibraryType, OuterDiameter, Polynomial, UnreadType};
@@ -77,11 +77,11 @@ pub fn read(text: &str, file: &str) -> Result<Library, Vec<Diagnostic>> {
 
 /// Reads the types one by one; `faults` are those of the table as a whole.
 fn types(
-    root: Option<Node<'_>>,
+    root: Option<YamlNode<'_>>,
     faults: &mut Vec<Fault>,
     put: &mut dyn FnMut(String, Result<LibraryType, Vec<Fault>>),
 ) {
-    let Some(root) = root.and_then(|root| Mapping::of(root, "", faults)) else {
+    let Some(root) = root.and_then(|root| Mapping::of_node(root, "", faults)) else {
         return;
     };
     let remedy = "a library of MoorPy has a table `lineProps` with the coefficients of each type";
@@ -100,7 +100,7 @@ fn types(
     }
     for (name, node) in entries {
         let mut own = Vec::new();
-        let row = Mapping::of(node, table.key(&shortened(name)), &mut own);
+        let row = Mapping::of_node(node, table.key(&shortened(name)), &mut own);
         let read = row.and_then(|row| line_type(name, &row, &mut own));
         let read = read.filter(|_| own.is_empty());
         put(in_a_row(name), read.ok_or(own));

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use saphyr_parser::{Event, Marker, Parser, ScalarStyle, ScanError, Span};
 
-use super::tree::{Document, Key, Scalar, Spanned, Value, shortened};
+use super::tree::{Scalar, Spanned, Value, YamlDocument, YamlKey, shortened};
 use crate::import::fault::Fault;
 
 /// Greatest depth of nodes.
@@ -20,9 +20,9 @@ const GREATEST_COUNT: usize = 4_000_000;
 ///
 /// # Errors
 /// The first fault of its syntax; what is too large or has several documents.
-pub fn load(text: &str) -> Result<(Document, Vec<Fault>), Fault> {
+pub fn load(text: &str) -> Result<(YamlDocument, Vec<Fault>), Fault> {
     let text_without_mark = text.strip_prefix('\u{feff}').unwrap_or(text);
-    let places = Places::of(text_without_mark, text.len() - text_without_mark.len());
+    let places = Places::of_text(text_without_mark, text.len() - text_without_mark.len());
     let mut loader = Loader::new(places);
     for event in Parser::new_from_str(text_without_mark) {
         let (event, span) = event.map_err(|error| loader.syntax(&error, text))?;
@@ -36,7 +36,7 @@ pub fn load(text: &str) -> Result<(Document, Vec<Fault>), Fault> {
             "write a design with a `mooring` table",
         ));
     };
-    let document = Document {
+    let document = YamlDocument {
         nodes: loader.nodes,
         root,
     };
@@ -53,7 +53,7 @@ struct Places {
 }
 
 impl Places {
-    fn of(text: &str, offset: usize) -> Self {
+    fn of_text(text: &str, offset: usize) -> Self {
         let bytes = || text.char_indices().map(|(byte, _)| byte).collect();
         Self {
             bytes: (!text.is_ascii()).then(bytes),
@@ -77,23 +77,23 @@ impl Places {
 }
 
 /// A sequence or mapping that has begun.
-struct Open {
+struct OpenCollection {
     anchor: usize,
     span: Range<usize>,
-    content: Content,
+    content: NodeContent,
 }
 
-enum Content {
+enum NodeContent {
     Sequence(Vec<usize>),
     Mapping(Box<OpenMapping>),
 }
 
 #[derive(Default)]
 struct OpenMapping {
-    entries: Vec<(Key, usize)>,
+    entries: Vec<(YamlKey, usize)>,
     names: HashSet<String>,
     /// The key whose value comes next.
-    key: Option<Key>,
+    key: Option<YamlKey>,
     /// Nodes of merge keys.
     merged: Vec<(usize, Range<usize>)>,
 }
@@ -102,7 +102,7 @@ struct Loader {
     places: Places,
     nodes: Vec<Spanned>,
     count: usize,
-    open: Vec<Open>,
+    open: Vec<OpenCollection>,
     anchors: HashMap<usize, usize>,
     documents: usize,
     root: Option<usize>,
@@ -172,10 +172,10 @@ impl Loader {
                 self.add(id)?;
             }
             Event::SequenceStart(anchor, _) => {
-                self.begin(anchor, range, Content::Sequence(Vec::new()))?;
+                self.begin(anchor, range, NodeContent::Sequence(Vec::new()))?;
             }
             Event::MappingStart(anchor, _) => {
-                self.begin(anchor, range, Content::Mapping(Box::default()))?;
+                self.begin(anchor, range, NodeContent::Mapping(Box::default()))?;
             }
             Event::SequenceEnd | Event::MappingEnd => self.end()?,
             Event::Nothing | Event::StreamStart | Event::StreamEnd | Event::DocumentEnd => {}
@@ -196,7 +196,12 @@ impl Loader {
         self.add(id)
     }
 
-    fn begin(&mut self, anchor: usize, span: Range<usize>, content: Content) -> Result<(), Fault> {
+    fn begin(
+        &mut self,
+        anchor: usize,
+        span: Range<usize>,
+        content: NodeContent,
+    ) -> Result<(), Fault> {
         if self.open.len() >= GREATEST_DEPTH {
             return Err(Fault::new(
                 span,
@@ -205,7 +210,7 @@ impl Loader {
                 "a design has fewer than 20",
             ));
         }
-        self.open.push(Open {
+        self.open.push(OpenCollection {
             anchor,
             span,
             content,
@@ -218,8 +223,8 @@ impl Loader {
             return Ok(());
         };
         let (span, value) = match open.content {
-            Content::Sequence(ids) => (open.span, Value::Sequence(ids)),
-            Content::Mapping(mapping) => {
+            NodeContent::Sequence(ids) => (open.span, Value::Sequence(ids)),
+            NodeContent::Mapping(mapping) => {
                 let mut mapping = *mapping;
                 self.merge(&mut mapping)?;
                 let first = mapping.entries.first().map(|(key, _)| key.span.clone());
@@ -249,7 +254,7 @@ impl Loader {
                         "write `<<: *name` with the anchor of a mapping",
                     ));
                 };
-                let new: Vec<(Key, usize)> = entries
+                let new: Vec<(YamlKey, usize)> = entries
                     .iter()
                     .filter(|(key, _)| mapping.names.insert(key.name.clone()))
                     .cloned()
@@ -297,11 +302,11 @@ impl Loader {
             return Ok(());
         };
         let mapping = match &mut open.content {
-            Content::Sequence(ids) => {
+            NodeContent::Sequence(ids) => {
                 ids.push(id);
                 return Ok(());
             }
-            Content::Mapping(mapping) => mapping,
+            NodeContent::Mapping(mapping) => mapping,
         };
         let Some(key) = mapping.key.take() else {
             let node = self.nodes.get(id);
@@ -348,9 +353,9 @@ fn tab_near(text: &str, at: usize) -> Option<usize> {
     None
 }
 
-fn key_of(node: &Spanned) -> Result<Key, Fault> {
+fn key_of(node: &Spanned) -> Result<YamlKey, Fault> {
     match &node.value {
-        Value::Scalar(scalar) => Ok(Key {
+        Value::Scalar(scalar) => Ok(YamlKey {
             name: scalar.text.clone(),
             span: node.span.clone(),
         }),

@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::tree::{Node, shortened};
+use super::tree::{YamlNode, shortened};
 use crate::import::fault::Fault;
 use crate::import::mooring::Given;
 use crate::import::size;
@@ -14,14 +14,18 @@ use crate::import::size;
 #[derive(Debug, Clone)]
 pub struct Mapping<'d> {
     /// The node; not always a mapping: it then has no keys.
-    pub node: Node<'d>,
+    pub node: YamlNode<'d>,
     /// Its path, `mooring.lines.line1`.
     pub path: String,
 }
 
 impl<'d> Mapping<'d> {
     /// A mapping at a path; nothing, with its fault, if the node is none.
-    pub fn of(node: Node<'d>, path: impl Into<String>, faults: &mut Vec<Fault>) -> Option<Self> {
+    pub fn of_node(
+        node: YamlNode<'d>,
+        path: impl Into<String>,
+        faults: &mut Vec<Fault>,
+    ) -> Option<Self> {
         let path = path.into();
         if node.is_mapping() {
             return Some(Self { node, path });
@@ -49,7 +53,7 @@ impl<'d> Mapping<'d> {
 
     /// The value of a key, if it has one.
     #[must_use]
-    pub fn get(&self, key: &str) -> Option<Node<'d>> {
+    pub fn get(&self, key: &str) -> Option<YamlNode<'d>> {
         self.node.get(key).filter(|node| !node.is_null())
     }
 
@@ -57,7 +61,7 @@ impl<'d> Mapping<'d> {
     #[must_use]
     pub fn fault(
         &self,
-        node: &Node<'_>,
+        node: &YamlNode<'_>,
         key: &str,
         problem: impl Into<String>,
         remedy: impl Into<String>,
@@ -66,7 +70,12 @@ impl<'d> Mapping<'d> {
     }
 
     /// The value of a key that must be there.
-    pub fn required(&self, key: &str, remedy: &str, faults: &mut Vec<Fault>) -> Option<Node<'d>> {
+    pub fn required(
+        &self,
+        key: &str,
+        remedy: &str,
+        faults: &mut Vec<Fault>,
+    ) -> Option<YamlNode<'d>> {
         if let Some(node) = self.get(key) {
             return Some(node);
         }
@@ -81,13 +90,13 @@ impl<'d> Mapping<'d> {
     /// The mapping of a key that must be there.
     pub fn mapping(&self, key: &str, remedy: &str, faults: &mut Vec<Fault>) -> Option<Self> {
         let node = self.required(key, remedy, faults)?;
-        Self::of(node, self.key(key), faults)
+        Self::of_node(node, self.key(key), faults)
     }
 
     /// The mapping of a key, if there is one.
     #[must_use]
     pub fn optional_mapping(&self, key: &str) -> Option<Self> {
-        let node = self.get(key).filter(Node::is_mapping)?;
+        let node = self.get(key).filter(YamlNode::is_mapping)?;
         Some(Self {
             node,
             path: self.key(key),
@@ -111,7 +120,7 @@ impl<'d> Mapping<'d> {
             faults.push(Fault::new(span, self.key(key), problem, remedy));
         }
         if size::too_many(items.len()) {
-            let at = items.get(size::most()).map_or(list.span(), Node::span);
+            let at = items.get(size::most()).map_or(list.span(), YamlNode::span);
             faults.push(size::fault(&self.key(key), items.len(), at));
             return Vec::new();
         }
@@ -122,7 +131,7 @@ impl<'d> Mapping<'d> {
                 Some(name) => format!("{}.{}", self.key(key), shortened(name)),
                 None => format!("{}[{}]", self.key(key), number + 1),
             };
-            Self::of(node, path, faults)
+            Self::of_node(node, path, faults)
         });
         named.collect()
     }
@@ -193,7 +202,7 @@ impl<'d> Mapping<'d> {
             faults.push(self.fault(&node, key, problem, REMEDY));
             return None;
         };
-        let Ok(items): Result<[Node<'_>; 3], _> = items.as_slice().try_into() else {
+        let Ok(items): Result<[YamlNode<'_>; 3], _> = items.as_slice().try_into() else {
             let problem = format!("the list has {} numbers where 3 are read", items.len());
             faults.push(self.fault(&node, key, problem, REMEDY));
             return None;
@@ -205,7 +214,7 @@ impl<'d> Mapping<'d> {
     /// The number that a node of this mapping is.
     pub fn number_of(
         &self,
-        node: &Node<'_>,
+        node: &YamlNode<'_>,
         key: &str,
         faults: &mut Vec<Fault>,
     ) -> Option<Given<f64>> {
@@ -260,9 +269,9 @@ impl<'d> Mapping<'d> {
 
     /// Keys that are neither of these, in the order of the file.
     #[must_use]
-    pub fn others(&self, known: &[&str]) -> Vec<(&'d str, Node<'d>)> {
+    pub fn others(&self, known: &[&str]) -> Vec<(&'d str, YamlNode<'d>)> {
         let entries = self.node.entries().unwrap_or_default();
-        let is_other = |(key, _): &(&str, Node<'_>)| !known.contains(key);
+        let is_other = |(key, _): &(&str, YamlNode<'_>)| !known.contains(key);
         entries.into_iter().filter(is_other).collect()
     }
 }
@@ -277,7 +286,7 @@ pub struct Lookup<'n> {
 impl<'n> Lookup<'n> {
     /// Of a list; of two names that are the same the first counts.
     #[must_use]
-    pub fn of(names: &'n [String]) -> Self {
+    pub fn of_names(names: &'n [String]) -> Self {
         let mut places = HashMap::new();
         for (place, name) in names.iter().enumerate() {
             places.entry(name.as_str()).or_insert(place);

@@ -21,7 +21,7 @@ pub mod tree;
 use std::path::Path;
 
 use self::mapping::Mapping;
-use self::tree::Node;
+use self::tree::YamlNode;
 use super::fault::Fault;
 use super::mooring::Mooring;
 pub use constants::{DENSITY, GRAVITY};
@@ -47,7 +47,7 @@ pub fn read(text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
     Err(faults)
 }
 
-fn design(root: Node<'_>, text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
+fn design(root: YamlNode<'_>, text: &str, folder: &Path) -> Result<Mooring, Vec<Fault>> {
     let has = |key: &str| root.get(key);
     let table = Mapping {
         node: root,
@@ -78,7 +78,7 @@ fn design(root: Node<'_>, text: &str, folder: &Path) -> Result<Mooring, Vec<Faul
 }
 
 /// A file without any of the tables that moorings are read from.
-fn no_design(root: &Node<'_>) -> Fault {
+fn no_design(root: &YamlNode<'_>) -> Fault {
     Fault::new(
         root.span(),
         "",

@@ -3,12 +3,12 @@
 //! Nodes lie at a `location` or at a joint of the floating platform. Density, gravity and depth come from `environment`, which files
 //! of version 2 no longer have.
 
-use super::joints::Joints;
+use super::joints::PlatformJoints;
 use super::mapping::{Mapping, listed};
 use super::ontology_types;
 use super::system::{Dialect, Named, lines, point};
 use crate::import::fault::Fault;
-use crate::import::mooring::{Given, Mooring, Point, Program, Sea};
+use crate::import::mooring::{Given, Mooring, MooringPoint, MooringSea, Program};
 
 /// Names of the ontology.
 const DIALECT: Dialect = Dialect {
@@ -33,7 +33,7 @@ pub fn read(root: &Mapping<'_>) -> Result<Mooring, Vec<Fault>> {
         .unwrap_or_default()
         .to_owned();
     if let Some(components) = root.mapping("components", "give the parts", &mut faults) {
-        let joints = Joints::of(root, &components, &mut faults);
+        let joints = PlatformJoints::of_components(root, &components, &mut faults);
         let remedy = "a moored turbine has `components: mooring` with nodes, lines and line_types";
         if let Some(table) = components.mapping("mooring", remedy, &mut faults) {
             system(&table, &joints, &mut mooring, &mut faults);
@@ -56,7 +56,7 @@ pub fn read(root: &Mapping<'_>) -> Result<Mooring, Vec<Fault>> {
 
 fn system(
     table: &Mapping<'_>,
-    joints: &Joints<'_>,
+    joints: &PlatformJoints<'_>,
     mooring: &mut Mooring,
     faults: &mut Vec<Fault>,
 ) {
@@ -81,9 +81,9 @@ fn system(
 fn node(
     row: &Mapping<'_>,
     name: &str,
-    joints: &Joints<'_>,
+    joints: &PlatformJoints<'_>,
     faults: &mut Vec<Fault>,
-) -> Option<Point> {
+) -> Option<MooringPoint> {
     let is_given = |key: &str| row.get(key).is_some_and(|node| node.text() != Some("none"));
     let place = if row.get("location").is_some() {
         row.place("location", faults)
@@ -128,16 +128,16 @@ fn anchor_type(row: &Mapping<'_>, anchors: &[String], faults: &mut Vec<Fault>) {
 }
 
 /// Water and gravity of `environment`.
-fn sea(root: &Mapping<'_>, faults: &mut Vec<Fault>) -> Sea {
+fn sea(root: &Mapping<'_>, faults: &mut Vec<Fault>) -> MooringSea {
     let Some(environment) = root.optional_mapping("environment") else {
-        return Sea::default();
+        return MooringSea::default();
     };
     let mut of =
         |key: &str| -> Option<Given<f64>> { environment.optional_positive(key, faults).flatten() };
-    Sea {
+    MooringSea {
         gravity: of("gravity"),
         density: of("water_density"),
         depth: of("water_depth"),
-        ..Sea::default()
+        ..MooringSea::default()
     }
 }

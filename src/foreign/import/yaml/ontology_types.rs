@@ -8,7 +8,7 @@ use super::mapping::Mapping;
 use super::raft;
 use super::tree::shortened;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Given, LineType, Mass, Stiffness};
+use crate::import::mooring::{Given, Mass, MooringLineType, Stiffness};
 use crate::line_types::{self, LineProperties, find, properties};
 use crate::number::digits;
 
@@ -37,7 +37,7 @@ pub fn line_type(
     name: &str,
     remarks: &mut Vec<String>,
     faults: &mut Vec<Fault>,
-) -> Option<LineType> {
+) -> Option<MooringLineType> {
     let diameter = row.positive("diameter", faults);
     let common = raft::common(row, faults);
     let is_custom = row
@@ -66,7 +66,7 @@ pub fn line_type(
     let common = common?;
     let [drag_normal, drag_tangential] = common.drag;
     let [added_mass_normal, added_mass_tangential] = common.added_mass;
-    Some(LineType {
+    Some(MooringLineType {
         name: name.to_owned(),
         span: row.node.span(),
         diameter,

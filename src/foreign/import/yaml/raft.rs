@@ -10,13 +10,13 @@ use std::path::Path;
 use super::array;
 use super::mapping::Mapping;
 use super::system::{Dialect, Named, lines, point};
-use crate::import::beside::Beside;
+use crate::import::beside::ReferencedFile;
 use crate::import::fault::Fault;
 use crate::import::listing::listed;
 use crate::import::moordyn::{self, files::Files};
 use crate::import::mooring::{
-    Damping, Given, Hold, Line, LineType, Mass, Mooring, Point, Program, Sea, Setting, Stiffness,
-    Unmodelled,
+    Damping, Given, Hold, Mass, Mooring, MooringLine, MooringLineType, MooringPoint, MooringSea,
+    Program, ProgramSetting, Stiffness, Unmodelled,
 };
 use crate::import::words::Word;
 
@@ -78,11 +78,11 @@ const TYPE_KEYS: [&str; 12] = [
 #[derive(Debug, Clone)]
 pub struct RaftMooring {
     /// What lines are made of.
-    pub line_types: Vec<LineType>,
+    pub line_types: Vec<MooringLineType>,
     /// Its points, about the platform.
-    pub points: Vec<Point>,
+    pub points: Vec<MooringPoint>,
     /// Its lines.
-    pub lines: Vec<Line>,
+    pub lines: Vec<MooringLine>,
 }
 
 /// Reads a design; `text` is the whole file, behind whose end the spans of a file beside it go on.
@@ -209,7 +209,7 @@ fn settings(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
     let Some(Some(current)) = table.optional("currentMod", faults) else {
         return;
     };
-    mooring.settings.push(Setting {
+    mooring.settings.push(ProgramSetting {
         name: "currentmod".to_owned(),
         written: "currentMod".to_owned(),
         value: current.value.to_string(),
@@ -225,14 +225,14 @@ fn settings(table: &Mapping<'_>, mooring: &mut Mooring, faults: &mut Vec<Fault>)
     }
 }
 
-fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<LineType> {
+fn line_type(row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>) -> Option<MooringLineType> {
     let diameter = row.positive("diameter", faults);
     let mass = row.not_negative("mass_density", faults);
     let stiffness = row.positive("stiffness", faults);
     let common = common(row, faults);
     let (mass, stiffness) = (mass?, stiffness?);
     let common = common?;
-    Some(LineType {
+    Some(MooringLineType {
         name: name.to_owned(),
         span: row.node.span(),
         diameter: diameter?,
@@ -338,11 +338,11 @@ fn sea(
         ));
     }
     let first = |[own, site]: [Option<Given<f64>>; 2]| own.or(site);
-    mooring.sea = Sea {
+    mooring.sea = MooringSea {
         gravity,
         density: first(densities),
         depth: first(depths),
-        ..Sea::default()
+        ..MooringSea::default()
     };
 }
 
@@ -372,7 +372,7 @@ pub fn beside(
         turbines: mooring.turbines,
         ..Mooring::new(Program::MoorDyn)
     };
-    let beside = Beside {
+    let beside = ReferencedFile {
         name: name.value.clone(),
         named_at: name.span.clone(),
         start,
@@ -406,6 +406,6 @@ fn take(read: Mooring, mooring: &mut Mooring) {
 
 /// Whether a point is on the platform.
 #[must_use]
-pub fn is_on_platform(point: &Point) -> bool {
+pub fn is_on_platform(point: &MooringPoint) -> bool {
     point.hold.value == Hold::Coupled
 }

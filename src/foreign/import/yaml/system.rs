@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::mapping::{Lookup, Mapping, find, unique};
 use super::tree::shortened;
 use crate::import::fault::Fault;
-use crate::import::mooring::{Attachment, Given, Hold, Line, LineType, Point};
+use crate::import::mooring::{Attachment, Given, Hold, MooringLine, MooringLineType, MooringPoint};
 
 /// The word for a line.
 const LINE: &str = "line";
@@ -113,7 +113,7 @@ pub fn point(
     dialect: &Dialect,
     place: Option<[Given<f64>; 3]>,
     faults: &mut Vec<Fault>,
-) -> Option<Point> {
+) -> Option<MooringPoint> {
     let remedy = "it is fixed, vessel or free";
     let word = row.word(dialect.hold, remedy, faults);
     let hold = word.and_then(|word| hold_of(&word, row.key(dialect.hold), faults));
@@ -121,7 +121,7 @@ pub fn point(
     let drag_area = row.or_zero("drag_area", faults);
     let added_mass = row.or_zero("added_mass", faults);
     let none = || Given::new(0.0, row.node.span());
-    Some(Point {
+    Some(MooringPoint {
         id: name.to_owned(),
         span: row.node.span(),
         hold: hold?,
@@ -138,13 +138,13 @@ pub fn point(
 pub fn lines(
     table: &Mapping<'_>,
     dialect: &Dialect,
-    types: &Named<LineType>,
-    points: &Named<Point>,
+    types: &Named<MooringLineType>,
+    points: &Named<MooringPoint>,
     faults: &mut Vec<Fault>,
-) -> Vec<Line> {
+) -> Vec<MooringLine> {
     let rows = table.mappings("lines", LINE, faults);
     let path = table.key("lines");
-    let [by_point, by_type] = [&points.names, &types.names].map(|names| Lookup::of(names));
+    let [by_point, by_type] = [&points.names, &types.names].map(|names| Lookup::of_names(names));
     let read = |row: &Mapping<'_>, name: &str, faults: &mut Vec<Fault>| {
         let what = dialect.points.1;
         let ends = dialect.ends.map(|key| {
@@ -172,7 +172,7 @@ pub fn lines(
             return None;
         }
         let at = |end: Given<usize>| Given::new(Attachment::Point(end.value), end.span);
-        Some(Line {
+        Some(MooringLine {
             id: name.to_owned(),
             span: row.node.span(),
             of_type: of_type?,

@@ -6,7 +6,7 @@ use crate::import::words::Word;
 
 /// A key of a mapping.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Key {
+pub struct YamlKey {
     /// Its text.
     pub name: String,
     /// Its bytes in the file.
@@ -32,7 +32,7 @@ pub enum Value {
     /// Nodes one after the other.
     Sequence(Vec<usize>),
     /// Nodes by keys.
-    Mapping(Vec<(Key, usize)>),
+    Mapping(Vec<(YamlKey, usize)>),
 }
 
 /// A node with its bytes.
@@ -46,21 +46,21 @@ pub struct Spanned {
 
 /// A file as a tree. An alias is the node that it names, which so has several parents; none is its own descendant.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Document {
+pub struct YamlDocument {
     pub(super) nodes: Vec<Spanned>,
     pub(super) root: usize,
 }
 
-impl Document {
+impl YamlDocument {
     /// The node that everything is in.
     #[must_use]
-    pub fn root(&self) -> Option<Node<'_>> {
+    pub fn root(&self) -> Option<YamlNode<'_>> {
         self.node(self.root, None)
     }
 
-    fn node<'d>(&'d self, id: usize, key: Option<&'d Key>) -> Option<Node<'d>> {
+    fn node<'d>(&'d self, id: usize, key: Option<&'d YamlKey>) -> Option<YamlNode<'d>> {
         let spanned = self.nodes.get(id)?;
-        Some(Node {
+        Some(YamlNode {
             document: self,
             spanned,
             key,
@@ -70,13 +70,13 @@ impl Document {
 
 /// A node of a document, with the key by which it was reached.
 #[derive(Debug, Clone, Copy)]
-pub struct Node<'d> {
-    document: &'d Document,
+pub struct YamlNode<'d> {
+    document: &'d YamlDocument,
     spanned: &'d Spanned,
-    key: Option<&'d Key>,
+    key: Option<&'d YamlKey>,
 }
 
-impl<'d> Node<'d> {
+impl<'d> YamlNode<'d> {
     /// Its bytes; of a mapping its first key.
     #[must_use]
     pub fn span(&self) -> Range<usize> {

@@ -75,16 +75,17 @@ fn without_effect(material: &MaterialKeys<'_>) -> Vec<Finding> {
 }
 
 /// Makes a finding at the name of a key, with problem and remedy.
-type Reporter<'k> = Box<dyn Fn(&str, &str) -> Finding + 'k>;
+type FindingReporter<'k> = Box<dyn Fn(&str, &str) -> Finding + 'k>;
 
 /// A key that is given.
-fn idle<'k, T: KeyValue>(key: &'k Key<'_, T>) -> Option<Reporter<'k>> {
+fn idle<'k, T: KeyValue>(key: &'k Key<'_, T>) -> Option<FindingReporter<'k>> {
     let report = move |problem: &str, remedy: &str| key.finding_at_name(problem, remedy);
-    key.is_given().then(|| Box::new(report) as Reporter<'k>)
+    key.is_given()
+        .then(|| Box::new(report) as FindingReporter<'k>)
 }
 
 /// A number that is given; zero says no more than no number.
-fn idle_number<'k>(key: &'k Key<'_, f64>) -> Option<Reporter<'k>> {
+fn idle_number<'k>(key: &'k Key<'_, f64>) -> Option<FindingReporter<'k>> {
     idle(key).filter(|_| !key.is(&0.0))
 }
 

@@ -1,7 +1,7 @@
 //! The channels that a run of the case would record, by name.
 
 use crate::case::Subject;
-use crate::case::channels::{RecordedEnd, RecordedLine, RecordedSection};
+use crate::case::channels::{RecordedEnd, RecordedSection, RecordingConditions};
 use crate::case::line_quantity::{EnergyQuantity, STEADY};
 use crate::case::model::{CaseKeys, EndKeys};
 
@@ -57,7 +57,7 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         None => None,
     };
     let (payload, output) = (case.payload.as_ref(), case.output.as_ref());
-    let line = RecordedLine {
+    let line = RecordingConditions {
         ends: [end(ends.a.as_ref()?)?, end(ends.b.as_ref()?)?],
         sections: sections?,
         rotates: payload.is_some_and(|payload| payload.rotation.is_some()),

@@ -23,7 +23,7 @@ use super::{
     Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, Method, MotionName, Seabed,
     Section, Solver, TensionInterpolation, Traveller, WaveKind, Waves,
 };
-use crate::physics::rope::{Between, TensionTable};
+use crate::physics::rope::{TableInterpolation, TensionTable};
 
 impl Solver {
     /// A run over a time \[s\].
@@ -58,7 +58,7 @@ impl Case {
     }
 }
 
-impl From<TensionInterpolation> for Between {
+impl From<TensionInterpolation> for TableInterpolation {
     fn from(given: TensionInterpolation) -> Self {
         match given {
             TensionInterpolation::Smooth => Self::Smooth,

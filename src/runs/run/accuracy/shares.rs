@@ -2,7 +2,7 @@
 
 use crate::numerics::richardson::OBSERVED;
 use crate::run::compute::Computed;
-use crate::run::result_scale::Scales;
+use crate::run::result_scale::ResultScales;
 use crate::run::{Quantity, QuantityId};
 
 /// Share of the results that must be as accurate as asked.
@@ -13,15 +13,20 @@ pub(super) struct AllowedErrors(Vec<(QuantityId, f64)>);
 
 impl AllowedErrors {
     /// Of a run over this time \[s\].
-    pub(super) fn of(duration_s: f64, run: &Computed, summary: &[Quantity], accuracy: f64) -> Self {
-        let scales = Scales {
+    pub(super) fn of_run(
+        duration_s: f64,
+        run: &Computed,
+        summary: &[Quantity],
+        accuracy: f64,
+    ) -> Self {
+        let scales = ResultScales {
             duration_s,
             summary,
             history: &run.record.history,
         };
         let allowed = summary
             .iter()
-            .filter_map(|q| Some((q.id.clone(), accuracy * scales.of(q)?)));
+            .filter_map(|q| Some((q.id.clone(), accuracy * scales.scale_of_result(q)?)));
         Self(allowed.collect())
     }
 }
@@ -37,7 +42,7 @@ pub(super) struct Shares {
 
 impl Shares {
     /// Of results that have so many errors, of steps and of mesh: each may be as large a part of what is asked.
-    pub(super) fn of(parts: f64, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
+    pub(super) fn of_results(parts: f64, allowed: &AllowedErrors, summary: &[Quantity]) -> Self {
         let counted = allowed.0.iter().filter_map(|(id, allowed)| {
             let q = summary.iter().find(|q| q.id == *id)?;
             Some((q, *allowed, q.expected_error()? / allowed))

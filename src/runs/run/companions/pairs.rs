@@ -12,7 +12,7 @@ pub(super) const LONGER: f64 = 3.0;
 
 /// Mesh and steps of a companion, by those of the run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Place {
+pub struct CompanionRefinement {
     /// Length of the segments: a power of two times the run's.
     pub segment: f64,
     /// Length of the steps; the error in time grows by this to the power of the method's order.
@@ -20,23 +20,23 @@ pub struct Place {
 }
 
 /// The run itself.
-pub(super) const RUN: Place = at(1.0, 1.0);
+pub(super) const RUN: CompanionRefinement = at(1.0, 1.0);
 
-pub(super) const fn at(segment: f64, step: f64) -> Place {
-    Place { segment, step }
+pub(super) const fn at(segment: f64, step: f64) -> CompanionRefinement {
+    CompanionRefinement { segment, step }
 }
 
 /// Pairs of runs that differ in the steps alone or in the mesh alone, the finer first in each.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pairs {
     /// The pair nearest to the run.
-    pub(super) near: [Place; 2],
+    pub(super) near: [CompanionRefinement; 2],
     /// The next one, whose finer run is as coarse as the coarser of the first.
-    pub(super) far: Option<[Place; 2]>,
+    pub(super) far: Option<[CompanionRefinement; 2]>,
 }
 
 impl Pairs {
-    pub(super) fn places(&self) -> impl Iterator<Item = Place> {
+    pub(super) fn places(&self) -> impl Iterator<Item = CompanionRefinement> {
         self.near.into_iter().chain(self.far.into_iter().flatten())
     }
 }
@@ -174,7 +174,7 @@ pub(super) fn finer_mesh(step: f64) -> Pairs {
 }
 
 /// Mesh and steps after these coarsenings.
-pub(super) fn place_of(coarsenings: &[Coarsening]) -> Place {
+pub(super) fn place_of(coarsenings: &[Coarsening]) -> CompanionRefinement {
     let count = |what| {
         coarsenings
             .iter()

@@ -54,7 +54,7 @@ fn shortened(text: String) -> String {
     if text.chars().count() <= LONGEST {
         return text;
     }
-    let digest = TextDigest::of(&text).0;
+    let digest = TextDigest::of_text(&text).0;
     let start: String = text.chars().take(20).collect();
     format!("{start}... ({digest:08x})")
 }

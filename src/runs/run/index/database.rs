@@ -57,7 +57,7 @@ pub(super) fn file_name(root: &Path) -> String {
     let root = fs::canonicalize(&root).unwrap_or(root);
     let host = rustix::system::uname();
     let host = host.nodename().to_string_lossy().into_owned();
-    let digest = TextDigest::of(&format!("{host}:{}", root.display())).0;
+    let digest = TextDigest::of_text(&format!("{host}:{}", root.display())).0;
     format!("runs-{digest:016x}.sqlite")
 }
 

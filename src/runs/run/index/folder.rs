@@ -69,7 +69,7 @@ impl FolderRun {
         let whole = info.as_ref().is_ok_and(|i| i.state != RunState::Partial);
         Self {
             info,
-            text: TextDigest::of(&text),
+            text: TextDigest::of_text(&text),
             inputs: baseline::inputs(&text),
             results: if whole { results(dir) } else { Vec::new() },
             notes: RunNotes::read(dir),

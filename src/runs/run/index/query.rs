@@ -47,7 +47,7 @@ pub struct InputColumn {
 impl InputColumn {
     /// Its value in a run.
     #[must_use]
-    pub fn of(&self, run: i64) -> Option<&str> {
+    pub fn value_in_run(&self, run: i64) -> Option<&str> {
         let found = self.values.binary_search_by_key(&run, |(id, _)| *id);
         found.map_or(self.usual.as_deref(), |at| self.values[at].1.as_deref())
     }
@@ -65,7 +65,7 @@ pub struct ResultColumn {
 impl ResultColumn {
     /// Its value in a run.
     #[must_use]
-    pub fn of(&self, run: i64) -> Option<&MeasuredResult> {
+    pub fn result_in_run(&self, run: i64) -> Option<&MeasuredResult> {
         let found = self.values.binary_search_by_key(&run, |(id, _)| *id);
         found.ok().map(|at| &self.values[at].1)
     }

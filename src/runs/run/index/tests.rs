@@ -84,8 +84,12 @@ fn table(index: &RunIndex) -> Vec<(String, Option<String>, Option<f64>)> {
         .iter()
         .find(|c| c.key == "current.speed_m_per_s");
     let row = |run: &IndexedRun| {
-        let speed = speed.and_then(|c| c.of(run.id)).map(str::to_owned);
-        let max = columns.results[0].of(run.id).map(|result| result.value);
+        let speed = speed
+            .and_then(|c| c.value_in_run(run.id))
+            .map(str::to_owned);
+        let max = columns.results[0]
+            .result_in_run(run.id)
+            .map(|result| result.value);
         (run.name.clone(), speed, max)
     };
     rows.changed.iter().map(row).collect()

@@ -48,12 +48,12 @@ pub(super) use column;
 pub(super) const LINE: &str = "line";
 
 /// The table of a line, by its name, with this many rows.
-pub(super) type LineTable<'a, T> = (&'a str, &'a T, usize);
+pub(super) type NamedLineTable<'a, T> = (&'a str, &'a T, usize);
 
 /// The file of the tables of some lines, one after the other. A column that any of them has is written for all of them.
 pub(super) fn write<T>(
     columns: &[CsvColumn<T>],
-    tables: &[LineTable<'_, T>],
+    tables: &[NamedLineTable<'_, T>],
 ) -> Result<Vec<u8>, StoreError> {
     let has_names = tables.iter().any(|(line, ..)| !line.is_empty());
     let is_written = |column: &&CsvColumn<T>| tables.iter().any(|(_, t, _)| (column.written)(t));

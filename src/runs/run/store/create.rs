@@ -14,7 +14,7 @@ use super::{
     read_info,
 };
 use crate::clock::{now, stamp};
-use crate::files::Target;
+use crate::files::WriteTarget;
 use crate::files::disk::{self, NewFile};
 use crate::run::{RunInfo, RunState};
 use crate::strays::{self, Hidden};
@@ -278,7 +278,7 @@ pub(super) fn info_text(dir: &Path, info: &RunInfo) -> Result<String, StoreError
 
 /// Replaces a file of a run directory: a reader sees the old or the new one whole.
 pub(super) fn replace(dir: &Path, name: &str, bytes: &[u8]) -> Result<(), StoreError> {
-    Ok(Target::replacing(&dir.join(name)).write(bytes)?)
+    Ok(WriteTarget::replacing(&dir.join(name)).write(bytes)?)
 }
 
 fn parent_of(dir: &Path) -> PathBuf {

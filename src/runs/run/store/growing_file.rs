@@ -26,7 +26,7 @@ pub(super) struct GrowingFile {
 
 impl GrowingFile {
     /// A file to be made, with the names of its columns.
-    pub(super) fn of(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
+    pub(super) fn with_head(path: PathBuf, head: CsvWriter) -> Result<Self, StoreError> {
         let head = head.bytes()?;
         let mut stream = Self {
             path,

@@ -80,7 +80,10 @@ impl HistoryReader {
     }
 
     /// The same, which must be of these channels in this order.
-    pub(in crate::run) fn of(dir: &Path, channels: &[ChannelId]) -> Result<Self, StoreError> {
+    pub(in crate::run) fn of_channels(
+        dir: &Path,
+        channels: &[ChannelId],
+    ) -> Result<Self, StoreError> {
         let reader = Self::open(dir);
         // What cannot be read at all is told when a row is asked for.
         if reader.ids == channels || reader.csv.columns().is_empty() {

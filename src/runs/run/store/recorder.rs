@@ -7,12 +7,12 @@ use crate::run::{Run, RunInfo, RunState, event::JobEvent};
 
 /// A run that is stored while it is computed, by a caller that stops computing where it cannot be stored.
 #[derive(Debug)]
-pub struct Recorder {
+pub struct StoringRecorder {
     writer: RunWriter,
     failure: Option<StoreError>,
 }
 
-impl Recorder {
+impl StoringRecorder {
     /// Makes the run directory, see [`RunWriter::begin`].
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl Recorder {
         self.failure.is_none() && self.writer.full().is_none()
     }
 
-    /// Writes the end of the run, and returns its directory. A run that ended because [`Recorder::event`] said so, and not because it was
+    /// Writes the end of the run, and returns its directory. A run that ended because [`StoringRecorder::event`] said so, and not because it was
     /// `stopped` otherwise, becomes a failed one.
     ///
     /// # Errors

@@ -24,7 +24,7 @@ pub(super) struct Reserve {
 
 impl Reserve {
     /// As much as is to be had.
-    pub(super) fn of(dir: &Path) -> Self {
+    pub(super) fn in_folder(dir: &Path) -> Self {
         let mut reserve = Self {
             dir: dir.to_owned(),
             file: None,

@@ -66,9 +66,9 @@ impl RunWriter {
     ) -> Result<Self, StoreError> {
         let (dir, held) = create::create(place, &mut info, case_text)?;
         Ok(Self {
-            reserve: Reserve::of(&dir),
+            reserve: Reserve::in_folder(&dir),
             _held: held,
-            ..Self::of(dir, info.id, case_text)
+            ..Self::in_folder(dir, info.id, case_text)
         })
     }
 
@@ -82,12 +82,12 @@ impl RunWriter {
         info.id = create::name_of(dir);
         Ok(Self {
             late: Some(Late::new(info.clone(), case_text)),
-            ..Self::of(dir.to_owned(), info.id, case_text)
+            ..Self::in_folder(dir.to_owned(), info.id, case_text)
         })
     }
 
     /// A writer of which nothing is on the disk.
-    fn of(dir: PathBuf, id: String, case_text: &str) -> Self {
+    fn in_folder(dir: PathBuf, id: String, case_text: &str) -> Self {
         Self {
             dir,
             id,
@@ -95,7 +95,7 @@ impl RunWriter {
             lines: Vec::new(),
             streams: Vec::new(),
             flushed: Instant::now(),
-            case: Digest::of(case_text.as_bytes()),
+            case: Digest::of_bytes(case_text.as_bytes()),
             case_due: None,
             reserve: Reserve::none(),
             full: None,
@@ -157,8 +157,8 @@ impl RunWriter {
         self.lines = lines.to_vec();
         let units = complete::channel_units(channels)?;
         let header = history_header(channels.iter())?;
-        let history = GrowingFile::of(self.dir.join(HISTORY), header)?;
-        let shapes = GrowingFile::of(
+        let history = GrowingFile::with_head(self.dir.join(HISTORY), header)?;
+        let shapes = GrowingFile::with_head(
             self.dir.join(SHAPES),
             CsvWriter::new(shapes_csv::columns(lines))?,
         )?;
@@ -183,7 +183,7 @@ impl RunWriter {
         let place = RunLocation::Exactly(self.dir.clone());
         let (_, held) = create::create(&place, &mut late.info, &late.case_text)?;
         self._held = held;
-        self.reserve = Reserve::of(&self.dir);
+        self.reserve = Reserve::in_folder(&self.dir);
         if let Some(units) = late.units {
             self.begin_streams(&units)?;
         }
@@ -217,7 +217,7 @@ impl RunWriter {
     fn checkpoint(&mut self, text: &str) -> Result<(), StoreError> {
         self.flush()?;
         if let Some(case) = self.case_due.take() {
-            self.case = Digest::of(case.as_bytes());
+            self.case = Digest::of_bytes(case.as_bytes());
             match &mut self.late {
                 Some(late) => late.case_text = case,
                 None => {

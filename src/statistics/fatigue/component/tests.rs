@@ -4,9 +4,9 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 1e-12 * b.abs()
 }
 
-fn chain(law: Law) -> Component {
+fn chain(law: Law) -> FatigueComponent {
     let area = chain_area(0.1);
-    Component::new(
+    FatigueComponent::new(
         "chain",
         law,
         Measure::Stress { nominal_area: area },
@@ -38,7 +38,7 @@ fn a_stress_of_100_mpa() {
 #[test]
 fn a_wire_rope_by_its_mean_load() {
     let law = Law::new(4.09, 3.20).falling_with_mean(2.79);
-    let rope = Component::new("rope", law, Measure::TensionRatio, Some(5e6)).unwrap();
+    let rope = FatigueComponent::new("rope", law, Measure::TensionRatio, Some(5e6)).unwrap();
     let expected = 10.0_f64.powf(3.20 - 2.79 * 0.3) / 0.1_f64.powf(4.09);
     assert!(close(
         rope.cycles_to_failure(0.5e6, 1.5e6).unwrap(),
@@ -97,15 +97,15 @@ fn bad_numbers_are_refused() {
     let law = Law::new(3.0, 2.5);
     let ratio = Measure::TensionRatio;
     assert!(matches!(
-        Component::new("", law, ratio, None),
+        FatigueComponent::new("", law, ratio, None),
         Err(CurveError::NoStrength { .. })
     ));
     for strength in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(Component::new("", law, ratio, Some(strength)).is_err());
+        assert!(FatigueComponent::new("", law, ratio, Some(strength)).is_err());
         let measure = Measure::Stress {
             nominal_area: strength,
         };
-        assert!(Component::new("", law, measure, None).is_err());
+        assert!(FatigueComponent::new("", law, measure, None).is_err());
     }
     for bad in [
         Law::new(0.0, 1.0),
@@ -116,7 +116,7 @@ fn bad_numbers_are_refused() {
     }
     assert!(law.with_knee(0.0, 5.0).checked().is_err());
     assert!(law.with_knee(1e6, f64::INFINITY).checked().is_err());
-    let component = Component::new("", law, ratio, Some(1.0)).unwrap();
+    let component = FatigueComponent::new("", law, ratio, Some(1.0)).unwrap();
     assert!(
         component.cycle_damage(-1.0, 0.0).is_err()
             && component.cycle_damage(1.0, f64::NAN).is_err()

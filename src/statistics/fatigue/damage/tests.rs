@@ -7,11 +7,11 @@ use crate::numerics::random::Random;
 
 const STRENGTH: f64 = 8e6;
 
-fn chain() -> Component {
+fn chain() -> FatigueComponent {
     let measure = Measure::Stress {
         nominal_area: chain_area(0.1),
     };
-    Component::new(
+    FatigueComponent::new(
         "chain",
         Law::new(3.0, 6.0e10_f64.log10()),
         measure,
@@ -20,11 +20,11 @@ fn chain() -> Component {
     .unwrap()
 }
 
-fn rope() -> Component {
+fn rope() -> FatigueComponent {
     let law = Law::new(5.05, 3.25)
         .falling_with_mean(3.43)
         .with_knee(1e5, 7.0);
-    Component::new("rope", law, Measure::TensionRatio, Some(STRENGTH)).unwrap()
+    FatigueComponent::new("rope", law, Measure::TensionRatio, Some(STRENGTH)).unwrap()
 }
 
 /// A record of tensions about 2 MN, some of them slack.
@@ -66,7 +66,7 @@ fn as_summed_by_qats() {
         }
         // Of an area of 1 m2 a tension of 1 MN is a stress of 1 MPa.
         let measure = Measure::Stress { nominal_area: 1.0 };
-        let component = Component::new("", law, measure, None).unwrap();
+        let component = FatigueComponent::new("", law, measure, None).unwrap();
         let pairs = fields[1].iter().zip(&fields[2]);
         let cycles: Vec<Cycle> = pairs
             .map(|(range, &count)| Cycle {

@@ -19,7 +19,7 @@ fn as_counted_by_fatpack() {
     {
         let fields: Vec<&str> = line.split('|').collect();
         let values = numbers(fields[1]);
-        let classes = Classes::of(&values, fields[0].parse().unwrap()).unwrap();
+        let classes = Classes::of_values(&values, fields[0].parse().unwrap()).unwrap();
         let count = four_point(&classes.rounded(&values)).unwrap();
         let step = classes.centre(f64::INFINITY) - classes.centre(f64::NEG_INFINITY);
         let step = step / fields[0].parse::<f64>().unwrap();

@@ -5,8 +5,8 @@ use crate::fatigue::fixtures::numbers;
 use crate::numerics::random::Random;
 
 /// A curve whose x is the range in units of 1 N, with the constant in the logarithm.
-fn plain(law: Law) -> Component {
-    Component::new("", law, Measure::TensionRatio, Some(1.0)).unwrap()
+fn plain(law: Law) -> FatigueComponent {
+    FatigueComponent::new("", law, Measure::TensionRatio, Some(1.0)).unwrap()
 }
 
 /// Lines of the fixture: m0 m1 m2 m4, exponent, log10 of the constant of amplitudes, damages by narrow band, Dirlik and
@@ -19,7 +19,7 @@ fn as_computed_by_flife() {
         .filter(|l| !l.starts_with('#'))
     {
         let row = numbers(line);
-        let moments = SpectralMoments::new(row[0], row[1], row[2], row[3]).unwrap();
+        let moments = TensionMoments::new(row[0], row[1], row[2], row[3]).unwrap();
         let of_ranges = row[5] + row[4] * 2.0_f64.log10();
         let component = plain(Law::new(row[4], of_ranges));
         let found = [
@@ -41,7 +41,7 @@ fn as_computed_by_flife() {
 #[test]
 fn moments_of_a_flat_band() {
     let frequencies: Vec<f64> = (0..=4000).map(|i| 1.0 + f64::from(i) / 4000.0).collect();
-    let moments = SpectralMoments::of(&frequencies, &vec![3.0; 4001]).unwrap();
+    let moments = TensionMoments::of_spectrum(&frequencies, &vec![3.0; 4001]).unwrap();
     assert!((moments.deviation().powi(2) - 3.0).abs() < 1e-12);
     assert!((moments.crossing_rate() - (7.0_f64 / 3.0).sqrt()).abs() < 1e-7);
     assert!((moments.crest_rate() - (31.0 / 5.0 / (7.0_f64 / 3.0)).sqrt()).abs() < 1e-7);
@@ -50,7 +50,7 @@ fn moments_of_a_flat_band() {
 #[test]
 fn in_the_narrowest_band_all_agree() {
     let component = plain(Law::new(3.0, 10.0).with_knee(1e6, 5.0));
-    let moments = SpectralMoments::of(&[1.0, 1.0 + 1e-4], &[1e8, 1e8]).unwrap();
+    let moments = TensionMoments::of_spectrum(&[1.0, 1.0 + 1e-4], &[1e8, 1e8]).unwrap();
     let narrow = moments.narrow_band(&component, 0.0).unwrap();
     let tovo = moments.tovo_benasciutti(&component, 0.0).unwrap();
     assert!((tovo / narrow - 1.0).abs() < 1e-6);
@@ -83,8 +83,8 @@ fn whatever_comes_is_finite_or_refused() {
         };
         let frequencies = [pick(), 1.0 + pick(), 2.0 + pick()];
         let moments = match turn % 2 {
-            0 => SpectralMoments::new(pick(), pick(), pick(), pick()),
-            _ => SpectralMoments::of(&frequencies, &[pick(), pick(), pick()]),
+            0 => TensionMoments::new(pick(), pick(), pick(), pick()),
+            _ => TensionMoments::of_spectrum(&frequencies, &[pick(), pick(), pick()]),
         };
         let Ok(moments) = moments else { continue };
         made += 1;
@@ -101,8 +101,8 @@ fn whatever_comes_is_finite_or_refused() {
     }
     assert!(made > 2000, "{made}");
     assert!(
-        SpectralMoments::of(&[1.0], &[1.0]).is_err()
-            && SpectralMoments::of(&[1.0, 2.0], &[1.0]).is_err()
+        TensionMoments::of_spectrum(&[1.0], &[1.0]).is_err()
+            && TensionMoments::of_spectrum(&[1.0, 2.0], &[1.0]).is_err()
     );
-    assert!(SpectralMoments::of(&[1.0, 2.0], &[0.0, 0.0]).is_err());
+    assert!(TensionMoments::of_spectrum(&[1.0, 2.0], &[0.0, 0.0]).is_err());
 }

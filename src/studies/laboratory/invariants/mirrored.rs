@@ -3,14 +3,14 @@
 use toml::Table;
 
 use super::space::Space;
-use super::variant::Variant;
+use super::variant::SystemVariant;
 
-pub(super) fn mirrored(system: &Table) -> Variant {
+pub(super) fn mirrored(system: &Table) -> SystemVariant {
     let space = Space {
         mirrored: true,
         ..Space::default()
     };
-    let mut variant = Variant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     space.apply(&mut variant.file);
     variant.space = space;
     variant

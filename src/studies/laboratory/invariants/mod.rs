@@ -26,7 +26,7 @@ use self::computed::computed;
 pub use self::drawn::KINDS;
 pub use self::results::Violation;
 use self::results::{Errors, Tolerance};
-pub use self::variant::{Variant, text};
+pub use self::variant::{SystemVariant, text};
 use crate::numerics::random::Random;
 
 /// What must not change the answer.
@@ -79,7 +79,7 @@ impl Invariant {
     }
 
     /// A system asked for this way; nothing where it cannot be.
-    fn variant(self, system: &Table, random: &mut Random) -> Option<Variant> {
+    fn variant(self, system: &Table, random: &mut Random) -> Option<SystemVariant> {
         Some(match self {
             Self::Reversed => reversed::reversed(system),
             Self::Reordered => reordered::reordered(system),
@@ -111,7 +111,7 @@ const ROUNDING: f64 = 1e-6;
 
 /// What came of a system asked for in another way.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Held {
+pub enum VariantOutcome {
     /// Not asked: it cannot be.
     NotAsked,
     /// So many numbers agree.
@@ -124,7 +124,7 @@ pub enum Held {
 
 /// What came of a system.
 #[derive(Debug, Clone)]
-pub struct Outcome {
+pub struct InvariantOutcome {
     /// Its number.
     pub index: usize,
     /// The number of its kind.
@@ -134,12 +134,12 @@ pub struct Outcome {
     /// Why it has no answer itself, if it has none.
     pub refused: Option<String>,
     /// By [`Invariant::ALL`]; with the file of what was asked where it does not agree.
-    pub held: Vec<(Held, Option<Variant>)>,
+    pub held: Vec<(VariantOutcome, Option<SystemVariant>)>,
 }
 
-impl Outcome {
+impl InvariantOutcome {
     /// The invariants that it violates, with the files.
-    pub fn violations(&self) -> impl Iterator<Item = (Invariant, &Held, &Variant)> {
+    pub fn violations(&self) -> impl Iterator<Item = (Invariant, &VariantOutcome, &SystemVariant)> {
         let all = Invariant::ALL.into_iter().zip(&self.held);
         all.filter_map(|(invariant, (held, variant))| Some((invariant, held, variant.as_ref()?)))
     }
@@ -147,7 +147,7 @@ impl Outcome {
 
 /// Holds so many random systems of a seed against themselves, on all cores.
 #[must_use]
-pub fn run(count: usize, seed: u64, moves: bool) -> Vec<Outcome> {
+pub fn run(count: usize, seed: u64, moves: bool) -> Vec<InvariantOutcome> {
     let all = (0..count).into_par_iter();
     all.map(|index| one(index, seed, moves)).collect()
 }
@@ -171,10 +171,10 @@ fn drawn_of(index: usize, moves: bool, random: &mut Random) -> (usize, Result<Ta
 
 /// Holds the random system of a number against itself.
 #[must_use]
-pub fn one(index: usize, seed: u64, moves: bool) -> Outcome {
+pub fn one(index: usize, seed: u64, moves: bool) -> InvariantOutcome {
     let mut random = Random::new(seed, index as u64);
     let (kind, file) = drawn_of(index, moves, &mut random);
-    let refused = |file: Table, why: String| Outcome {
+    let refused = |file: Table, why: String| InvariantOutcome {
         index,
         kind,
         file,
@@ -191,18 +191,18 @@ pub fn one(index: usize, seed: u64, moves: bool) -> Outcome {
     };
     let held = Invariant::ALL.map(|invariant| {
         let Some(variant) = invariant.variant(&file, &mut random) else {
-            return (Held::NotAsked, None);
+            return (VariantOutcome::NotAsked, None);
         };
         let other = match computed(&variant.text(), moves) {
             Ok(other) => other,
-            Err(why) => return (Held::Refused(why), Some(variant)),
+            Err(why) => return (VariantOutcome::Refused(why), Some(variant)),
         };
         match system.worst(&other, &variant, invariant.tolerance(moves)) {
-            (compared, None) => (Held::Agrees(compared), None),
-            (_, Some(violation)) => (Held::Differs(violation), Some(variant)),
+            (compared, None) => (VariantOutcome::Agrees(compared), None),
+            (_, Some(violation)) => (VariantOutcome::Differs(violation), Some(variant)),
         }
     });
-    Outcome {
+    InvariantOutcome {
         index,
         kind,
         file,

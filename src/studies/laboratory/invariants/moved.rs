@@ -4,13 +4,13 @@ use toml::{Table, Value};
 
 use super::space::Space;
 use super::tree::number;
-use super::variant::Variant;
+use super::variant::SystemVariant;
 
 /// Ways \[m\].
 const WITHOUT_WAVES: [f64; 2] = [137.0, -61.0];
 const ALONG_CRESTS: f64 = 150.0;
 
-pub(super) fn moved(system: &Table) -> Variant {
+pub(super) fn moved(system: &Table) -> SystemVariant {
     let waves = system.get("waves").and_then(Value::as_array);
     let first = waves.and_then(|all| all.first()?.as_table());
     let shift = first.map_or(WITHOUT_WAVES, |waves| {
@@ -21,7 +21,7 @@ pub(super) fn moved(system: &Table) -> Variant {
         shift,
         ..Space::default()
     };
-    let mut variant = Variant::of(system.clone());
+    let mut variant = SystemVariant::of_file(system.clone());
     space.apply(&mut variant.file);
     variant.space = space;
     variant

@@ -3,7 +3,7 @@
 use toml::{Table, Value};
 
 use super::tree::{change, listed, number, put};
-use super::variant::Variant;
+use super::variant::SystemVariant;
 use crate::system::discretised::SEGMENTS;
 
 /// The local error of a step of second order falls by eight where the step is half as long.
@@ -11,8 +11,8 @@ const BY_HALF: f64 = 8.0;
 /// The tolerance of steps of a file that does not say.
 const STEP_TOLERANCE: f64 = 2e-5;
 
-pub(super) fn refined(system: &Table) -> Variant {
-    let mut variant = Variant::of(system.clone());
+pub(super) fn refined(system: &Table) -> SystemVariant {
+    let mut variant = SystemVariant::of_file(system.clone());
     for line in listed(&mut variant.file, "lines") {
         let before = number(line, "segments").unwrap_or(SEGMENTS as f64);
         put(line, "segments", Value::Integer(2 * before as i64));
@@ -21,8 +21,8 @@ pub(super) fn refined(system: &Table) -> Variant {
 }
 
 /// None of a system that does not move.
-pub(super) fn halved(system: &Table) -> Option<Variant> {
-    let mut variant = Variant::of(system.clone());
+pub(super) fn halved(system: &Table) -> Option<SystemVariant> {
+    let mut variant = SystemVariant::of_file(system.clone());
     let solver = variant.file.get_mut("solver")?.as_table_mut()?;
     change(solver, "time_step_s", |step| 0.5 * step);
     let before = number(solver, "step_tolerance").unwrap_or(STEP_TOLERANCE);

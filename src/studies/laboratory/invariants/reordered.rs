@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use toml::{Table, Value};
 
 use super::tree::{list, listed, named};
-use super::variant::Variant;
+use super::variant::SystemVariant;
 
-type Names = BTreeMap<String, String>;
+type NewNames = BTreeMap<String, String>;
 
-pub(super) fn reordered(system: &Table) -> Variant {
-    let mut variant = Variant::of(system.clone());
+pub(super) fn reordered(system: &Table) -> SystemVariant {
+    let mut variant = SystemVariant::of_file(system.clone());
     let file = &mut variant.file;
     let lines: Vec<String> = listed(file, "lines")
         .filter_map(|line| Some(line.get("name")?.as_str()?.to_owned()))
@@ -23,8 +23,8 @@ pub(super) fn reordered(system: &Table) -> Variant {
     let ends = rods.iter().flat_map(|(old, new)| {
         ["a", "b"].map(|end| (format!("{old}-{end}"), format!("{new}-{end}")))
     });
-    let points: Names = points.into_iter().chain(ends).collect();
-    let carriers: Names = bodies
+    let points: NewNames = points.into_iter().chain(ends).collect();
+    let carriers: NewNames = bodies
         .iter()
         .chain(&rods)
         .map(|(a, b)| (a.clone(), b.clone()))
@@ -64,7 +64,7 @@ pub(super) fn reordered(system: &Table) -> Variant {
 }
 
 /// Other names in the opposite order.
-fn names(old: impl Iterator<Item = String>, letter: &str) -> Names {
+fn names(old: impl Iterator<Item = String>, letter: &str) -> NewNames {
     let numbered = old.enumerate();
     numbered
         .map(|(k, old)| (old, format!("{letter}{:03}", 900 - k)))
@@ -72,9 +72,9 @@ fn names(old: impl Iterator<Item = String>, letter: &str) -> Names {
 }
 
 /// Gives the tables of a kind other names.
-fn renamed(file: &mut Table, kind: &str, letter: &str) -> Names {
+fn renamed(file: &mut Table, kind: &str, letter: &str) -> NewNames {
     let Some(tables) = file.get_mut(kind).and_then(Value::as_table_mut) else {
-        return Names::new();
+        return NewNames::new();
     };
     let names = names(tables.keys().cloned(), letter);
     let before = std::mem::take(tables);
@@ -85,7 +85,7 @@ fn renamed(file: &mut Table, kind: &str, letter: &str) -> Names {
     names
 }
 
-fn replace(table: &mut Table, key: &str, names: &Names) {
+fn replace(table: &mut Table, key: &str, names: &NewNames) {
     let new = table
         .get(key)
         .and_then(Value::as_str)

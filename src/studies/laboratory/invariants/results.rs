@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::variant::{LineEnd, Variant};
+use super::variant::{NamedLineEnd, SystemVariant};
 use crate::numerics::V3;
 
 /// A number and the error that is stated of it, where one is.
@@ -26,7 +26,7 @@ pub(super) type Which = &'static str;
 #[derive(Debug, Clone, Default)]
 pub(super) struct Results {
     /// Tensions at the ends of the lines \[N\].
-    pub(super) tensions: BTreeMap<(LineEnd, Which), Stated>,
+    pub(super) tensions: BTreeMap<(NamedLineEnd, Which), Stated>,
     /// Places of points and bodies that move \[m\].
     pub(super) places: BTreeMap<(String, Which), StatedPlace>,
     /// Heights of points and bodies \[m\].
@@ -94,11 +94,11 @@ impl Results {
     pub(super) fn worst(
         &self,
         other: &Self,
-        variant: &Variant,
+        variant: &SystemVariant,
         tolerance: Tolerance,
     ) -> (usize, Option<Violation>) {
         let (force, extent) = (self.force(), self.extent());
-        let mut comparison = Comparison {
+        let mut comparison = ResultComparison {
             tolerance,
             compared: 0,
             worst: None,
@@ -141,13 +141,13 @@ impl Results {
     }
 }
 
-struct Comparison {
+struct ResultComparison {
     tolerance: Tolerance,
     compared: usize,
     worst: Option<Violation>,
 }
 
-impl Comparison {
+impl ResultComparison {
     fn compare(
         &mut self,
         name: impl FnOnce() -> String,

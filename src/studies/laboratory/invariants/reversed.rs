@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use toml::{Table, Value};
 
 use super::tree::{change, exchange, length, list, listed, number, put, word};
-use super::variant::Variant;
+use super::variant::SystemVariant;
 
-pub(super) fn reversed(system: &Table) -> Variant {
-    let mut variant = Variant::of(system.clone());
+pub(super) fn reversed(system: &Table) -> SystemVariant {
+    let mut variant = SystemVariant::of_file(system.clone());
     let mut names = Vec::new();
     for line in listed(&mut variant.file, "lines") {
         reverse(line);

@@ -7,24 +7,24 @@ use toml::Table;
 use super::space::Space;
 
 /// An end of a line: its name and `a` or `b`.
-pub(super) type LineEnd = (String, char);
+pub(super) type NamedLineEnd = (String, char);
 
 /// A system asked for in another way.
 #[derive(Debug, Clone)]
-pub struct Variant {
+pub struct SystemVariant {
     /// Its file.
     pub file: Table,
     /// Ends of lines that are called otherwise in it.
-    pub(super) ends: BTreeMap<LineEnd, LineEnd>,
+    pub(super) ends: BTreeMap<NamedLineEnd, NamedLineEnd>,
     /// Points and bodies that are called otherwise in it.
     pub(super) parts: BTreeMap<String, String>,
     /// How it lies.
     pub(super) space: Space,
 }
 
-impl Variant {
+impl SystemVariant {
     /// A file with the names and places of the system.
-    pub(super) fn of(file: Table) -> Self {
+    pub(super) fn of_file(file: Table) -> Self {
         Self {
             file,
             ends: BTreeMap::new(),
@@ -34,7 +34,7 @@ impl Variant {
     }
 
     /// What an end of a line of the system is called in it.
-    pub(super) fn end(&self, line: &str, end: char) -> LineEnd {
+    pub(super) fn end(&self, line: &str, end: char) -> NamedLineEnd {
         let known = (line.to_owned(), end);
         self.ends.get(&known).cloned().unwrap_or(known)
     }

@@ -1,10 +1,10 @@
 //! Random systems whose lines are paid out or hauled in, or run through points that slide along them.
 
-use super::{DURATION_S, Maker};
+use super::{DURATION_S, MovingSystemWriter};
 
 /// What pays a line out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Drive {
+pub(super) enum RandomDrive {
     /// A rate or a table.
     Rate,
     /// The heave of its end, alone or beside a rate.
@@ -15,9 +15,9 @@ pub(super) enum Drive {
     GivesWay,
 }
 
-impl Maker<'_> {
+impl MovingSystemWriter<'_> {
     /// A line from a top to a load, an anchor, or along the bed, that is paid out.
-    pub(super) fn paid_out(&mut self, drive: Drive) {
+    pub(super) fn paid_out(&mut self, drive: RandomDrive) {
         let depth = self.depth;
         // Now and then it comes out of the water.
         let deepest = if self.random.chance(0.3) {
@@ -26,7 +26,7 @@ impl Maker<'_> {
             0.2 * depth
         };
         let height = -self.random.between(0.5, deepest);
-        if drive != Drive::Heave && self.random.chance(0.3) {
+        if drive != RandomDrive::Heave && self.random.chance(0.3) {
             self.fixed("top", [0.0, 0.0, height]);
         } else {
             self.moved("top", [0.0, 0.0, height], 2.5);
@@ -53,14 +53,14 @@ impl Maker<'_> {
         let down = self.random.chance(0.5);
         let (from, to) = if down { ("top", "low") } else { ("low", "top") };
         let first = self.line_of_sections(from, to, length);
-        let at_top = drive == Drive::Heave || self.random.chance(0.8);
+        let at_top = drive == RandomDrive::Heave || self.random.chance(0.8);
         let end = if at_top == down { "a" } else { "b" };
         let tension = self.wet_weight(first) * length + 1.0;
         self.payout("l0", end, drive, tension);
         // The other end of the same line.
         if self.random.chance(0.15) {
             let other = if end == "a" { "b" } else { "a" };
-            self.payout("l0", other, Drive::Rate, tension);
+            self.payout("l0", other, RandomDrive::Rate, tension);
         }
     }
 
@@ -118,28 +118,28 @@ impl Maker<'_> {
     }
 
     /// A payout of an end of a line; tensions are of the size of this one \[N\].
-    fn payout(&mut self, line: &str, end: &str, drive: Drive, tension: f64) {
+    fn payout(&mut self, line: &str, end: &str, drive: RandomDrive, tension: f64) {
         self.put(format_args!(
             "[[payouts]]\nline = \"{line}\"\nend = \"{end}\"\n"
         ));
         let rate = self.random.power(-1.5, 1.2) * if self.random.chance(0.5) { 1.0 } else { -1.0 };
         let tension = tension * self.random.power(-0.5, 0.7);
         match drive {
-            Drive::Rate if self.random.chance(0.3) => {
+            RandomDrive::Rate if self.random.chance(0.3) => {
                 let [a, b] = [(); 2].map(|()| 3.0 * self.random.between(-rate.abs(), rate.abs()));
                 self.put(format_args!(
                     "table_time_s = [0.0, 2.0, 5.0, {DURATION_S:?}]\ntable_m = [0.0, 0.0, {a:?}, {b:?}]\n"
                 ));
             }
-            Drive::Rate => self.rate(rate),
-            Drive::Heave => {
+            RandomDrive::Rate => self.rate(rate),
+            RandomDrive::Heave => {
                 let share = self.random.between(0.5, 1.2);
                 self.put(format_args!("heave_compensation = {share:?}\n"));
                 if self.random.chance(0.5) {
                     self.rate(rate);
                 }
             }
-            Drive::Tension => {
+            RandomDrive::Tension => {
                 self.put(format_args!("tension_n = {tension:?}\n"));
                 if self.random.chance(0.5) {
                     let fastest = self.random.power(-1.0, 0.7);
@@ -147,7 +147,7 @@ impl Maker<'_> {
                 }
                 self.drum();
             }
-            Drive::GivesWay => {
+            RandomDrive::GivesWay => {
                 self.put(format_args!(
                     "rate_m_per_s = {rate:?}\ngreatest_tension_n = {tension:?}\n"
                 ));
@@ -211,11 +211,11 @@ impl Maker<'_> {
             let length = self.random.between(0.9, 1.3) * span;
             self.line_of_sections("hauler", "bead", length);
             let tension = self.wet_weight(2) * length + 1.0;
-            self.payout("l2", "a", Drive::Rate, tension);
+            self.payout("l2", "a", RandomDrive::Rate, tension);
         }
         if self.random.chance(0.2) {
             let end = if turned { "b" } else { "a" };
-            self.payout("l0", end, Drive::Rate, 1.0);
+            self.payout("l0", end, RandomDrive::Rate, 1.0);
         }
     }
 
@@ -247,9 +247,9 @@ impl Maker<'_> {
         for line in ["l0", "l1"] {
             let draw = self.random.uniform();
             let drive = match draw {
-                _ if draw < 0.3 => Drive::Rate,
-                _ if draw < 0.6 => Drive::Tension,
-                _ if draw < 0.8 => Drive::GivesWay,
+                _ if draw < 0.3 => RandomDrive::Rate,
+                _ if draw < 0.6 => RandomDrive::Tension,
+                _ if draw < 0.8 => RandomDrive::GivesWay,
                 _ => continue,
             };
             let end = if self.random.chance(0.8) { "b" } else { "a" };

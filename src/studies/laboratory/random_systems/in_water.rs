@@ -1,12 +1,12 @@
 //! Random bodies in the water: buoys of members, rods.
 
-use super::Maker;
+use super::RandomNetworkBuilder;
 use crate::numerics::V3;
 use crate::physics::current::CurrentProfile;
 use crate::system::network::{Body, Held, Member};
 use crate::system::pose::Pose;
 
-impl Maker<'_> {
+impl RandomNetworkBuilder<'_> {
     fn member(&mut self, from: V3, to: V3, radius: f64) -> Member {
         Member {
             from,

@@ -1,6 +1,6 @@
 //! The numeric inputs of a case, each with the values that its tolerance gives it.
 
-use super::values::{Part, parts};
+use super::values::{KeyNumber, parts};
 use crate::case::fields::ValueType;
 use crate::case::file_kind::FileKind;
 use crate::case::{FieldRow, Mark, StudyValue, kind};
@@ -31,7 +31,7 @@ pub struct VariedInput {
     pub clipped: [bool; 2],
     /// The key itself.
     key: String,
-    part: Part,
+    part: KeyNumber,
 }
 
 /// Where the tolerance of an input comes from.
@@ -82,7 +82,7 @@ pub fn varied_inputs<K: FileKind>(text: &str) -> (Vec<VariedInput>, Vec<SkippedI
     (varied, skipped)
 }
 
-fn input(row: &FieldRow, path: &str, part: Part) -> Result<VariedInput, &'static str> {
+fn input(row: &FieldRow, path: &str, part: KeyNumber) -> Result<VariedInput, &'static str> {
     match row.field.kind {
         ValueType::Integer => return Err("a count or a seed"),
         ValueType::List | ValueType::Pair => return Err("a table or a pair of numbers"),

@@ -56,7 +56,7 @@ pub fn compute<K: Studied>(
 
 /// The effect of an input on a result.
 #[derive(Debug, Clone)]
-pub struct Effect<'a> {
+pub struct InputEffect<'a> {
     /// The input.
     pub input: &'a VariedInput,
     /// The result at the lower and the upper value of the input, or why there is none.
@@ -67,7 +67,7 @@ pub struct Effect<'a> {
     pub beyond_error: Option<bool>,
 }
 
-impl Effect<'_> {
+impl InputEffect<'_> {
     /// The greater of both changes in size; zero where there is none.
     #[must_use]
     pub fn size(&self) -> f64 {
@@ -88,7 +88,7 @@ impl InputEffects {
 
     /// The effects on a result, the greatest first; inputs without any result last. Nothing where the case has no such result.
     #[must_use]
-    pub fn ranked(&self, id: &QuantityId) -> Option<Vec<Effect<'_>>> {
+    pub fn ranked(&self, id: &QuantityId) -> Option<Vec<InputEffect<'_>>> {
         let quantity = self.result(id)?;
         let base = quantity.value;
         let change = |value: &f64| {
@@ -112,7 +112,7 @@ impl InputEffects {
                     .map(|value| is_beyond_error(quantity, *value))
                     .collect();
                 let known = !beyond.is_empty() && beyond.iter().all(Option::is_some);
-                Effect {
+                InputEffect {
                     input,
                     changes: results
                         .each_ref()
@@ -121,8 +121,8 @@ impl InputEffects {
                     results,
                 }
             });
-        let mut effects: Vec<Effect<'_>> = effects.collect();
-        let known = |effect: &Effect<'_>| effect.changes.iter().any(Option::is_some);
+        let mut effects: Vec<InputEffect<'_>> = effects.collect();
+        let known = |effect: &InputEffect<'_>| effect.changes.iter().any(Option::is_some);
         effects.sort_by(|a, b| known(b).cmp(&known(a)).then(b.size().total_cmp(&a.size())));
         Some(effects)
     }

@@ -8,7 +8,7 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A number of a key, or all numbers of its list together.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Part {
+pub(super) struct KeyNumber {
     /// `.x` of three coordinates; empty for the whole value.
     pub(super) suffix: String,
     /// The number; of a list its greatest by size.
@@ -19,7 +19,7 @@ pub(super) struct Part {
     is_list: bool,
 }
 
-impl Part {
+impl KeyNumber {
     /// The value of the key with this number changed, as in a file; a list that varies as a whole is scaled.
     pub(super) fn written(&self, value: f64) -> String {
         let scaled = |(place, old): (usize, &f64)| match self.place {
@@ -47,12 +47,12 @@ impl Part {
 }
 
 /// The numbers of a value that vary: one; each of three coordinates; all of a list together. None where it is a word.
-pub(super) fn parts(text: &str, kind: ValueType) -> Vec<Part> {
+pub(super) fn parts(text: &str, kind: ValueType) -> Vec<KeyNumber> {
     let Some(node) = TomlNode::parse_value(text) else {
         return Vec::new();
     };
     if let Some(value) = node.number() {
-        return vec![Part {
+        return vec![KeyNumber {
             suffix: String::new(),
             value,
             numbers: vec![value],
@@ -63,7 +63,7 @@ pub(super) fn parts(text: &str, kind: ValueType) -> Vec<Part> {
     let Some(numbers) = node.numbers().filter(|numbers| !numbers.is_empty()) else {
         return Vec::new();
     };
-    let part = |suffix: &str, value: f64, place: Option<usize>| Part {
+    let part = |suffix: &str, value: f64, place: Option<usize>| KeyNumber {
         suffix: suffix.to_owned(),
         value,
         numbers: numbers.clone(),

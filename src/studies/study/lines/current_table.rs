@@ -5,7 +5,7 @@ use csv::StringRecord;
 
 use super::answered::END_FORCES_AND_STATUS;
 use super::in_current::LineInCurrent;
-use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers, names, reader};
+use super::table::{LineTableFormat, NumberColumn, RowAnswer, RowError, RowNumbers, names, reader};
 use crate::statics::catenary::SectionProperties;
 
 /// Column of the current along x.
@@ -17,22 +17,22 @@ const CURRENT_Z: usize = 15;
 pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
     limit: &LINES_IN_CURRENT,
     columns: &[
-        InputColumn::required(&["a_x_m", "ax"]),
-        InputColumn::required(&["a_y_m", "ay"]),
-        InputColumn::required(&["a_z_m", "az"]),
-        InputColumn::required(&["b_x_m", "bx"]),
-        InputColumn::required(&["b_y_m", "by"]),
-        InputColumn::required(&["b_z_m", "bz"]),
-        InputColumn::required(&["length_m", "l"]),
-        InputColumn::required(&["weight_n_per_m", "w_npm"]),
-        InputColumn::required(&["ea_n"]),
-        InputColumn::required(&["diameter_m", "d_m"]),
-        InputColumn::required(&["drag_normal", "cd"]),
-        InputColumn::required(&["drag_tangential", "cdax"]),
-        InputColumn::required(&["water_density_kg_per_m3", "rho"]),
-        InputColumn::required(&["current_x_m_per_s", "ux"]),
-        InputColumn::required(&["current_y_m_per_s", "uy"]),
-        InputColumn::optional(&["current_z_m_per_s", "uz"]),
+        NumberColumn::required(&["a_x_m", "ax"]),
+        NumberColumn::required(&["a_y_m", "ay"]),
+        NumberColumn::required(&["a_z_m", "az"]),
+        NumberColumn::required(&["b_x_m", "bx"]),
+        NumberColumn::required(&["b_y_m", "by"]),
+        NumberColumn::required(&["b_z_m", "bz"]),
+        NumberColumn::required(&["length_m", "l"]),
+        NumberColumn::required(&["weight_n_per_m", "w_npm"]),
+        NumberColumn::required(&["ea_n"]),
+        NumberColumn::required(&["diameter_m", "d_m"]),
+        NumberColumn::required(&["drag_normal", "cd"]),
+        NumberColumn::required(&["drag_tangential", "cdax"]),
+        NumberColumn::required(&["water_density_kg_per_m3", "rho"]),
+        NumberColumn::required(&["current_x_m_per_s", "ux"]),
+        NumberColumn::required(&["current_y_m_per_s", "uy"]),
+        NumberColumn::optional(&["current_z_m_per_s", "uz"]),
     ],
     answers: &END_FORCES_AND_STATUS,
     answer,

@@ -20,15 +20,15 @@ pub(super) struct AnsweredLine {
 }
 
 /// Why a line has no answer; with the value that is at fault, where it is one.
-struct LineError<'a> {
+struct LineAnswerError<'a> {
     value: Option<(&'a str, &'a RawValue)>,
     problem: String,
 }
 
-type LineResult<'a, T> = Result<T, LineError<'a>>;
+type LineResult<'a, T> = Result<T, LineAnswerError<'a>>;
 
 /// Names and values of an answer, in JSON.
-type Values = Vec<(&'static str, String)>;
+type AnswerValues = Vec<(&'static str, String)>;
 
 /// Keys of a line in still water with their short names.
 const STILL: [&str; 10] = [
@@ -148,7 +148,7 @@ fn quoted(text: &str) -> String {
     serde_json::Value::from(text).to_string()
 }
 
-impl<'a> LineError<'a> {
+impl<'a> LineAnswerError<'a> {
     fn new(problem: impl Into<String>) -> Self {
         Self {
             value: None,
@@ -181,7 +181,7 @@ impl<'a> LineError<'a> {
 
 impl<'a> JsonObject<'a> {
     /// The object as it was, answers of an earlier time left out, and these added.
-    fn with(&self, values: &Values, status: &str) -> String {
+    fn with(&self, values: &AnswerValues, status: &str) -> String {
         let old = |key: &str| {
             AT_REST.contains(&key) || END_FORCES_AND_STATUS.contains(&key) || key == "shape"
         };
@@ -201,7 +201,7 @@ impl<'a> JsonObject<'a> {
         let mut found = each.filter(|(key, _)| keys.contains(key));
         let first = found.next();
         match found.next() {
-            Some((key, value)) => Err(LineError::at(key, value, "given twice")),
+            Some((key, value)) => Err(LineAnswerError::at(key, value, "given twice")),
             None => Ok(first),
         }
     }
@@ -221,7 +221,7 @@ impl<'a> JsonObject<'a> {
 
     fn required(&self, keys: &[&str]) -> LineResult<'a, f64> {
         self.number(keys)?
-            .ok_or_else(|| LineError::missing(keys[0]))
+            .ok_or_else(|| LineAnswerError::missing(keys[0]))
     }
 
     /// Lists of numbers in a list.
@@ -233,13 +233,13 @@ impl<'a> JsonObject<'a> {
     ) -> LineResult<'a, Vec<Vec<f64>>> {
         let (key, value) = self
             .find(keys)?
-            .ok_or_else(|| LineError::missing(keys[0]))?;
+            .ok_or_else(|| LineAnswerError::missing(keys[0]))?;
         match items(value) {
             Some(items) if !items.is_empty() => items
                 .into_iter()
                 .map(|item| numbers(key, item, counts, form))
                 .collect(),
-            _ => Err(LineError::at(
+            _ => Err(LineAnswerError::at(
                 key,
                 value,
                 format!("a list of {form} is needed"),
@@ -248,7 +248,9 @@ impl<'a> JsonObject<'a> {
     }
 
     fn point(&self, key: &str) -> LineResult<'a, [f64; 3]> {
-        let (key, value) = self.find(&[key])?.ok_or_else(|| LineError::missing(key))?;
+        let (key, value) = self
+            .find(&[key])?
+            .ok_or_else(|| LineAnswerError::missing(key))?;
         let list = numbers(key, value, &(3..=3), "[x, y, z]")?;
         Ok([list[0], list[1], list[2]])
     }
@@ -265,7 +267,8 @@ impl<'a> JsonObject<'a> {
 }
 
 fn number<'a>(key: &'a str, value: &'a RawValue) -> LineResult<'a, f64> {
-    serde_json::from_str(value.get()).map_err(|_| LineError::at(key, value, "a number is needed"))
+    serde_json::from_str(value.get())
+        .map_err(|_| LineAnswerError::at(key, value, "a number is needed"))
 }
 
 /// The items of a list; `None` where the value is no list.
@@ -280,7 +283,7 @@ fn numbers<'a>(
     counts: &RangeInclusive<usize>,
     form: &str,
 ) -> LineResult<'a, Vec<f64>> {
-    let wrong = || LineError::at(key, value, format!("{form} is needed"));
+    let wrong = || LineAnswerError::at(key, value, format!("{form} is needed"));
     let items = items(value).ok_or_else(wrong)?;
     let list: Vec<f64> = items
         .into_iter()
@@ -293,7 +296,7 @@ fn numbers<'a>(
     }
 }
 
-fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
+fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, AnswerValues> {
     let sections = object.sections()?;
     let anchored = object.find(&["depth"])?.is_some() || object.find(&["radius"])?.is_some();
     let below = object
@@ -304,7 +307,7 @@ fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
         object.number(&["bed_slope_deg"])?,
     );
     if below.is_none() && (friction.unwrap_or(0.0) != 0.0 || slope.unwrap_or(0.0) != 0.0) {
-        return Err(LineError::new(
+        return Err(LineAnswerError::new(
             "there is a slope or friction but no bed; give bed_below_a_m, 0 for a bed through A",
         ));
     }
@@ -323,8 +326,8 @@ fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
     };
     let solved = line
         .solve()
-        .map_err(|error| LineError::new(error.to_string()))?;
-    let mut values: Values = AT_REST
+        .map_err(|error| LineAnswerError::new(error.to_string()))?;
+    let mut values: AnswerValues = AT_REST
         .into_iter()
         .zip(super::answered::at_rest(&solved).map(shown))
         .collect();
@@ -332,11 +335,11 @@ fn at_rest<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
     Ok(values)
 }
 
-fn in_current<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
+fn in_current<'a>(object: &JsonObject<'a>) -> LineResult<'a, AnswerValues> {
     let still = |key: &str| STILL[2..].contains(&key);
     if let Some((key, value)) = object.0.iter().find(|(key, _)| still(plain(key))) {
         let problem = "a line in a current goes from a_m to b_m and has no bed; leave this key out";
-        return Err(LineError::at(plain(key), value, problem));
+        return Err(LineAnswerError::at(plain(key), value, problem));
     }
     let current = object.rows(&["current"], &(3..=3), "[depth_m, x_m_per_s, y_m_per_s]")?;
     let line = LineInCurrent {
@@ -351,7 +354,7 @@ fn in_current<'a>(object: &JsonObject<'a>) -> LineResult<'a, Values> {
             .unwrap_or(1025.0),
         current: current.into_iter().map(|u| [u[0], u[1], u[2]]).collect(),
     };
-    let forces = line.solve().map_err(LineError::new)?;
+    let forces = line.solve().map_err(LineAnswerError::new)?;
     let values = forces.numbers().map(shown);
     Ok(END_FORCES_AND_STATUS.into_iter().zip(values).collect())
 }

@@ -1,7 +1,7 @@
 //! CSV of single lines in still water.
 
 use super::answered::at_rest;
-use super::table::{InputColumn, LineTableFormat, RowAnswer, RowError, RowNumbers};
+use super::table::{LineTableFormat, NumberColumn, RowAnswer, RowError, RowNumbers};
 use crate::limits::LINES;
 use crate::statics::catenary::{
     CatenaryError, CatenaryLine, EndOffset, RigidBed, SectionProperties,
@@ -11,15 +11,15 @@ use crate::statics::catenary::{
 pub(super) const LAYOUT: LineTableFormat = LineTableFormat {
     limit: &LINES,
     columns: &[
-        InputColumn::required(&["x_m"]),
-        InputColumn::required(&["z_m"]),
-        InputColumn::required(&["length_m"]),
-        InputColumn::required(&["ea_n"]),
-        InputColumn::required(&["weight_n_per_m"]),
-        InputColumn::optional(&["friction"]),
-        InputColumn::optional(&["bed_below_a_m"]),
-        InputColumn::optional(&["bed_slope_deg"]),
-        InputColumn::optional(&["surface_above_a_m"]),
+        NumberColumn::required(&["x_m"]),
+        NumberColumn::required(&["z_m"]),
+        NumberColumn::required(&["length_m"]),
+        NumberColumn::required(&["ea_n"]),
+        NumberColumn::required(&["weight_n_per_m"]),
+        NumberColumn::optional(&["friction"]),
+        NumberColumn::optional(&["bed_below_a_m"]),
+        NumberColumn::optional(&["bed_slope_deg"]),
+        NumberColumn::optional(&["surface_above_a_m"]),
     ],
     answers: &[
         "h_b_n", "v_b_n", "h_a_n", "v_a_n", "on_bed_m", "status", "shape",

@@ -9,13 +9,13 @@ use super::answered::{AnsweredTable, TableError, check_count, shown};
 use crate::limits::Limit;
 
 /// A column of numbers, by the names it may have.
-pub(super) struct InputColumn {
+pub(super) struct NumberColumn {
     pub names: &'static [&'static str],
     /// Whether every row needs a number; otherwise the column may be absent and a cell empty.
     pub required: bool,
 }
 
-impl InputColumn {
+impl NumberColumn {
     /// A column in which every row needs a number.
     pub(super) const fn required(names: &'static [&'static str]) -> Self {
         let required = true;
@@ -43,7 +43,7 @@ const MOST_COLUMNS: usize = 16;
 
 /// The columns of a kind of table, and the answer to a row.
 pub(super) struct LineTableFormat {
-    pub columns: &'static [InputColumn],
+    pub columns: &'static [NumberColumn],
     /// Columns that are written: numbers, then `status`, then `shape` where there is one. Present in the input they are
     /// left out of what is passed through.
     pub answers: &'static [&'static str],
@@ -99,8 +99,8 @@ pub(super) fn solve(input: &[u8], layout: &LineTableFormat) -> Result<AnsweredTa
 }
 
 /// Which column of the input each column of the layout is.
-fn places(columns: &[InputColumn], names: &[String]) -> Result<Vec<Option<usize>>, TableError> {
-    let of = |column: &InputColumn| -> Vec<usize> {
+fn places(columns: &[NumberColumn], names: &[String]) -> Result<Vec<Option<usize>>, TableError> {
+    let of = |column: &NumberColumn| -> Vec<usize> {
         let known = |i: &usize| column.names.contains(&names[*i].as_str());
         (0..names.len()).filter(known).collect()
     };
@@ -157,7 +157,7 @@ impl InputTable<'_> {
 }
 
 /// The number in a cell; `None` where it is empty and may be.
-fn cell(column: &InputColumn, bytes: &[u8]) -> Result<Option<f64>, RowError> {
+fn cell(column: &NumberColumn, bytes: &[u8]) -> Result<Option<f64>, RowError> {
     let text = String::from_utf8_lossy(bytes);
     let text = text.trim();
     let wrong = |problem: String| RowError {

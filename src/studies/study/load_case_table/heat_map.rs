@@ -116,7 +116,7 @@ impl HeatMapChoice {
 impl HeatMap {
     /// The map of a result with these values at the load cases of a table.
     #[must_use]
-    pub fn of(
+    pub fn of_result(
         table: &LoadCaseTable,
         values: &[Option<ResultValue>],
         choice: &HeatMapChoice,
@@ -295,7 +295,7 @@ mod tests {
         let mut choice = HeatMapChoice::first(&table, "tension_n.max");
         assert_eq!((choice.across, choice.down), (Some(0), Some(1)));
         assert_eq!(choice.others().collect::<Vec<_>>(), [2]);
-        let map = HeatMap::of(&table, values, &choice);
+        let map = HeatMap::of_result(&table, values, &choice);
         assert_eq!((map.columns, map.rows, map.range), (2, 2, Some((1.0, 6.0))));
         let cell = map.cell(0, 0).unwrap();
         assert_eq!((cell.value, cell.governing), (Some(1.0), Some(1)));
@@ -308,12 +308,12 @@ mod tests {
             (Some(6.0), 1, 1)
         );
         choice.reduction = Reduction::Mean;
-        let map = HeatMap::of(&table, values, &choice);
+        let map = HeatMap::of_result(&table, values, &choice);
         let mean = map.cell(0, 0).unwrap().value.unwrap();
         assert!((mean - 0.75).abs() < 1e-12);
         choice.reduction = Reduction::Least;
         choice.held[2] = Some(1);
-        let map = HeatMap::of(&table, values, &choice);
+        let map = HeatMap::of_result(&table, values, &choice);
         let cell = map.cell(0, 1).unwrap();
         assert_eq!(
             (cell.value, cell.load_cases.as_slice()),
@@ -330,7 +330,7 @@ mod tests {
             held: vec![None; 3],
             ..HeatMapChoice::default()
         };
-        let map = HeatMap::of(&table, &table.columns[0].values, &choice);
+        let map = HeatMap::of_result(&table, &table.columns[0].values, &choice);
         assert_eq!((map.columns, map.rows), (2, 1));
         assert_eq!(map.cells[0].load_cases, [0, 1, 2, 3]);
     }

@@ -106,7 +106,7 @@ impl LoadCaseState {
 impl LoadCaseTable {
     /// The load cases of a sweep as it is.
     #[must_use]
-    pub fn of(snapshot: &SweepSnapshot) -> Self {
+    pub fn of_snapshot(snapshot: &SweepSnapshot) -> Self {
         let variation = &snapshot.plan.sweep.variation;
         let mut table = Self {
             axes: axes::axes(variation),

@@ -2,7 +2,7 @@
 
 use super::least_along;
 use super::loads::{Extreme, PlaceLoads};
-use super::records::Series;
+use super::records::RecordedSeries;
 use super::scene::CheckedScene;
 use crate::case::{CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
@@ -14,14 +14,14 @@ use crate::study::vary::system::SystemResult;
 pub struct RestName {
     /// Its name.
     pub name: String,
-    series: Series,
+    series: RecordedSeries,
     place: String,
 }
 
 /// The results that the checks of a system at rest need.
 #[must_use]
 pub(super) fn names(scene: &CheckedScene, checks: &[Check], bodies: &[String]) -> Vec<RestName> {
-    let of = |series: Series, name: &str, place: &str| RestName {
+    let of = |series: RecordedSeries, name: &str, place: &str| RestName {
         name: format!("{name}[{place}]"),
         series,
         place: place.to_owned(),
@@ -33,7 +33,7 @@ pub(super) fn names(scene: &CheckedScene, checks: &[Check], bodies: &[String]) -
         }
     };
     for place in &scene.tensions {
-        add(of(Series::Tension, "tension_n", place));
+        add(of(RecordedSeries::Tension, "tension_n", place));
     }
     for check in checks {
         let named = check.inputs.of.iter().flatten();
@@ -42,14 +42,14 @@ pub(super) fn names(scene: &CheckedScene, checks: &[Check], bodies: &[String]) -
                 .anchors
                 .iter()
                 .filter(|anchor| check.holds_for(anchor))
-                .for_each(|anchor| add(of(Series::Uplift, "uplift_n", anchor))),
+                .for_each(|anchor| add(of(RecordedSeries::Uplift, "uplift_n", anchor))),
             CheckKind::Offset => named
                 .filter(|name| bodies.contains(name))
-                .for_each(|body| add(of(Series::Offset, "offset_m", body))),
+                .for_each(|body| add(of(RecordedSeries::Offset, "offset_m", body))),
             CheckKind::BedClearance | CheckKind::SurfaceClearance => {
                 named
                     .filter(|name| !bodies.contains(name) && !scene.is_line(name))
-                    .for_each(|point| add(of(Series::Height, "z_m", point)));
+                    .for_each(|point| add(of(RecordedSeries::Height, "z_m", point)));
                 let lines = scene.lines.iter();
                 lines
                     .filter_map(|line| bed_clearance(check, line))
@@ -68,7 +68,7 @@ fn bed_clearance(check: &Check, line: &str) -> Option<RestName> {
     let stretch = stretch.map(|[from, to]| format!("|{from}..{to}"));
     Some(RestName {
         name: format!("bed_clearance_m[{line}{}]", stretch.unwrap_or_default()),
-        series: Series::BedClearance,
+        series: RecordedSeries::BedClearance,
         place,
     })
 }

@@ -1,11 +1,11 @@
 //! How much of the limit of a check the seas use.
 
 use super::loads::{Extreme, PlaceLoads};
-use super::records::Series;
+use super::records::RecordedSeries;
 use super::scene::CheckedScene;
 use crate::case::{CheckAnalysis, CheckCondition, CheckInputs, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
-use crate::checks::utilisation::{Estimate, Utilisation, Verdict};
+use crate::checks::utilisation::{Estimate, Utilisation, UtilisationVerdict};
 
 /// How much of a limit is used at a place.
 #[derive(Debug, Clone, PartialEq)]
@@ -65,9 +65,9 @@ impl CheckResult {
 
     /// The worst that any row says; nothing without rows. What could not be compared leaves it open.
     #[must_use]
-    pub fn verdict(&self) -> Option<Verdict> {
+    pub fn verdict(&self) -> Option<UtilisationVerdict> {
         let worst = self.rows.iter().map(|row| row.used.verdict()).max();
-        let open = (!self.missing.is_empty()).then_some(Verdict::Open);
+        let open = (!self.missing.is_empty()).then_some(UtilisationVerdict::Open);
         worst.max(open)
     }
 }
@@ -85,21 +85,21 @@ pub(super) fn is_for(check: &Check, condition: CheckCondition, scene: &CheckedSc
 
 /// The series that a check reads; none for what is not read of records by place.
 #[must_use]
-pub(super) const fn series(kind: CheckKind) -> &'static [Series] {
+pub(super) const fn series(kind: CheckKind) -> &'static [RecordedSeries] {
     match kind {
         CheckKind::SafetyFactor | CheckKind::PartialFactors | CheckKind::LeastTension => {
-            &[Series::Tension]
+            &[RecordedSeries::Tension]
         }
-        CheckKind::Uplift => &[Series::Uplift],
-        CheckKind::Offset => &[Series::Offset],
-        CheckKind::BedClearance => &[Series::Height, Series::BedClearance],
-        CheckKind::SurfaceClearance => &[Series::Height],
+        CheckKind::Uplift => &[RecordedSeries::Uplift],
+        CheckKind::Offset => &[RecordedSeries::Offset],
+        CheckKind::BedClearance => &[RecordedSeries::Height, RecordedSeries::BedClearance],
+        CheckKind::SurfaceClearance => &[RecordedSeries::Height],
         CheckKind::BendRadius | CheckKind::Fatigue => &[],
     }
 }
 
 /// A load with the limit that it is held to.
-struct Held<'a> {
+struct CheckedLoad<'a> {
     load: Estimate,
     limit: f64,
     /// Where and when the load was seen.
@@ -108,7 +108,7 @@ struct Held<'a> {
     is_least: bool,
 }
 
-impl<'a> Held<'a> {
+impl<'a> CheckedLoad<'a> {
     fn most(load: Estimate, limit: f64, extreme: &'a Extreme) -> Self {
         Self {
             load,
@@ -167,38 +167,40 @@ fn held<'a>(
     check: &Check,
     loads: &'a PlaceLoads,
     scene: &CheckedScene,
-) -> Result<Held<'a>, String> {
+) -> Result<CheckedLoad<'a>, String> {
     let inputs = &check.inputs;
     let (greatest, least) = (&loads.greatest, &loads.least);
     let length = inputs.limit_m.unwrap_or(0.0);
     Ok(match check.kind {
         CheckKind::SafetyFactor => {
             let load = scaled(&greatest.estimate, inputs.factor.unwrap_or(1.0));
-            Held::most(load, strength(inputs, loads, scene)?, greatest)
+            CheckedLoad::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::PartialFactors => {
             let load = by_partial_factors(inputs, loads);
-            Held::most(load, strength(inputs, loads, scene)?, greatest)
+            CheckedLoad::most(load, strength(inputs, loads, scene)?, greatest)
         }
         CheckKind::LeastTension => {
             let limit = match inputs.limit_n {
                 Some(limit) => limit,
                 None => strength(inputs, loads, scene)?,
             };
-            Held::least(least.estimate, limit, least)
+            CheckedLoad::least(least.estimate, limit, least)
         }
-        CheckKind::Uplift => Held::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest),
-        CheckKind::Offset => Held::most(greatest.estimate, length, greatest),
-        CheckKind::BedClearance if loads.series == Series::BedClearance => {
-            Held::least(least.estimate, length, least)
+        CheckKind::Uplift => {
+            CheckedLoad::most(greatest.estimate, inputs.limit_n.unwrap_or(0.0), greatest)
+        }
+        CheckKind::Offset => CheckedLoad::most(greatest.estimate, length, greatest),
+        CheckKind::BedClearance if loads.series == RecordedSeries::BedClearance => {
+            CheckedLoad::least(least.estimate, length, least)
         }
         CheckKind::BedClearance => {
             let depth = scene.depth;
             let depth = depth.ok_or("the sea bed is not level, or there is none")?;
-            Held::least(shifted(&least.estimate, 1.0, depth), length, least)
+            CheckedLoad::least(shifted(&least.estimate, 1.0, depth), length, least)
         }
         CheckKind::SurfaceClearance => {
-            Held::least(shifted(&greatest.estimate, -1.0, 0.0), length, greatest)
+            CheckedLoad::least(shifted(&greatest.estimate, -1.0, 0.0), length, greatest)
         }
         CheckKind::BendRadius | CheckKind::Fatigue => {
             return Err("it is not read of records by place".to_owned());
@@ -281,7 +283,7 @@ mod tests {
 
     fn tension() -> PlaceLoads {
         PlaceLoads {
-            series: Series::Tension,
+            series: RecordedSeries::Tension,
             place: "chain@120|b".to_owned(),
             mean: estimate(2e6, 1e4, 2e4),
             deviation: 1e5,
@@ -324,7 +326,7 @@ mod tests {
         let row = compared(&check, 0, &tension(), &scene()).unwrap();
         near(row.used.value, 1.67 * 3.0 / 8.0);
         near(row.used.both[1], 1.67 * (3.0 + 0.05 + 0.2) / 8.0);
-        assert_eq!(row.used.verdict(), Verdict::Passes);
+        assert_eq!(row.used.verdict(), UtilisationVerdict::Passes);
         assert_eq!((row.load_case, row.time), (Some(3), Some(71.5)));
     }
 
@@ -361,7 +363,7 @@ mod tests {
         near(row.used.value, 0.5);
         near(row.used.both[1], 0.5 / 0.75);
         let height = PlaceLoads {
-            series: Series::Height,
+            series: RecordedSeries::Height,
             place: "clump".to_owned(),
             least: extreme(estimate(-195.0, 0.5, 1.0)),
             ..tension()
@@ -369,14 +371,14 @@ mod tests {
         let bed = "kind = \"bed-clearance\"\nof = [\"clump\"]\nlimit_m = 4.0\n";
         let row = compared(&check(bed), 0, &height, &scene()).unwrap();
         near(row.used.value, 4.0 / 5.0);
-        assert_eq!(row.used.verdict(), Verdict::Open);
+        assert_eq!(row.used.verdict(), UtilisationVerdict::Open);
     }
 
     #[test]
     fn a_limit_of_zero_is_kept_or_passed() {
         let used = |value: f64| {
             let uplift = PlaceLoads {
-                series: Series::Uplift,
+                series: RecordedSeries::Uplift,
                 greatest: extreme(Estimate::exact(value)),
                 ..tension()
             };
@@ -385,10 +387,10 @@ mod tests {
         };
         assert_eq!(
             (used(0.0).value, used(0.0).verdict()),
-            (0.0, Verdict::Passes)
+            (0.0, UtilisationVerdict::Passes)
         );
-        assert_eq!(used(-5.0).verdict(), Verdict::Passes);
-        assert_eq!(used(5.0).verdict(), Verdict::Fails);
+        assert_eq!(used(-5.0).verdict(), UtilisationVerdict::Passes);
+        assert_eq!(used(5.0).verdict(), UtilisationVerdict::Fails);
     }
 
     #[test]
@@ -429,8 +431,8 @@ mod tests {
             missing: Vec::new(),
             open_seas: Vec::new(),
         };
-        assert_eq!(result.verdict(), Some(Verdict::Passes));
+        assert_eq!(result.verdict(), Some(UtilisationVerdict::Passes));
         result.missing.push("nothing".to_owned());
-        assert_eq!(result.verdict(), Some(Verdict::Open));
+        assert_eq!(result.verdict(), Some(UtilisationVerdict::Open));
     }
 }

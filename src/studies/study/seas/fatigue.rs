@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::records::{RunRecord, Series};
+use super::records::{RecordedSeries, SeaRunRecord};
 use super::scene::CheckedScene;
 use crate::case::Statistic;
 use crate::checks::resolved::Check;
@@ -52,22 +52,22 @@ pub(super) type SeaFatigue = BTreeMap<FatiguePlace, Result<SeaDamage, String>>;
 
 /// The damage of a sea at every place that a check holds for: those with a recorded tension, or all that the runs counted along the lines.
 #[must_use]
-pub(super) fn of_sea(runs: &[RunRecord], check: &Check, scene: &CheckedScene) -> SeaFatigue {
+pub(super) fn of_sea(runs: &[SeaRunRecord], check: &Check, scene: &CheckedScene) -> SeaFatigue {
     let Some(first) = runs.first() else {
         return SeaFatigue::new();
     };
     if check.is_along() {
         return along(runs, check);
     }
-    let places = first.places(Series::Tension);
+    let places = first.places(RecordedSeries::Tension);
     let held = places.filter(|place| check.holds_for(super::subject::subject(place)));
     held.map(|place| (FatiguePlace::recorded(place), at(runs, place, check, scene)))
         .collect()
 }
 
 /// The damage that the runs of a sea counted along the lines.
-fn along(runs: &[RunRecord], check: &Check) -> SeaFatigue {
-    let of_check = |run: &RunRecord| -> Vec<FatigueSpot> {
+fn along(runs: &[SeaRunRecord], check: &Check) -> SeaFatigue {
+    let of_check = |run: &SeaRunRecord| -> Vec<FatigueSpot> {
         let own = run.along.iter().filter(|spot| spot.check == check.name);
         own.cloned().collect()
     };
@@ -79,7 +79,7 @@ fn along(runs: &[RunRecord], check: &Check) -> SeaFatigue {
     let spots = first.iter().enumerate().map(|(order, spot)| {
         let line = errors
             .entry(spot.line.clone())
-            .or_insert_with(|| LineErrors::of(runs, &spot.line));
+            .or_insert_with(|| LineErrors::of_runs(runs, &spot.line));
         let same: Vec<&FatigueSpot> = each
             .iter()
             .filter_map(|own| own.get(order).filter(|other| is_same(spot, other)))
@@ -133,19 +133,19 @@ struct LineErrors {
 }
 
 impl LineErrors {
-    fn of(runs: &[RunRecord], line: &str) -> Self {
-        let greatest = |of: &dyn Fn(&RunRecord) -> Option<f64>| {
+    fn of_runs(runs: &[SeaRunRecord], line: &str) -> Self {
+        let greatest = |of: &dyn Fn(&SeaRunRecord) -> Option<f64>| {
             let all: Option<Vec<f64>> = runs.iter().map(of).collect();
             all?.into_iter().reduce(f64::max)
         };
         let range = greatest(&|run| {
-            let all: Vec<&str> = run.places(Series::Tension).collect();
+            let all: Vec<&str> = run.places(RecordedSeries::Tension).collect();
             let own = all
                 .iter()
                 .filter(|place| super::subject::subject(place) == line);
             let own: Vec<&str> = own.copied().collect();
             let places = if own.is_empty() { all } else { own };
-            let of = |place: &str, of| run.numerical(Series::Tension, place, of);
+            let of = |place: &str, of| run.numerical(RecordedSeries::Tension, place, of);
             let ranges = places.iter().map(|place| {
                 let [low, high] = [Statistic::Min, Statistic::Max].map(|end| of(place, end));
                 Some(low? + high?)
@@ -175,7 +175,7 @@ impl LineErrors {
 }
 
 fn at(
-    runs: &[RunRecord],
+    runs: &[SeaRunRecord],
     place: &str,
     check: &Check,
     scene: &CheckedScene,
@@ -184,7 +184,7 @@ fn at(
     let component = check.component(diameter, scene.strengths.get(place).copied())?;
     let records = runs
         .iter()
-        .filter_map(|run| run.series(Series::Tension, place));
+        .filter_map(|run| run.series(RecordedSeries::Tension, place));
     let records: Vec<ChannelRecord> = records.collect();
     if records.iter().any(|record| record.values.len() < 2) || records.is_empty() {
         return Err("there is no record over time".to_owned());
@@ -193,7 +193,7 @@ fn at(
     let error = |of: Statistic| {
         let errors = runs
             .iter()
-            .filter_map(|run| run.numerical(Series::Tension, place, of));
+            .filter_map(|run| run.numerical(RecordedSeries::Tension, place, of));
         errors.reduce(f64::max)
     };
     // A range is off by at most the errors of both its ends.

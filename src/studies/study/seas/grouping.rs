@@ -11,7 +11,7 @@ use crate::system::model::NO_LINE;
 
 /// A sea in one condition of the scene: load cases that differ by their seeds alone.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sea {
+pub struct SeaGroup {
     /// What is set, without seeds.
     pub settings: Vec<Setting>,
     /// Its load cases, by their places in the list.
@@ -22,7 +22,7 @@ pub struct Sea {
     pub probability: Option<f64>,
 }
 
-impl Sea {
+impl SeaGroup {
     /// What is set, in words.
     #[must_use]
     pub fn words(&self) -> String {
@@ -52,8 +52,8 @@ pub fn is_of_one_sea(key: &str) -> bool {
 
 /// The seas of a variation, in the order of their first load cases.
 #[must_use]
-pub fn seas(variation: &Variation, scene: &CheckedScene) -> Vec<Sea> {
-    let mut seas: Vec<Sea> = Vec::new();
+pub fn seas(variation: &Variation, scene: &CheckedScene) -> Vec<SeaGroup> {
+    let mut seas: Vec<SeaGroup> = Vec::new();
     let mut known: BTreeMap<String, usize> = BTreeMap::new();
     for (index, point) in variation.points.iter().enumerate() {
         let settings = point
@@ -69,7 +69,7 @@ pub fn seas(variation: &Variation, scene: &CheckedScene) -> Vec<Sea> {
                 sea.load_cases.push(index);
                 sea.probability = sea.probability.zip(probability).map(|(a, b)| a + b);
             }
-            None => seas.push(Sea {
+            None => seas.push(SeaGroup {
                 condition: condition(&settings, scene),
                 settings,
                 load_cases: vec![index],

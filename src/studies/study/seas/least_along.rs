@@ -4,20 +4,20 @@
 use super::SeaQuestion;
 use super::checked::CheckRow;
 use super::looks::taken;
-use super::records::RunRecord;
+use super::records::SeaRunRecord;
 use crate::case::{CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
 use crate::extremes::gumbel;
 use crate::extremes::interval::IntervalMethod;
-use crate::extremes::target::{Statistic, Target};
+use crate::extremes::target::{ExtremesTarget, Statistic};
 use crate::study::record_statistics::FEWEST_RUNS;
 
 /// The least values of a sea against their limit, line by line.
 pub(super) fn rows(
     check: &Check,
     sea: usize,
-    runs: &[RunRecord],
+    runs: &[SeaRunRecord],
     question: &SeaQuestion,
 ) -> Vec<Result<CheckRow, String>> {
     let lines = question.scene.lines.iter();
@@ -38,12 +38,12 @@ const NOTHING_BENDS: &str =
 fn row(
     check: &Check,
     (sea, line): (usize, &str),
-    runs: &[RunRecord],
+    runs: &[SeaRunRecord],
     question: &SeaQuestion,
 ) -> Option<CheckRow> {
     let id = check.least_along(line)?;
     let found = runs.iter().filter_map(|run| Some((run, run.result(&id)?)));
-    let found: Vec<Found<'_>> = found.collect();
+    let found: Vec<LeastOfRun<'_>> = found.collect();
     let least = found.iter().min_by(|a, b| a.1.0.total_cmp(&b.1.0));
     let (run, (least, _)) = least?;
     let errors = found.iter().filter_map(|(_, (_, error))| *error);
@@ -74,7 +74,7 @@ fn row(
 }
 
 /// A run, and its least value with its numerical error.
-type Found<'a> = (&'a RunRecord, (f64, Option<f64>));
+type LeastOfRun<'a> = (&'a SeaRunRecord, (f64, Option<f64>));
 
 /// The line, and the stretch of it that a check holds; nothing of checks and lines of which it holds no least value.
 pub(super) fn place(check: &Check, line: &str) -> Option<String> {
@@ -100,7 +100,7 @@ fn turned(kind: CheckKind, value: f64) -> f64 {
 /// The most probable least value, its interval, and how it was found.
 fn most_probable(
     kind: CheckKind,
-    found: &[Found<'_>],
+    found: &[LeastOfRun<'_>],
     least: f64,
     question: &SeaQuestion,
 ) -> (f64, Option<[f64; 2]>, GreatestMethod) {
@@ -109,7 +109,7 @@ fn most_probable(
     let lengths = found.iter().filter_map(|(run, _)| run.length());
     let hours = lengths.sum::<f64>() / 3600.0 / found.len() as f64;
     let statistics = &question.statistics;
-    let target = Target {
+    let target = ExtremesTarget {
         statistic: Statistic::MostProbable,
         greatest_of: statistics.hours / hours,
     };

@@ -1,7 +1,7 @@
 //! The load of a sea at a place: its mean and its greatest and least value, each with the error of the sample and the numerical one.
 
 use super::looks::taken;
-use super::records::{RunRecord, Series};
+use super::records::{RecordedSeries, SeaRunRecord};
 use crate::case::{GreatestMethod, Statistic, StatisticsInputs};
 use crate::checks::utilisation::Estimate;
 use crate::numerics::statistics::Statistics;
@@ -31,7 +31,7 @@ pub struct Extreme {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaceLoads {
     /// The series.
-    pub series: Series,
+    pub series: RecordedSeries,
     /// The place.
     pub place: String,
     /// The mean of all records.
@@ -49,12 +49,12 @@ pub struct PlaceLoads {
 /// Finds what the runs of a sea do at a place; nothing where they have no such record.
 #[must_use]
 pub(super) fn loads_at(
-    runs: &[RunRecord],
-    (series, place): (Series, &str),
+    runs: &[SeaRunRecord],
+    (series, place): (RecordedSeries, &str),
     question: &StatisticsInputs,
     is_random: bool,
 ) -> Option<PlaceLoads> {
-    let found: Vec<(&RunRecord, ChannelRecord)> = runs
+    let found: Vec<(&SeaRunRecord, ChannelRecord)> = runs
         .iter()
         .filter_map(|run| Some((run, run.series(series, place)?)))
         .filter(|(_, record)| !record.values.is_empty())
@@ -63,24 +63,14 @@ pub(super) fn loads_at(
         return None;
     }
     let records: Vec<ChannelRecord> = found.iter().map(|(_, record)| record.clone()).collect();
-    let all: Vec<f64> = records
-        .iter()
-        .flat_map(|record| record.values.iter().copied())
-        .collect();
-    let moments = Statistics::of(&all);
+    let moments = moments(&records);
     // What never changes has no sample.
     let is_random = is_random && moments.max > moments.min;
-    let numerical = |of: Statistic| {
-        let errors = found
-            .iter()
-            .filter_map(|(run, _)| run.numerical(series, place, of));
-        errors.reduce(f64::max)
+    let numerical = |of: Statistic| numerical_error(&found, (series, place), of);
+    let sample = match is_random {
+        true => interval_of_mean(&records, moments.mean),
+        false => None,
     };
-    let mean = pooled_mean(&records).ok().filter(|_| is_random);
-    let sample = mean.map(|mean| {
-        let error = NORMAL_95 * mean.error.max(mean.batch_error);
-        [moments.mean - error, moments.mean + error]
-    });
     let extreme = |sign: f64, of: Statistic| {
         let Seen {
             value: seen,
@@ -118,18 +108,43 @@ pub(super) fn loads_at(
     })
 }
 
+/// The greatest numerical error of a statistic in the runs.
+fn numerical_error(
+    found: &[(&SeaRunRecord, ChannelRecord)],
+    (series, place): (RecordedSeries, &str),
+    of: Statistic,
+) -> Option<f64> {
+    let errors = found
+        .iter()
+        .filter_map(|(run, _)| run.numerical(series, place, of));
+    errors.reduce(f64::max)
+}
+
+/// Statistics of the values of all records.
+fn moments(records: &[ChannelRecord]) -> Statistics {
+    let values = records.iter().flat_map(|record| &record.values).copied();
+    Statistics::of_values(&values.collect::<Vec<f64>>())
+}
+
+/// The interval of the sample about a mean; nothing where the records are too short for it.
+fn interval_of_mean(records: &[ChannelRecord], mean: f64) -> Option<[f64; 2]> {
+    let pooled = pooled_mean(records).ok()?;
+    let error = NORMAL_95 * pooled.error.max(pooled.batch_error);
+    Some([mean - error, mean + error])
+}
+
 /// The most extreme value of all runs.
 struct Seen<'a> {
     value: f64,
-    run: &'a RunRecord,
+    run: &'a SeaRunRecord,
     time: Option<f64>,
 }
 
 /// The greatest or least value of all runs over every step, with its run and its time: where the run kept none for it, that of the row
 /// nearest to it.
 fn most_extreme<'a>(
-    found: &[(&'a RunRecord, ChannelRecord)],
-    (series, place): (Series, &str),
+    found: &[(&'a SeaRunRecord, ChannelRecord)],
+    (series, place): (RecordedSeries, &str),
     of: Statistic,
 ) -> Option<Seen<'a>> {
     let sign = if of == Statistic::Min { -1.0 } else { 1.0 };

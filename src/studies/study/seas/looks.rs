@@ -66,7 +66,7 @@ mod tests {
     use crate::extremes::gumbel::{self, GumbelFit};
     use crate::extremes::gumbel_rule::GumbelRule;
     use crate::extremes::interval::IntervalMethod;
-    use crate::extremes::target::{Statistic, Target};
+    use crate::extremes::target::{ExtremesTarget, Statistic};
     use crate::numerics::random::Random;
 
     #[test]
@@ -104,7 +104,7 @@ mod tests {
         };
         let mut random = Random::new(7, 0);
         let values: Vec<f64> = (0..23).map(|_| law.draw(&mut random)).collect();
-        let target = Target {
+        let target = ExtremesTarget {
             statistic: Statistic::MostProbable,
             greatest_of: 18.0,
         };

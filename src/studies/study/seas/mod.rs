@@ -1,7 +1,7 @@
 //! What the stored runs of a sweep say together: each sea by the records of its seeds, checks by the greatest share of their limits,
 //! fatigue by the probabilities of the seas.
 //!
-//! Load cases that differ by their seeds alone are samples of one [`Sea`]. Two errors go through everything and are never added
+//! Load cases that differ by their seeds alone are samples of one [`SeaGroup`]. Two errors go through everything and are never added
 //! to one: that of the sample, which more seeds make smaller, and the numerical one of the runs.
 
 mod at_rest;
@@ -25,16 +25,16 @@ use rayon::prelude::*;
 pub use at_rest::RestName;
 pub use checked::{CheckResult, CheckRow};
 pub use fatigue::{SeaDamage, of_service};
-pub use grouping::{Sea, is_of_one_sea, seas};
+pub use grouping::{SeaGroup, is_of_one_sea, seas};
 pub use loads::{Extreme, PlaceLoads};
 pub use looks::Look;
 pub use quick::{Difference, QuickSeas, SeaLook, SeaLookOutcome, look_at_seas};
-pub use records::{RunRecord, Series};
+pub use records::{RecordedSeries, SeaRunRecord};
 pub use scene::CheckedScene;
 
 use crate::case::{CheckKind, StatisticsInputs};
 use crate::checks::resolved::Check;
-use crate::checks::utilisation::{Estimate, Verdict};
+use crate::checks::utilisation::{Estimate, UtilisationVerdict};
 use crate::run::Quantity;
 use crate::study::points::PointOutcome;
 use crate::study::vary::Variation;
@@ -44,7 +44,7 @@ use subject::subject;
 
 /// A stored run of a load case: where it is, and its results.
 #[derive(Debug, Clone, PartialEq)]
-pub struct StoredRun {
+pub struct StoredLoadCase {
     /// Its directory.
     pub dir: PathBuf,
     /// Its results.
@@ -66,7 +66,7 @@ pub struct SeaQuestion {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeaResults {
     /// The seas.
-    pub seas: Vec<Sea>,
+    pub seas: Vec<SeaGroup>,
     /// Loads at the places of each sea.
     pub loads: Vec<Vec<PlaceLoads>>,
     /// Load cases of each sea that have no results.
@@ -87,7 +87,11 @@ impl SeaResults {
     /// Of the stored runs of a variation, by load case; seas side by side on the caller's threads. A sea is read, summed up and let
     /// go, so that memory holds the records of as many seas as there are threads.
     #[must_use]
-    pub fn of(variation: &Variation, runs: &[Option<StoredRun>], question: &SeaQuestion) -> Self {
+    pub fn of_runs(
+        variation: &Variation,
+        runs: &[Option<StoredLoadCase>],
+        question: &SeaQuestion,
+    ) -> Self {
         let seas = seas(variation, &question.scene);
         let each = seas.par_iter().enumerate();
         let each = each.map(|(number, sea)| question.one(number, sea, runs));
@@ -107,7 +111,7 @@ impl SeaResults {
         Self::together(seas.clone(), each.collect(), question)
     }
 
-    fn together(seas: Vec<Sea>, each: Vec<OneSea>, question: &SeaQuestion) -> Self {
+    fn together(seas: Vec<SeaGroup>, each: Vec<OneSea>, question: &SeaQuestion) -> Self {
         let checks = question.checks.iter().enumerate();
         let checks = checks.map(|(place, check)| {
             let mut result = CheckResult {
@@ -141,10 +145,10 @@ impl SeaResults {
     }
 }
 
-impl StoredRun {
+impl StoredLoadCase {
     /// Of what became of a load case; nothing where it has no stored results.
     #[must_use]
-    pub fn of(outcome: &PointOutcome) -> Option<Self> {
+    pub fn of_outcome(outcome: &PointOutcome) -> Option<Self> {
         let run = outcome.as_ref().ok()?;
         Some(Self {
             dir: run.dir.clone()?,
@@ -157,16 +161,21 @@ impl SeaQuestion {
     /// Whether more seeds of a sea would settle nothing: none of its checks is open, or those that are have failed elsewhere in it or lie
     /// within the numerical error of the runs.
     #[must_use]
-    pub fn is_settled(&self, number: usize, sea: &Sea, runs: &[Option<StoredRun>]) -> bool {
+    pub fn is_settled(
+        &self,
+        number: usize,
+        sea: &SeaGroup,
+        runs: &[Option<StoredLoadCase>],
+    ) -> bool {
         let found = self.one(number, sea, runs);
         found.rows.iter().all(|rows| {
-            let of = |wanted: Verdict| {
+            let of = |wanted: UtilisationVerdict| {
                 rows.iter()
                     .flatten()
                     .filter(move |row| row.used.verdict() == wanted)
             };
-            let fails = of(Verdict::Fails).next().is_some();
-            fails || of(Verdict::Open).all(|row| row.used.needs_finer_runs())
+            let fails = of(UtilisationVerdict::Fails).next().is_some();
+            fails || of(UtilisationVerdict::Open).all(|row| row.used.needs_finer_runs())
         })
     }
 
@@ -182,7 +191,7 @@ impl SeaQuestion {
     fn one_at_rest(
         &self,
         number: usize,
-        sea: &Sea,
+        sea: &SeaGroup,
         outcomes: &[Option<SystemOutcome>],
         names: &[RestName],
     ) -> OneSea {
@@ -210,12 +219,12 @@ impl SeaQuestion {
         }
     }
 
-    fn one(&self, number: usize, sea: &Sea, runs: &[Option<StoredRun>]) -> OneSea {
+    fn one(&self, number: usize, sea: &SeaGroup, runs: &[Option<StoredLoadCase>]) -> OneSea {
         let read = sea.load_cases.iter().filter_map(|&load_case| {
             let run = runs.get(load_case)?.as_ref()?;
-            RunRecord::read(load_case, &run.dir, &run.summary, self.statistics.from_s).ok()
+            SeaRunRecord::read(load_case, &run.dir, &run.summary, self.statistics.from_s).ok()
         });
-        let read: Vec<RunRecord> = read.collect();
+        let read: Vec<SeaRunRecord> = read.collect();
         let loads = self.loads(&read);
         let incomplete = self.incomplete(number, sea, read.len());
         let (mut rows, mut fatigue) = (Vec::new(), Vec::new());
@@ -230,7 +239,7 @@ impl SeaQuestion {
             if is_for && check.kind == CheckKind::Fatigue && damages.is_empty() {
                 own.push(Err(match check.is_along() {
                     true => NOTHING_COUNTED.to_owned(),
-                    false => nothing_recorded(check, Series::Tension),
+                    false => nothing_recorded(check, RecordedSeries::Tension),
                 }));
             }
             rows.push(own);
@@ -245,7 +254,7 @@ impl SeaQuestion {
     }
 
     /// Why a sea with so many results says less than it should: a run that failed may have been the worst.
-    fn incomplete(&self, number: usize, sea: &Sea, read: usize) -> Option<String> {
+    fn incomplete(&self, number: usize, sea: &SeaGroup, read: usize) -> Option<String> {
         let wanted = match self.statistics.until_settled {
             true => sea.load_cases.len().min(Look::FIRST.runs),
             false => sea.load_cases.len(),
@@ -256,15 +265,17 @@ impl SeaQuestion {
     }
 
     /// Loads of tensions, and of what checks ask for.
-    fn loads(&self, runs: &[RunRecord]) -> Vec<PlaceLoads> {
+    fn loads(&self, runs: &[SeaRunRecord]) -> Vec<PlaceLoads> {
         let Some(first) = runs.first() else {
             return Vec::new();
         };
-        let is_asked = |series: Series| {
+        let is_asked = |series: RecordedSeries| {
             let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
-            series == Series::Tension || kinds.any(|of| of.contains(&series))
+            series == RecordedSeries::Tension || kinds.any(|of| of.contains(&series))
         };
-        let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
+        let asked = RecordedSeries::ALL
+            .into_iter()
+            .filter(|series| is_asked(*series));
         let places = asked.flat_map(|series| {
             let places: Vec<&str> = first.places(series).collect();
             places.into_iter().map(move |place| (series, place))
@@ -278,9 +289,9 @@ impl SeaQuestion {
     fn rows(
         &self,
         check: &Check,
-        (number, sea): (usize, &Sea),
+        (number, sea): (usize, &SeaGroup),
         loads: &[PlaceLoads],
-        runs: &[RunRecord],
+        runs: &[SeaRunRecord],
     ) -> Vec<Result<CheckRow, String>> {
         if !checked::is_for(check, sea.condition, &self.scene) {
             return Vec::new();
@@ -292,7 +303,7 @@ impl SeaQuestion {
             lines.any(|line| least_along::place(check, line).as_deref() == Some(place))
         };
         let is_held = |loads: &PlaceLoads| match loads.series {
-            Series::BedClearance => is_of_line(&loads.place),
+            RecordedSeries::BedClearance => is_of_line(&loads.place),
             _ => check.inputs.stretch_m.is_none() && check.holds_for(subject(&loads.place)),
         };
         let held = loads
@@ -326,7 +337,7 @@ fn not_along_lines<'a>(
 const NOTHING_COUNTED: &str = "no damage is counted along the lines; the warnings of the runs say why, and runs of an older version are to be computed anew";
 
 /// Why a check has no row in a sea.
-fn nothing_recorded(check: &Check, series: Series) -> String {
+fn nothing_recorded(check: &Check, series: RecordedSeries) -> String {
     let of = match &check.inputs.of {
         Some(of) => format!(" of {}", of.join(", ")),
         None => String::new(),
@@ -337,7 +348,7 @@ fn nothing_recorded(check: &Check, series: Series) -> String {
                 "no height along a line{of} is recorded: a quick look has none, a bed is needed, and the line must reach so far"
             )
         }
-        Series::Uplift => {
+        RecordedSeries::Uplift => {
             format!("no force on an anchor{of} is recorded: add `uplift = true` to [output]")
         }
         _ => format!("nothing{of} that it could compare is recorded"),
@@ -347,7 +358,7 @@ fn nothing_recorded(check: &Check, series: Series) -> String {
 /// The damage of the years of service at every place, by the probabilities of the seas that the check is for; alike where none are known.
 fn add_fatigue(
     result: &mut CheckResult,
-    seas: &[Sea],
+    seas: &[SeaGroup],
     damages: &[&SeaFatigue],
     question: &SeaQuestion,
 ) {

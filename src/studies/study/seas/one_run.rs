@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::{SeaQuestion, SeaResults, StoredRun};
+use super::{SeaQuestion, SeaResults, StoredLoadCase};
 use crate::run::Quantity;
-use crate::study::points::{BaseCase, Point};
+use crate::study::points::{BaseCase, StudyPoint};
 use crate::study::vary::Variation;
 use crate::study::vary::system::SystemPoint;
 use crate::system::SolvedSystem;
@@ -13,11 +13,11 @@ impl SeaResults {
     /// Of a stored run, its directory and its results.
     #[must_use]
     pub fn of_run(dir: &Path, summary: &[Quantity], question: &SeaQuestion) -> Self {
-        let run = StoredRun {
+        let run = StoredLoadCase {
             dir: dir.to_owned(),
             summary: summary.to_vec(),
         };
-        Self::of(&as_in_the_file(), &[Some(run)], question)
+        Self::of_runs(&as_in_the_file(), &[Some(run)], question)
     }
 
     /// Of a system at rest.
@@ -25,7 +25,7 @@ impl SeaResults {
     pub fn of_equilibrium(solved: &SolvedSystem, question: &SeaQuestion) -> Self {
         let names = question.rest_names();
         let wanted: Vec<String> = names.iter().map(|name| name.name.clone()).collect();
-        let outcome = Ok(SystemPoint::of(solved, &wanted));
+        let outcome = Ok(SystemPoint::of_system(solved, &wanted));
         Self::at_rest(&as_in_the_file(), &[Some(outcome)], (&names, question))
     }
 
@@ -41,7 +41,7 @@ fn as_in_the_file() -> Variation {
     Variation {
         base: BaseCase::new("", ""),
         keys: Vec::new(),
-        points: vec![Point::default()],
+        points: vec![StudyPoint::default()],
         probability: None,
         is_grid: true,
     }

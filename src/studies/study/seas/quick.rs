@@ -9,15 +9,16 @@ use std::time::Instant;
 
 use super::fatigue::{FatiguePlace, SeaFatigue};
 use super::loads::{Extreme, PlaceLoads};
-use super::records::Series;
+use super::records::RecordedSeries;
 use super::subject::subject;
 use super::{
-    OneSea, Sea, SeaDamage, SeaQuestion, SeaResults, StoredRun, checked, nothing_recorded, seas,
+    OneSea, SeaDamage, SeaGroup, SeaQuestion, SeaResults, StoredLoadCase, checked,
+    nothing_recorded, seas,
 };
 use crate::case::{ChannelQuantity, CheckKind, GreatestMethod};
 use crate::checks::resolved::Check;
 use crate::checks::utilisation::Estimate;
-use crate::fatigue::spectral::SpectralMoments;
+use crate::fatigue::spectral::TensionMoments;
 use crate::kinds::FileType;
 use crate::study::points::{BaseCase, Setting, side_by_side};
 use crate::study::vary::Variation;
@@ -79,7 +80,7 @@ pub fn look_at_seas(
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Option<SeaLookOutcome>> {
     let all = seas(variation, &question.scene);
-    let one = |sea: Sea| {
+    let one = |sea: SeaGroup| {
         let settings = &variation.points[sea.load_cases[0]].settings;
         match FileType::of_text(&variation.base.text) {
             FileType::System => of_system(&variation.base, settings),
@@ -93,7 +94,7 @@ fn of_system(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
     let clock = Instant::now();
     let solved = solve(base, settings)?;
     let estimates = solved.file.in_time().is_some_and(|s| s.error_estimate);
-    SeaLook::of(clock, estimates, |coarsening| {
+    SeaLook::with_estimates(clock, estimates, |coarsening| {
         quick_look(&solved, coarsening)
     })
 }
@@ -102,13 +103,13 @@ fn of_line(base: &BaseCase, settings: &[Setting]) -> SeaLookOutcome {
     let clock = Instant::now();
     let case = base.request(settings)?.case;
     let estimates = case.solver.error_estimate;
-    SeaLook::of(clock, estimates, |coarsening| {
+    SeaLook::with_estimates(clock, estimates, |coarsening| {
         quick_look_at_line(&case, coarsening)
     })
 }
 
 impl SeaLook {
-    fn of(
+    fn with_estimates(
         clock: Instant,
         estimates: bool,
         look: impl Fn(usize) -> Result<QuickLook, UnsolvedSystem>,
@@ -127,7 +128,7 @@ impl SeaLook {
 impl QuickSeas {
     /// Of the looks at the seas of a variation.
     #[must_use]
-    pub fn of(
+    pub fn of_looks(
         variation: &Variation,
         looks: &[Option<SeaLookOutcome>],
         question: &SeaQuestion,
@@ -176,7 +177,7 @@ impl QuickSeas {
     pub fn sampled(&self, count: usize) -> Vec<usize> {
         let greatest = |sea: usize| {
             let loads = self.results.loads[sea].iter();
-            let tensions = loads.filter(|loads| loads.series == Series::Tension);
+            let tensions = loads.filter(|loads| loads.series == RecordedSeries::Tension);
             tensions
                 .map(|loads| loads.greatest.estimate.value)
                 .fold(f64::NEG_INFINITY, f64::max)
@@ -208,7 +209,7 @@ impl QuickSeas {
     pub fn differences(
         &self,
         sea: usize,
-        runs: &[Option<StoredRun>],
+        runs: &[Option<StoredLoadCase>],
         question: &SeaQuestion,
     ) -> Vec<Difference> {
         let in_time = question.one(sea, &self.results.seas[sea], runs).loads;
@@ -226,7 +227,7 @@ impl QuickSeas {
 }
 
 impl SeaQuestion {
-    fn no_look(&self, number: usize, sea: &Sea) -> OneSea {
+    fn no_look(&self, number: usize, sea: &SeaGroup) -> OneSea {
         let why = format!("sea {} has no quick look", number + 1);
         let rows = self.checks.iter().map(|check| {
             let is_for = checked::is_for(check, sea.condition, &self.scene);
@@ -240,7 +241,7 @@ impl SeaQuestion {
         }
     }
 
-    fn one_look(&self, number: usize, sea: &Sea, look: &SeaLook) -> OneSea {
+    fn one_look(&self, number: usize, sea: &SeaGroup, look: &SeaLook) -> OneSea {
         let loads = self.quick_loads(sea, look);
         let (mut rows, mut fatigue) = (Vec::new(), Vec::new());
         for check in &self.checks {
@@ -251,7 +252,7 @@ impl SeaQuestion {
                 false => SeaFatigue::new(),
             };
             if is_for && check.kind == CheckKind::Fatigue && damages.is_empty() {
-                own.push(Err(nothing_recorded(check, Series::Tension)));
+                own.push(Err(nothing_recorded(check, RecordedSeries::Tension)));
             }
             rows.push(own);
             fatigue.push(damages);
@@ -265,12 +266,14 @@ impl SeaQuestion {
     }
 
     /// Loads of tensions, and of what checks ask for.
-    fn quick_loads(&self, sea: &Sea, look: &SeaLook) -> Vec<PlaceLoads> {
-        let is_asked = |series: Series| {
+    fn quick_loads(&self, sea: &SeaGroup, look: &SeaLook) -> Vec<PlaceLoads> {
+        let is_asked = |series: RecordedSeries| {
             let mut kinds = self.checks.iter().map(|check| checked::series(check.kind));
-            series == Series::Tension || kinds.any(|of| of.contains(&series))
+            series == RecordedSeries::Tension || kinds.any(|of| of.contains(&series))
         };
-        let asked = Series::ALL.into_iter().filter(|series| is_asked(*series));
+        let asked = RecordedSeries::ALL
+            .into_iter()
+            .filter(|series| is_asked(*series));
         let hours = self.statistics.hours;
         let loads = asked.flat_map(|series| {
             let places = look.fine.channels.iter();
@@ -278,9 +281,10 @@ impl SeaQuestion {
                 places.filter(move |channel| quantity(series) == Some(channel.id.quantity));
             places.filter_map(move |channel| {
                 let place = channel.id.place.as_str();
-                let fine = Numbers::of(&look.fine, series, place, hours)?;
+                let fine = SeriesNumbers::of_look(&look.fine, series, place, hours)?;
                 let coarse = look.coarse.as_ref();
-                let coarse = coarse.map(|coarse| Numbers::of(coarse, series, place, hours));
+                let coarse =
+                    coarse.map(|coarse| SeriesNumbers::of_look(coarse, series, place, hours));
                 Some(place_loads(
                     (series, place),
                     sea,
@@ -335,7 +339,7 @@ impl SeaQuestion {
             return Ok(0.0);
         }
         let by = |moment: f64, order: i32| moment / TAU.powi(order);
-        let moments = SpectralMoments::new(m0, by(m1, 1), by(m2, 2), by(m4, 4));
+        let moments = TensionMoments::new(m0, by(m1, 1), by(m2, 2), by(m4, 4));
         let moments = moments.map_err(|error| error.to_string())?;
         let refused = |error: crate::fatigue::spectral::SpectralError| error.to_string();
         let rate = match moments.dirlik(&component, channel.mean).map_err(refused)? {
@@ -349,32 +353,32 @@ impl SeaQuestion {
 }
 
 /// The channels whose places a series has; none of what is along lines.
-const fn quantity(series: Series) -> Option<ChannelQuantity> {
+const fn quantity(series: RecordedSeries) -> Option<ChannelQuantity> {
     match series {
-        Series::Tension => Some(ChannelQuantity::Tension),
-        Series::Uplift => Some(ChannelQuantity::Uplift),
-        Series::Offset => Some(ChannelQuantity::X),
-        Series::Height => Some(ChannelQuantity::Z),
-        Series::BedClearance => None,
+        RecordedSeries::Tension => Some(ChannelQuantity::Tension),
+        RecordedSeries::Uplift => Some(ChannelQuantity::Uplift),
+        RecordedSeries::Offset => Some(ChannelQuantity::X),
+        RecordedSeries::Height => Some(ChannelQuantity::Z),
+        RecordedSeries::BedClearance => None,
     }
 }
 
 /// What a look says of a series at a place.
-struct Numbers {
+struct SeriesNumbers {
     mean: f64,
     deviation: f64,
     greatest: f64,
     least: f64,
 }
 
-impl Numbers {
-    fn of(look: &QuickLook, series: Series, place: &str, hours: f64) -> Option<Self> {
+impl SeriesNumbers {
+    fn of_look(look: &QuickLook, series: RecordedSeries, place: &str, hours: f64) -> Option<Self> {
         let find = |quantity: ChannelQuantity| {
             let mut channels = look.channels.iter();
             channels.find(|channel| channel.id.quantity == quantity && channel.id.place == place)
         };
         let channel = find(quantity(series)?)?;
-        if series == Series::Offset {
+        if series == RecordedSeries::Offset {
             return Some(Self::offset(
                 channel,
                 find(ChannelQuantity::Y)?,
@@ -412,17 +416,17 @@ impl Numbers {
 
 /// Loads with the error of the mesh: three times what Richardson's extrapolation of second order gives.
 fn place_loads(
-    (series, place): (Series, &str),
-    sea: &Sea,
-    fine: &Numbers,
-    coarse: Option<&Numbers>,
+    (series, place): (RecordedSeries, &str),
+    sea: &SeaGroup,
+    fine: &SeriesNumbers,
+    coarse: Option<&SeriesNumbers>,
 ) -> PlaceLoads {
-    let estimate = |of: fn(&Numbers) -> f64| Estimate {
+    let estimate = |of: fn(&SeriesNumbers) -> f64| Estimate {
         value: of(fine),
         numerical: coarse.map(|coarse| (of(fine) - of(coarse)).abs()),
         sample: None,
     };
-    let extreme = |of: fn(&Numbers) -> f64| Extreme {
+    let extreme = |of: fn(&SeriesNumbers) -> f64| Extreme {
         estimate: estimate(of),
         method: GreatestMethod::Spectrum,
         seen: of(fine),

@@ -10,7 +10,7 @@ use crate::study::record_statistics::ChannelRecord;
 
 /// What is recorded of a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Series {
+pub enum RecordedSeries {
     /// Tension \[N\].
     Tension,
     /// Vertical force of the lines on a fixed point \[N\].
@@ -23,7 +23,7 @@ pub enum Series {
     BedClearance,
 }
 
-impl Series {
+impl RecordedSeries {
     /// All of them.
     pub const ALL: [Self; 5] = [
         Self::Tension,
@@ -57,7 +57,7 @@ impl Series {
 
 /// A run of a sea.
 #[derive(Debug, Clone, PartialEq)]
-pub struct RunRecord {
+pub struct SeaRunRecord {
     /// Its load case, by its place in the list.
     pub load_case: usize,
     rows: ChannelRows,
@@ -72,7 +72,7 @@ pub struct RunRecord {
     start: Vec<(ChannelId, f64)>,
 }
 
-impl RunRecord {
+impl SeaRunRecord {
     /// Reads the rows of a stored run from a time on \[s\], of all that checks may need.
     ///
     /// # Errors
@@ -85,7 +85,7 @@ impl RunRecord {
     ) -> Result<Self, StoreError> {
         let wanted = |id: &ChannelId| {
             id.quantity == ChannelQuantity::Y
-                || Series::ALL
+                || RecordedSeries::ALL
                     .iter()
                     .any(|series| series.quantities().contains(&id.quantity))
         };
@@ -110,7 +110,7 @@ impl RunRecord {
     }
 
     /// The places at which a series is recorded.
-    pub fn places(&self, series: Series) -> impl Iterator<Item = &str> {
+    pub fn places(&self, series: RecordedSeries) -> impl Iterator<Item = &str> {
         let quantities = series.quantities();
         let ids = &self.rows.ids;
         let of = move |id: &&ChannelId| quantities.contains(&id.quantity);
@@ -127,9 +127,9 @@ impl RunRecord {
 
     /// The record of a series at a place; one row stands for itself.
     #[must_use]
-    pub fn series(&self, series: Series, place: &str) -> Option<ChannelRecord> {
+    pub fn series(&self, series: RecordedSeries, place: &str) -> Option<ChannelRecord> {
         let values = match series {
-            Series::Offset => self.offset(place)?,
+            RecordedSeries::Offset => self.offset(place)?,
             _ => {
                 let mut quantities = series.quantities().iter();
                 quantities.find_map(|of| self.values(*of, place))?.to_vec()
@@ -144,7 +144,7 @@ impl RunRecord {
                 values,
                 extremes,
             }),
-            _ => ChannelRecord::of(&self.rows.time, &values),
+            _ => ChannelRecord::of_history(&self.rows.time, &values),
         };
         found.map(|record| ChannelRecord { extremes, ..record })
     }
@@ -154,11 +154,11 @@ impl RunRecord {
     #[must_use]
     pub fn extreme(
         &self,
-        series: Series,
+        series: RecordedSeries,
         place: &str,
         of: Statistic,
     ) -> Option<(f64, Option<f64>)> {
-        if series == Series::Offset {
+        if series == RecordedSeries::Offset {
             return None;
         }
         let id = |quantity: &ChannelQuantity| quantity.at(place);
@@ -235,7 +235,7 @@ impl RunRecord {
 
     /// The numerical error of a statistic of a series; nothing where it was not estimated.
     #[must_use]
-    pub fn numerical(&self, series: Series, place: &str, of: Statistic) -> Option<f64> {
+    pub fn numerical(&self, series: RecordedSeries, place: &str, of: Statistic) -> Option<f64> {
         let of_channel = |quantity: ChannelQuantity, of: Statistic| {
             let id = quantity.at(place);
             let settled = self.settled(&id, of).and_then(|(_, error)| error);
@@ -243,7 +243,7 @@ impl RunRecord {
         };
         match series {
             // Of the extremes of both coordinates the least favourable, in both directions.
-            Series::Offset => {
+            RecordedSeries::Offset => {
                 let parts = [ChannelQuantity::X, ChannelQuantity::Y].map(|quantity| {
                     let ends = [Statistic::Min, Statistic::Max].map(|of| of_channel(quantity, of));
                     ends[0].zip(ends[1]).map(|(a, b)| f64::max(a, b))

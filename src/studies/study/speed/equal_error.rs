@@ -29,7 +29,7 @@ const APART: f64 = 1e-3;
 pub struct MedianPoint {
     /// Newton iterations.
     pub work: f64,
-    /// Errors of the tension as in [`super::Errors`], root mean square and greatest \[-\].
+    /// Errors of the tension as in [`super::SolutionErrors`], root mean square and greatest \[-\].
     pub errors: [f64; 2],
 }
 
@@ -57,7 +57,7 @@ impl WorkComparison {
 }
 
 /// Constant steps at one spectral radius, the longest first.
-type Curve = Vec<MedianPoint>;
+type ConstantSteps = Vec<MedianPoint>;
 
 /// Computes `variants` variants of the case at every setting, reporting each before it begins.
 ///
@@ -133,9 +133,10 @@ fn gravity(number: usize) -> f64 {
     }
 }
 
-fn median_of(points: &[(f64, error::Errors)]) -> Option<MedianPoint> {
-    let of =
-        |pick: &dyn Fn(&(f64, error::Errors)) -> f64| median(points.iter().map(pick).collect());
+fn median_of(points: &[(f64, error::SolutionErrors)]) -> Option<MedianPoint> {
+    let of = |pick: &dyn Fn(&(f64, error::SolutionErrors)) -> f64| {
+        median(points.iter().map(pick).collect())
+    };
     Some(MedianPoint {
         work: of(&|p| p.0)?,
         errors: [of(&|p| p.1.tension_rms)?, of(&|p| p.1.tension_max)?],
@@ -147,7 +148,7 @@ fn comparisons<C>(
     settings: &[SpeedSetting<C>],
     medians: &[Option<MedianPoint>],
 ) -> Vec<WorkComparison> {
-    let constant = |rho: f64| -> Curve {
+    let constant = |rho: f64| -> ConstantSteps {
         let all = settings.iter().zip(medians);
         let of = all.filter(|(s, _)| s.steps.rho == rho && s.steps.length.is_some());
         of.filter_map(|(_, median)| *median).collect()
@@ -195,7 +196,7 @@ fn middle(rows: &[WorkComparison], rho: f64) -> Option<f64> {
 #[must_use]
 pub fn comparison_table(rows: &[WorkComparison], variants: usize) -> Table {
     let title = "Steps of varying length beside the best constant step of the same error";
-    let mut table = Table::of(title, rows)
+    let mut table = Table::of_records(title, rows)
         .count("rho", |row| row.rho)
         .count("tolerance", |row| format!("{:.1e}", row.tolerance))
         .count("iterations", |row| format!("{:.0}", row.median.work));

@@ -6,7 +6,7 @@ use crate::run::{History, LineShape, Run, RunState};
 
 /// Errors against a reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Errors {
+pub struct SolutionErrors {
     /// Root mean square over time of the tension at the worst joint, as a share of its peak \[-\].
     pub tension_rms: f64,
     /// Greatest at any time and joint, likewise \[-\].
@@ -19,13 +19,13 @@ pub struct Errors {
 
 /// Errors of a run against the reference; nothing where it did not come to its end or has other output times.
 #[must_use]
-pub(super) fn errors(run: &Run, reference: &Run) -> Option<Errors> {
+pub(super) fn errors(run: &Run, reference: &Run) -> Option<SolutionErrors> {
     if run.info.state != RunState::Done || run.history.time.len() != reference.history.time.len() {
         return None;
     }
     let (tension_rms, tension_max) = of_tensions(&run.history, &reference.history);
     let (position_rms, position_max) = of_positions(&run.shapes, &reference.shapes);
-    Some(Errors {
+    Some(SolutionErrors {
         tension_rms,
         tension_max,
         position_rms,

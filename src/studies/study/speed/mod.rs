@@ -13,7 +13,7 @@ mod view;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use equal_error::{MedianPoint, WorkComparison, compare, comparison_table};
-pub use error::Errors;
+pub use error::SolutionErrors;
 pub use view::{chart, mesh_table, table};
 
 use super::timed::{StepBounds, Timed};
@@ -63,7 +63,7 @@ pub struct SpeedPoint {
     /// The run, the cheapest of its repeats.
     pub run: Run,
     /// Its errors against the reference; absent where it failed.
-    pub errors: Option<Errors>,
+    pub errors: Option<SolutionErrors>,
 }
 
 /// The results.

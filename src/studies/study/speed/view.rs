@@ -1,6 +1,6 @@
 //! Speed against error as tables and as a chart.
 
-use super::{Errors, SpeedPoint, SpeedStudy};
+use super::{SolutionErrors, SpeedPoint, SpeedStudy};
 use crate::chart::{Axis, Chart, Series};
 use crate::number::{digits, with_error};
 use crate::run::{Quantity, RunState};
@@ -16,10 +16,10 @@ pub fn table(study: &SpeedStudy) -> Table {
     let points: Vec<&SpeedPoint> = study.points.iter().chain([&study.reference]).collect();
     let failed = failed(&points);
     let is_reference = |point: &SpeedPoint| std::ptr::eq(point, &raw const study.reference);
-    let error = |point: &SpeedPoint, of: fn(&Errors) -> f64| {
+    let error = |point: &SpeedPoint, of: fn(&SolutionErrors) -> f64| {
         NumberFormat::Digits(3, "").cell(point.errors.as_ref().map(of))
     };
-    let table = Table::of("", &points)
+    let table = Table::of_records("", &points)
         .text("solver", |point| {
             if is_reference(point) {
                 "reference"
@@ -91,7 +91,7 @@ fn node_ns(point: &SpeedPoint) -> f64 {
 }
 
 /// Whether errors are not significant beside that of the reference.
-fn is_near(errors: &Errors, study: &SpeedStudy) -> bool {
+fn is_near(errors: &SolutionErrors, study: &SpeedStudy) -> bool {
     study.reference.errors.is_none_or(|own| {
         errors.tension_rms < SIGNIFICANT * own.tension_rms
             || errors.position_rms < SIGNIFICANT * own.position_rms
@@ -133,7 +133,7 @@ pub fn mesh_table(study: &SpeedStudy) -> Table {
     let part = |error: Option<f64>, unit: &str| {
         error.map_or_else(|| "-".to_owned(), |e| format!("{} {unit}", digits(e, 2)))
     };
-    Table::of("Error of the mesh, as the case stands", &estimated)
+    Table::of_records("Error of the mesh, as the case stands", &estimated)
         .text("quantity", |q| q.name())
         .count("value and error", |q| {
             with_error(q.value, q.error_estimate(), &q.unit())

@@ -11,7 +11,7 @@
 //! | `checks.csv` | the share that each check leaves at each place in each sea |
 //! | `window.csv` | of a search: the limiting value of each sea |
 //! | `report.txt` | the page that is printed, in ASCII at 80 columns |
-//! | `slurm.toml`, `array.sh`, `tasks` | of a sweep on a cluster: see [`slurm`](super::slurm) and [`Part`](super::Part) |
+//! | `slurm.toml`, `array.sh`, `tasks` | of a sweep on a cluster: see [`slurm`](super::slurm) and [`Part`](super::SweepPart) |
 //!
 //! The runs are the record of what is done: a sweep that goes on reads those that came to their end. The folder appears in one step.
 
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::case::StudyValue;
 use crate::files::shallow::shallow;
-use crate::files::{Target, WriteError, disk, read};
+use crate::files::{WriteError, WriteTarget, disk, read};
 use crate::run::VERSION;
 use crate::run::store::{self, DirectoryLock, StoreError, lock_directory};
 use crate::seal::{Digest, SealedPart};
@@ -157,7 +157,7 @@ impl SweepFolder {
     ) -> Result<Self, SweepError> {
         let base = &variation.base;
         let table = table(variation);
-        let digest = |text: &str| Digest::of(text.as_bytes()).part();
+        let digest = |text: &str| Digest::of_bytes(text.as_bytes()).part();
         let info = SweepInfo {
             version: VERSION.to_owned(),
             case_file: base.file(),
@@ -176,10 +176,10 @@ impl SweepFolder {
             Some(dir) => (dir.to_owned(), appear(dir, &files)?),
             None => below(Path::new(store::DEFAULT_ROOT), &base.file(), &files)?,
         };
-        Ok(Self::of(dir, info.load_cases, lock))
+        Ok(Self::of_folder(dir, info.load_cases, lock))
     }
 
-    fn of(dir: PathBuf, count: usize, lock: Option<DirectoryLock>) -> Self {
+    fn of_folder(dir: PathBuf, count: usize, lock: Option<DirectoryLock>) -> Self {
         Self {
             dir,
             digits: count.to_string().len().max(4),
@@ -201,7 +201,7 @@ impl SweepFolder {
         Self::opened(dir, true)
     }
 
-    /// The same to compute a [`Part`](super::Part) of it, while others compute theirs and a program watches them: nobody is excluded.
+    /// The same to compute a [`Part`](super::SweepPart) of it, while others compute theirs and a program watches them: nobody is excluded.
     ///
     /// # Errors
     /// It is no sweep, or was changed.
@@ -241,7 +241,7 @@ impl SweepFolder {
                 return Err(damaged(dir, name, reason.to_owned()));
             }
         }
-        let folder = Self::of(dir.to_owned(), info.load_cases, lock);
+        let folder = Self::of_folder(dir.to_owned(), info.load_cases, lock);
         Ok((
             folder,
             StoredSweep {
@@ -329,7 +329,7 @@ impl SweepFolder {
     }
 
     fn write(&self, name: &str, content: &[u8]) -> Result<(), SweepError> {
-        Target::replacing(&self.dir.join(name)).write(content)?;
+        WriteTarget::replacing(&self.dir.join(name)).write(content)?;
         Ok(())
     }
 }
@@ -408,7 +408,7 @@ fn fill(dir: &Path, files: &[(&str, &str)]) -> Result<(), SweepError> {
         source,
     })?;
     for (name, text) in files {
-        Target::new(&dir.join(name)).write(text.as_bytes())?;
+        WriteTarget::new(&dir.join(name)).write(text.as_bytes())?;
     }
     Ok(())
 }

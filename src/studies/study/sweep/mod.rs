@@ -2,7 +2,7 @@
 //!
 //! The results of a load case do not depend on the others nor on the number of threads: each is a run of its own, and a run that is
 //! stored is not computed again. A sweep is a [`Variation`] whose points are the load cases. One program computes all of them
-//! ([`Sweep::compute`]), or many compute a [`Part`] each and one gathers ([`Sweep::gather`]), as the tasks of [`slurm`] do.
+//! ([`Sweep::compute`]), or many compute a [`SweepPart`] each and one gathers ([`Sweep::gather`]), as the tasks of [`slurm`] do.
 
 mod folder;
 mod gather;
@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 
 pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
 pub use load_cases::{SweepKind, load_cases, without_load_cases};
-pub use part::{Part, PartDone};
+pub use part::{PartDone, SweepPart};
 pub use plan::{PlanChoices, PlanError, SweepPlan};
 pub use results::SweepResults;
 pub use snapshot::{SnapshotOutcomes, SweepEntry, SweepSnapshot, stored_sweeps};

@@ -19,14 +19,14 @@ use crate::visible;
 
 /// Load cases that follow one another, by their numbers, which begin at 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Part {
+pub struct SweepPart {
     /// The first.
     pub first: usize,
     /// The last.
     pub last: usize,
 }
 
-impl FromStr for Part {
+impl FromStr for SweepPart {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -59,7 +59,7 @@ pub struct PartDone {
 }
 
 /// What became of one load case.
-enum Done {
+enum LoadCaseEnd {
     Before,
     Computed(RunState),
     Refused,
@@ -77,7 +77,7 @@ impl Sweep {
     pub fn compute_part(
         &self,
         folder: &SweepFolder,
-        part: Part,
+        part: SweepPart,
         cancel: &AtomicBool,
     ) -> Result<PartDone, SweepError> {
         let of = self.variation.points.len();
@@ -97,7 +97,7 @@ impl Sweep {
         let own = OwnDirectory::make(folder, part)?;
         let compute = |index| self.one_of_part(folder, &own, index, cancel);
         for outcome in side_by_side(left, cancel, compute, |_, _, _, _| {}) {
-            done.count(outcome.unwrap_or(Done::Stopped));
+            done.count(outcome.unwrap_or(LoadCaseEnd::Stopped));
         }
         Ok(done)
     }
@@ -108,19 +108,19 @@ impl Sweep {
         own: &OwnDirectory,
         index: usize,
         cancel: &AtomicBool,
-    ) -> Done {
+    ) -> LoadCaseEnd {
         let place = folder.run(index);
         if is_taken(&place) {
-            return Done::Before;
+            return LoadCaseEnd::Before;
         }
         let Ok(job) = self.job(index) else {
-            return Done::Refused;
+            return LoadCaseEnd::Refused;
         };
         let at = own.dir.join(place.file_name().unwrap_or_default());
         match points::outcome(job, Some(&at), cancel) {
-            Err(why) => Done::Unstored(why),
+            Err(why) => LoadCaseEnd::Unstored(why),
             outcome if has_ended(&outcome) => published(&at, &place, &outcome),
-            Ok(_) => Done::Stopped,
+            Ok(_) => LoadCaseEnd::Stopped,
         }
     }
 
@@ -132,16 +132,16 @@ impl Sweep {
 }
 
 impl PartDone {
-    fn count(&mut self, done: Done) {
+    fn count(&mut self, done: LoadCaseEnd) {
         match done {
-            Done::Before => self.stored_before += 1,
-            Done::Computed(state) => {
+            LoadCaseEnd::Before => self.stored_before += 1,
+            LoadCaseEnd::Computed(state) => {
                 self.computed += 1;
                 self.failed += usize::from(state == RunState::Failed);
             }
-            Done::Refused => self.refused += 1,
-            Done::Stopped => self.stopped += 1,
-            Done::Unstored(why) => {
+            LoadCaseEnd::Refused => self.refused += 1,
+            LoadCaseEnd::Stopped => self.stopped += 1,
+            LoadCaseEnd::Unstored(why) => {
                 self.stopped += 1;
                 self.unstored.get_or_insert(why);
             }
@@ -168,16 +168,16 @@ fn is_taken(place: &Path) -> bool {
 }
 
 /// Gives a run its place, unless another has it.
-fn published(from: &Path, place: &Path, outcome: &PointOutcome) -> Done {
+fn published(from: &Path, place: &Path, outcome: &PointOutcome) -> LoadCaseEnd {
     match disk::rename(from, place) {
         Ok(()) => {
             disk::sync_directory(place.parent().unwrap_or(Path::new(".")));
             let state = outcome.as_ref().map(|run| run.info.state);
-            Done::Computed(state.unwrap_or(RunState::Failed))
+            LoadCaseEnd::Computed(state.unwrap_or(RunState::Failed))
         }
         // The own one goes with its directory.
-        Err(_) if is_taken(place) => Done::Before,
-        Err(error) => Done::Unstored(format!(
+        Err(_) if is_taken(place) => LoadCaseEnd::Before,
+        Err(error) => LoadCaseEnd::Unstored(format!(
             "its run cannot take its place {}: {error}",
             visible::path(place)
         )),
@@ -192,7 +192,7 @@ struct OwnDirectory {
 }
 
 impl OwnDirectory {
-    fn make(folder: &SweepFolder, part: Part) -> Result<Self, SweepError> {
+    fn make(folder: &SweepFolder, part: SweepPart) -> Result<Self, SweepError> {
         let tasks = folder.make_room_for_parts()?;
         let mut count = 1_u64;
         loop {
@@ -224,16 +224,16 @@ mod tests {
     fn a_part_is_two_numbers_that_begin_at_one() {
         assert_eq!(
             "1..250".parse(),
-            Ok(Part {
+            Ok(SweepPart {
                 first: 1,
                 last: 250
             })
         );
-        assert_eq!("7..7".parse(), Ok(Part { first: 7, last: 7 }));
+        assert_eq!("7..7".parse(), Ok(SweepPart { first: 7, last: 7 }));
         for wrong in [
             "", "1", "0..3", "3..2", "a..b", "-1..3", "1..", "1...3", "1..2..3",
         ] {
-            assert!(wrong.parse::<Part>().is_err(), "{wrong}");
+            assert!(wrong.parse::<SweepPart>().is_err(), "{wrong}");
         }
     }
 }

@@ -9,7 +9,7 @@ use crate::case::load_cases::{LoadCaseError, LoadCases};
 use crate::case::{self, Attachment, Case, Diagnostic, kind};
 use crate::kinds::FileType;
 use crate::study::points::BaseCase;
-use crate::study::seas::{SeaQuestion, SeaResults, StoredRun};
+use crate::study::seas::{SeaQuestion, SeaResults, StoredLoadCase};
 use crate::study::vary::Variation;
 use crate::system::{SolvedSystem, SystemFile};
 
@@ -187,9 +187,9 @@ impl Sweep {
         };
         let stored = outcomes
             .iter()
-            .map(|outcome| outcome.as_ref().and_then(StoredRun::of));
-        let stored: Vec<Option<StoredRun>> = stored.collect();
-        Some(SeaResults::of(&self.variation, &stored, question))
+            .map(|outcome| outcome.as_ref().and_then(StoredLoadCase::of_outcome));
+        let stored: Vec<Option<StoredLoadCase>> = stored.collect();
+        Some(SeaResults::of_runs(&self.variation, &stored, question))
     }
 }
 

@@ -71,7 +71,7 @@ impl SweepResults {
 /// Results of a system in time; the main ones are the greatest tension of every line, at the end where it is greater at rest.
 fn in_time(solved: &SolvedSystem, names: &[String]) -> Result<Vec<QuantityId>, String> {
     let begun = start(solved, 1.0).map_err(|why| format!("{}; {}", why.problem, why.remedy))?;
-    let channels = Channels::of(&begun.system).ids;
+    let channels = Channels::of_system(&begun.system).ids;
     let of = |statistic: Statistic| {
         let subjects = channels.iter().cloned().map(Subject::Channel);
         subjects.map(move |subject| QuantityId::new(subject, statistic, None))

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use super::folder::SweepFolder;
 use super::{Sweep, SweepOutcomes, SweepProgress, SweepResults};
 use crate::study::points::PointOutcome;
-use crate::study::seas::{Look, SeaQuestion, StoredRun, seas};
+use crate::study::seas::{Look, SeaQuestion, StoredLoadCase, seas};
 
 impl Sweep {
     /// Computes load cases as [`Self::compute`] does, of each sea only as many as its checks need to be settled. Load cases that were not
@@ -25,7 +25,7 @@ impl Sweep {
         };
         let count = self.variation.points.len();
         let mut outcomes: Vec<Option<PointOutcome>> = vec![None; count];
-        let mut runs: Vec<Option<StoredRun>> = vec![None; count];
+        let mut runs: Vec<Option<StoredLoadCase>> = vec![None; count];
         let mut open: Vec<_> = seas(&self.variation, &question.scene)
             .into_iter()
             .enumerate()
@@ -47,7 +47,7 @@ impl Sweep {
                 });
             };
             for (index, outcome) in self.compute_some(Some(folder), &wanted, cancel, &told) {
-                runs[index] = outcome.as_ref().and_then(StoredRun::of);
+                runs[index] = outcome.as_ref().and_then(StoredLoadCase::of_outcome);
                 outcomes[index] = outcome;
             }
             before += wanted.len();

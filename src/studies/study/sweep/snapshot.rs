@@ -13,7 +13,7 @@ use crate::files::read;
 use crate::files::shallow::shallow;
 use crate::run::RunState;
 use crate::study::points::PointOutcome;
-use crate::study::seas::{SeaResults, StoredRun};
+use crate::study::seas::{SeaResults, StoredLoadCase};
 use crate::study::vary::system::SystemOutcome;
 
 /// Load cases without a run of a sweep that has ended, of which it is asked whether the case refuses them: each takes a parsing.
@@ -87,7 +87,7 @@ impl SweepSnapshot {
         let sweep = &plan.sweep;
         let found = match &sweep.results {
             SweepResults::AtRest(_) => {
-                SnapshotOutcomes::of(sweep.compute(Some(&folder), cancel, &|_| {}))
+                SnapshotOutcomes::of_outcomes(sweep.compute(Some(&folder), cancel, &|_| {}))
             }
             SweepResults::Line(ids) | SweepResults::InTime(ids) => {
                 let none = vec![None; sweep.variation.points.len()];
@@ -107,7 +107,7 @@ impl SweepSnapshot {
         Self {
             dir: dir.to_owned(),
             plan,
-            found: SnapshotOutcomes::of(outcomes),
+            found: SnapshotOutcomes::of_outcomes(outcomes),
         }
     }
 
@@ -160,16 +160,16 @@ impl SweepSnapshot {
             SnapshotOutcomes::Runs(runs, _) => {
                 let stored = runs
                     .iter()
-                    .map(|run| run.as_ref().and_then(|run| StoredRun::of(run)));
-                let stored: Vec<Option<StoredRun>> = stored.collect();
-                Some(SeaResults::of(&sweep.variation, &stored, question))
+                    .map(|run| run.as_ref().and_then(|run| StoredLoadCase::of_outcome(run)));
+                let stored: Vec<Option<StoredLoadCase>> = stored.collect();
+                Some(SeaResults::of_runs(&sweep.variation, &stored, question))
             }
         }
     }
 }
 
 impl SnapshotOutcomes {
-    fn of(outcomes: SweepOutcomes) -> Self {
+    fn of_outcomes(outcomes: SweepOutcomes) -> Self {
         match outcomes {
             SweepOutcomes::Runs(runs, ids) => {
                 let shared = runs.into_iter().map(|run| run.map(Arc::new));

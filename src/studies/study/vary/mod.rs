@@ -12,7 +12,7 @@ use std::collections::HashSet;
 pub use error::VariationError;
 pub use key::VariedKey;
 
-use super::points::{BaseCase, Point, PointRequest, Setting};
+use super::points::{BaseCase, PointRequest, Setting, StudyPoint};
 use crate::case::load_cases::LoadCases;
 use crate::case::{StudyValue, ValueRange};
 use crate::limits::POINTS;
@@ -25,7 +25,7 @@ pub struct Variation {
     /// The keys that are varied; each point has a setting for each of them, in their order.
     pub keys: Vec<VariedKey>,
     /// The points.
-    pub points: Vec<Point>,
+    pub points: Vec<StudyPoint>,
     /// Probability of each point, where it is known; they add up to 1.
     pub probability: Option<Vec<f64>>,
     /// Whether the points are the full product of the values of the keys, the last key fastest.
@@ -69,18 +69,18 @@ impl Variation {
             VariedKey {
                 path: key.path.clone(),
                 field: key.field,
-                range: ValueRange::of(values),
+                range: ValueRange::of_values(values),
             }
         });
         let keys: Vec<VariedKey> = varied.collect();
         let point = |row: Vec<StudyValue>| {
             let settings = keys.iter().zip(row);
             let settings = settings.map(|(key, value)| Setting::new(&key.path, value));
-            Point {
+            StudyPoint {
                 settings: settings.collect(),
             }
         };
-        let points: Vec<Point> = cases.rows.into_iter().map(point).collect();
+        let points: Vec<StudyPoint> = cases.rows.into_iter().map(point).collect();
         let counts = keys.iter().map(|key| key.range.values.len());
         let count = counts.fold(1_usize, usize::saturating_mul);
         Self {
@@ -114,16 +114,16 @@ fn distinct<'a>(all: impl Iterator<Item = &'a StudyValue>) -> Vec<StudyValue> {
 }
 
 /// Every combination of the values of the keys.
-fn product(keys: &[VariedKey]) -> Vec<Point> {
-    let mut points = vec![Point::default()];
+fn product(keys: &[VariedKey]) -> Vec<StudyPoint> {
+    let mut points = vec![StudyPoint::default()];
     for key in keys {
-        let with = |point: &Point| {
+        let with = |point: &StudyPoint| {
             let values = key.range.values.iter();
             let settings = values.map(|value| Setting::new(&key.path, value.clone()));
-            let points = settings.map(|setting| Point {
+            let points = settings.map(|setting| StudyPoint {
                 settings: [point.settings.clone(), vec![setting]].concat(),
             });
-            points.collect::<Vec<Point>>()
+            points.collect::<Vec<StudyPoint>>()
         };
         points = points.iter().flat_map(with).collect();
     }

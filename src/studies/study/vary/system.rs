@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::super::points::{BaseCase, Point, Setting, reasons, side_by_side};
+use super::super::points::{BaseCase, Setting, StudyPoint, reasons, side_by_side};
 use super::Variation;
 use crate::study::studied;
 use crate::system::SolvedSystem;
@@ -21,7 +21,7 @@ pub struct SystemPoint {
 impl SystemPoint {
     /// The results of these names of a system at rest.
     #[must_use]
-    pub fn of(solved: &SolvedSystem, results: &[String]) -> Self {
+    pub fn of_system(solved: &SolvedSystem, results: &[String]) -> Self {
         let read = |name: &String| {
             value(solved, name).map(|value| SystemResult {
                 value,
@@ -55,10 +55,10 @@ pub fn compute(
     cancel: &AtomicBool,
     told: &(dyn Fn(usize, usize) + Sync),
 ) -> Vec<Option<SystemOutcome>> {
-    let points: Vec<&Point> = variation.points.iter().collect();
-    let one = |point: &Point| {
+    let points: Vec<&StudyPoint> = variation.points.iter().collect();
+    let one = |point: &StudyPoint| {
         let solved = solve(&variation.base, &point.settings)?;
-        Ok(SystemPoint::of(&solved, results))
+        Ok(SystemPoint::of_system(&solved, results))
     };
     side_by_side(points, cancel, one, |done, of, _, _| told(done, of))
 }

@@ -1,18 +1,18 @@
 //! The greatest of some values of a key at which the checks of a sea pass, by bisection.
 
-use crate::checks::utilisation::Verdict;
+use crate::checks::utilisation::UtilisationVerdict;
 
 /// What is known of the limiting value of one sea, by places among the values tried, which rise.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Bracket {
+pub struct LimitBracket {
     count: usize,
     /// The place of the greatest value known to pass.
     pub passes: Option<usize>,
     /// The place of the least value known not to pass, with what was said there.
-    pub fails: Option<(usize, Verdict)>,
+    pub fails: Option<(usize, UtilisationVerdict)>,
 }
 
-impl Bracket {
+impl LimitBracket {
     /// Among so many values.
     #[must_use]
     pub const fn new(count: usize) -> Self {
@@ -35,9 +35,9 @@ impl Bracket {
     }
 
     /// Takes what was said of a value. What is not settled counts as not passed.
-    pub fn take(&mut self, place: usize, verdict: Verdict) {
+    pub fn take(&mut self, place: usize, verdict: UtilisationVerdict) {
         match verdict {
-            Verdict::Passes => self.passes = self.passes.max(Some(place)),
+            UtilisationVerdict::Passes => self.passes = self.passes.max(Some(place)),
             verdict => {
                 if self.fails.is_none_or(|(known, _)| place < known) {
                     self.fails = Some((place, verdict));
@@ -52,8 +52,8 @@ mod tests {
     use super::*;
 
     /// The bracket of a limit between places, and how many were tried.
-    fn sought(limit: f64) -> (Bracket, usize) {
-        let mut bracket = Bracket::new(33);
+    fn sought(limit: f64) -> (LimitBracket, usize) {
+        let mut bracket = LimitBracket::new(33);
         let mut tries = 0;
         loop {
             let next = bracket.next();
@@ -66,9 +66,9 @@ mod tests {
                 bracket.take(
                     place,
                     if passes {
-                        Verdict::Passes
+                        UtilisationVerdict::Passes
                     } else {
-                        Verdict::Fails
+                        UtilisationVerdict::Fails
                     },
                 );
             }
@@ -99,11 +99,11 @@ mod tests {
 
     #[test]
     fn what_is_not_settled_is_not_passed_and_says_so() {
-        let mut bracket = Bracket::new(5);
-        bracket.take(0, Verdict::Passes);
-        bracket.take(4, Verdict::Open);
-        assert_eq!(bracket.fails, Some((4, Verdict::Open)));
+        let mut bracket = LimitBracket::new(5);
+        bracket.take(0, UtilisationVerdict::Passes);
+        bracket.take(4, UtilisationVerdict::Open);
+        assert_eq!(bracket.fails, Some((4, UtilisationVerdict::Open)));
         assert_eq!(bracket.next(), [2]);
-        assert_eq!(Bracket::new(1).next(), [0]);
+        assert_eq!(LimitBracket::new(1).next(), [0]);
     }
 }

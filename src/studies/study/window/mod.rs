@@ -7,13 +7,13 @@
 
 mod bracket;
 
-pub use bracket::Bracket;
+pub use bracket::LimitBracket;
 
 use crate::case::StudyValue;
 use crate::case::load_cases::{LoadCaseKey, LoadCases};
-use crate::checks::utilisation::Verdict;
+use crate::checks::utilisation::UtilisationVerdict;
 use crate::study::points::Setting;
-use crate::study::seas::{CheckRow, Sea, SeaResults};
+use crate::study::seas::{CheckRow, SeaGroup, SeaResults};
 use crate::study::vary::{Variation, VariedKey};
 
 /// What is sought: a key with its values, which rise.
@@ -29,9 +29,9 @@ pub struct WindowKey {
 #[derive(Debug, Clone, PartialEq)]
 pub struct WindowRow {
     /// The sea, without the key that is sought.
-    pub sea: Sea,
+    pub sea: SeaGroup,
     /// Between which values it lies.
-    pub bracket: Bracket,
+    pub bracket: LimitBracket,
     /// What governs at the least value that does not pass: the check, the place and the share that is used.
     pub governing: Option<Governing>,
 }
@@ -68,7 +68,7 @@ impl WindowKey {
     ///
     /// # Errors
     /// Values that are words or do not rise.
-    pub fn of(varied: &VariedKey) -> Result<Self, WindowError> {
+    pub fn of_varied_key(varied: &VariedKey) -> Result<Self, WindowError> {
         let numbers = varied.range.values.iter().map(StudyValue::number);
         let numbers: Option<Vec<f64>> = numbers.collect();
         let values = numbers.ok_or_else(|| WindowError::Words(varied.path.clone()))?;
@@ -88,13 +88,17 @@ impl WindowKey {
     ///
     /// # Errors
     /// The table sets the key too.
-    pub fn rows(&self, table: &Variation, seas: Vec<Sea>) -> Result<Vec<WindowRow>, WindowError> {
+    pub fn rows(
+        &self,
+        table: &Variation,
+        seas: Vec<SeaGroup>,
+    ) -> Result<Vec<WindowRow>, WindowError> {
         if table.keys.iter().any(|key| key.path == self.key.path) {
             return Err(WindowError::Twice(self.key.path.clone()));
         }
         let rows = seas.into_iter().map(|sea| WindowRow {
             sea,
-            bracket: Bracket::new(self.values.len()),
+            bracket: LimitBracket::new(self.values.len()),
             governing: None,
         });
         Ok(rows.collect())
@@ -152,7 +156,7 @@ impl WindowKey {
 }
 
 /// What the checks say of a sea: the worst of them, and the row that governs. A sea in which nothing could be compared is open.
-fn said(results: &SeaResults, sea: usize) -> (Verdict, Option<Governing>) {
+fn said(results: &SeaResults, sea: usize) -> (UtilisationVerdict, Option<Governing>) {
     let rows = results.checks.iter().flat_map(|check| {
         let of_sea = check.rows.iter().filter(move |row| row.sea == Some(sea));
         of_sea.map(move |row| (check, row))
@@ -167,11 +171,11 @@ fn said(results: &SeaResults, sea: usize) -> (Verdict, Option<Governing>) {
         .iter()
         .any(|check| check.open_seas.contains(&sea));
     match worst {
-        None => (Verdict::Open, None),
+        None => (UtilisationVerdict::Open, None),
         Some((check, row)) => {
             let verdict = row.used.verdict();
             let verdict = if open {
-                verdict.max(Verdict::Open)
+                verdict.max(UtilisationVerdict::Open)
             } else {
                 verdict
             };

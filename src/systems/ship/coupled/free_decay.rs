@@ -8,7 +8,7 @@ use std::sync::atomic::AtomicBool;
 use nalgebra::{Complex, Matrix3, Vector3};
 
 use super::CoupledError;
-use super::model::{CoupledModel, Variant};
+use super::model::{CoupledModel, ShipVariant};
 use super::time_domain::integrate;
 use crate::numerics::V3;
 use crate::ship::stability::PlanarDynamics;
@@ -61,7 +61,7 @@ impl FreeDecay {
             .map(|(a, b)| {
                 (
                     a.time,
-                    filter.of(&((a.q - b.q) * 0.5), &((a.v - b.v) * 0.5)),
+                    filter.amplitude(&((a.q - b.q) * 0.5), &((a.v - b.v) * 0.5)),
                 )
             })
             .collect();
@@ -103,7 +103,7 @@ impl ModalFilter {
         })
     }
 
-    fn of(&self, q: &Vector3<f64>, v: &Vector3<f64>) -> Complex<f64> {
+    fn amplitude(&self, q: &Vector3<f64>, v: &Vector3<f64>) -> Complex<f64> {
         (0..3)
             .map(|i| self.by_displacement[i] * q[i] + self.by_velocity[i] * v[i])
             .sum()
@@ -141,7 +141,7 @@ fn release(
     let [surge, sway, yaw] = shape.map(|u| scale * u.re);
     let period = TAU / root.im.abs();
     let step = period / STEPS;
-    let variant = Variant {
+    let variant = ShipVariant {
         segments: model.settings.segments,
         step_s: step,
         duration_s: PERIODS * period,

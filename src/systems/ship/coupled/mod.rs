@@ -57,7 +57,7 @@ impl CoupledAnalysis {
         motion: Option<&MotionAnalysis>,
         stop: &AtomicBool,
     ) -> Result<Self, CoupledError> {
-        let model = CoupledModel::of(statics)?;
+        let model = CoupledModel::of_statics(statics)?;
         let settings = model.settings;
         let waves = statics.ship.motion.as_ref();
         let waves = waves.zip(motion.and_then(MotionAnalysis::response));
@@ -79,7 +79,7 @@ impl CoupledAnalysis {
             settings: settings.clone(),
             step: settings.step_s,
             statistics: statistics
-                .map(|record| Statistics::of(counted(record, from)))
+                .map(|record| Statistics::of_values(counted(record, from)))
                 .collect(),
             time_errors: errors(&whole, fine, from, 4.0 / 3.0),
             mesh_errors: errors(&whole, coarse, from, 1.0 / 3.0),

@@ -50,7 +50,7 @@ pub struct CoupledModel<'a> {
 
 /// What may vary from one run of a ship and its line to another.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Variant {
+pub struct ShipVariant {
     /// Segments of the line.
     pub segments: usize,
     /// Time step \[s\].
@@ -68,7 +68,7 @@ impl<'a> CoupledModel<'a> {
     ///
     /// # Errors
     /// [`CoupledError::Missing`].
-    pub fn of(statics: &'a StaticAnalysis) -> Result<Self, CoupledError> {
+    pub fn of_statics(statics: &'a StaticAnalysis) -> Result<Self, CoupledError> {
         let missing = CoupledError::Missing;
         let ship = &statics.ship;
         let settings = ship.coupled.as_ref();
@@ -112,11 +112,11 @@ impl<'a> CoupledModel<'a> {
 
     /// The run of the settings with so many segments and this step \[s\].
     #[must_use]
-    pub fn variant(&self, segments: usize, step_s: f64) -> Variant {
+    pub fn variant(&self, segments: usize, step_s: f64) -> ShipVariant {
         let yaw = self.settings.start_yaw_deg.to_radians();
         let arm = self.arm();
         let (sin, cos) = yaw.sin_cos();
-        Variant {
+        ShipVariant {
             segments,
             step_s,
             duration_s: self.settings.duration_s,
@@ -130,7 +130,7 @@ impl<'a> CoupledModel<'a> {
     #[must_use]
     pub fn system(
         &self,
-        variant: &Variant,
+        variant: &ShipVariant,
         waves: Option<(&MotionSettings, &WaveResponse)>,
     ) -> SystemFile {
         let particulars = &self.statics.ship.ship;
@@ -169,7 +169,7 @@ impl<'a> CoupledModel<'a> {
     }
 
     /// The ship: the matrices of its hull, afloat in any pose but for the restoring, and held against the pull of the line down.
-    fn body(&self, variant: &Variant) -> BodyInputs {
+    fn body(&self, variant: &ShipVariant) -> BodyInputs {
         let (hull, matrices) = self.hull;
         let particulars = &self.statics.ship.ship;
         let inertia: V3 = V3::from(hull.gyration_m).map(|k| hull.mass_kg * k * k);

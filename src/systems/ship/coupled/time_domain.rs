@@ -55,7 +55,7 @@ pub(super) fn integrate(
     let failed = |why: &str, remedy: &str| format!("{why}; {remedy}");
     let solved =
         solve(file).map_err(|why| CoupledError::Rest(failed(&why.problem, &why.remedy)))?;
-    let mut rows = Rows::default();
+    let mut rows = CoupledHistory::default();
     let done = run(&solved, &motion, stop, &mut |event| rows.take(event))
         .map_err(|why| CoupledError::Rest(failed(&why.problem, &why.remedy)))?;
     match (done.state, done.failure) {
@@ -81,12 +81,12 @@ pub(super) fn integrate(
 
 /// The rows of a run: position and angles of the ship \[m, deg\], tension of the line at the ship and at its anchor \[N\].
 #[derive(Default)]
-struct Rows {
+struct CoupledHistory {
     columns: Vec<usize>,
     values: Vec<[f64; 8]>,
 }
 
-impl Rows {
+impl CoupledHistory {
     fn take(&mut self, event: JobEvent) {
         match event {
             JobEvent::Started { channels, .. } => {

@@ -69,7 +69,7 @@ pub struct ShipMotion {
 
 /// A band whose record holds too few frequencies for the extremes of a Gaussian record.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct NarrowBand {
+pub struct SparseBand {
     /// Degree of freedom, 0 to 5.
     pub degree: usize,
     /// The band.
@@ -169,7 +169,7 @@ impl ShipMotion {
     /// The bands that are too narrow for the record: an envelope of bandwidth B \[Hz\] has `n = B T` independent values in a record
     /// of duration T, those of its n frequencies, and `sqrt(2 n)` is below the expected maximum of a Gaussian record.
     #[must_use]
-    pub fn narrow_bands(&self) -> Vec<NarrowBand> {
+    pub fn narrow_bands(&self) -> Vec<SparseBand> {
         let degrees = self.degrees.iter().enumerate();
         let bands = degrees.flat_map(|(degree, of)| of.bands.iter().map(move |b| (degree, of, b)));
         let narrow = bands.filter(|(_, of, band)| of.is_decided_by(band));
@@ -179,14 +179,14 @@ impl ShipMotion {
             .collect()
     }
 
-    fn narrowness(&self, degree: usize, of: &DegreeOfFreedom, band: &SpectralBand) -> NarrowBand {
+    fn narrowness(&self, degree: usize, of: &DegreeOfFreedom, band: &SpectralBand) -> SparseBand {
         let duration = self.time(self.instants);
         // The one component of a band narrower than the frequency of the record may lie beside it.
         let reach = band.middle * band.half_width + TAU / duration;
         let within = |c: &&Component| (c.omega - band.middle).abs() <= reach;
         let frequencies = of.components.iter().filter(within).count();
         let cycles = band.middle * duration / TAU;
-        NarrowBand {
+        SparseBand {
             degree,
             band: *band,
             frequencies,

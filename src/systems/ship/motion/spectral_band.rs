@@ -202,7 +202,7 @@ fn two_bands(m0: f64, m2: f64, m4: f64, slow: f64) -> Result<Vec<SpectralBand>, 
 /// Root mean squares of components, over an infinite record.
 #[must_use]
 pub fn rms_of(components: &[Component]) -> MotionRms {
-    let moments = Moments::of(components);
+    let moments = Moments::of_components(components);
     let fourth = components
         .iter()
         .map(|c| 0.5 * (c.amplitude * c.omega * c.omega).powi(2));

@@ -68,7 +68,7 @@ impl DynamicRope {
     /// Statistics of the quasi-static and of the dynamic tension.
     #[must_use]
     pub fn statistics(&self) -> [Statistics; 2] {
-        self.counted().map(Statistics::of)
+        self.counted().map(Statistics::of_values)
     }
 
     /// Root mean square difference of dynamic and quasi-static tension \[N\].

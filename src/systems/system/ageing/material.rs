@@ -26,7 +26,7 @@ pub struct AgedState {
 impl<'a> MaterialAgeing<'a> {
     /// The tables of a material by its name; nothing where it does not age. Growth of the material itself goes before growth of all.
     #[must_use]
-    pub fn of(ageing: &'a AgeingInputs, material: &str) -> Option<Self> {
+    pub fn of_material(ageing: &'a AgeingInputs, material: &str) -> Option<Self> {
         let growth = |name: Option<&str>| {
             let mut tables = ageing.growth.iter();
             tables.find(|growth| growth.material.as_deref() == name)

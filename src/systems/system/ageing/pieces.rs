@@ -2,7 +2,7 @@
 
 use super::material::{AgedState, MaterialAgeing};
 use crate::system::build::{AgedParts, angles, copy_name};
-use crate::system::equilibrium::Equilibrium;
+use crate::system::equilibrium::SystemEquilibrium;
 use crate::system::model::{AgeingInputs, LineInputs, SystemFile};
 use crate::system::network::Network;
 use crate::system::parts::{Part, SectionClump, parts};
@@ -55,7 +55,7 @@ fn pieces<'a>(
     let mut found = Vec::new();
     let mut before = 0.0;
     for part in parts {
-        let of = MaterialAgeing::of(ageing, &part.name);
+        let of = MaterialAgeing::of_material(ageing, &part.name);
         let varies = of.is_some_and(|of| of.varies());
         let count = if varies { ageing.pieces } else { 1 };
         let length_m = part.length_m / count as f64;
@@ -90,7 +90,7 @@ fn pieces<'a>(
 
 /// Depths below still water \[m\] of the places of all pieces that age, line by line.
 #[must_use]
-pub fn depths(lines: &[AgeingLine<'_>], network: &Network, rest: &Equilibrium) -> Vec<f64> {
+pub fn depths(lines: &[AgeingLine<'_>], network: &Network, rest: &SystemEquilibrium) -> Vec<f64> {
     let mut found = Vec::new();
     let points = &rest.placement.points;
     for aged in lines {

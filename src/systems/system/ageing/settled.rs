@@ -7,7 +7,7 @@
 use super::material::AgedState;
 use super::pieces::{AgeingLine, aged, depths, lines, varying};
 use crate::system::build::{AgedParts, build};
-use crate::system::equilibrium::Equilibrium;
+use crate::system::equilibrium::SystemEquilibrium;
 use crate::system::model::SystemFile;
 use crate::system::network::Network;
 use crate::system::rest::{UnsolvedSystem, not_divided, rest_from};
@@ -48,8 +48,8 @@ pub struct SettledAge {
 pub fn settle(
     file: &SystemFile,
     network: &Network,
-    rest: &Equilibrium,
-) -> Result<Option<(Network, Equilibrium, SettledAge)>, UnsolvedSystem> {
+    rest: &SystemEquilibrium,
+) -> Result<Option<(Network, SystemEquilibrium, SettledAge)>, UnsolvedSystem> {
     let Some(ageing) = &file.ageing else {
         return Ok(None);
     };
@@ -57,7 +57,7 @@ pub fn settle(
     if lines.is_empty() {
         return Ok(None);
     }
-    let mut iteration = Iteration::of(&lines, depths(&lines, network, rest));
+    let mut iteration = Iteration::of_depths(&lines, depths(&lines, network, rest));
     let mut start = rest.placement.clone();
     for round in 1..=MOST_ROUNDS {
         let (parts, states) = aged(&lines, &iteration.depths, network.density);
@@ -113,7 +113,7 @@ struct Iteration {
 }
 
 impl Iteration {
-    fn of(lines: &[AgeingLine<'_>], depths: Vec<f64>) -> Self {
+    fn of_depths(lines: &[AgeingLine<'_>], depths: Vec<f64>) -> Self {
         Self {
             varying: varying(lines),
             moved: Vec::new(),

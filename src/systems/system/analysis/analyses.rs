@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 use toml_edit::DocumentMut;
 
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::model::{GoalInputs, SystemFile};
 use super::super::network::Network;
 use super::super::solved::SolvedSystem;
@@ -21,7 +21,7 @@ use crate::case::schema::{TableType, WrittenKeys};
 #[derive(Debug, Clone)]
 pub struct Analyses {
     /// Equilibria that searches from other poses of the free bodies find, and how they rest.
-    pub others: Vec<(Equilibrium, Stability)>,
+    pub others: Vec<(SystemEquilibrium, Stability)>,
     /// Natural modes, or why there are none.
     pub periods: Result<NaturalModes, String>,
     /// Distances of each line from others, from bodies, bed and surface.
@@ -50,7 +50,7 @@ pub struct OffsetCurve {
 impl Analyses {
     /// Works them out.
     #[must_use]
-    pub fn of(solved: &SolvedSystem) -> Self {
+    pub fn of_system(solved: &SolvedSystem) -> Self {
         let (file, network, rest) = (&solved.file, &solved.network, &solved.rest);
         Self {
             periods: periods(network, rest),
@@ -95,7 +95,11 @@ fn body(network: &Network, name: Option<&String>) -> Option<usize> {
     }
 }
 
-fn offset_curves(file: &SystemFile, network: &Network, rest: &Equilibrium) -> Vec<OffsetCurve> {
+fn offset_curves(
+    file: &SystemFile,
+    network: &Network,
+    rest: &SystemEquilibrium,
+) -> Vec<OffsetCurve> {
     let asked = file.offset_curves.iter().filter_map(|asked| {
         let body = body(network, asked.body.as_ref())?;
         let mut held = HeldAway::new(network, rest, body);
@@ -115,7 +119,7 @@ fn offset_curves(file: &SystemFile, network: &Network, rest: &Equilibrium) -> Ve
 fn watch_circles(
     file: &SystemFile,
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
 ) -> Vec<(usize, WatchCircle)> {
     let asked = file.watch_circles.iter().filter_map(|asked| {
         let body = body(network, asked.body.as_ref())?;

@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::network::Network;
 use crate::numerics::golden_section::golden_section;
 
@@ -15,7 +15,7 @@ const PARTS: u32 = 200;
 /// # Errors
 /// Why there is none, as a sentence.
 pub fn least_height(
-    (network, rest): (&Network, &Equilibrium),
+    (network, rest): (&Network, &SystemEquilibrium),
     line: usize,
     stretch: Option<[f64; 2]>,
 ) -> Result<f64, String> {

@@ -9,12 +9,12 @@ use crate::numerics::V3;
 pub struct BoxTree {
     /// The curves by number, in the order of the leaves.
     order: Vec<usize>,
-    nodes: Vec<Node>,
+    nodes: Vec<BoxNode>,
 }
 
 /// A box around some curves that follow one another in their order.
 #[derive(Debug, Clone)]
-struct Node {
+struct BoxNode {
     bounds: [V3; 2],
     from: usize,
     to: usize,
@@ -47,7 +47,7 @@ impl BoxTree {
             bounds = [bounds[0].inf(least), bounds[1].sup(greatest)];
         }
         let number = self.nodes.len();
-        self.nodes.push(Node {
+        self.nodes.push(BoxNode {
             bounds,
             from,
             to,

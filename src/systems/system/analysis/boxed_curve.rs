@@ -14,7 +14,7 @@ pub struct BoxedCurve {
 }
 
 /// A part of a polyline: its box, and its segments.
-type Part = (usize, Range<usize>);
+type CurvePart = (usize, Range<usize>);
 
 impl BoxedCurve {
     /// Two points or more.
@@ -59,11 +59,11 @@ impl BoxedCurve {
         apart(&self.boxes[0], &other.boxes[0])
     }
 
-    fn whole(&self) -> Part {
+    fn whole(&self) -> CurvePart {
         (0, 0..self.points.len() - 1)
     }
 
-    fn search(&self, own: Part, other: &Self, others: Part, best: &mut f64) {
+    fn search(&self, own: CurvePart, other: &Self, others: CurvePart, best: &mut f64) {
         if apart(&self.boxes[own.0], &other.boxes[others.0]) >= *best {
             return;
         }
@@ -74,13 +74,13 @@ impl BoxedCurve {
                 *best = best.min((p - q).norm());
             }
             (long, short) if long >= short => {
-                let far = |part: &Part| apart(&self.boxes[part.0], &other.boxes[others.0]);
+                let far = |part: &CurvePart| apart(&self.boxes[part.0], &other.boxes[others.0]);
                 let [first, then] = nearer_first(halves(&own), far);
                 self.search(first, other, others.clone(), best);
                 self.search(then, other, others, best);
             }
             _ => {
-                let far = |part: &Part| apart(&self.boxes[own.0], &other.boxes[part.0]);
+                let far = |part: &CurvePart| apart(&self.boxes[own.0], &other.boxes[part.0]);
                 let [first, then] = nearer_first(halves(&others), far);
                 self.search(own.clone(), other, first, best);
                 self.search(own, other, then, best);
@@ -89,7 +89,7 @@ impl BoxedCurve {
     }
 }
 
-fn halves((node, segments): &Part) -> [Part; 2] {
+fn halves((node, segments): &CurvePart) -> [CurvePart; 2] {
     let middle = segments.start + segments.len() / 2;
     [
         (2 * node + 1, segments.start..middle),
@@ -97,7 +97,7 @@ fn halves((node, segments): &Part) -> [Part; 2] {
     ]
 }
 
-fn nearer_first([one, two]: [Part; 2], far: impl Fn(&Part) -> f64) -> [Part; 2] {
+fn nearer_first([one, two]: [CurvePart; 2], far: impl Fn(&CurvePart) -> f64) -> [CurvePart; 2] {
     if far(&two) < far(&one) {
         [two, one]
     } else {
@@ -106,7 +106,7 @@ fn nearer_first([one, two]: [Part; 2], far: impl Fn(&Part) -> f64) -> [Part; 2] 
 }
 
 /// The box of a part, with those of its halves.
-fn enclose(points: &[V3], boxes: &mut [[V3; 2]], part: &Part) -> [V3; 2] {
+fn enclose(points: &[V3], boxes: &mut [[V3; 2]], part: &CurvePart) -> [V3; 2] {
     let (node, segments) = part;
     let found = if segments.len() > 1 {
         let [one, two] = halves(part).map(|half| enclose(points, boxes, &half));

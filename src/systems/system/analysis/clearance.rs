@@ -1,6 +1,6 @@
 //! Distances of lines from one another, from members of bodies, from bed and surface.
 
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::network::{Held, Network};
 use super::box_tree::BoxTree;
 use super::boxed_curve::BoxedCurve;
@@ -24,7 +24,7 @@ pub struct LineDistances {
 
 /// The least distances of every line.
 #[must_use]
-pub fn distances(network: &Network, rest: &Equilibrium) -> Vec<LineDistances> {
+pub fn distances(network: &Network, rest: &SystemEquilibrium) -> Vec<LineDistances> {
     let curves = boxed(network, rest);
     let boxes = BoxTree::new(&curves);
     let of = |(line, curve): (usize, &BoxedCurve)| {
@@ -41,7 +41,7 @@ pub fn distances(network: &Network, rest: &Equilibrium) -> Vec<LineDistances> {
 
 /// The curves of all lines, each from its end A.
 #[must_use]
-pub fn curves(network: &Network, rest: &Equilibrium) -> Vec<Vec<V3>> {
+pub fn curves(network: &Network, rest: &SystemEquilibrium) -> Vec<Vec<V3>> {
     let places = &rest.placement.points;
     let lines = network.lines.iter().zip(&rest.balance.lines);
     lines
@@ -56,7 +56,7 @@ pub fn curves(network: &Network, rest: &Equilibrium) -> Vec<Vec<V3>> {
 
 /// The same with boxes around their parts.
 #[must_use]
-pub fn boxed(network: &Network, rest: &Equilibrium) -> Vec<BoxedCurve> {
+pub fn boxed(network: &Network, rest: &SystemEquilibrium) -> Vec<BoxedCurve> {
     let curves = curves(network, rest).into_iter();
     curves.map(BoxedCurve::new).collect()
 }
@@ -93,7 +93,7 @@ pub fn nearest_line(
 /// has members. Zero where it runs through one; a cone counts with its greater radius.
 fn from_bodies(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     line: usize,
     curve: &BoxedCurve,
 ) -> Option<(usize, f64)> {

@@ -2,7 +2,7 @@
 
 use nalgebra::UnitQuaternion;
 
-use super::super::equilibrium::{Equilibrium, search_within};
+use super::super::equilibrium::{SystemEquilibrium, search_within};
 use super::super::network::Network;
 use super::super::start::start;
 use super::super::unstable::is_same;
@@ -23,7 +23,7 @@ const MOST_STEPS: usize = 60;
 /// Equilibria beside the first: the unstable one that the search for it left, and those that searches from turned bodies find; none where no body
 /// is free. Starts that find nothing are left out: they say nothing of the first.
 #[must_use]
-pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
+pub fn others(network: &Network, first: &SystemEquilibrium) -> Vec<SystemEquilibrium> {
     let mut found = left(first);
     let free = (0..network.bodies.len()).filter(|body| network.bodies[*body].turns());
     for body in free {
@@ -47,6 +47,6 @@ pub fn others(network: &Network, first: &Equilibrium) -> Vec<Equilibrium> {
 
 /// The unstable equilibrium that the search for one left.
 #[must_use]
-pub fn left(first: &Equilibrium) -> Vec<Equilibrium> {
+pub fn left(first: &SystemEquilibrium) -> Vec<SystemEquilibrium> {
     first.left.iter().map(|left| (**left).clone()).collect()
 }

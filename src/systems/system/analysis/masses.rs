@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, Matrix6, SMatrix};
 
 use super::super::bounds::Contact;
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::members;
 use super::super::network::{Body, Held, Network};
 use super::super::pose::{Pose, cross};
@@ -26,7 +26,7 @@ pub(super) fn first_direction(body: &Body) -> usize {
 /// Adds the masses of the unknowns that have inertia: by row, column and value.
 pub(super) fn masses(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     own: &[MovingUnknown],
     add: &mut impl FnMut(usize, usize, f64),
 ) {
@@ -82,7 +82,7 @@ fn add_block(
 
 /// Adds the mass of a body that is pinned to another, at a place of that one, to the unknowns of that one.
 fn carry(
-    (network, rest): (&Network, &Equilibrium),
+    (network, rest): (&Network, &SystemEquilibrium),
     own: &[MovingUnknown],
     (number, carrier, at): (usize, usize, &V3),
     add: &mut impl FnMut(usize, usize, f64),
@@ -107,7 +107,7 @@ fn carry(
 }
 
 /// How far a point is lifted by a motion along x, y and z: by the slope of the bed that it lies on.
-fn lift(network: &Network, rest: &Equilibrium, point: usize) -> [f64; 3] {
+fn lift(network: &Network, rest: &SystemEquilibrium, point: usize) -> [f64; 3] {
     let bed = network.bed.as_ref();
     let lies = rest.contact(point) == Contact::Bed;
     let gradient = bed

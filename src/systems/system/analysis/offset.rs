@@ -1,6 +1,6 @@
 //! A body held away from its place: the force of the lines on it, and their tensions, against the offset.
 
-use super::super::equilibrium::{Equilibrium, SystemError, search};
+use super::super::equilibrium::{SystemEquilibrium, SystemError, search};
 use super::super::freedoms::Placement;
 use super::super::loads;
 use super::super::network::{Held, Line, Network};
@@ -16,7 +16,7 @@ pub struct HeldAway {
     body: usize,
     start: Placement,
     /// The state found last.
-    last: Equilibrium,
+    last: SystemEquilibrium,
 }
 
 /// The system with the body somewhere.
@@ -39,7 +39,7 @@ pub struct OffsetPoint {
 impl HeldAway {
     /// The system with this body held, all else as it rests.
     #[must_use]
-    pub fn new(network: &Network, rest: &Equilibrium, body: usize) -> Self {
+    pub fn new(network: &Network, rest: &SystemEquilibrium, body: usize) -> Self {
         let mut network = network.clone();
         network.bodies[body].free = false;
         network.bodies[body].pinned = false;
@@ -106,7 +106,12 @@ impl HeldAway {
     }
 }
 
-fn point(network: &Network, rest: &Equilibrium, body: usize, offset_m: [f64; 2]) -> OffsetPoint {
+fn point(
+    network: &Network,
+    rest: &SystemEquilibrium,
+    body: usize,
+    offset_m: [f64; 2],
+) -> OffsetPoint {
     let force_n = loads::on_body(network, rest, body).0;
     let mut greatest = (0, 0.0);
     let mut weakest: Option<(usize, f64)> = None;

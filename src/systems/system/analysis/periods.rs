@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, Matrix6, SymmetricEigen};
 use super::super::along_bed::{on_slope, stiffness_along};
 use super::super::balance::balance;
 use super::super::bounds::Contact;
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::freedoms::{Freedoms, UnknownBodies};
 use super::super::line_physics::LinePhysics;
 use super::super::network::{Held, Network};
@@ -81,8 +81,8 @@ const LOWEST: usize = 60;
 ///
 /// # Errors
 /// A body with a mass and no inertia; a line without a solution; what has no mass and nothing holds, in a large part.
-pub fn periods(network: &Network, rest: &Equilibrium) -> Result<NaturalModes, String> {
-    let all = Freedoms::of(network, UnknownBodies::All);
+pub fn periods(network: &Network, rest: &SystemEquilibrium) -> Result<NaturalModes, String> {
+    let all = Freedoms::of_network(network, UnknownBodies::All);
     let stiffness = stiffness(network, rest, &all)?;
     let (mut found, mut greatest, mut bound) = (Vec::new(), 0.0_f64, f64::INFINITY);
     for part in parts(network, rest, &all, &stiffness) {
@@ -119,7 +119,7 @@ fn period(value: f64, greatest: f64) -> Option<f64> {
 /// The stiffness of everything, held bodies included.
 fn stiffness(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     all: &Freedoms,
 ) -> Result<EnvelopeMatrix, String> {
     let placement = &rest.placement;
@@ -168,7 +168,7 @@ impl JoinedPart {
 /// The parts of a system in which something has inertia; what bed or surface hold is in neither of their lists.
 fn parts(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     all: &Freedoms,
     stiffness: &EnvelopeMatrix,
 ) -> Vec<JoinedPart> {
@@ -229,7 +229,7 @@ struct PartModes {
 /// The modes of a part of lowest frequency.
 fn lowest(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     part: &JoinedPart,
     stiffness: &EnvelopeMatrix,
 ) -> Result<PartModes, String> {
@@ -270,7 +270,7 @@ impl PartModes {
     fn add(
         &mut self,
         value: f64,
-        (network, rest): (&Network, &Equilibrium),
+        (network, rest): (&Network, &SystemEquilibrium),
         own: &[MovingUnknown],
         motion: &DVector<f64>,
     ) {
@@ -284,7 +284,7 @@ impl PartModes {
 /// All modes of a part.
 fn modes(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     stiffness: &DMatrix<f64>,
     own: &[MovingUnknown],
 ) -> Result<PartModes, String> {
@@ -318,7 +318,7 @@ fn modes(
 /// about its centre of gravity: about another origin its pitch would read as surge.
 fn most_energy(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     own: &[MovingUnknown],
     motion: &DVector<f64>,
 ) -> usize {
@@ -366,7 +366,7 @@ fn most_energy(
 /// Whether a motion is the spin of a rod, which what keeps it in place makes up.
 fn is_spin(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     own: &[MovingUnknown],
     motion: &DVector<f64>,
 ) -> bool {
@@ -416,7 +416,7 @@ mod tests {
         }
         let solved = parse_stored::<SystemFile>(&text, "chain.toml").unwrap();
         let (network, rest) = (&solved.network, &solved.rest);
-        let all = Freedoms::of(network, UnknownBodies::All);
+        let all = Freedoms::of_network(network, UnknownBodies::All);
         let stiffness = stiffness(network, rest, &all).unwrap();
         let parts = parts(network, rest, &all, &stiffness);
         let [part] = &parts[..] else {

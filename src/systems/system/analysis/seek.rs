@@ -33,7 +33,7 @@ pub fn seek(
     quantity: &str,
     wanted: f64,
 ) -> Result<Sought, String> {
-    let mut search = Search {
+    let mut search = KeySearch {
         text,
         key,
         quantity,
@@ -75,7 +75,7 @@ pub fn seek(
     })
 }
 
-struct Search<'a> {
+struct KeySearch<'a> {
     text: &'a str,
     key: &'a str,
     quantity: &'a str,
@@ -87,7 +87,7 @@ struct Search<'a> {
     refusal: Option<String>,
 }
 
-impl Search<'_> {
+impl KeySearch<'_> {
     /// The file with the key at a value.
     fn read(&mut self, x: f64) -> Result<ReadFile<SystemFile>, String> {
         let edits = [(self.key, &*format!("{x:?}"))];

@@ -7,7 +7,7 @@ use nalgebra::{Matrix2, Vector2};
 use rayon::prelude::*;
 
 use super::super::connected::loose;
-use super::super::equilibrium::Equilibrium;
+use super::super::equilibrium::SystemEquilibrium;
 use super::super::network::Network;
 use super::offset::{HeldAway, OffsetPoint};
 
@@ -36,7 +36,7 @@ impl OffsetPoint {
 #[must_use]
 pub fn watch_circle(
     network: &Network,
-    rest: &Equilibrium,
+    rest: &SystemEquilibrium,
     body: usize,
     load_n: f64,
     headings: Vec<f64>,

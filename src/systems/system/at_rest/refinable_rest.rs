@@ -6,7 +6,7 @@ use super::system_at_rest::SystemAtRest;
 use crate::case::{ChannelQuantity, QuantityId, Subject};
 use crate::run::Quantity;
 use crate::run::accuracy::searchable::Searchable;
-use crate::run::companions::Place;
+use crate::run::companions::CompanionRefinement;
 use crate::run::computation::Computation;
 use crate::run::compute::Computed;
 use crate::run::refinable::Refinable;
@@ -49,7 +49,7 @@ impl<'a> RefinableRest<'a> {
 }
 
 impl Refinable for RefinableRest<'_> {
-    fn companion(&self, place: Place, cancel: &AtomicBool) -> Computed {
+    fn companion(&self, place: CompanionRefinement, cancel: &AtomicBool) -> Computed {
         self.on_mesh(place.segment).compute(None, cancel, None)
     }
 

@@ -100,7 +100,7 @@ impl SystemAtRest {
     /// The lines that are divided into segments, or may be, by their numbers in the file.
     pub(super) fn meshed(&self) -> impl Iterator<Item = (usize, &LineInputs)> {
         let is_meshed = |line: &LineInputs| {
-            let closed = LineForm::of(&self.file, line, &parts(&self.file, line));
+            let closed = LineForm::of_parts(&self.file, line, &parts(&self.file, line));
             self.forms == LineForms::Divided || closed != LineForm::Closed
         };
         let lines = self.file.lines.iter().enumerate();

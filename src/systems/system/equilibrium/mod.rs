@@ -28,7 +28,7 @@ use super::network::{Body, Held, Line, Network};
 
 /// A system at rest.
 #[derive(Debug, Clone)]
-pub struct Equilibrium {
+pub struct SystemEquilibrium {
     /// Where everything is.
     pub placement: Placement,
     /// The unknowns.
@@ -46,10 +46,10 @@ pub struct Equilibrium {
     /// Newton iterations of the divided lines, each by its segments.
     pub work: u64,
     /// The unstable one that the search came to first, and left.
-    pub left: Option<Box<Equilibrium>>,
+    pub left: Option<Box<SystemEquilibrium>>,
 }
 
-impl Equilibrium {
+impl SystemEquilibrium {
     /// What bears on a free point; nothing on one that is held.
     #[must_use]
     pub fn contact(&self, point: usize) -> Contact {
@@ -101,7 +101,7 @@ const LAST_PLACES: f64 = 8.0;
 ///
 /// # Errors
 /// [`SystemError`].
-pub fn search(network: &Network, start: &Placement) -> Result<Equilibrium, SystemError> {
+pub fn search(network: &Network, start: &Placement) -> Result<SystemEquilibrium, SystemError> {
     found(network, start, MOST_STEPS, true)
 }
 
@@ -113,7 +113,7 @@ pub fn search_within(
     network: &Network,
     start: &Placement,
     most_steps: usize,
-) -> Result<Equilibrium, SystemError> {
+) -> Result<SystemEquilibrium, SystemError> {
     found(network, start, most_steps, false)
 }
 
@@ -123,9 +123,10 @@ fn found(
     start: &Placement,
     most_steps: usize,
     relaxed: bool,
-) -> Result<Equilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let mut search = Search::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
+) -> Result<SystemEquilibrium, SystemError> {
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
+    let mut search =
+        SystemEquilibriumSearch::begin(network, freedoms, start.clone(), LinePhysics::Plain)?;
     let ended = search.run_from_level(most_steps, relaxed);
     search.result(ended)
 }
@@ -134,9 +135,10 @@ fn found(
 ///
 /// # Errors
 /// [`SystemError`].
-pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let mut search = Search::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
+pub fn search_near(network: &Network, near: &Placement) -> Result<SystemEquilibrium, SystemError> {
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
+    let mut search =
+        SystemEquilibriumSearch::begin(network, freedoms, near.clone(), LinePhysics::Full)?;
     let ended = search.run_in_full(MOST_STEPS, true);
     search.result(ended)
 }
@@ -145,16 +147,20 @@ pub fn search_near(network: &Network, near: &Placement) -> Result<Equilibrium, S
 ///
 /// # Errors
 /// [`SystemError`].
-pub fn search_downhill(network: &Network, from: &Placement) -> Result<Equilibrium, SystemError> {
-    let freedoms = Freedoms::of(network, UnknownBodies::Free);
-    let mut search = Search::begin(network, freedoms, from.clone(), LinePhysics::Full)?;
+pub fn search_downhill(
+    network: &Network,
+    from: &Placement,
+) -> Result<SystemEquilibrium, SystemError> {
+    let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
+    let mut search =
+        SystemEquilibriumSearch::begin(network, freedoms, from.clone(), LinePhysics::Full)?;
     let relaxed = search.relax(MOST_STEPS);
     let ended = relaxed.and_then(|()| search.run_in_full(MOST_STEPS, true));
     search.result(ended)
 }
 
 /// A search under way.
-struct Search<'a> {
+struct SystemEquilibriumSearch<'a> {
     network: &'a Network,
     freedoms: Freedoms,
     bounds: Bounds,
@@ -175,14 +181,14 @@ struct Search<'a> {
     work: std::cell::RefCell<Vec<u64>>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> SystemEquilibriumSearch<'a> {
     fn begin(
         network: &'a Network,
         freedoms: Freedoms,
         mut placement: Placement,
         physics: LinePhysics,
     ) -> Result<Self, SystemError> {
-        let bounds = Bounds::of(network, &freedoms);
+        let bounds = Bounds::of_network(network, &freedoms);
         placement.carry(network);
         bounds.keep(network, &freedoms, &mut placement);
         let here =
@@ -381,7 +387,7 @@ impl<'a> Search<'a> {
     }
 
     /// The equilibrium of a search that has ended; none where a line has only another in its place.
-    fn result(self, ended: Result<(), SystemError>) -> Result<Equilibrium, SystemError> {
+    fn result(self, ended: Result<(), SystemError>) -> Result<SystemEquilibrium, SystemError> {
         ended.map_err(|error| self.too_much_work().unwrap_or(error))?;
         let mut lines = self.here.lines.iter().enumerate();
         match lines.find_map(|(line, at_rest)| Some((line, at_rest.replaced.as_ref()?))) {
@@ -394,13 +400,13 @@ impl<'a> Search<'a> {
         }
     }
 
-    fn finish(self) -> Equilibrium {
+    fn finish(self) -> SystemEquilibrium {
         let force = self.unbalanced(&self.here, &self.placement);
         let residual = self.size(&force);
         let contacts = self
             .bounds
             .contacts(&self.freedoms, &self.placement, &self.here.force);
-        Equilibrium {
+        SystemEquilibrium {
             residual,
             contacts,
             steps: self.steps,

@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::step::solved;
-use super::{Search, SystemError};
+use super::{SystemEquilibriumSearch, SystemError};
 use crate::system::balance::Balance;
 use crate::system::bounds::Contact;
 use crate::system::freedoms::Placement;
@@ -14,7 +14,7 @@ const MOST_HELD_BACK: f64 = 1e6;
 /// By how much a relaxed step may leave more out of balance than there was.
 const WORSE: f64 = 2.0;
 
-impl Search<'_> {
+impl SystemEquilibriumSearch<'_> {
     /// Pseudo-transient continuation (Kelley and Keyes 1998, doi 10.1137/S0036142996304796): steps `(K + m) d = F` of a system whose unknowns are
     /// held back by m, which grows where a step leaves more out of balance than there was and falls with the forces out of balance. Newton's method
     /// with a search along the step ends where the forces have a kink, at a node that touches down or a segment that slackens.

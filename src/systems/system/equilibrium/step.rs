@@ -2,7 +2,7 @@
 
 use nalgebra::DVector;
 
-use super::{LinePhysics, Search, SystemError};
+use super::{LinePhysics, SystemEquilibriumSearch, SystemError};
 use crate::numerics::envelope::EnvelopeMatrix;
 use crate::numerics::envelope_factors::EnvelopeCholesky;
 use crate::system::along_bed::stiffness_along;
@@ -20,7 +20,7 @@ struct Direction {
     slope: f64,
 }
 
-impl Search<'_> {
+impl SystemEquilibriumSearch<'_> {
     /// One step; whether anything moved.
     pub(super) fn step(&mut self, force: &DVector<f64>) -> Result<bool, SystemError> {
         self.contacts = self

@@ -1,13 +1,13 @@
 //! What the divided lines of a search cost, and when it is given up.
 
-use super::{Search, SystemError};
+use super::{SystemEquilibriumSearch, SystemError};
 use crate::system::balance::{Balance, UnsolvedLine};
 
 /// Newton iterations of a divided line, by its segments, that a search may take: seconds. Without an equilibrium near by, a line takes
 /// thousands of iterations for every place that its ends are tried at.
 const MOST_WORK: u64 = 15_000_000;
 
-impl Search<'_> {
+impl SystemEquilibriumSearch<'_> {
     /// The line that took more work than the search is given, if one has.
     pub(super) fn too_much_work(&self) -> Option<SystemError> {
         let work = self.work.borrow();
@@ -62,9 +62,10 @@ mod tests {
         "#;
         let solved = parse_stored::<SystemFile>(text, "trial.toml").unwrap();
         let network = &solved.network;
-        let freedoms = Freedoms::of(network, UnknownBodies::Free);
+        let freedoms = Freedoms::of_network(network, UnknownBodies::Free);
         let place = solved.rest.placement.clone();
-        let search = Search::begin(network, freedoms, place, LinePhysics::Full).unwrap();
+        let search =
+            SystemEquilibriumSearch::begin(network, freedoms, place, LinePhysics::Full).unwrap();
         search.evaluate(&search.placement).unwrap();
         let of_one = search.work.borrow()[0];
         assert!(of_one > 0 && of_one.is_multiple_of(10), "{of_one}");

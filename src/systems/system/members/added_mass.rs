@@ -13,9 +13,9 @@ use crate::system::pose::{Pose, cross};
 /// Added mass of the parts of the members in still water about the origin of their body, in the earth's axes \[kg, kg m, kg m²\].
 pub(in crate::system) fn added_mass(network: &Network, body: &Body, pose: &Pose) -> Matrix6<f64> {
     let mut mass = Matrix6::zeros();
-    let moving = MovingPose::of(pose);
+    let moving = MovingPose::at_rest(pose);
     for member in body.members.iter().filter(|member| !member.drag_only) {
-        let placed = Placed::of(member, &moving, &[]);
+        let placed = Placed::at_pose(member, &moving, &[]);
         let axis = placed.axis.map(|part| part.re);
         let along = axis * axis.transpose();
         let across = M3::identity() - along;

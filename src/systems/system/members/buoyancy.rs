@@ -16,13 +16,13 @@ use num_dual::DualNum;
 use super::super::load_sum::LoadSum;
 use super::super::moving_pose::{Dual, DualVector, constant};
 use super::placed::Placed;
-use super::wet_part::{Span, UPRIGHT, WetPart, cut_shares, is_empty, segment};
+use super::wet_part::{MemberSpan, UPRIGHT, WetPart, cut_shares, is_empty, segment};
 use crate::numerics::V3;
 use crate::system::network::Network;
 
 impl Placed<'_> {
     /// Volume between two shares of the length, and its first moment from the lower end.
-    fn frustum(&self, (from, to): Span) -> (Dual, DualVector) {
+    fn frustum(&self, (from, to): MemberSpan) -> (Dual, DualVector) {
         let (a, b) = (self.radius_at(from), self.radius_at(to));
         let long = (to - from) * self.length;
         let (aa, ab, bb) = (a * a, a * b, b * b);
@@ -58,7 +58,7 @@ impl Placed<'_> {
     }
 
     /// Slices that the surface cuts.
-    fn cut_slices(&self, span: Span) -> (Dual, DualVector) {
+    fn cut_slices(&self, span: MemberSpan) -> (Dual, DualVector) {
         let tilt = self.tilt2.sqrt();
         let uphill = (constant(&V3::z()) - self.axis * self.axis.z) / tilt;
         let (mut volume, mut moment) = nothing();

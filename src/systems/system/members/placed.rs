@@ -30,7 +30,7 @@ pub(in crate::system) struct Placed<'a> {
 
 impl<'a> Placed<'a> {
     /// A member at a pose; heights are above the surface of the waves at its stations.
-    pub(in crate::system) fn of(
+    pub(in crate::system) fn at_pose(
         member: &Member,
         pose: &MovingPose<'_>,
         waves: &'a [WaterMotion],

@@ -33,18 +33,18 @@ static CUT_RULE: LazyLock<[(f64, f64); CUT]> = LazyLock::new(|| {
 });
 
 /// A length between two shares of that of the member, from its lower end.
-pub(super) type Span = (Dual, Dual);
+pub(super) type MemberSpan = (Dual, Dual);
 
 /// The part of a member in the water.
 pub(in crate::system) struct WetPart {
     /// Where its slices are whole in the water.
-    pub(super) whole: Span,
+    pub(super) whole: MemberSpan,
     /// Where the surface cuts them.
-    pub(super) cut: Span,
+    pub(super) cut: MemberSpan,
 }
 
 /// A slice across the part of a member in the water.
-pub(super) struct Slice {
+pub(super) struct MemberSlice {
     /// Its number.
     pub(super) number: usize,
     /// From the origin of the body.
@@ -58,7 +58,7 @@ pub(super) struct Slice {
 }
 
 /// The part of a circle below a level.
-pub(super) struct Segment {
+pub(super) struct CircleSegment {
     /// Its area \[m²\].
     pub(super) area: Dual,
     /// Half its chord \[m\].
@@ -66,9 +66,9 @@ pub(super) struct Segment {
 }
 
 /// The part of a circle of a radius below a level above its centre; nothing where the circle is above the level.
-pub(super) fn segment(radius: Dual, level: Dual) -> Option<Segment> {
+pub(super) fn segment(radius: Dual, level: Dual) -> Option<CircleSegment> {
     if level.re >= radius.re {
-        return Some(Segment {
+        return Some(CircleSegment {
             area: radius * radius * PI,
             half_chord: Dual::from_re(0.0),
         });
@@ -77,7 +77,7 @@ pub(super) fn segment(radius: Dual, level: Dual) -> Option<Segment> {
     (inside.re > 0.0).then(|| {
         let half_chord = inside.sqrt();
         let angle = Dual::from_re(PI) - (level / radius).acos();
-        Segment {
+        CircleSegment {
             area: radius * radius * angle + level * half_chord,
             half_chord,
         }
@@ -85,19 +85,19 @@ pub(super) fn segment(radius: Dual, level: Dual) -> Option<Segment> {
 }
 
 /// Whether a length is nothing.
-pub(super) fn is_empty(span: &Span) -> bool {
+pub(super) fn is_empty(span: &MemberSpan) -> bool {
     span.1.re <= span.0.re
 }
 
 /// Shares of a span with the lengths that they stand for, by a rule.
-pub(super) fn by_rule(span: Span, rule: &[(f64, f64)]) -> impl Iterator<Item = (Dual, Dual)> {
+pub(super) fn by_rule(span: MemberSpan, rule: &[(f64, f64)]) -> impl Iterator<Item = (Dual, Dual)> {
     let long = span.1 - span.0;
     rule.iter()
         .map(move |(node, weight)| (span.0 + long * *node, long * *weight))
 }
 
 /// The same of a span that the surface cuts.
-pub(super) fn cut_shares(span: Span) -> impl Iterator<Item = (Dual, Dual)> {
+pub(super) fn cut_shares(span: MemberSpan) -> impl Iterator<Item = (Dual, Dual)> {
     by_rule(span, &CUT_RULE[..])
 }
 
@@ -117,7 +117,7 @@ impl Placed<'_> {
         let tilt = self.tilt2.re.max(0.0).sqrt();
         let (low, high) = (self.z.re, self.z.re + self.rise.re);
         let (half_low, half_high) = (tilt * self.radius.0, tilt * self.radius.1);
-        let span = |whole: Span, cut: Span| WetPart { whole, cut };
+        let span = |whole: MemberSpan, cut: MemberSpan| WetPart { whole, cut };
         if low + half_low <= 0.0 && high + half_high <= 0.0 {
             return span(all, (at(1.0), at(1.0)));
         }
@@ -147,7 +147,7 @@ impl Placed<'_> {
     }
 
     /// Slices of the part in the water, without those of lengths that are nothing.
-    pub(super) fn wet_slices(&self) -> impl Iterator<Item = Slice> {
+    pub(super) fn wet_slices(&self) -> impl Iterator<Item = MemberSlice> {
         let wet = self.wet_part();
         let tilt = self.tilt2.re.max(0.0).sqrt();
         let tilt = (tilt >= UPRIGHT).then(|| self.tilt2.sqrt());
@@ -163,13 +163,13 @@ impl Placed<'_> {
                     let wet = segment(slice.radius, -slice.height / tilt?)?;
                     let circle = slice.radius * slice.radius * PI;
                     let long = slice.long * wet.area / circle;
-                    Some(Slice { long, ..slice })
+                    Some(MemberSlice { long, ..slice })
                 });
         whole.chain(cut)
     }
 
-    fn slice(&self, number: usize, share: Dual, long: Dual) -> Slice {
-        Slice {
+    fn slice(&self, number: usize, share: Dual, long: Dual) -> MemberSlice {
+        MemberSlice {
             number,
             arm: self.arm_at(share),
             height: self.z + self.rise * share,
@@ -180,7 +180,7 @@ impl Placed<'_> {
 }
 
 /// Where a height that is `at` at the lower end and changes by `slope` up to the upper one is below the surface.
-fn below(at: Dual, slope: Dual) -> Span {
+fn below(at: Dual, slope: Dual) -> MemberSpan {
     let (none, whole) = (Dual::from_re(0.0), Dual::from_re(1.0));
     match (at.re <= 0.0, at.re + slope.re <= 0.0) {
         (true, true) => (none, whole),

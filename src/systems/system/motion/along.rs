@@ -22,7 +22,7 @@ pub fn counted_along(solved: &SolvedSystem, system: &MovingSystem) -> (LinesAlon
     let (mut lines, mut missing) = (Vec::new(), Vec::new());
     for (number, scene) in system.scenes.iter().enumerate() {
         let line = counted_line(solved, system, number);
-        let plan = AlongPlan::of(&checks, &line);
+        let plan = AlongPlan::of_checks(&checks, &line);
         if plan.spots.is_empty() && plan.missing.is_empty() {
             continue;
         }

@@ -416,7 +416,7 @@ mod tests {
         flow.waves[2] = 1e4;
         flow.memory[4] = 1e4;
         flow.damping[(0, 4)] = 3e3;
-        let foot = Foot::of(&network.bodies[0], &moving.mass);
+        let foot = Foot::of_body(&network.bodies[0], &moving.mass);
         let around = BodyWater {
             waves,
             flow: (!waves.is_empty()).then_some(&flow),

@@ -262,7 +262,7 @@ impl Border {
                 .scene(line, state)
                 .linearise(t, &state.lines[line], c, r, tangent);
             let own = [r[0], r[r.len() - 1]];
-            let ends = LineEnds::of(system, state, line);
+            let ends = LineEnds::of_line(system, state, line);
             let [a, b] = ends.residuals();
             let own = [own[0], own[1], a, b];
             for (k, place) in ends.places() {
@@ -323,7 +323,7 @@ impl Border {
             return tangent.solve(1..last, r).map_err(|singular| singular.node);
         }
         let own = [r[0], r[last]];
-        let ends = LineEnds::of(system, state, line);
+        let ends = LineEnds::of_line(system, state, line);
         let couplings = ends.couplings(c.stiffness);
         let condensed = self.condensations[line].condense_beside(tangent, r, couplings.as_ref());
         let condensed = condensed.map_err(|singular| singular.node)?;
@@ -391,7 +391,7 @@ impl Border {
                         continue;
                     };
                     let (x, v, a) = node(&state.joints, joint);
-                    let around = Around::of(&state.joints, joint);
+                    let around = Around::of_joint(&state.joints, joint);
                     let load = point_load(&system.network, point, (x, v), around);
                     let residual = a.component_mul(&point.moving_mass) - load.force;
                     self.rows[row] += residual;
@@ -479,7 +479,7 @@ fn back(
         if system.is_plain(state, line) {
             continue;
         }
-        LineEnds::of(system, state, line).respond(rows, &condensations[line], x, true);
+        LineEnds::of_line(system, state, line).respond(rows, &condensations[line], x, true);
     }
 }
 

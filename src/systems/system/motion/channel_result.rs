@@ -9,7 +9,7 @@ pub struct ChannelResult {
     /// Its name.
     pub id: ChannelId,
     /// Over the whole run.
-    pub summary: ChannelSummary,
+    pub summary: RunChannelSummary,
     /// Least and greatest value after the start that checks leave out; nothing where none is.
     pub settled: Option<[f64; 2]>,
     /// Errors of the least, greatest, mean and last value by the time steps; nothing where they are not estimated.
@@ -20,7 +20,7 @@ pub struct ChannelResult {
 
 /// A channel over the whole run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ChannelSummary {
+pub struct RunChannelSummary {
     /// Least value at the steps and between them, and its time \[s\].
     pub least: (f64, f64),
     /// Greatest value at the steps and between them, and its time \[s\].
@@ -31,7 +31,7 @@ pub struct ChannelSummary {
     pub last: f64,
 }
 
-impl ChannelSummary {
+impl RunChannelSummary {
     /// Least, greatest, mean and last value.
     #[must_use]
     pub fn numbers(&self) -> [f64; 4] {
@@ -49,7 +49,7 @@ pub const STATISTICS: [Statistic; 4] = [
 
 impl ChannelResult {
     /// Of a channel, by the single numbers of its run that are of it.
-    pub(super) fn of(channel: &Channel, own: &[&Quantity]) -> Self {
+    pub(super) fn of_channel(channel: &Channel, own: &[&Quantity]) -> Self {
         let of_statistic = |wanted: Statistic, in_window: bool| {
             let is = |q: &&&Quantity| {
                 matches!(&q.id, QuantityId::Statistic { statistic, within, .. }
@@ -70,7 +70,7 @@ impl ChannelResult {
         let [least, greatest] = settled.map(|found| found.map(|q| q.value));
         Self {
             id: channel.id.clone(),
-            summary: ChannelSummary {
+            summary: RunChannelSummary {
                 least: channel.trough,
                 greatest: channel.peak,
                 mean: value(whole[2]),
@@ -98,7 +98,7 @@ impl ChannelResult {
             }
         }
         let own = |channel: &Channel| by_name.get(&channel.id.to_string());
-        let result = |channel| Self::of(channel, own(channel).map_or(&[], Vec::as_slice));
+        let result = |channel| Self::of_channel(channel, own(channel).map_or(&[], Vec::as_slice));
         channels.iter().map(result).collect()
     }
 }

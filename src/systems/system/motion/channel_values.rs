@@ -98,7 +98,7 @@ impl<'a> ChannelValues<'a> {
         let first = &mut self.first;
         let known = self
             .tensions
-            .and_then(|all| all.get(first.of(line, state) + node));
+            .and_then(|all| all.get(first.of_line(line, state) + node));
         known.copied().unwrap_or_else(|| {
             let scene = self.system.scene(line, state);
             scene.tension_at(node, &state.lines[line])
@@ -155,7 +155,7 @@ struct FirstNode {
 }
 
 impl FirstNode {
-    fn of(&mut self, line: usize, state: &SystemState) -> usize {
+    fn of_line(&mut self, line: usize, state: &SystemState) -> usize {
         if line < self.line {
             *self = Self::default();
         }

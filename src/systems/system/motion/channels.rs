@@ -69,7 +69,7 @@ impl Channels {
     /// waves, curvature and bending moment at clamped ends, dynamic stiffness of ropes and tension of the wall of pipes at both ends of their
     /// sections.
     #[must_use]
-    pub fn of(system: &MovingSystem) -> Self {
+    pub fn of_system(system: &MovingSystem) -> Self {
         let mut channels = Self {
             ids: Vec::new(),
             sources: Vec::new(),

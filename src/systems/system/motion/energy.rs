@@ -28,7 +28,7 @@ pub fn add_beside_lines(
             && let Held::Free(point) = &system.network.points[number].held
         {
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
-            let around = Around::of(&state.joints, joint);
+            let around = Around::of_joint(&state.joints, joint);
             let load = point_load(&system.network, point, (x, v), around);
             let kinetic = kinetic_energy(point, v);
             sum.kinetic += kinetic;

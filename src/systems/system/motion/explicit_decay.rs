@@ -53,7 +53,7 @@ impl MovingSystem {
         let point = self.free_point(joint)?;
         let joints = &state.joints;
         let at = (&joints.x[joint], &joints.v[joint]);
-        let load = point_load(&self.network, point, at, Around::of(joints, joint));
+        let load = point_load(&self.network, point, at, Around::of_joint(joints, joint));
         let mass = point.moving_mass.min();
         let rate = load.by_velocity.norm() / mass;
         (mass > 0.0).then_some(rate)

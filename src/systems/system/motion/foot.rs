@@ -23,7 +23,7 @@ pub struct Foot {
 impl Foot {
     /// Of a body that bears on the bed, by its mass matrix along its axes.
     #[must_use]
-    pub fn of(body: &Body, mass: &Matrix6<f64>) -> Option<Self> {
+    pub fn of_body(body: &Body, mass: &Matrix6<f64>) -> Option<Self> {
         body.bottom.map(|below| Self {
             below,
             point: FreePoint {
@@ -72,7 +72,7 @@ pub fn feet(network: &Network) -> Vec<Option<Foot>> {
     let bodies = network.bodies.iter().enumerate();
     let foot = |(number, body): (usize, &Body)| {
         let moving = MovingBody::new(network, number, &body.pose);
-        Foot::of(body, &moving.mass)
+        Foot::of_body(body, &moving.mass)
     };
     bodies.map(foot).collect()
 }

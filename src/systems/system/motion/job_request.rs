@@ -37,7 +37,7 @@ impl JobRequest {
     /// # Errors
     /// As [`JobRequest::resumed`].
     pub fn resumed_until(dir: &Path, until: Option<f64>) -> Result<Self, String> {
-        if FileType::of(&dir.join(store::CASE)) == FileType::System {
+        if FileType::of_path(&dir.join(store::CASE)) == FileType::System {
             let (mut request, from) = resume_request::<SystemInTime>(dir, until)?;
             request.id = stem(&request.file);
             return Ok(Self::System(Box::new(request), from.map(Box::new)));

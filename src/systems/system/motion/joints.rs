@@ -72,17 +72,9 @@ impl Joints {
             }
         }
         let mut payouts = vec![0; network.payouts.len()];
-        let mut pass = |roles: &mut Vec<Role>, free: bool| {
-            for (number, payout) in network.payouts.iter().enumerate() {
-                if payout.drive.is_free() == free {
-                    payouts[number] = roles.len();
-                    roles.push(Role::Payout(number));
-                }
-            }
-        };
-        pass(&mut list.roles, false);
+        list.payouts(network, false, &mut payouts);
         let held = list.roles.len();
-        pass(&mut list.roles, true);
+        list.payouts(network, true, &mut payouts);
         for (number, _) in points().filter(|(_, p)| free(&p.held)) {
             list.points.insert(number, list.roles.len());
             list.roles.push(Role::Free(number));
@@ -93,15 +85,7 @@ impl Joints {
             }
             list.rotation(number);
         }
-        let mut released = vec![[None; 2]; network.lines.len()];
-        for (line, ends) in released.iter_mut().enumerate() {
-            for (end, joint) in ends.iter_mut().enumerate() {
-                if network.lines[line].releases[end].is_given() {
-                    *joint = Some(list.roles.len());
-                    list.roles.push(Role::Released(line, end));
-                }
-            }
-        }
+        let released = list.releases(network);
         let count = list.roles.len();
         let mut joints = Self {
             roles: list.roles,
@@ -231,5 +215,29 @@ impl Roles {
     fn rotation(&mut self, number: usize) {
         self.rotations.insert(number, self.roles.len());
         self.roles.push(Role::Rotation(number));
+    }
+
+    /// Adds the payouts that are free, or those that are not, and notes their joints.
+    fn payouts(&mut self, network: &Network, free: bool, joints: &mut [usize]) {
+        for (number, payout) in network.payouts.iter().enumerate() {
+            if payout.drive.is_free() == free {
+                joints[number] = self.roles.len();
+                self.roles.push(Role::Payout(number));
+            }
+        }
+    }
+
+    /// Adds the ends of lines that may be let go; their joints by line and end.
+    fn releases(&mut self, network: &Network) -> Vec<[Option<usize>; 2]> {
+        let mut released = vec![[None; 2]; network.lines.len()];
+        for (line, ends) in released.iter_mut().enumerate() {
+            for (end, joint) in ends.iter_mut().enumerate() {
+                if network.lines[line].releases[end].is_given() {
+                    *joint = Some(self.roles.len());
+                    self.roles.push(Role::Released(line, end));
+                }
+            }
+        }
+        released
     }
 }

@@ -28,7 +28,7 @@ struct TurningClamp {
 
 impl LineEnds {
     /// Those of a line in a state.
-    pub(super) fn of(system: &MovingSystem, state: &SystemState, line: usize) -> Self {
+    pub(super) fn of_line(system: &MovingSystem, state: &SystemState, line: usize) -> Self {
         Self {
             ends: state.attached[line].map(|joint| place(system, state, joint)),
             clamps: from_fn(|end| turning_clamp(system, state, line, end)),

@@ -259,7 +259,7 @@ impl MovingSystem {
                 && !self.network.bodies[body].turns()
             {
                 let motion = state.body(&self.joints, body);
-                set(&mut state.joints, joint, motion.of(&at));
+                set(&mut state.joints, joint, motion.motion_of(&at));
             }
         }
         self.turn_clamps(state, false);
@@ -300,7 +300,7 @@ impl MovingSystem {
             {
                 let motion = state.body(&self.joints, *carrier);
                 let origin = self.joints.bodies[number];
-                set(&mut state.joints, origin, motion.of(at));
+                set(&mut state.joints, origin, motion.motion_of(at));
             }
         }
     }
@@ -313,7 +313,7 @@ impl MovingSystem {
                 && self.network.bodies[body].turns()
             {
                 let motion = state.body(&self.joints, body);
-                set(&mut state.joints, joint, motion.of(&at));
+                set(&mut state.joints, joint, motion.motion_of(&at));
             }
         }
         self.turn_clamps(state, true);

@@ -36,7 +36,7 @@ pub enum Drive {
     /// A winch.
     Winch(Winch),
     /// Nothing but the line and friction: a point slides along it.
-    Slide(Friction),
+    Slide(PointFriction),
 }
 
 /// A rate from a time to another.
@@ -66,7 +66,7 @@ pub struct Winch {
 
 /// Friction of a point on a line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Friction {
+pub struct PointFriction {
     /// That which does not depend on the tension \[N\].
     pub constant: f64,
     /// By the force of the line across the point \[-\].
@@ -147,7 +147,7 @@ impl Winch {
     }
 }
 
-impl Friction {
+impl PointFriction {
     /// Friction by that of full sliding at a rate \[m/s\], from -1 to 1, and its slope \[s/m\].
     #[must_use]
     pub fn share(rate: f64) -> (f64, f64) {

@@ -6,7 +6,7 @@
 use super::joints::Role;
 use super::line_ends::LineEnds;
 use super::moving_system::MovingSystem;
-use super::payout::{Drive, Friction, PaidEnd, Payout};
+use super::payout::{Drive, PaidEnd, Payout, PointFriction};
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, V3};
 use crate::scene::DrumPull;
@@ -103,7 +103,7 @@ pub(super) fn solve(
         return;
     }
     for one in driven.iter_mut() {
-        one.equation = Equation::of(at, one.number, (t, c));
+        one.equation = Equation::of_payout(at, one.number, (t, c));
         one.respond(at, c.stiffness, &mut work);
     }
     for k in 0..driven.len() {
@@ -139,7 +139,7 @@ pub(super) fn solve(
 pub(super) fn holding(system: &MovingSystem, state: &SystemState) -> Vec<f64> {
     let payouts = system.network.payouts.iter().enumerate();
     let pull = |(number, payout): (usize, &Payout)| match payout.drive.is_free() {
-        true => Equation::of((system, state), number, (0.0, FORCES)).residual,
+        true => Equation::of_payout((system, state), number, (0.0, FORCES)).residual,
         false => 0.0,
     };
     payouts.map(pull).collect()
@@ -154,7 +154,7 @@ pub(super) fn drives(
     let payouts = system.network.payouts.iter().enumerate();
     let free = payouts.filter(|(_, payout)| payout.drive.is_free());
     free.map(move |(number, payout)| {
-        let equation = Equation::of((system, state), number, (t, FORCES));
+        let equation = Equation::of_payout((system, state), number, (t, FORCES));
         let joint = system.joints.payouts[number];
         let q = state.joints.v[joint].x;
         let ends = payout.ends.iter().map(|PaidEnd { line, end, sign }| {
@@ -189,7 +189,7 @@ pub(super) fn correct_drives(
 ) {
     for (number, payout) in system.network.payouts.iter().enumerate() {
         if payout.drive.is_free() {
-            let law = |state| Equation::of((system, state), number, (0.0, FORCES)).force();
+            let law = |state| Equation::of_payout((system, state), number, (0.0, FORCES)).force();
             let known = law(before) - before.drive_excess[number];
             let carried = (law(between) - share * known) / (1.0 - share);
             end.drive_excess[number] = law(end) - carried;
@@ -231,7 +231,7 @@ impl Equation {
     }
 
     /// The pulls of its ends, and what drives it.
-    fn of(
+    fn of_payout(
         (system, state): (&MovingSystem, &SystemState),
         number: usize,
         (t, c): (f64, Factors),
@@ -274,10 +274,10 @@ impl Equation {
     }
 
     /// Adds the friction on a point that slides between these pulls.
-    fn rub(&mut self, friction: &Friction, rate: f64, pulls: &[DrumPull; 2], c: Factors) {
+    fn rub(&mut self, friction: &PointFriction, rate: f64, pulls: &[DrumPull; 2], c: Factors) {
         let force = pulls[0].pull + pulls[1].pull;
         let (size, coefficient) = (force.norm(), friction.coefficient);
-        let (share, slope) = Friction::share(rate);
+        let (share, slope) = PointFriction::share(rate);
         let full = friction.constant + coefficient * size;
         (self.full, self.slope) = (full, full * slope);
         self.friction = full * share;
@@ -318,7 +318,7 @@ impl DrivenPayout {
         let change = -self.right * c.damping;
         let force = match &system.network.payouts[self.number].drive {
             Drive::Winch(winch) => winch.force(by.rate + change).0,
-            Drive::Slide(_) => by.full * Friction::share(by.rate + change).0,
+            Drive::Slide(_) => by.full * PointFriction::share(by.rate + change).0,
             Drive::Rate(_) | Drive::Table(_) => 0.0,
         };
         (force - by.force() - by.slope * change).abs() / by.stiffness
@@ -348,7 +348,7 @@ impl DrivenPayout {
         let own = |line: usize| payout.ends.iter().any(|paid| paid.line == line);
         for (line, load) in self.lines.iter().enumerate().filter(|(line, _)| own(*line)) {
             // It was condensed a moment ago, with another load.
-            let ends = LineEnds::of(system, state, line);
+            let ends = LineEnds::of_line(system, state, line);
             let couplings = ends.couplings(stiffness);
             let band = &work.tangents[line];
             let condensed =
@@ -367,7 +367,7 @@ impl DrivenPayout {
             if system.is_plain(state, line) {
                 continue;
             }
-            let ends = LineEnds::of(system, state, line);
+            let ends = LineEnds::of_line(system, state, line);
             ends.respond(work.rows, &work.condensations[line], x, own(line));
         }
     }

@@ -5,7 +5,7 @@ use super::{
         model::{PayoutInputs, SlidingInputs, SystemFile},
         network::Network,
     },
-    payout::{Drive, Friction, LEAST_RATE, PaidEnd, Payout, RateCourse, SLIP, Winch},
+    payout::{Drive, LEAST_RATE, PaidEnd, Payout, PointFriction, RateCourse, SLIP, Winch},
 };
 use crate::{
     numerics::{V3, spline::Spline},
@@ -47,7 +47,7 @@ fn sliding_drive(given: &SlidingInputs) -> Option<Drive> {
     if !given.table_time_s.is_empty() {
         return table_drive(&given.table_time_s, &given.table_m, given.ramp_s);
     }
-    Some(Drive::Slide(Friction {
+    Some(Drive::Slide(PointFriction {
         constant: given.friction_n,
         coefficient: given.friction,
         ramp: given.ramp_s,

@@ -27,7 +27,7 @@ pub(super) struct PointLoad {
 }
 
 /// The surface over a point.
-struct Surface {
+struct SurfaceOverPoint {
     /// Share of its volume under water.
     share: f64,
     /// Derivative of the share by place \[1/m\].
@@ -43,7 +43,7 @@ pub(super) struct Around<'a> {
 
 impl<'a> Around<'a> {
     /// Of a joint.
-    pub(super) fn of(joints: &'a State, joint: usize) -> Self {
+    pub(super) fn of_joint(joints: &'a State, joint: usize) -> Self {
         Self {
             waves: joints.wave_flow.get(joint),
             grip: joints.memory.grips.get(joint),
@@ -65,8 +65,8 @@ pub(super) fn point_load(
         share,
         by_height,
         integral,
-    } = Immersion::of(network, point, x.z - surface);
-    let immersion = Surface {
+    } = Immersion::of_point(network, point, x.z - surface);
+    let immersion = SurfaceOverPoint {
         share,
         by_place: (V3::z() - slope) * by_height,
     };
@@ -89,7 +89,7 @@ fn wave_inertia(
     point: &FreePoint,
     (x, v): (&V3, &V3),
     flow: &WaterMotion,
-    immersion: &Surface,
+    immersion: &SurfaceOverPoint,
     load: &mut PointLoad,
 ) {
     let displaced = if network.gravity > 0.0 {
@@ -113,7 +113,7 @@ fn drag(
     point: &FreePoint,
     (x, v): (&V3, &V3),
     waves: Option<&WaterMotion>,
-    immersion: &Surface,
+    immersion: &SurfaceOverPoint,
     load: &mut PointLoad,
 ) {
     if point.drag_area == V3::zeros() || immersion.share == 0.0 {

@@ -67,7 +67,7 @@ impl PoseMotion {
 impl BodyMotion {
     /// Position, velocity and acceleration of a place of the body.
     #[must_use]
-    pub fn of(&self, place: &V3) -> (V3, V3, V3) {
+    pub fn motion_of(&self, place: &V3) -> (V3, V3, V3) {
         let arm = self.pose.arm(place);
         let spin = self.pose.rotation * self.spin;
         let rate = self.pose.rotation * self.spin_rate;
@@ -101,7 +101,7 @@ mod tests {
             angles: swing(V3::new(0.4, 0.3, 0.8), 0.9),
         };
         let (t, h, at) = (2.3, 1e-5, V3::new(12.0, -7.0, 4.0));
-        let [before, now, after] = [t - h, t, t + h].map(|t| motion.at(t).of(&at));
+        let [before, now, after] = [t - h, t, t + h].map(|t| motion.at(t).motion_of(&at));
         assert!(((after.0 - before.0) / (2.0 * h) - now.1).norm() < 1e-7);
         assert!(((after.1 - before.1) / (2.0 * h) - now.2).norm() < 1e-7);
     }

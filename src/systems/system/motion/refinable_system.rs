@@ -9,7 +9,7 @@ use super::system_in_time::SystemInTime;
 use super::system_under_way::compute;
 use crate::case::Method;
 use crate::run::Settings;
-use crate::run::companions::Place;
+use crate::run::companions::CompanionRefinement;
 use crate::run::compute::Computed;
 use crate::run::lines_along::LinesAlong;
 use crate::run::refinable::Refinable;
@@ -54,7 +54,7 @@ impl<'a> RefinableSystem<'a> {
 }
 
 impl Refinable for RefinableSystem<'_> {
-    fn companion(&self, place: Place, cancel: &AtomicBool) -> Computed {
+    fn companion(&self, place: CompanionRefinement, cancel: &AtomicBool) -> Computed {
         let begun = match self.start(place.segment) {
             Ok(begun) => begun.clone(),
             Err(why) => return Computed::failed(why),

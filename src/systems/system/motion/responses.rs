@@ -16,7 +16,7 @@ pub const MUCH_BEYOND: f64 = 0.02;
 
 /// The motion of a body by its responses.
 #[derive(Debug, Clone)]
-pub struct WaveResponse {
+pub struct BodyWaveResponse {
     /// Its motion.
     pub motion: PoseMotion,
     /// Share of the waves' energy beyond the periods of the table.
@@ -31,7 +31,7 @@ pub fn wave_response(
     file: &SystemFile,
     body: &BodyInputs,
     sea: &Sea,
-) -> Result<Option<WaveResponse>, Diagnostic> {
+) -> Result<Option<BodyWaveResponse>, Diagnostic> {
     let Some(name) = &body.response_file else {
         return Ok(None);
     };
@@ -65,7 +65,7 @@ fn motion(
     sea: &Sea,
     raos: &[HeadingRao],
     name: &str,
-) -> Result<WaveResponse, Diagnostic> {
+) -> Result<BodyWaveResponse, Diagnostic> {
     let [roll, pitch, yaw] = [body.roll_deg, body.pitch_deg, body.yaw_deg].map(f64::to_radians);
     let place = V3::from(body.position_m);
     let (mut moved, mut turned) = (Vec::new(), Vec::new());
@@ -87,7 +87,7 @@ fn motion(
         course: MotionPath::Sum(Harmonics::sum(parts)),
         ramp,
     };
-    Ok(WaveResponse {
+    Ok(BodyWaveResponse {
         motion: PoseMotion {
             place: about(place, moved),
             angles: about(V3::new(roll, pitch, yaw), turned),

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
-pub use super::channel_result::{ChannelResult, ChannelSummary};
+pub use super::channel_result::{ChannelResult, RunChannelSummary};
 use super::system_in_time::{SystemInTime, check_steps};
 use crate::case::Solver;
 use crate::run::along::FatigueSpot;

@@ -114,7 +114,7 @@ fn divided_at_rest(solved: &SolvedSystem, segment: f64) -> Result<DividedAtRest,
     let mut placement = breaks::placed(solved, &closed);
     let given = placement.clone();
     carried(&closed, &mut placement);
-    if placement != given && Freedoms::of(&closed, UnknownBodies::Free).count > 0 {
+    if placement != given && Freedoms::of_network(&closed, UnknownBodies::Free).count > 0 {
         placement = rest_from(&closed, &placement)?.placement;
     }
     drop(closed);

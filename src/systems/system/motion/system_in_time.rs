@@ -175,7 +175,7 @@ impl Computation for SystemInTime {
             Some(events) => {
                 let lines = begun.system.network.lines.iter();
                 events(JobEvent::Started {
-                    channels: Channels::of(&begun.system).ids,
+                    channels: Channels::of_system(&begun.system).ids,
                     lines: lines.map(|line| line.name.clone()).collect(),
                 });
                 Some(events)

@@ -54,7 +54,7 @@ struct SystemUnderWay<'a> {
 
 /// What changes a system.
 #[derive(Debug, Clone, Copy)]
-enum Change {
+enum SystemChange {
     /// An end is let go.
     Release(Release),
     /// The mesh at an end that is paid out is no longer good.
@@ -74,7 +74,7 @@ pub(super) fn compute<'a>(
         iterations: begun.iterations,
         ..Work::default()
     };
-    let channels = Channels::of(&begun.system);
+    let channels = Channels::of_system(&begun.system);
     let recorder = Recorder::new(plan(&begun, &channels, motion), events, cancel);
     let Start { system, state, .. } = begun;
     let subject = SystemUnderWay {
@@ -164,7 +164,7 @@ fn plan(begun: &Start, channels: &Channels, motion: &MotionPlan) -> RecorderPlan
 /// The response of the lines, and each of them where the system rests.
 fn response(asked: AskedResponse, begun: &Start) -> RecordedResponse {
     let lines = begun.system.lines(&begun.state);
-    let at_rest = lines.map(|(scene, state)| WkbMedium::of(scene, state));
+    let at_rest = lines.map(|(scene, state)| WkbMedium::of_line_at_rest(scene, state));
     RecordedResponse {
         asked,
         at_rest: at_rest.collect(),
@@ -238,7 +238,7 @@ impl SystemUnderWay<'_> {
 
 impl UnderWay for SystemUnderWay<'_> {
     type System = MovingSystem;
-    type Change = Change;
+    type Change = SystemChange;
 
     fn system(&self) -> &MovingSystem {
         &self.system
@@ -266,36 +266,36 @@ impl UnderWay for SystemUnderWay<'_> {
         first.map_or(f64::INFINITY, |release| release.time)
     }
 
-    fn due(&mut self, has_come: &dyn Fn(f64) -> bool, state: &SystemState) -> Option<Change> {
+    fn due(&mut self, has_come: &dyn Fn(f64) -> bool, state: &SystemState) -> Option<SystemChange> {
         while has_come(self.next_change())
             && let Some(release) = self.releases.pop_front()
         {
             if !self.system.is_released(release, state) {
-                return Some(Change::Release(release));
+                return Some(SystemChange::Release(release));
             }
             self.happened.push(gone_before(&self.system, release));
         }
         None
     }
 
-    fn by_state(&self, time: f64, state: &SystemState) -> Option<Change> {
-        let release = by_tension(&self.system, state, time).map(Change::Release);
-        release.or_else(|| self.system.end_mesh(state).map(Change::Mesh))
+    fn by_state(&self, time: f64, state: &SystemState) -> Option<SystemChange> {
+        let release = by_tension(&self.system, state, time).map(SystemChange::Release);
+        release.or_else(|| self.system.end_mesh(state).map(SystemChange::Mesh))
     }
 
     fn change(
         &mut self,
-        change: Change,
+        change: SystemChange,
         time: f64,
         state: &mut SystemState,
         method: &mut MethodState,
     ) -> Result<Option<NodeChange>, String> {
         match change {
-            Change::Release(release) => {
+            SystemChange::Release(release) => {
                 self.release(release, state);
                 Ok(None)
             }
-            Change::Mesh(end) => self.remesh(end, time, state, method).map(Some),
+            SystemChange::Mesh(end) => self.remesh(end, time, state, method).map(Some),
         }
     }
 

@@ -31,7 +31,7 @@ impl RadiationTable {
 
 /// Complex numbers of several rows over frequency and heading.
 #[derive(Debug, Clone, PartialEq)]
-struct Grid<T> {
+struct CoefficientGrid<T> {
     /// Headings towards which waves run, rising \[rad\].
     headings: Vec<f64>,
     /// Frequencies, rising \[rad/s\].
@@ -41,7 +41,7 @@ struct Grid<T> {
 }
 
 /// A heading between two of a table, and the share of the way from one to the other.
-struct Between {
+struct HeadingInterval {
     from: usize,
     to: usize,
     share: f64,
@@ -50,14 +50,14 @@ struct Between {
 /// Distance of headings that counts as none \[rad\].
 const SAME: f64 = 1e-6;
 
-impl<T> Grid<T> {
+impl<T> CoefficientGrid<T> {
     /// The headings around one; nothing where the table does not cover it.
-    fn around(&self, heading: f64) -> Option<Between> {
+    fn around(&self, heading: f64) -> Option<HeadingInterval> {
         let first = *self.headings.first()?;
         let last = *self.headings.last()?;
         let turned = first + (heading - first + SAME).rem_euclid(TAU) - SAME;
         if let Some(at) = self.headings.iter().position(|h| (h - turned).abs() < SAME) {
-            return Some(Between {
+            return Some(HeadingInterval {
                 from: at,
                 to: at,
                 share: 0.0,
@@ -65,7 +65,7 @@ impl<T> Grid<T> {
         }
         if turned < last {
             let from = interval(&self.headings, turned);
-            return Some(Between {
+            return Some(HeadingInterval {
                 from,
                 to: from + 1,
                 share: share(&self.headings, from, turned),
@@ -74,7 +74,7 @@ impl<T> Grid<T> {
         // Around the circle, where no gap is wider than between other headings.
         let gap = first + TAU - last;
         let widest = self.headings.windows(2).map(|pair| pair[1] - pair[0]);
-        (gap <= widest.fold(0.0, f64::max) * (1.0 + SAME)).then(|| Between {
+        (gap <= widest.fold(0.0, f64::max) * (1.0 + SAME)).then(|| HeadingInterval {
             from: self.headings.len() - 1,
             to: 0,
             share: (turned - last) / gap,
@@ -101,7 +101,7 @@ impl<T> Grid<T> {
 
 /// Loads of the first order per wave amplitude \[N/m, N\] over frequency and heading.
 #[derive(Debug, Clone, PartialEq)]
-pub struct ExcitationTable(Grid<Vector6<Complex<f64>>>);
+pub struct ExcitationTable(CoefficientGrid<Vector6<Complex<f64>>>);
 
 impl ExcitationTable {
     /// A table of rows by heading \[rad\], then by frequency \[rad/s\], both rising.
@@ -111,7 +111,7 @@ impl ExcitationTable {
         omega: Vec<f64>,
         values: Vec<Vec<Vector6<Complex<f64>>>>,
     ) -> Self {
-        Self(Grid {
+        Self(CoefficientGrid {
             headings,
             omega,
             values,
@@ -149,13 +149,13 @@ impl ExcitationTable {
 
 /// Mean drift per wave amplitude squared, of surge, sway \[N/m²\] and yaw \[N/m\], over frequency and heading.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DriftTable(Grid<[f64; 3]>);
+pub struct DriftTable(CoefficientGrid<[f64; 3]>);
 
 impl DriftTable {
     /// A table of rows by heading \[rad\], then by frequency \[rad/s\], both rising.
     #[must_use]
     pub fn new(headings: Vec<f64>, omega: Vec<f64>, values: Vec<Vec<[f64; 3]>>) -> Self {
-        Self(Grid {
+        Self(CoefficientGrid {
             headings,
             omega,
             values,

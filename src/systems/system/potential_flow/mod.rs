@@ -48,7 +48,7 @@ impl PotentialFlow {
     ///
     /// # Errors
     /// What is wrong with a file, with line and column.
-    pub fn of(file: &SystemFile, body: &BodyInputs) -> Result<Option<Self>, Diagnostic> {
+    pub fn of_body(file: &SystemFile, body: &BodyInputs) -> Result<Option<Self>, Diagnostic> {
         let scales = Scales {
             density: file.environment.water_density_kg_per_m3,
             gravity: file.environment.gravity_m_per_s2,

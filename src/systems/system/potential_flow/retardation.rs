@@ -37,7 +37,7 @@ const NOTHING: f64 = 1e-5;
 
 /// One function, of velocity j on load i, at the points of the grid.
 #[derive(Debug, Clone, PartialEq)]
-struct Function {
+struct RetardationFunction {
     i: usize,
     j: usize,
     value: Vec<f64>,
@@ -56,7 +56,7 @@ struct Points {
 
 impl Points {
     /// Of functions at even times \[s\].
-    fn of(functions: &[Function], step: f64) -> Self {
+    fn of_functions(functions: &[RetardationFunction], step: f64) -> Self {
         let count = functions.first().map_or(2, |f| f.value.len());
         let fours = functions.len().div_ceil(LANES);
         let mut numbers = vec![[0.0; LANES]; 3 * fours * count];
@@ -96,7 +96,7 @@ pub struct Retardation {
     /// Its inverse, and that of six times it.
     rate: f64,
     sixth: f64,
-    functions: Vec<Function>,
+    functions: Vec<RetardationFunction>,
     points: Points,
     /// Added mass at infinite frequency \[kg, kg m, kg m²\].
     pub at_infinity: Matrix6<f64>,
@@ -127,14 +127,14 @@ impl Retardation {
             value.truncate(kept.max(2));
         }
         let functions = pairs.iter().zip(values);
-        let functions: Vec<Function> = functions
-            .map(|(&(i, j), value)| Function { i, j, value })
+        let functions: Vec<RetardationFunction> = functions
+            .map(|(&(i, j), value)| RetardationFunction { i, j, value })
             .collect();
         let mut made = Self {
             step,
             rate: 1.0 / step,
             sixth: 1.0 / (6.0 * step),
-            points: Points::of(&functions, step),
+            points: Points::of_functions(&functions, step),
             functions,
             at_infinity: Matrix6::zeros(),
             error: 0.0,
@@ -265,7 +265,7 @@ impl Retardation {
     }
 
     /// Added mass less that at infinite frequency, and damping, of a function at a frequency.
-    fn transformed(&self, function: &Function, omega: f64) -> (f64, f64) {
+    fn transformed(&self, function: &RetardationFunction, omega: f64) -> (f64, f64) {
         let (mut sine, mut cosine) = (0.0, 0.0);
         for (k, pair) in function.value.windows(2).enumerate() {
             let from = k as f64 * self.step;

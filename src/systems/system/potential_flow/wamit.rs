@@ -20,7 +20,7 @@ use crate::case::{Diagnostic, Finding};
 use crate::work_log::{self, Task};
 
 /// A row of numbers and where it is in the text.
-struct Row {
+struct NumberRow {
     numbers: Vec<f64>,
     span: Range<usize>,
 }
@@ -29,9 +29,9 @@ struct Row {
 type Bits = u64;
 
 /// The rows of a file, whose first line may be a heading in words; rows of another length than these are refused.
-fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<Row>, Diagnostic> {
+fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<NumberRow>, Diagnostic> {
     work_log::log(Task::Parse, file);
-    let mut rows: Vec<Row> = Vec::new();
+    let mut rows: Vec<NumberRow> = Vec::new();
     let mut start = 0;
     for (number, line) in text.split_inclusive('\n').enumerate() {
         let span = start..start + line.trim_end().len();
@@ -44,7 +44,9 @@ fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<Row>, Diagnosti
         let numbers: Option<Vec<f64>> = words.iter().map(read).collect();
         match numbers {
             Some(numbers) if numbers.is_empty() => {}
-            Some(numbers) if columns.contains(&numbers.len()) => rows.push(Row { numbers, span }),
+            Some(numbers) if columns.contains(&numbers.len()) => {
+                rows.push(NumberRow { numbers, span });
+            }
             None if number == 0 => {}
             other => {
                 let problem = match other {
@@ -70,7 +72,7 @@ fn rows(text: &str, file: &str, columns: &[usize]) -> Result<Vec<Row>, Diagnosti
 }
 
 /// A mode from 1 to 6 of a row, as an index.
-fn mode(row: &Row, column: usize, (text, file): (&str, &str)) -> Result<usize, Diagnostic> {
+fn mode(row: &NumberRow, column: usize, (text, file): (&str, &str)) -> Result<usize, Diagnostic> {
     let given = row.numbers[column];
     (1..=6)
         .find(|mode| f64::from(*mode as u8) == given)
@@ -132,7 +134,7 @@ pub fn radiation(text: &str, file: &str, scales: &Scales) -> Result<RadiationTab
 }
 
 /// Values by heading and frequency, while they are read.
-type Rows<T> = BTreeMap<i64, BTreeMap<Bits, T>>;
+type HeadingRows<T> = BTreeMap<i64, BTreeMap<Bits, T>>;
 
 /// A heading in millionths of a degree, from -180 to 180: the key of a map.
 fn heading_key(degrees: f64) -> i64 {
@@ -145,7 +147,7 @@ fn heading_key(degrees: f64) -> i64 {
 /// Headings \[rad\], frequencies \[rad/s\] and the values of a table, all headings at the same frequencies.
 #[expect(clippy::type_complexity, reason = "the parts of a table")]
 fn table<T: Copy>(
-    read: Rows<T>,
+    read: HeadingRows<T>,
     file: &str,
 ) -> Result<(Vec<f64>, Vec<f64>, Vec<Vec<T>>), Diagnostic> {
     let first: Vec<Bits> = read
@@ -173,7 +175,7 @@ fn table<T: Copy>(
 /// # Errors
 /// A row that is none, with its line; headings at different periods.
 pub fn excitation(text: &str, file: &str, scales: &Scales) -> Result<ExcitationTable, Diagnostic> {
-    let mut read: Rows<Vector6<Complex<f64>>> = BTreeMap::new();
+    let mut read: HeadingRows<Vector6<Complex<f64>>> = BTreeMap::new();
     for row in rows(text, file, &[7])? {
         let [period, heading] = [row.numbers[0], row.numbers[1]];
         if period <= 0.0 {
@@ -194,7 +196,7 @@ pub fn excitation(text: &str, file: &str, scales: &Scales) -> Result<ExcitationT
 /// # Errors
 /// A row that is none, with its line; headings at different periods.
 pub fn drift(text: &str, file: &str, scales: &Scales) -> Result<DriftTable, Diagnostic> {
-    let mut read: Rows<[f64; 3]> = BTreeMap::new();
+    let mut read: HeadingRows<[f64; 3]> = BTreeMap::new();
     for row in rows(text, file, &[8, 9])? {
         let shift = row.numbers.len() - 8;
         let period = row.numbers[0];

@@ -2,7 +2,7 @@
 
 use crate::case::TextDigest;
 use crate::jobs::list::JobEntry;
-use crate::jobs::{JobPhase, JobSpec, JobState as FolderState};
+use crate::jobs::{JobFolderState as FolderState, JobPhase, JobSpec};
 use crate::state::JobState;
 use crate::state::job_process::{FoundJob, JobProcess};
 
@@ -35,7 +35,7 @@ pub(super) fn found_job(entry: &JobEntry, state: JobState) -> FoundJob {
             host: entry.host.clone(),
             case: spec.map(|spec| spec.case.clone()).unwrap_or_default(),
             label: spec.map(|spec| spec.label.clone()).unwrap_or_default(),
-            text: TextDigest::of(&text),
+            text: TextDigest::of_text(&text),
             method: String::new(),
             duration_s: progress.map_or(0.0, |progress| progress.duration),
             results: entry.results(),

@@ -16,7 +16,8 @@ use crate::jobs::client::Connection;
 use crate::jobs::identity::ProcessIdentity;
 use crate::jobs::list::JobEntry;
 use crate::jobs::{
-    JobFolder, JobPhase, JobSpec, JobState as FolderState, JobStatus, JobsDir, Launcher, survival,
+    JobFolder, JobFolderState as FolderState, JobPhase, JobSpec, JobStatus, JobsDir, Launcher,
+    survival,
 };
 use crate::msg::Msg;
 use crate::state::job_process::ProcessMsg;

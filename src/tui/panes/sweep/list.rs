@@ -16,12 +16,12 @@ const WIDEST: usize = 34;
 const GAP: u16 = 2;
 
 /// A column in sight: its head, and its cells.
-struct Column {
+struct SweepColumn {
     cells: Vec<String>,
     width: u16,
 }
 
-impl Column {
+impl SweepColumn {
     fn new(head: &str, cells: impl Iterator<Item = String>) -> Self {
         let cells: Vec<String> = std::iter::once(head.to_owned()).chain(cells).collect();
         let widest = cells.iter().map(|cell| cell.width()).max().unwrap_or(0);
@@ -104,13 +104,13 @@ fn lines(
 }
 
 /// The columns that fit: number, state, axes, then results from the one shown on.
-fn columns(open: &OpenSweep, seen: &[usize], room: u16) -> Vec<Column> {
+fn columns(open: &OpenSweep, seen: &[usize], room: u16) -> Vec<SweepColumn> {
     let table = &open.table;
     let state = |case: &usize| match table.states.get(*case) {
         Some(LoadCaseState::Done) | None => String::new(),
         Some(of) => of.word().to_owned(),
     };
-    let mut columns = vec![Column::new(
+    let mut columns = vec![SweepColumn::new(
         "case",
         seen.iter().map(|case| format!("{:>4}", case + 1)),
     )];
@@ -119,9 +119,9 @@ fn columns(open: &OpenSweep, seen: &[usize], room: u16) -> Vec<Column> {
             let place = axis.place(*case);
             place.map_or_else(String::new, |place| axis.values[place].clone())
         };
-        columns.push(Column::new(&axis.label, seen.iter().map(value)));
+        columns.push(SweepColumn::new(&axis.label, seen.iter().map(value)));
     }
-    columns.push(Column::new("state", seen.iter().map(state)));
+    columns.push(SweepColumn::new("state", seen.iter().map(state)));
     let shown = open.columns().skip(open.result);
     let mut used: u16 = columns.iter().map(|column| column.width + GAP).sum();
     for result in shown {
@@ -130,7 +130,7 @@ fn columns(open: &OpenSweep, seen: &[usize], room: u16) -> Vec<Column> {
             shrink(&mut columns, used + 16 - room);
             used = columns.iter().map(|column| column.width + GAP).sum();
         }
-        let column = Column::new(&result.name, seen.iter().map(|case| value(result, *case)));
+        let column = SweepColumn::new(&result.name, seen.iter().map(|case| value(result, *case)));
         used = used.saturating_add(column.width + GAP);
         columns.push(column);
         if used >= room {
@@ -141,7 +141,7 @@ fn columns(open: &OpenSweep, seen: &[usize], room: u16) -> Vec<Column> {
 }
 
 /// Takes columns of text from the widest columns.
-fn shrink(columns: &mut [Column], by: u16) {
+fn shrink(columns: &mut [SweepColumn], by: u16) {
     for _ in 0..by {
         if let Some(widest) = columns.iter_mut().max_by_key(|column| column.width) {
             widest.width = widest.width.saturating_sub(1).max(1);
@@ -163,7 +163,7 @@ fn value(result: &LoadCaseColumn, case: usize) -> String {
 fn line(
     painter: &mut Painter,
     at: Rect,
-    columns: &[Column],
+    columns: &[SweepColumn],
     place: usize,
     style: ratatui::style::Style,
 ) {

@@ -76,7 +76,7 @@ impl Grid {
         let unit = &open.shown()?.unit;
         let (low, high) = open.map.range.unwrap_or((0.0, 0.0));
         let most = f64::max(low.abs(), high.abs());
-        let scale = Scale::of(most, unit);
+        let scale = Scale::of_magnitude(most, unit);
         let decimals = match most > 0.0 {
             true => (3 - order(most / scale.factor)).clamp(0, 6),
             false => 0,

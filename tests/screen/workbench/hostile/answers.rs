@@ -100,10 +100,10 @@ pub(super) fn answers(effect: Effect) -> Vec<Msg> {
 }
 
 /// A file of keys with hostile words in it.
-fn settings() -> seacable::tui::settings::Settings {
+fn settings() -> seacable::tui::settings::UserSettings {
     let text = format!("[keys]\nrun = {HOSTILE:?}\n{HOSTILE:?} = \"x\"\n");
     let (keys, faults) = seacable::tui::bindings::file::read(&text, HOSTILE);
-    seacable::tui::settings::Settings {
+    seacable::tui::settings::UserSettings {
         keys,
         faults,
         ..Default::default()
@@ -154,7 +154,7 @@ fn sweeps(effect: SweepEffect) -> Vec<Msg> {
         SweepEffect::List(file) => vec![SweepMsg::Listed(file, Vec::new())],
         SweepEffect::Read { dir, .. } => vec![SweepMsg::Read(dir, Err(long()))],
         SweepEffect::Check(snapshot) => {
-            let verdict = SweepVerdict::of(&snapshot);
+            let verdict = SweepVerdict::of_snapshot(&snapshot);
             vec![SweepMsg::Checked(snapshot.dir.clone(), Arc::new(verdict))]
         }
         SweepEffect::Compare(snapshot, request) => {

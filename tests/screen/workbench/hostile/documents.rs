@@ -316,7 +316,7 @@ fn listed() -> RunsFound {
             steps: 10,
             cpu_s: 0.1,
             overrides: vec![said(), said()],
-            text: TextDigest::of(HOSTILE),
+            text: TextDigest::of_text(HOSTILE),
             notes: RunNotes {
                 name: if id == 2 { String::new() } else { said() },
                 tags: vec![said(), said()],

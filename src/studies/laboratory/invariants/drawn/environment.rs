@@ -1,8 +1,8 @@
 //! What a random system stands in: water, bed, current, waves, and its materials and settings.
 
-use super::{DURATION_S, Maker};
+use super::{DURATION_S, DrawnSystemWriter};
 
-impl Maker<'_> {
+impl DrawnSystemWriter<'_> {
     /// Water, bed, current, waves, three materials, settings.
     pub(super) fn head(&mut self) {
         self.plane.depth = self.random.between(40.0, 400.0);

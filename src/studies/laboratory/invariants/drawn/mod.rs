@@ -37,7 +37,7 @@ const DURATION_S: f64 = 5.0;
 /// # Errors
 /// Where what is written is no TOML, which would be a fault here.
 pub(super) fn drawn(kind: usize, random: &mut Random, moves: bool) -> Result<Table, String> {
-    let mut maker = Maker {
+    let mut maker = DrawnSystemWriter {
         random,
         text: String::new(),
         moves,
@@ -67,7 +67,7 @@ pub(super) fn drawn(kind: usize, random: &mut Random, moves: bool) -> Result<Tab
     toml::from_str(&maker.text).map_err(|why| format!("{why}\n{}", maker.text))
 }
 
-struct Maker<'a> {
+struct DrawnSystemWriter<'a> {
     random: &'a mut Random,
     text: String,
     moves: bool,
@@ -79,7 +79,7 @@ struct Maker<'a> {
     points: usize,
 }
 
-impl Maker<'_> {
+impl DrawnSystemWriter<'_> {
     fn put(&mut self, words: Arguments<'_>) {
         // Writing to a string cannot fail.
         let _ = self.text.write_fmt(words);

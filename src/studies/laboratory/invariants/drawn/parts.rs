@@ -1,8 +1,8 @@
 //! Points, lines, members and rods of random systems.
 
-use super::Maker;
+use super::DrawnSystemWriter;
 
-impl Maker<'_> {
+impl DrawnSystemWriter<'_> {
     /// The name of a new point and its table so far.
     pub(super) fn point(&mut self, kind: &str) -> String {
         let name = format!("p{}", self.points);

@@ -1,9 +1,9 @@
 //! The kinds of random systems, each of its parts.
 
-use super::Maker;
+use super::DrawnSystemWriter;
 use super::parts::distance;
 
-impl Maker<'_> {
+impl DrawnSystemWriter<'_> {
     /// One or two lines from the bed or from anywhere to an upper end.
     pub(super) fn held(&mut self) {
         let depth = self.plane.depth;

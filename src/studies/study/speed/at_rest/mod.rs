@@ -10,7 +10,7 @@ mod view;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 pub use answer::{RestAnswer, RestErrors, RestResult};
-pub use scene::{AtRest, Way};
+pub use scene::{SceneAtRest, Way};
 pub use view::{chart, recommended_table, results_table, table};
 
 use super::{SettingName, SpeedError};
@@ -57,13 +57,13 @@ pub struct RestStudy {
 ///
 /// # Errors
 /// [`SpeedError`] where no reference comes to rest or the user stops it.
-pub fn compute<S: AtRest>(
+pub fn compute<S: SceneAtRest>(
     scene: &S,
     repeats: usize,
     cancel: &AtomicBool,
     progress: &mut dyn FnMut(usize, usize, &str),
 ) -> Result<RestStudy, SpeedError> {
-    let meshes = Meshes::of(scene);
+    let meshes = Meshes::of_scene(scene);
     let ways = scene.ways();
     let planned = |finest: usize| -> Vec<(Way, Vec<usize>)> {
         let each = ways
@@ -124,7 +124,7 @@ struct Meshes {
 }
 
 impl Meshes {
-    fn of(scene: &impl AtRest) -> Self {
+    fn of_scene(scene: &impl SceneAtRest) -> Self {
         let divided = scene.divided();
         Self {
             own: divided.segments(),
@@ -141,7 +141,7 @@ impl Meshes {
 
     /// The meshes on which a way is computed beside a reference of so many times the segments of the scene: one without segments of a way that
     /// has none.
-    fn of_way<S: AtRest>(&self, scene: &S, way: Way, finest: usize) -> Vec<(Way, Vec<usize>)> {
+    fn of_way<S: SceneAtRest>(&self, scene: &S, way: Way, finest: usize) -> Vec<(Way, Vec<usize>)> {
         if !scene.has_mesh(way) {
             return vec![(way, Vec::new())];
         }
@@ -214,7 +214,7 @@ fn mesh_words(segments: &[usize]) -> String {
 }
 
 /// The answer of a way on a mesh, of several the one that took the least CPU time.
-fn cheapest<S: AtRest>(
+fn cheapest<S: SceneAtRest>(
     scene: &S,
     way: Way,
     segments: &[usize],

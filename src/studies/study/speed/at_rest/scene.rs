@@ -42,7 +42,7 @@ impl Way {
 }
 
 /// A scene that is solved at rest in several ways.
-pub trait AtRest: Searchable {
+pub trait SceneAtRest: Searchable {
     /// The ways that apply to it.
     fn ways(&self) -> Vec<Way>;
 
@@ -72,7 +72,7 @@ pub trait AtRest: Searchable {
     ) -> Result<RestAnswer, String>;
 }
 
-impl AtRest for Case {
+impl SceneAtRest for Case {
     fn ways(&self) -> Vec<Way> {
         match closed_form(self) {
             Ok(_) => vec![Way::ClosedForm, Way::Segments],
@@ -179,7 +179,7 @@ fn nodes_of(profile: &Profile) -> Vec<(f64, V3)> {
         .collect()
 }
 
-impl AtRest for SystemAtRest {
+impl SceneAtRest for SystemAtRest {
     fn ways(&self) -> Vec<Way> {
         match (self.segments().len(), self.divided().segments().len()) {
             (0, _) => vec![Way::ClosedForm, Way::Segments],

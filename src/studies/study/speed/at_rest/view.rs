@@ -28,7 +28,7 @@ pub fn table(study: &RestStudy) -> Table {
             .as_ref()
             .map_or_else(|_| "-".to_owned(), |answer| of(answer).to_string())
     };
-    let table = Table::of("", &points)
+    let table = Table::of_records("", &points)
         .text("way", |point| match is_reference(point) {
             true => format!("reference: {}", point.name.solver),
             false => point.name.solver.clone(),
@@ -111,7 +111,7 @@ pub fn recommended_table(study: &RestStudy, accuracies: &[f64]) -> Table {
         true => format!("the reference itself errs by {}", digits(own, 2)),
         false => "none of these is as accurate".to_owned(),
     };
-    Table::of("Cheapest that is within", &rows)
+    Table::of_records("Cheapest that is within", &rows)
         .count("accuracy", |row| format!("{:e}", row.0))
         .text("way", move |row| match row.1 {
             Some(point) => point.name.solver.clone(),
@@ -138,7 +138,7 @@ pub fn results_table(study: &RestStudy, accuracies: &[f64]) -> Table {
     let Ok(reference) = &study.reference.answer else {
         return Table::default();
     };
-    let mut table = Table::of("By result", &reference.results)
+    let mut table = Table::of_records("By result", &reference.results)
         .text("result", |result| result.name.clone())
         .text("unit", |result| result.unit)
         .count("reference", |result| digits(result.value, 6));

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::study::sweep::Part;
+use crate::study::sweep::SweepPart;
 
 /// Tasks of an array, where the user does not say how many load cases each has: Slurm allows 1001 unless it is told otherwise.
 const MOST_TASKS: usize = 1000;
@@ -34,8 +34,8 @@ impl Division {
 
     /// The load cases of a task.
     #[must_use]
-    pub fn part(self, task: usize) -> Part {
-        Part {
+    pub fn part(self, task: usize) -> SweepPart {
+        SweepPart {
             first: task * self.by_task + 1,
             last: ((task + 1) * self.by_task).min(self.load_cases),
         }

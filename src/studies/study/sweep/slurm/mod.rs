@@ -1,7 +1,7 @@
 //! A sweep as a job array of Slurm, on a cluster whose machines share a folder: the text of the script, what is asked of Slurm's commands
 //! and what they answer, and what the folder of the sweep keeps of it. Nothing here waits; who watches does.
 //!
-//! A task of the array computes a [`Part`](super::Part). An array that is submitted again has the same script and only the tasks that have
+//! A task of the array computes a [`Part`](super::SweepPart). An array that is submitted again has the same script and only the tasks that have
 //! load cases missing; those stored are passed over.
 
 mod command;

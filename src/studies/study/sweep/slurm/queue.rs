@@ -50,12 +50,12 @@ impl Queue {
         let remedy = "See whether Slurm answers at all (`sinfo`); nothing is lost, and --resume DIR --slurm goes on.";
         let answer = command.answer(remedy)?;
         let jobs: BTreeSet<u64> = record.submissions.iter().map(|one| one.job).collect();
-        Self::of(&answer, &jobs, &record.job_name)
+        Self::of_answer(&answer, &jobs, &record.job_name)
             .ok_or_else(|| command.unclear(&answer, "a line `JOB TASK STATE NAME` a task"))
     }
 
     /// Reads an answer; nothing where it cannot be understood.
-    fn of(answer: &str, jobs: &BTreeSet<u64>, name: &str) -> Option<Self> {
+    fn of_answer(answer: &str, jobs: &BTreeSet<u64>, name: &str) -> Option<Self> {
         let mut queue = Self::default();
         for line in answer.lines().filter(|line| !line.trim().is_empty()) {
             let mut words = line.trim().splitn(4, ' ');
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
 
     fn queue(answer: &str) -> Option<Queue> {
-        Queue::of(answer, &BTreeSet::from([12]), "seacable-s-01234567")
+        Queue::of_answer(answer, &BTreeSet::from([12]), "seacable-s-01234567")
     }
 
     #[test]

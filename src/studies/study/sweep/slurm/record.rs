@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Division, RECORD, SCRIPT, Script, check_option, job_name};
 use crate::files::shallow::shallow;
-use crate::files::{Existing, Target, read};
+use crate::files::{Existing, WriteTarget, read};
 use crate::run::{VERSION, store};
 use crate::study::sweep::SweepError;
 use crate::visible;
@@ -170,9 +170,9 @@ impl SlurmFile {
         })?;
         let text = visible::toml(&text).into_owned();
         let existing = self.text.as_deref();
-        let target = Target {
+        let target = WriteTarget {
             existing: existing.map_or(Existing::Keep, Existing::ReplaceIfUnchanged),
-            ..Target::new(&self.file)
+            ..WriteTarget::new(&self.file)
         };
         target.write(text.as_bytes())?;
         self.text = Some(text);
@@ -186,7 +186,7 @@ impl SlurmFile {
     pub fn write_script(&self, script: &Script<'_>) -> Result<(), SweepError> {
         let text = script.text().map_err(SweepError::Script)?;
         let file = self.file.with_file_name(SCRIPT);
-        Ok(Target::replacing(&file).write(text.as_bytes())?)
+        Ok(WriteTarget::replacing(&file).write(text.as_bytes())?)
     }
 }
 

@@ -105,7 +105,7 @@ pub fn job_name(dir: &Path) -> String {
         false => '-',
     };
     let name: String = name.chars().take(LONGEST).map(clean).collect();
-    let digest = Digest::of(dir.as_os_str().as_encoded_bytes()).text();
+    let digest = Digest::of_bytes(dir.as_os_str().as_encoded_bytes()).text();
     format!("seacable-{name}-{}", &digest[..8])
 }
 

@@ -15,7 +15,7 @@ use nalgebra::Vector6;
 
 use super::channel::FEW;
 use super::excitation::Excitation;
-use super::linear_system::{Amplitudes, Tangents};
+use super::linear_system::{Amplitudes, FrequencyTangents};
 use super::spread::{Roots, Spread, damped_axes};
 use super::{Amplitude, Complex};
 use crate::numerics::{BlockBand, BlockEnvelope, M3, V3};
@@ -68,7 +68,7 @@ static DIRECTIONS: LazyLock<Vec<(V3, f64)>> = LazyLock::new(|| {
 /// The drag found.
 pub(super) struct LinearDrag {
     /// The whole damping.
-    pub(super) damping: Tangents,
+    pub(super) damping: FrequencyTangents,
     /// Of it what the water moves: the drag of lines and points.
     lines: Vec<BlockBand>,
     joints: BlockEnvelope,
@@ -80,7 +80,7 @@ pub(super) struct DragAverager<'a> {
     mean: &'a SystemState,
     border: &'a mut Border,
     /// Damping without drag.
-    still: Tangents,
+    still: FrequencyTangents,
     has_current: bool,
     /// By what lengths of velocities are multiplied.
     share: f64,
@@ -115,7 +115,7 @@ impl<'a> DragAverager<'a> {
             .wave_flow
             .resize(joints.x.len(), WaterMotion::default());
         Self {
-            still: Tangents::of(border, &still, mean, BY_VELOCITY),
+            still: FrequencyTangents::at_state(border, &still, mean, BY_VELOCITY),
             system,
             mean,
             border,
@@ -127,7 +127,7 @@ impl<'a> DragAverager<'a> {
 
     /// The drag for a spread of velocities.
     pub(super) fn average(&mut self, spread: &Spread) -> LinearDrag {
-        let roots = Roots::of(spread);
+        let roots = Roots::of_spread(spread);
         let one = [(MEAN_LENGTH, 1.0)];
         let lengths = if self.has_current { &LENGTHS[..] } else { &one };
         let mut sum = zero_like(&self.still);
@@ -200,7 +200,7 @@ impl<'a> DragAverager<'a> {
         if self.system.stations.iter().all(std::ops::Range::is_empty) {
             return loads;
         }
-        let roots = Roots::of(spread);
+        let roots = Roots::of_spread(spread);
         let corners = DIRECTIONS.iter().filter(|(_, w)| *w < 26.0 / 840.0);
         let corners: Vec<V3> = corners.map(|(direction, _)| *direction).collect();
         for direction in &corners {
@@ -324,7 +324,7 @@ fn multiply_add(band: &BlockBand, x: &[Amplitude], out: &mut [Amplitude]) {
     }
 }
 
-fn zero_like(tangents: &Tangents) -> Tangents {
+fn zero_like(tangents: &FrequencyTangents) -> FrequencyTangents {
     let mut zero = tangents.clone();
     for band in &mut zero.lines {
         let copy = band.clone();

@@ -46,14 +46,14 @@ pub(super) struct Excitation {
 }
 
 /// Reads all excitations.
-pub(super) struct Reader<'a> {
+pub(super) struct ExcitationReader<'a> {
     system: &'a MovingSystem,
     mean: &'a SystemState,
     border: &'a mut Border,
     state: SystemState,
 }
 
-impl<'a> Reader<'a> {
+impl<'a> ExcitationReader<'a> {
     /// About a mean position.
     pub(super) fn new(
         system: &'a MovingSystem,

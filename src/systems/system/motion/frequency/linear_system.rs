@@ -19,7 +19,7 @@ use crate::system::pose::cross;
 
 /// Tangents by one of acceleration, velocity and position.
 #[derive(Debug, Clone)]
-pub(super) struct Tangents {
+pub(super) struct FrequencyTangents {
     /// The bands of the lines.
     pub(super) lines: Vec<BlockBand>,
     /// The matrix of the joints, lines apart.
@@ -40,9 +40,9 @@ pub(super) struct LinearSystem<'a> {
     pub(super) system: &'a MovingSystem,
     pub(super) mean: &'a SystemState,
     /// By acceleration, velocity and position; the second is set anew as the drag is found.
-    pub(super) mass: Tangents,
-    pub(super) damping: Tangents,
-    pub(super) stiffness: Tangents,
+    pub(super) mass: FrequencyTangents,
+    pub(super) damping: FrequencyTangents,
+    pub(super) stiffness: FrequencyTangents,
     ends: Vec<LineEnds>,
     condensations: Vec<Condensation<Complex>>,
     matrix: BlockEnvelope<Complex>,
@@ -98,9 +98,9 @@ fn complex(block: &M3) -> Matrix3<Complex> {
     block.map(Complex::from)
 }
 
-impl Tangents {
+impl FrequencyTangents {
     /// By these factors at a state.
-    pub(super) fn of(
+    pub(super) fn at_state(
         border: &mut Border,
         system: &MovingSystem,
         state: &SystemState,
@@ -127,7 +127,9 @@ impl<'a> LinearSystem<'a> {
             stiffness,
         };
         let lines = 0..mean.lines.len();
-        let ends: Vec<LineEnds> = lines.map(|line| LineEnds::of(system, mean, line)).collect();
+        let ends: Vec<LineEnds> = lines
+            .map(|line| LineEnds::of_line(system, mean, line))
+            .collect();
         let condensations = mean.lines.iter().zip(&ends).map(|(line, ends)| {
             let plain = Condensation::new(line.x.len());
             match ends.turn() {
@@ -136,9 +138,9 @@ impl<'a> LinearSystem<'a> {
             }
         });
         Self {
-            mass: Tangents::of(border, system, mean, c(1.0, 0.0, 0.0)),
-            damping: Tangents::of(border, system, mean, c(0.0, 1.0, 0.0)),
-            stiffness: Tangents::of(border, system, mean, c(0.0, 0.0, 1.0)),
+            mass: FrequencyTangents::at_state(border, system, mean, c(1.0, 0.0, 0.0)),
+            damping: FrequencyTangents::at_state(border, system, mean, c(0.0, 1.0, 0.0)),
+            stiffness: FrequencyTangents::at_state(border, system, mean, c(0.0, 0.0, 1.0)),
             condensations: condensations.collect(),
             ends,
             matrix: BlockEnvelope::new(system.joints.envelope.clone()),

@@ -5,7 +5,7 @@ use nalgebra::Matrix6;
 use super::Complex;
 use super::channel::{ChannelReader, QuickChannel};
 use super::drag::DragAverager;
-use super::excitation::{Excitation, Reader};
+use super::excitation::{Excitation, ExcitationReader};
 use super::linear_system::{Amplitudes, LinearSystem};
 use super::mean::mean_position;
 use super::single_line;
@@ -57,7 +57,7 @@ pub struct QuickLook {
 /// What has no quick look, or does not come to rest.
 pub fn quick_look(solved: &SolvedSystem, coarsening: usize) -> Result<QuickLook, UnsolvedSystem> {
     let begun = start(solved, coarsening as f64)?;
-    let mut found = look(&begun, Channels::of(&begun.system))?;
+    let mut found = look(&begun, Channels::of_system(&begun.system))?;
     found.warnings.extend(loads_without_effect(solved));
     Ok(found)
 }
@@ -84,7 +84,7 @@ fn look(begun: &Start, channels: Channels) -> Result<QuickLook, UnsolvedSystem> 
         )
     })?;
     let mut border = Border::new(system, &mean);
-    let excitations = Reader::new(system, &mean, &mut border).all();
+    let excitations = ExcitationReader::new(system, &mean, &mut border).all();
     let mut linear = LinearSystem::new(&mut border, system, &mean);
     let (responses, turns, missed) = respond(&mut border, &mut linear, &excitations)?;
     let mut reader = ChannelReader::new(channels, system, border.bodies().to_vec(), &mean);
@@ -142,7 +142,12 @@ fn respond(
     let mut turns = Turns {
         averager: DragAverager::new(system, mean, border, excitations.len()),
         radiation: radiation.collect(),
-        spread: Spread::of(system, mean, excitations.iter().map(|one| (one, None)), 1.0),
+        spread: Spread::of_excitations(
+            system,
+            mean,
+            excitations.iter().map(|one| (one, None)),
+            1.0,
+        ),
         linear,
         excitations,
         made: 0,
@@ -166,7 +171,7 @@ impl Turns<'_, '_> {
             let responses = self.turn(stride)?;
             let moved = responses.iter().map(Some);
             let taken = self.excitations.iter().skip(stride / 2).step_by(stride);
-            let found = Spread::of(system, mean, taken.zip(moved), stride as f64);
+            let found = Spread::of_excitations(system, mean, taken.zip(moved), stride as f64);
             self.changed = found.change(&self.spread);
             match self.made {
                 // At first only the water moved.

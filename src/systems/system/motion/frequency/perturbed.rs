@@ -18,7 +18,7 @@ pub(super) struct Phase {
 
 impl Phase {
     /// Displacement, velocity and acceleration of an amplitude.
-    fn of(self, amplitude: &Amplitude) -> [V3; 3] {
+    fn motion(self, amplitude: &Amplitude) -> [V3; 3] {
         let rate = Complex::new(0.0, self.omega);
         let x = amplitude * self.factor;
         let v = x * rate;
@@ -26,7 +26,7 @@ impl Phase {
     }
 
     fn move_node(self, state: &mut State, node: usize, (mean, by): (&State, &Amplitude)) {
-        let [x, v, a] = self.of(by);
+        let [x, v, a] = self.motion(by);
         state.x[node] = mean.x[node] + x;
         state.v[node] = v;
         state.a[node] = a;

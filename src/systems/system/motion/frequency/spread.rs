@@ -32,7 +32,7 @@ pub(super) struct Roots {
 }
 
 impl Roots {
-    pub(super) fn of(spread: &Spread) -> Self {
+    pub(super) fn of_spread(spread: &Spread) -> Self {
         let roots = |list: &[M3]| list.iter().map(root).collect::<Vec<_>>();
         Self {
             lines: spread.lines.iter().map(|line| roots(line)).collect(),
@@ -54,7 +54,7 @@ fn root(covariance: &M3) -> M3 {
 
 impl Spread {
     /// Of excitations with the responses to them, or of the water alone where there are none yet; each counts so many times.
-    pub(super) fn of<'a>(
+    pub(super) fn of_excitations<'a>(
         system: &MovingSystem,
         mean: &SystemState,
         all: impl IntoIterator<Item = (&'a Excitation, Option<&'a Amplitudes>)>,
