@@ -29,7 +29,7 @@ pub fn solve(
 ) -> Result<LineAtRest, CatenaryError> {
     // In the plane of its ends it rubs along itself alone.
     let from = from.filter(|_| line.friction > 0.0);
-    let ClosedForm {
+    let CatenaryOnBed {
         form: given,
         ends: (low, high),
         from_b,
@@ -82,7 +82,7 @@ pub fn solve(
 }
 
 /// The closed form of a line between its ends.
-struct ClosedForm<'a> {
+struct CatenaryOnBed<'a> {
     form: CatenaryLine<'a>,
     /// The end that the form begins at, and the other.
     ends: (&'a V3, &'a V3),
@@ -103,7 +103,7 @@ fn on_its_bed<'a>(
     line: &'a Line,
     (a, b): (&'a V3, &'a V3),
     (physics, from): (LinePhysics, Option<LaidFrom>),
-) -> ClosedForm<'a> {
+) -> CatenaryOnBed<'a> {
     let from_b = match from {
         Some(LaidFrom::Share(share)) => share >= 1.0,
         _ => b.z < a.z,
@@ -125,7 +125,7 @@ fn on_its_bed<'a>(
         true => &line.displaced_reversed,
         false => &line.displaced,
     };
-    ClosedForm {
+    CatenaryOnBed {
         form: closed_form(network, line, (low, &raised), level, from_b),
         ends: (low, high),
         from_b,
@@ -136,7 +136,7 @@ fn on_its_bed<'a>(
     }
 }
 
-/// Solves a closed form, near a solution where there is one; `surface` as in [`ClosedForm`].
+/// Solves a closed form, near a solution where there is one; `surface` as in [`CatenaryOnBed`].
 fn solve_closed_form(
     given: &CatenaryLine<'_>,
     near: Option<&Solution>,
