@@ -21,11 +21,11 @@ use seacable_model::checks::utilisation::UtilisationVerdict;
 use seacable_report::sweep::{SweepPage, SweepReport};
 use seacable_studies::study::seas::SeaQuestion;
 use seacable_studies::study::sweep::{
-    Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan, SweepResults,
+    FinerRound, Sweep, SweepError, SweepFolder, SweepOutcomes, SweepPlan, SweepResults,
 };
 
 /// Why a cluster does not compute in rounds.
-const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled and --window compute them in rounds; leave out --slurm, or them.";
+const IN_ROUNDS: &str = "A job array computes all load cases at once, and --until-settled, --finer-runs and --window compute them in rounds; leave out --slurm, or them.";
 
 /// What writes Parquet files.
 const NO_PARQUET: &str = "This program is built without Parquet; build it with `cargo install --path . --features parquet`.";
@@ -71,7 +71,7 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
         None => begun(args)?,
     };
     stop.say_at_the_end(&stopped(Some(&folder), page));
-    if args.slurm.slurm && (sought.is_some() || question.statistics.until_settled) {
+    if args.slurm.slurm && (sought.is_some() || question.statistics.is_in_rounds()) {
         return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
     }
     if let Some(word) = sought {
@@ -80,7 +80,7 @@ pub(super) fn sweep(args: &SweepArgs, page: SweepPage) -> Result<ExitCode, Comma
     }
     let outcomes = if args.slurm.slurm {
         match sweep_slurm::compute(args, &sweep, &folder, &stop)? {
-            WatchEnd::Gathered(outcomes) => outcomes,
+            WatchEnd::Gathered(outcomes) => (outcomes, Vec::new()),
             WatchEnd::Left(status) => return Ok(status),
         }
     } else {
@@ -117,7 +117,7 @@ fn unstored(
 fn told(
     (args, page): (&SweepArgs, SweepPage),
     (sweep, folder, question): (&Sweep, Option<&SweepFolder>, &SeaQuestion),
-    outcomes: &SweepOutcomes,
+    (outcomes, finer): &(SweepOutcomes, Vec<FinerRound>),
     file: Option<&OutputFile<'_>>,
     stop: &StopFlag,
 ) -> Result<ExitCode, CommandError> {
@@ -128,7 +128,9 @@ fn told(
     let found = (outcomes, answers.as_ref());
     let has_ended = stop.status().is_none();
     let dir = folder.map(SweepFolder::dir);
-    let report = SweepReport::new((sweep, question), found, has_ended, dir).on_page(page);
+    let report = SweepReport::new((sweep, question), found, has_ended, dir)
+        .with_finer(finer)
+        .on_page(page);
     if let Some(folder) = folder.filter(|_| has_ended) {
         let failed = |error: SweepError| CommandError::Usage(error.to_string());
         report.store(folder).map_err(failed)?;
@@ -187,7 +189,7 @@ fn begun(args: &SweepArgs) -> Result<OpenedSweep, CommandError> {
     let SweepPlan { sweep, question } = planned(args)?;
     let (variation, results) = (&sweep.variation, &sweep.results);
     slurm_refusals::check(args, results)?;
-    if args.slurm.slurm && (args.window.is_some() || question.statistics.until_settled) {
+    if args.slurm.slurm && (args.window.is_some() || question.statistics.is_in_rounds()) {
         return Err(CommandError::Usage(IN_ROUNDS.to_owned()));
     }
     if let Some(word) = &args.window {

@@ -24,12 +24,16 @@ pub(super) struct SweepArgs {
     #[arg(long, conflicts_with = "resume")]
     pub(super) until_settled: bool,
 
+    /// Compute load cases again whose verdict by a check lies within their numerical error, in up to so many rounds, each on twice the segments and in half the steps; the key statistics.finer_runs.
+    #[arg(long, value_name = "ROUNDS", num_args = 0..=1, default_missing_value = "3", conflicts_with = "resume", value_parser = clap::value_parser!(u8).range(1..=6))]
+    pub(super) finer_runs: Option<u8>,
+
     /// Find for each sea of the table the greatest of these values at which all checks pass, such as waves.height_m=1..9/33.
     #[arg(long, value_name = "KEY=VALUES", conflicts_with = "resume")]
     pub(super) window: Option<String>,
 
     /// Look at each sea in the frequency domain instead, linear about the mean position: some 200 times cheaper.
-    #[arg(long, conflicts_with_all = ["resume", "until_settled", "window", "slurm", "part"])]
+    #[arg(long, conflicts_with_all = ["resume", "until_settled", "finer_runs", "window", "slurm", "part"])]
     pub(super) quick: bool,
 
     /// With --quick: run so many of the seas in time as well, and state how far the looks are from them.
@@ -79,8 +83,10 @@ impl SweepArgs {
     pub(super) fn overrides(&self) -> Vec<String> {
         let settled = self
             .until_settled
-            .then_some("statistics.until_settled=true");
-        let own = self.set.iter().map(String::as_str);
-        own.chain(settled).map(str::to_owned).collect()
+            .then_some("statistics.until_settled=true".to_owned());
+        let finer = self.finer_runs;
+        let finer = finer.map(|rounds| format!("statistics.finer_runs={rounds}"));
+        let own = self.set.iter().cloned();
+        own.chain(settled).chain(finer).collect()
     }
 }

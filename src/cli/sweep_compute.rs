@@ -6,7 +6,9 @@ use std::time::Instant;
 use super::{CommandError, progress::ProgressLine, signals::StopFlag, sweep_args::SweepArgs};
 use seacable_base::number::duration;
 use seacable_studies::study::seas::SeaQuestion;
-use seacable_studies::study::sweep::{Sweep, SweepFolder, SweepOutcomes, SweepProgress};
+use seacable_studies::study::sweep::{
+    FinerRound, Sweep, SweepFolder, SweepOutcomes, SweepProgress,
+};
 
 /// Computes with a line of progress, on as many threads as asked for.
 pub(super) fn compute(
@@ -14,20 +16,18 @@ pub(super) fn compute(
     (sweep, question): (&Sweep, &SeaQuestion),
     folder: Option<&SweepFolder>,
     stop: &StopFlag,
-) -> Result<SweepOutcomes, CommandError> {
+) -> Result<(SweepOutcomes, Vec<FinerRound>), CommandError> {
     let pool = pool(args)?;
     let (line, begun) = (Mutex::new(ProgressLine::new()), Instant::now());
-    Ok(pool.install(|| {
+    let computed = pool.install(|| {
         let told = |progress: SweepProgress| {
             if let Ok(mut line) = line.lock() {
                 line.show(&words(progress, begun.elapsed().as_secs_f64()));
             }
         };
-        match folder.filter(|_| question.statistics.until_settled) {
-            Some(folder) => sweep.compute_until_settled(folder, question, stop.cancel(), &told),
-            None => sweep.compute(folder, stop.cancel(), &told),
-        }
-    }))
+        sweep.compute_asked(folder, question, stop.cancel(), &told)
+    });
+    computed.map_err(|error| CommandError::Usage(error.to_string()))
 }
 
 /// As many threads as asked for.

@@ -44,7 +44,7 @@ pub(super) fn window(
             variation.points.len()
         ));
         let own = Sweep::new(variation, sweep.results.clone(), question);
-        let outcomes = compute(args, (&own, question), Some(&of_round), stop)?;
+        let (outcomes, _) = compute(args, (&own, question), Some(&of_round), stop)?;
         if let Some(status) = stop.status() {
             let dir = visible::argument(folder.dir());
             output::message(&format!(

@@ -127,10 +127,8 @@ fn compute(
             ));
         }
     };
-    let outcomes = match question.statistics.until_settled {
-        true => sweep.compute_until_settled(&folder, question, cancel, &tell),
-        false => sweep.compute(Some(&folder), cancel, &tell),
-    };
+    let computed = sweep.compute_asked(Some(&folder), question, cancel, &tell);
+    let (outcomes, finer) = computed.map_err(|error| error.to_string())?;
     if let Some(why) = not_stored(&outcomes) {
         return Err(why);
     }
@@ -138,7 +136,8 @@ fn compute(
     if !is_cancelled {
         let answers = sweep.answers(&outcomes, question);
         let found = (&outcomes, answers.as_ref());
-        let report = SweepReport::new((sweep, question), found, true, Some(&dir));
+        let report =
+            SweepReport::new((sweep, question), found, true, Some(&dir)).with_finer(&finer);
         report.store(&folder).map_err(|error| error.to_string())?;
     }
     let snapshot = SweepSnapshot::computed(&dir, Arc::new(plan), outcomes);

@@ -11,7 +11,7 @@ use super::table::Table;
 use super::variation::VariationView;
 use seacable_base::visible;
 use seacable_studies::study::seas::{SeaQuestion, SeaResults};
-use seacable_studies::study::sweep::{Sweep, SweepError, SweepFolder, SweepOutcomes};
+use seacable_studies::study::sweep::{FinerRound, Sweep, SweepError, SweepFolder, SweepOutcomes};
 
 /// Load cases of a table that is printed; of more those that failed are, and all stand in results.csv.
 const MOST_ROWS: usize = 100;
@@ -40,8 +40,25 @@ pub struct SweepReport<'a> {
     /// What they say together.
     pub seas: Option<SeasView<'a>>,
     cost: Option<String>,
+    /// The load cases that were computed again, in words.
+    finer: Option<String>,
     page: SweepPage,
     dir: Option<&'a Path>,
+}
+
+/// What was computed again, in words; nothing where nothing was.
+fn in_words(rounds: &[FinerRound]) -> Option<String> {
+    let each = rounds.iter().map(|round| {
+        let (count, finer) = (round.load_cases.len(), round.finer);
+        format!("{count} with segments and steps divided in {finer}")
+    });
+    let each: Vec<String> = each.collect();
+    (!each.is_empty()).then(|| {
+        format!(
+            "Load cases whose verdict lay within the numerical error were computed again: {}.",
+            each.join(", then ")
+        )
+    })
 }
 
 impl<'a> SweepReport<'a> {
@@ -75,8 +92,18 @@ impl<'a> SweepReport<'a> {
             view,
             seas,
             cost: cost(outcomes),
+            finer: None,
             page: SweepPage::Sweep,
             dir,
+        }
+    }
+
+    /// The same after rounds in which load cases were computed again.
+    #[must_use]
+    pub fn with_finer(self, rounds: &[FinerRound]) -> Self {
+        Self {
+            finer: in_words(rounds),
+            ..self
         }
     }
 
@@ -103,6 +130,7 @@ impl<'a> SweepReport<'a> {
             _ => tables.extend(self.view.failures()),
         }
         if let Some(last) = tables.last_mut() {
+            last.notes.extend(self.finer.clone());
             last.notes.extend(self.cost.clone());
             last.notes.extend(self.dir.map(|dir| self.stored_in(dir)));
         }

@@ -51,6 +51,7 @@ mod study_bars;
 mod study_speed;
 mod sweep;
 mod sweep_checks;
+mod sweep_finer;
 mod sweep_quick;
 mod sweep_scale;
 mod sweep_screen;

@@ -87,6 +87,13 @@ impl Utilisation {
         from + above > 1.0 && to - below <= 1.0
     }
 
+    /// Whether it is open by its numerical error, whatever the sample.
+    #[must_use]
+    pub fn is_open_by_error(&self) -> bool {
+        let is_of_error = self.sample.is_none() || self.needs_finer_runs();
+        self.verdict() == UtilisationVerdict::Open && is_of_error
+    }
+
     /// What it says.
     #[must_use]
     pub fn verdict(&self) -> UtilisationVerdict {

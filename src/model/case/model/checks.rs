@@ -36,12 +36,20 @@ table! {
         method: GreatestMethod = GreatestMethod::Auto, "method";
         /// Whether a sweep draws the seeds of a sea only until its checks are settled, by intervals that hold at all looks together.
         until_settled: bool = false, "seeds until settled";
+        /// Rounds in which a sweep computes load cases again whose verdict by a check lies within their numerical error, each on twice the segments and in half the steps.
+        finer_runs: usize = 0, "rounds of finer runs", range of(0.0, 6.0);
         /// Years of service, for fatigue.
         service_years: f64 = 25.0, "service", range positive(1e3);
     }
 }
 
 impl StatisticsInputs {
+    /// Whether what is computed next follows from what was.
+    #[must_use]
+    pub fn is_in_rounds(&self) -> bool {
+        self.until_settled || self.finer_runs > 0
+    }
+
     /// The time from where the start is over to the end of a run of a duration \[s\]; nothing where no start is left out.
     #[must_use]
     pub fn settled_window(&self, duration_s: f64) -> Option<[f64; 2]> {

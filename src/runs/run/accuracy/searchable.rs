@@ -89,6 +89,29 @@ pub trait Searchable: Computation {
         Ok(divided.stepped(steps).found_with(companions))
     }
 
+    /// The keys that make it so many times as fine, in segments and in steps of its own, with their values.
+    ///
+    /// # Errors
+    /// Why it cannot be computed so.
+    fn finer_keys(&self, finer: usize) -> Result<Vec<(String, String)>, String> {
+        let own = self.segments();
+        let fineness = Fineness {
+            segments: own.iter().map(|segments| segments * finer).collect(),
+            steps: 1.0 / finer as f64,
+        };
+        let found = self.refined(&fineness, self.companions())?;
+        let divided = self.segment_keys().into_iter().zip(&fineness.segments);
+        let divided = divided.map(|(key, segments)| (key, segments.to_string()));
+        let steps = found.steps();
+        let steps = steps.keys().filter(|_| self.is_stepped());
+        Ok(divided.chain(steps).collect())
+    }
+
+    /// Whether it takes steps.
+    fn is_stepped(&self) -> bool {
+        self.steps().method != Method::Static
+    }
+
     /// The keys in which one as fine as was found differs, with their values.
     fn found_keys(&self, found: &Self) -> Vec<(String, String)> {
         let parts = self.segments().into_iter().zip(found.segments());

@@ -81,6 +81,9 @@ impl SweepInfo {
 /// Why a sweep cannot be kept or resumed.
 #[derive(Debug, thiserror::Error)]
 pub enum SweepError {
+    /// Load cases that cannot be computed finer, and why.
+    #[error("Load cases cannot be computed finer: {0}.")]
+    Finer(String),
     /// Nothing that is a sweep.
     #[error("{} holds no sweep: it has no sweep.toml. Name the folder that `seacable sweep` printed.", visible::path(.0))]
     NotASweep(PathBuf),
@@ -262,15 +265,33 @@ impl SweepFolder {
         variation: &Variation,
         results: Vec<String>,
     ) -> Result<Self, SweepError> {
-        let mut name = self.dir.file_name().unwrap_or_default().to_owned();
-        name.push(format!("-round-{number}"));
-        let dir = self.dir.with_file_name(name);
+        self.beside(&format!("round-{number}"), variation, results)
+    }
+
+    /// The directory beside this one whose name goes on so.
+    pub(super) fn dir_beside(&self, name: &str) -> PathBuf {
+        let mut whole = self.dir.file_name().unwrap_or_default().to_owned();
+        whole.push(format!("-{name}"));
+        self.dir.with_file_name(whole)
+    }
+
+    /// The folder of further load cases, beside this one: opened where it is there, else made.
+    ///
+    /// # Errors
+    /// It is no sweep of these load cases, or cannot be written.
+    pub(super) fn beside(
+        &self,
+        name: &str,
+        variation: &Variation,
+        results: Vec<String>,
+    ) -> Result<Self, SweepError> {
+        let dir = self.dir_beside(name);
         if dir.symlink_metadata().is_err() {
             return Self::create(Some(&dir), variation, (results, None));
         }
         let (folder, stored) = Self::open(&dir)?;
         if stored.load_cases != table(variation) || stored.case != variation.base.text {
-            let reason = "it has other load cases than this round of the search; move it away";
+            let reason = "it has other load cases than this round; move it away";
             return Err(damaged(&dir, LOAD_CASES, reason.to_owned()));
         }
         Ok(folder)

@@ -4,6 +4,7 @@
 //! stored is not computed again. A sweep is a [`Variation`] whose points are the load cases. One program computes all of them
 //! ([`Sweep::compute`]), or many compute a [`SweepPart`] each and one gathers ([`Sweep::gather`]), as the tasks of [`slurm`] do.
 
+mod finer;
 mod folder;
 mod gather;
 mod load_cases;
@@ -21,6 +22,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde::{Deserialize, Serialize};
 
+pub use finer::FinerRound;
 pub use folder::{StoredSweep, SweepError, SweepFolder, SweepInfo};
 pub use load_cases::{SweepKind, load_cases, without_load_cases};
 pub use part::{PartDone, SweepPart};

@@ -202,7 +202,27 @@ impl Sweep {
                 run.map(Arc::new)
             }
         });
-        Ok(found.collect())
+        let mut found: Vec<Option<Arc<PointOutcome>>> = found.collect();
+        for dir in folder.finer_rounds() {
+            self.overlay(&dir, &mut found)?;
+        }
+        Ok(found)
+    }
+
+    /// Puts the runs of a round of finer ones in the place of those that they are finer than.
+    fn overlay(&self, dir: &Path, found: &mut [Option<Arc<PointOutcome>>]) -> Result<(), String> {
+        let (folder, stored) = SweepFolder::open_part(dir).map_err(|error| error.to_string())?;
+        let round = SweepPlan::of_stored(stored).map_err(|error| error.to_string())?;
+        let none = vec![None; round.sweep.variation.points.len()];
+        let runs = round.sweep.renewed(&folder, &none)?;
+        for (point, run) in round.sweep.variation.points.iter().zip(runs) {
+            let mut own = self.variation.points.iter();
+            let place = own.position(|own| own.settings == point.settings);
+            if let Some(index) = place.filter(|_| is_done(&run)) {
+                found[index] = run;
+            }
+        }
+        Ok(())
     }
 }
 
