@@ -7,7 +7,7 @@ use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::bed::Bed;
 use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
-use crate::system::parts::sections;
+use crate::system::parts::{ClumpBearing, sections};
 
 /// All of it.
 #[must_use]
@@ -42,6 +42,11 @@ pub fn of(solved: &SolvedSystem, target: Target) -> Vec<Unsayable> {
         target == Target::MoorDyn && is_smooth(solved),
         "seabed.interpolation",
         "smooth bed between the depths of a grid; its bed is bilinear",
+    );
+    found.add(
+        matches!(solved.network.bed, Some(Bed::Plane(..))),
+        "seabed.slope_deg",
+        "bed that slopes evenly (give the slope as a `depth_file` of four places)",
     );
     for part in &solved.dropped {
         found.add(
@@ -198,6 +203,13 @@ fn turning_body(name: &str, body: &BodyInputs, target: Target, found: &mut Found
         key("damping"),
         "linear damping of bodies",
     );
+    found.add(
+        body.centre_of_added_mass_m.is_some()
+            || body.centre_of_drag_m != [0.0; 3]
+            || body.drag_length_m > 0.0,
+        key("centre_of_added_mass_m"),
+        "centres of added mass and of drag of a body apart from its origin",
+    );
     let by_heading = body.wind_loads.len() + body.current_loads.len() + body.drift_loads.len();
     found.add(
         by_heading > 0,
@@ -301,9 +313,26 @@ fn clumps(line: &LineInputs, target: Target, found: &mut Found) {
         let clump = section.clump();
         let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
         found.add(
-            target == Target::MoorDyn && clump.added_mass_kg > 0.0 && clump.mass_kg <= clump.wet_kg,
+            target == Target::MoorDyn
+                && clump.added_mass_kg != V3::zeros()
+                && clump.mass_kg <= clump.wet_kg,
             key("clump_added_mass_kg"),
             "added mass of a point without volume",
+        );
+        for (name, value) in [
+            ("clump_drag_area_m2", clump.drag_area_m2),
+            ("clump_added_mass_kg", clump.added_mass_kg),
+        ] {
+            found.add(
+                target == Target::MoorDyn && value != V3::repeat(value.x),
+                key(name),
+                "point with another drag or added mass along each axis",
+            );
+        }
+        found.add(
+            clump.bearing != ClumpBearing::default(),
+            key("clump_bottom_m"),
+            "bearing area, bottom and breakout force of a point",
         );
         for (name, area) in ["clump_drag_area_normal_m2", "clump_drag_area_tangential_m2"]
             .into_iter()
