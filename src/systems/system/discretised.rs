@@ -4,7 +4,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
-use super::model::{LineInputs, SystemFile};
+use super::model::{LineInputs, SystemBed, SystemFile};
 use super::parts::{Part, SectionClump, is_crossed, parts};
 use crate::case::{Case, Clump, DynamicStiffness, End, Ends, Method, OneOrMany, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
@@ -116,7 +116,7 @@ impl DiscretisedLine {
             return Ok(None);
         }
         let line = Arc::new(Self::of(file, line, parts));
-        let is_flat = file.seabed.as_ref().is_none_or(|bed| bed.is_level());
+        let is_flat = file.seabed.as_ref().is_none_or(SystemBed::is_level);
         if form == LineForm::Divided || !is_flat {
             line.element()?;
         }
