@@ -99,6 +99,15 @@ pub struct RigidBody {
     pub spin: f64,
 }
 
+/// The strips of a stretch of the axis of a body for drag, `half` to either side of its centre: their places from there and their shares of the
+/// drag; one at the centre where the stretch has no length.
+pub fn drag_strips(half: f64) -> impl Iterator<Item = (f64, f64)> {
+    let whole: &[(f64, f64)] = if half > 0.0 { &STRIPS } else { &[(0.0, 1.0)] };
+    whole
+        .iter()
+        .map(move |(place, share)| (half * place, *share))
+}
+
 impl RigidBody {
     /// The two masses; nothing where the body hangs from its centre, which makes it a point, or is not
     /// finite.
@@ -151,10 +160,7 @@ impl RigidBody {
     /// The strips that drag acts on: their places on the rod and their shares of the drag.
     pub fn strips(&self) -> impl Iterator<Item = (f64, f64)> {
         let (centre, half) = self.drag_at;
-        let whole: &[(f64, f64)] = if half > 0.0 { &STRIPS } else { &[(0.0, 1.0)] };
-        whole
-            .iter()
-            .map(move |(place, share)| (centre + half * place, *share))
+        drag_strips(half).map(move |(place, share)| (centre + place, share))
     }
 
     /// Drag \[N\] at relative velocity u of the water \[m/s\], the axis along the unit vector t.

@@ -38,6 +38,18 @@ impl ElasticBed {
         (slope != 0.0).then(|| V3::new(-sin * azimuth.cos(), -sin * azimuth.sin(), cos))
     }
 
+    /// Height \[m\] at x = y = 0 and unit normal of a bed of a depth \[m\] at a place in plan \[m\] that rises by a slope towards an azimuth
+    /// \[rad\]; nothing where it does not rise.
+    #[must_use]
+    pub fn plane(
+        (depth, [x, y]): (f64, [f64; 2]),
+        [slope, azimuth]: [f64; 2],
+    ) -> Option<(f64, V3)> {
+        let normal = Self::sloping(slope, azimuth)?;
+        let rise = slope.tan() * (x * azimuth.cos() + y * azimuth.sin());
+        Some((-depth - rise, normal))
+    }
+
     /// Unit normal of the bed below a place.
     #[inline]
     #[must_use]

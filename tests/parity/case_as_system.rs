@@ -49,7 +49,13 @@ fn shortened(name: &str, text: &str) -> String {
         return whole;
     }
     let step = given.solver.time_step_s.unwrap_or(STEP).min(STEP);
-    let duration = step * STEPS as f64;
+    // Until the payload falls into its line: before, the greatest tension is next to none.
+    let steps = if TURNING.contains(&name) {
+        10 * STEPS
+    } else {
+        STEPS
+    };
+    let duration = step * steps as f64;
     let method = match given.solver.method {
         Method::Auto => "alpha",
         Method::Rk4 => "rk4",
@@ -108,8 +114,33 @@ const OF_TOLERANCE: Apart = Apart {
     ..ALIKE
 };
 
-/// Cases whose systems come to no equilibrium: a clamped line with next to nothing at its free end.
-const NOT_AT_REST: [&str; 2] = [
+/// Cases with a payload that turns: on the line it is two masses on a rod that stretches by a millionth of its length, in a system a rigid
+/// body.
+const TURNING: [&str; 1] = ["pendulous/module_rotating.toml"];
+
+/// Steps in which that rod comes to its stretch.
+const ROD_RINGS: usize = 20;
+
+/// The same for these.
+const OF_ROD: Apart = Apart {
+    tension: 2e-5,
+    place_m: 2e-5,
+};
+
+/// A case at rest on a bed that gives way, on which the closed form of its system does not.
+const ON_RIGID_BED: [&str; 1] = ["ship/anchor_line.toml"];
+
+/// The same for this.
+const OF_RIGID_BED: Apart = Apart {
+    tension: 5e-3,
+    ..OF_MESH
+};
+
+/// Cases whose systems come to no equilibrium: a clamped line with next to nothing at its free end, or with a load there that bends it far; a line that
+/// friction alone holds.
+const NOT_AT_REST: [&str; 4] = [
+    "hard/stick_slip.toml",
+    "benchmarks/elastica.toml",
     "benchmarks/beam_cantilevered.toml",
     "double_stepped/cantilever.toml",
 ];
@@ -210,6 +241,12 @@ fn apart(name: &str, text: &str) -> Apart {
         assert_eq!(own_values.len(), others.len(), "{name}: {other}");
         // Which segments of a straight line without load are slack at first is rounding, and with it who bears the half one at an end.
         let first = usize::from(case.start.shape == StartShape::Straight && own_values.len() > 1);
+        // The rod of a payload begins unstretched: 41 N at first, 2.5 N in steps of a quarter, less than 1 N of 640 kN from 0.2 s on.
+        let first = if TURNING.contains(&name) {
+            ROD_RINGS
+        } else {
+            first
+        };
         let pairs = own_values.iter().zip(&others).skip(first);
         let differences = pairs.map(|(a, b)| (a - b).abs());
         let difference = differences.fold(0.0, f64::max);
@@ -231,8 +268,10 @@ fn compared<'a>(cases: impl Iterator<Item = &'a Shipped>) -> (Vec<String>, Vec<&
         let found = apart(name, text);
         let case = case::parse(text, &path_of(name)).unwrap();
         let allowed = match case.solver.method {
+            Method::Static if ON_RIGID_BED.contains(name) => OF_RIGID_BED,
             Method::Static => OF_MESH,
             _ if STIFF.contains(name) => OF_TOLERANCE,
+            _ if TURNING.contains(name) => OF_ROD,
             _ => ALIKE,
         };
         rows.push(format!(
@@ -362,6 +401,160 @@ fn what_hangs_at_ends_acts_as_on_the_line() {
         };
         let line = LINE.replace("depth_m = 60.0", &format!("depth_m = {depth}"));
         let text = format!("{line}[ends.b]\nname = \"end\"\nkind = \"{kind}\"\n{hung}");
+        let by_velocity = "friction = 0.6\nfriction_law = \"zhu-2017\"";
+        let other = text.replace("friction = 0.6", by_velocity);
+        let laws = [
+            (&text, "alpha"),
+            (&text, "rk4"),
+            (&text, "quasi"),
+            (&other, "alpha"),
+        ];
+        for (text, method) in laws {
+            let text = text.replace("\"alpha\"", &format!("\"{method}\""));
+            let found = apart(name, &text);
+            assert!(
+                found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
+                "{name}, {method}: {found:?}"
+            );
+        }
+    }
+}
+
+/// A payload that turns, of 9 t in air.
+const TURNING_PAYLOAD: &str = r#"
+[ends.b]
+name = "end"
+kind = "payload"
+[payload]
+dry_mass_kg = 9e3
+volume_m3 = 3.0
+drag_area_m2 = [5.0, 5.0, 2.0]
+added_mass_kg = [4e3, 4e3, 1e3]
+bed_area_m2 = 2.0
+bottom_m = 3.5
+[payload.rotation]
+centre_of_gravity_m = 3.0
+inertia_kg_m2 = 2e4
+centre_of_buoyancy_m = 2.5
+centre_of_drag_m = 2.0
+drag_length_m = 3.0
+added_inertia_kg_m2 = 5e3
+"#;
+
+/// A payload that turns as a free body of a system: in current and waves, on the bed, let go askew, spinning, through the surface.
+#[test]
+fn a_payload_that_turns_is_a_free_body() {
+    let still = LINE.replace(
+        "[waves]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 6.0\n",
+        "",
+    );
+    // Else the rod of the line, which no step resolves, goes on ringing at its end.
+    let damped = "duration_s = 1.0\nrho_inf = 0.0\n";
+    let still = still.replace("duration_s = 1.0\n", damped);
+    let swung = "[start]\nshape = \"straight\"\nelevation_deg = -70.0\n";
+    let crossed = "[environment]\nwater_surface = \"crossed\"\n";
+    let kinds = [
+        ("in waves", LINE.to_owned(), ""),
+        (
+            "on the bed",
+            LINE.replace("depth_m = 60.0", "depth_m = 57.3"),
+            "",
+        ),
+        (
+            "askew",
+            format!("{still}{swung}"),
+            "start_tilt_deg = 35.0\nstart_azimuth_deg = -60.0\n",
+        ),
+        (
+            "spinning",
+            format!("{still}{swung}"),
+            "start_tilt_deg = 35.0\nspin_deg_per_s = 80.0\nspin_inertia_kg_m2 = 1.5e4\n",
+        ),
+        (
+            "upside down",
+            format!("{still}{swung}"),
+            "start_tilt_deg = 155.0\nstart_azimuth_deg = 20.0\n",
+        ),
+        (
+            "through the surface",
+            still
+                .replace("[current]", &format!("{crossed}[current]"))
+                .replace("-4.0]", "51.5]"),
+            "",
+        ),
+    ];
+    for (name, line, rotation) in kinds {
+        let found = apart(name, &format!("{line}{TURNING_PAYLOAD}{rotation}"));
+        assert!(
+            found.tension < OF_ROD.tension && found.place_m < OF_ROD.place_m,
+            "{name}: {found:?}"
+        );
+    }
+}
+
+/// Ends that move irregularly, as a vessel in the waves, or by a table that begins before the run.
+#[test]
+fn ends_move_as_points_of_a_system() {
+    let harmonic = "amplitude_m = [0.3, 0.1, 0.4]\nperiod_s = 2.0\n";
+    let payload = "[ends.b]\nname = \"end\"\nkind = \"payload\"\n[payload]\ndry_mass_kg = 4e3\nvolume_m3 = 1.0\ndrag_area_m2 = 2.0\nadded_mass_kg = 500.0\n";
+    let responses = "period_s,surge_m_per_m,surge_phase_deg,sway_m_per_m,sway_phase_deg,heave_m_per_m,heave_phase_deg,roll_deg_per_m,roll_phase_deg,pitch_deg_per_m,pitch_phase_deg,yaw_deg_per_m,yaw_phase_deg\n4,0.3,80,0.1,70,0.5,10,1.5,20,2.0,-60,0.4,15\n9,0.6,85,0.2,75,0.9,5,2.5,30,3.0,-80,0.6,25\n";
+    let rows =
+        "time_s,x_m,y_m,z_m\n-2,0.1,0.0,0.2\n0.3,0.2,0.1,0.0\n0.6,0.0,0.3,0.1\n5,0.4,0.2,0.3\n";
+    let file =
+        |name: &str, text: &str| format!("[files.\"{name}\"]\ntext = \"\"\"\n{text}\"\"\"\n");
+    let motions = [
+        (
+            "irregular",
+            "motion = \"irregular\"\nrms_m = [0.3, 0.0, 0.5]\npeak_period_s = 5.0\ncomponents = 30\nseed = 7\n",
+            String::new(),
+        ),
+        (
+            "vessel",
+            "motion = \"vessel\"\nmotion_file = \"r.csv\"\nheading_deg = 25.0\nhang_point_m = [20.0, -4.0, 3.0]\n",
+            file("r.csv", responses),
+        ),
+        (
+            "table",
+            "motion = \"table\"\nmotion_file = \"t.csv\"\n",
+            file("t.csv", rows),
+        ),
+    ];
+    for (name, motion, file) in motions {
+        let text = format!("{}{payload}{file}", LINE.replace(harmonic, motion));
+        let found = apart(name, &text);
+        assert!(
+            found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
+            "{name}: {found:?}"
+        );
+        let rest = text
+            .replace("\"alpha\"", "\"static\"")
+            .replace("ramp_s = 1.0\n", "");
+        let found = apart(name, &rest);
+        assert!(
+            found.tension < OF_MESH.tension && found.place_m < OF_MESH.place_m,
+            "{name} at rest: {found:?}"
+        );
+    }
+}
+
+/// Clumps between the ends with coefficients by axes, that bear on the bed by an area below them and are held back by it; a bed that slopes.
+#[test]
+fn clumps_and_slopes_act_as_on_the_line() {
+    let clump = "[[clumps]]\nname = \"c\"\nsection = \"rope\"\nat_m = 25.0\nmass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = [2.0, 3.0, 5.0]\nadded_mass_kg = [900.0, 400.0, 1500.0]\nbottom_m = 0.3\nbed_area_m2 = 1.5\nbreakout_n = 2e3\nbreakout_distance_m = 0.2\n";
+    let slope = "slope_deg = 12.0\nslope_azimuth_deg = 40.0\ndepth_at_m = [3.0, -2.0]\n";
+    let bed = "friction = 0.6\n";
+    let deep = LINE.replace("depth_m = 60.0", "depth_m = 24.0");
+    let sloping = deep.replace(bed, &format!("{bed}{slope}"));
+    let anchor = "[ends.b]\nname = \"end\"\nkind = \"anchor\"\nposition_m = [34.0, 4.0, -17.0]\n";
+    let kinds = [
+        (
+            "clump",
+            format!("{deep}{}{clump}", anchor.replace("-17.0", "-24.0")),
+        ),
+        ("slope", format!("{sloping}{anchor}")),
+        ("clump on a slope", format!("{sloping}{anchor}{clump}")),
+    ];
+    for (name, text) in kinds {
         for method in ["alpha", "rk4", "quasi"] {
             let text = text.replace("\"alpha\"", &format!("\"{method}\""));
             let found = apart(name, &text);
@@ -371,6 +564,21 @@ fn what_hangs_at_ends_acts_as_on_the_line() {
             );
         }
     }
+}
+
+/// A payload in air whose weight is another than its mass times gravity.
+#[test]
+fn a_weight_in_air_may_be_another_than_that_of_the_mass() {
+    let payload = "[ends.b]\nname = \"end\"\nkind = \"payload\"\n[payload]\ndry_mass_kg = 4e3\nwet_mass_kg = 3e3\ndrag_area_m2 = 0.0\nadded_mass_kg = 0.0\n";
+    let waves = "[waves]\nkind = \"regular\"\nheight_m = 2.0\nperiod_s = 6.0\n";
+    let current = "[current]\nspeed_m_per_s = 0.7\ndirection_deg = 30.0\n";
+    let air = "[environment]\nwater_density_kg_per_m3 = 0.0\n";
+    let line = LINE.replace(waves, "").replace(current, air);
+    let found = apart("in air", &format!("{line}{payload}"));
+    assert!(
+        found.tension < ALIKE.tension && found.place_m < ALIKE.place_m,
+        "{found:?}"
+    );
 }
 
 /// Floats over a part of a rope whose own drag goes by a law of the Reynolds number.
@@ -405,17 +613,12 @@ fn what_cannot_hang_at_an_end_is_refused() {
             "[[clumps]]\nname = \"c\"\nsection = \"rope\"\nat_m = {at}\nmass_kg = 10.0\nwet_mass_kg = {wet}\n"
         )
     };
-    let law = LINE.replace(
-        "friction = 0.6",
-        "friction = 0.6\nfriction_law = \"zhu-2017\"",
-    );
     let let_go = LINE.replace("ramp_s = 1.0", "ramp_s = 1.0\nrelease_s = 0.5");
     let wrong = [
         (
             format!("{LINE}{payload}breakout_n = 5.0\n"),
             "payload.breakout_n",
         ),
-        (format!("{law}{payload}"), "seabed.friction_law"),
         (
             format!("{LINE}{payload}{}", clump("50.0", "5.0")),
             "clumps.c.at_m",

@@ -498,7 +498,7 @@ fn motions_and_breaks_that_do_not_fit_are_refused() {
     };
     let short = refused("table_time_s = [0.0, 5.0]\ntable_z_m = [0.0, 1.0]", "");
     assert!(
-        short.contains("must increase from 0 to the end of the run"),
+        short.contains("must increase from 0 or before to the end of the run"),
         "{short}"
     );
     let uneven = refused(

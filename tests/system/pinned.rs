@@ -2,6 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
+use seacable::numerics::V3;
 use seacable::system::SolvedSystem;
 use seacable::system::motion::run::MotionRun;
 use seacable::system::quantities::value;
@@ -516,5 +517,32 @@ fn what_cannot_be_pinned_or_computed_is_refused() {
     ] {
         let found = refused(text);
         assert!(found.contains(said), "{said}: {found}");
+    }
+}
+
+/// Munk's moment turns a flat body, of more added mass along its axis than across it, along the flow: `(A_t - A_n) U² sin cos` of its tilt
+/// holds the balance with the moment of its weight about the pin (Lamb 1932, art. 124).
+#[test]
+fn a_flat_body_leans_in_a_current_by_munks_moment() {
+    let (mass, below, aside, speed) = (500.0, 0.6, 0.06, 0.7);
+    let (across, along) = (1000.0, 4000.0);
+    for (direction, at) in [(0.0_f64, -0.4), (50.0, 0.7)] {
+        let system = at_rest(&format!(
+            "{FRESH}[current]\nspeed_m_per_s = {speed:?}\ndirection_deg = {direction:?}
+            [bodies.plate]\nkind = \"pinned\"\nposition_m = [0.0, 0.0, -20.0]\nyaw_deg = {direction:?}\nmass_kg = {mass:?}
+            centre_of_gravity_m = [{aside:?}, 0.0, {:?}]\ninertia_kg_m2 = [50.0, 50.0, 80.0]
+            added_mass = [{across:?}, {across:?}, {along:?}, 100.0, 100.0, 0.0]\ncentre_of_added_mass_m = [0.0, 0.0, {at:?}]\n",
+            -below
+        ));
+        let axis = system.rest.placement.bodies[0].arm(&V3::z());
+        let (sin, cos) = (axis.xy().norm(), axis.z);
+        let weight = mass * G * (below * sin - aside * cos);
+        let munk = (along - across) * speed * speed * sin * cos;
+        assert!(
+            (weight - munk).abs() < 1e-6 * mass * G * below,
+            "{weight} {munk}"
+        );
+        // Half as far again as without the current.
+        assert!(sin / cos > 1.5 * aside / below, "{axis}");
     }
 }

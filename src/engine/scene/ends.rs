@@ -6,14 +6,14 @@ use nalgebra::Complex;
 
 use super::EndCondition;
 use super::error::SceneError;
-use super::irregular_record::IrregularRecord;
+use super::irregular_record::{IrregularMotion, IrregularRecord};
 use crate::case::{self, Case, EndKind, MotionInterpolation, MotionName};
 use crate::numerics::V3;
 use crate::numerics::piecewise::PiecewiseCubic;
 use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::{self, HarmonicMotion, MotionPath};
-use crate::physics::sea::{Component, Harmonics, Rao, Sea, Spectrum, synthesise};
+use crate::physics::sea::{Rao, Sea};
 
 /// Fraction of the wave energy beyond a table of responses that gives a remark.
 const MUCH_BEYOND: f64 = 0.02;
@@ -50,6 +50,25 @@ pub(super) fn end(
                 ramp: end.ramp_s,
             }))
         }
+    }
+}
+
+/// The prescribed motion of an end of a case, whose table has this key; nothing where it is free.
+///
+/// # Errors
+/// What the motion lacks.
+pub fn end_motion(
+    case: &Case,
+    end: &case::End,
+    key: &str,
+) -> Result<Option<EndMotion>, SceneError> {
+    let bed = case.seabed.as_ref().map(|bed| bed.depth_m);
+    let given = case.waves.as_slice();
+    let sea = super::sea(given, bed, case.environment.gravity_m_per_s2)?;
+    let waves = case.waves.as_ref().map(|_| &sea);
+    match self::end(case, end, key, waves, &mut Vec::new())? {
+        EndCondition::Prescribed(motion) => Ok(Some(motion)),
+        EndCondition::Free => Ok(None),
     }
 }
 
@@ -149,49 +168,35 @@ fn overshoot(case: &Case, end: &case::End, spline: &Spline, key: &str) -> Option
     })
 }
 
-/// Axes use the random streams of the seed after that of the waves.
 fn irregular(end: &case::End, key: &str) -> Result<MotionPath, SceneError> {
     let why = "an irregular motion is made to its root mean square and peak period";
-    let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
-    let period = end.peak_period_s;
-    let period = period.ok_or_else(|| missing(key, "peak_period_s", why))?;
-    let axes = [0, 1, 2].map(|axis| {
-        let record = record(end, axis, rms[axis], period);
-        record.map_or_else(Vec::new, |(_, components)| components)
-    });
-    Ok(MotionPath::Sum(Harmonics::along_axes(&axes)))
+    let motion = irregular_motion(end, key, why)?;
+    Ok(motion.path())
 }
 
-/// The record of one axis; none if it does not move.
-fn record(
+fn irregular_motion(
     end: &case::End,
-    axis: usize,
-    rms: f64,
-    period: f64,
-) -> Option<(Spectrum, Vec<Component>)> {
-    let spectrum = (rms != 0.0).then(|| Spectrum::of_rms(rms, period, end.gamma))?;
-    let components = synthesise(&spectrum, end.components, end.seed, axis as u64 + 1);
-    Some((spectrum, components))
+    key: &str,
+    why: &'static str,
+) -> Result<IrregularMotion, SceneError> {
+    let rms = end.rms_m.ok_or_else(|| missing(key, "rms_m", why))?;
+    let period = end.peak_period_s;
+    Ok(IrregularMotion {
+        rms,
+        peak_period: period.ok_or_else(|| missing(key, "peak_period_s", why))?,
+        gamma: end.gamma,
+        components: end.components,
+        seed: end.seed,
+    })
 }
 
 /// The records of an end that moves irregularly.
 pub(super) fn records(end: &case::End) -> Vec<IrregularRecord> {
     let moves = end.kind == EndKind::Moving && end.motion == MotionName::Irregular;
-    let Some((rms, period)) = end.rms_m.zip(end.peak_period_s).filter(|_| moves) else {
-        return Vec::new();
-    };
-    let named = ["x", "y", "z"].into_iter().enumerate();
-    let one = |(axis, letter): (usize, &str)| {
-        let (spectrum, components) = record(end, axis, rms[axis], period)?;
-        Some(IrregularRecord {
-            name: format!("{} {letter}", end.name),
-            of_waves: false,
-            seed: end.seed,
-            spectrum,
-            components,
-        })
-    };
-    named.filter_map(one).collect()
+    match irregular_motion(end, "", "") {
+        Ok(motion) if moves => motion.records(&end.name),
+        _ => Vec::new(),
+    }
 }
 
 fn vessel(

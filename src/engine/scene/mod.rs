@@ -59,12 +59,13 @@ pub use elements::{
     BedContact, DrumPull, Elements, FedEnd, Flexure, MassDamping, PaidOut, RigidPayload,
     TravellingBody,
 };
+pub use ends::end_motion;
 pub(crate) use ends::entry as response_entry;
 pub use error::SceneError;
 pub use event::{SceneChange, SceneEvent};
 pub use initial_bed_friction::LaidFrom;
 pub use initial_guess::{ClosedForm, between as straight_between};
-pub use irregular_record::IrregularRecord;
+pub use irregular_record::{IrregularMotion, IrregularRecord};
 pub use labels::{Joint, Labels};
 pub use line::{AttachedBody, EndCondition, LumpedLine, Segment};
 pub use rope::RopeStiffness;

@@ -140,9 +140,9 @@ fn joint(
         place,
         mass: clump.mass_kg,
         volume,
-        drag_area: clump.drag_area_m2,
+        drag_area: clump.drag_area_m2.x,
         added_mass: match density * volume > 0.0 {
-            true => clump.added_mass_kg / (density * volume),
+            true => clump.added_mass_kg.x / (density * volume),
             false => 0.0,
         },
         load: [0.0; 3],

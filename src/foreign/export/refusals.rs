@@ -6,7 +6,7 @@ use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffnes
 use crate::numerics::V3;
 use crate::system::bed::Bed;
 use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
-use crate::system::parts::sections;
+use crate::system::parts::{ClumpBearing, sections};
 use crate::system::{SolvedSystem, SystemFile};
 
 /// All of it.
@@ -64,6 +64,11 @@ fn surroundings(solved: &SolvedSystem, target: Target, found: &mut FoundRefusals
         target == Target::MoorDyn && is_smooth(solved),
         "seabed.interpolation",
         "smooth bed between the depths of a grid; its bed is bilinear",
+    );
+    found.add(
+        matches!(solved.network.bed, Some(Bed::Plane(..))),
+        "seabed.slope_deg",
+        "bed that slopes evenly (give the slope as a `depth_file` of four places)",
     );
 }
 
@@ -228,6 +233,13 @@ fn loads_on_body(name: &str, body: &BodyInputs, found: &mut FoundRefusals) {
         key("damping"),
         "linear damping of bodies",
     );
+    found.add(
+        body.centre_of_added_mass_m.is_some()
+            || body.centre_of_drag_m != [0.0; 3]
+            || body.drag_length_m > 0.0,
+        key("centre_of_added_mass_m"),
+        "centres of added mass and of drag of a body apart from its origin",
+    );
     let by_heading = body.wind_loads.len() + body.current_loads.len() + body.drift_loads.len();
     found.add(
         by_heading > 0,
@@ -339,9 +351,26 @@ fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
         let clump = section.clump();
         let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
         found.add(
-            target == Target::MoorDyn && clump.added_mass_kg > 0.0 && clump.mass_kg <= clump.wet_kg,
+            target == Target::MoorDyn
+                && clump.added_mass_kg != V3::zeros()
+                && clump.mass_kg <= clump.wet_kg,
             key("clump_added_mass_kg"),
             "added mass of a point without volume",
+        );
+        for (name, value) in [
+            ("clump_drag_area_m2", clump.drag_area_m2),
+            ("clump_added_mass_kg", clump.added_mass_kg),
+        ] {
+            found.add(
+                target == Target::MoorDyn && value != V3::repeat(value.x),
+                key(name),
+                "point with another drag or added mass along each axis",
+            );
+        }
+        found.add(
+            clump.bearing != ClumpBearing::default(),
+            key("clump_bottom_m"),
+            "bearing area, bottom and breakout force of a point",
         );
         for (name, area) in ["clump_drag_area_normal_m2", "clump_drag_area_tangential_m2"]
             .into_iter()

@@ -43,11 +43,10 @@ pub fn on_slope(
         .chain(bodies.zip(&freedoms.bodies))
         .filter_map(|(place, first)| {
             let first = first.filter(|first| contacts[first + 2] == Contact::Bed)?;
-            let gradient = bed.gradient(place);
             Some(OnSlope {
                 first,
                 place: *place,
-                slope: [-gradient.x, -gradient.y],
+                slope: bed.rise(place),
             })
         });
     lying.collect()

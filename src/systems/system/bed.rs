@@ -1,4 +1,4 @@
-//! The sea bed under a system: level, or with depths over a grid of places.
+//! The sea bed under a system: level, sloping evenly, or with depths over a grid of places.
 
 use std::sync::Arc;
 
@@ -9,6 +9,8 @@ use crate::numerics::{DepthGrid, M3, V3};
 pub enum Bed {
     /// Level, at this height above still water \[m\], negative.
     Level(f64),
+    /// A plane that slopes: its height at x = y = 0 \[m\], and its unit normal.
+    Plane(f64, V3),
     /// With depths over a grid.
     Grid(Arc<DepthGrid>),
 }
@@ -20,23 +22,35 @@ impl Bed {
     pub fn z_below(&self, place: &V3) -> f64 {
         match self {
             Self::Level(z) => *z,
+            Self::Plane(z, normal) => z - (normal.x * place.x + normal.y * place.y) / normal.z,
             Self::Grid(grid) => -grid.at(place.x, place.y).depth,
         }
     }
 
-    /// Height of a place above the bed, measured vertically \[m\]; negative below it.
+    /// Height of a place above the bed \[m\], along the normal of a plane, vertical over a grid; negative below it.
     #[inline]
     #[must_use]
     pub fn height(&self, place: &V3) -> f64 {
-        place.z - self.z_below(place)
+        match self {
+            Self::Plane(z, normal) => normal.dot(place) - normal.z * z,
+            Self::Level(_) | Self::Grid(_) => place.z - self.z_below(place),
+        }
     }
 
-    /// Derivative of that height by the place, along which the bed pushes \[-\]: its normal, longer where it slopes.
+    /// How the height of the bed rises along x and y at a place \[-\].
+    #[must_use]
+    pub fn rise(&self, place: &V3) -> [f64; 2] {
+        let gradient = self.gradient(place);
+        [-gradient.x / gradient.z, -gradient.y / gradient.z]
+    }
+
+    /// Derivative of that height by the place, along which the bed pushes \[-\]: its normal, longer over a grid that slopes.
     #[inline]
     #[must_use]
     pub fn gradient(&self, place: &V3) -> V3 {
         match self {
             Self::Level(_) => V3::z(),
+            Self::Plane(_, normal) => *normal,
             Self::Grid(grid) => {
                 let [by_x, by_y] = grid.at(place.x, place.y).slope;
                 V3::new(by_x, by_y, 1.0)
@@ -44,12 +58,12 @@ impl Bed {
         }
     }
 
-    /// Second derivative of that height \[1/m\]; nothing on a level bed.
+    /// Second derivative of that height \[1/m\]; nothing on a plane.
     #[inline]
     #[must_use]
     pub fn curvature(&self, place: &V3) -> Option<M3> {
         match self {
-            Self::Level(_) => None,
+            Self::Level(_) | Self::Plane(..) => None,
             Self::Grid(grid) => {
                 let [xx, xy, yy] = grid.at(place.x, place.y).curvature;
                 Some(M3::new(xx, xy, 0.0, xy, yy, 0.0, 0.0, 0.0, 0.0))
@@ -62,6 +76,7 @@ impl Bed {
     pub fn flat_between(&self, from: &V3, to: &V3) -> Option<f64> {
         match self {
             Self::Level(z) => Some(*z),
+            Self::Plane(..) => None,
             Self::Grid(grid) => grid
                 .flat_along([from.x, from.y], [to.x, to.y])
                 .map(|depth| -depth),

@@ -5,11 +5,12 @@
 
 use nalgebra::{Matrix6, Vector6};
 
+use super::body_in_flow::{self, BodyRates};
 use super::line_physics::LinePhysics;
 use super::load_sum::LoadSum;
 use super::members::{self, Placed};
-use super::moving_pose::MovingPose;
-use super::network::{Body, Network};
+use super::moving_pose::{MovingPose, near};
+use super::network::{Body, BodyFoot, Network};
 use super::pose::{Pose, cross};
 use super::{heading_loads, waterplane};
 use crate::numerics::V3;
@@ -27,9 +28,25 @@ pub fn body_loads(
     let (force, stiffness) = fixed_loads(body, pose);
     let flow = physics == LinePhysics::Full && network.flows();
     let mut sum = LoadSum::none();
-    add_loads_by_pose(network, body, &MovingPose::at_rest(pose), flow, &mut sum);
+    let moving = MovingPose::at_rest(pose);
+    add_loads_by_pose(network, body, &moving, flow, &mut sum);
+    let given = (body, &Matrix6::zeros());
+    body_in_flow::add(network, given, &moving, flow, &BodyRates::none(), &mut sum);
+    for foot in &body.feet {
+        bear_at_rest(network, foot, &moving, &mut sum);
+    }
     let (by_water, by_pose) = sum.parts();
     (force + by_water, stiffness + by_pose)
+}
+
+/// The bed under a point on a body at rest.
+fn bear_at_rest(network: &Network, foot: &BodyFoot, moving: &MovingPose<'_>, sum: &mut LoadSum) {
+    let arm = moving.arm(&foot.at);
+    let place = moving.place(&arm);
+    let here = place.map(|part| part.re);
+    if let Some((push, by_place)) = foot.bears.bed_at_rest(network, &here) {
+        sum.add(&arm, &near((&push, &by_place), &here, &place));
+    }
 }
 
 /// The members of a body that displace water, at the pose given in still water.

@@ -11,19 +11,19 @@ use super::discretised::{DiscretisedLine, LineForm};
 use super::initial::{BodyInitial, PointInitial};
 use super::model::{
     BodyInputs, BodyKind, HeadingLoadInputs, LineInputs, MemberInputs, PointInputs, PointKind,
-    StartPlacement, SystemFile,
+    StartPlacement, SystemBed, SystemFile,
 };
 use super::motion::broken_names::is_between;
 use super::motion::inputs::{body_motion, point_motion};
 use super::motion::payout_inputs::payouts;
 use super::motion::responses::{responses, wave_response};
 use super::network::{
-    Body, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
+    Body, BodyFoot, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
     WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, is_crossed, parts};
 use super::point_on_bed::BearingArea;
-use super::pose::Pose;
+use super::pose::{Pose, cross};
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
 use crate::case::{FrictionLaw, Material, current_grid, depth_grid};
@@ -87,6 +87,7 @@ pub fn build(given: &SystemFile, aged: &AgedParts) -> Result<Network, (String, S
         builder.point(name, 0.0, V3::zeros());
     }
     let mut network = builder.network;
+    clamps::let_spin(&mut network);
     clamps::keep_from_spinning(&mut network);
     network.payouts = payouts(file, &network);
     Ok(network)
@@ -135,7 +136,9 @@ fn bed_of(file: &SystemFile) -> Option<Bed> {
     let given = file.seabed.as_ref()?;
     // Its file was read with the system.
     let grid = depth_grid(given.depths(), &file.files).ok().flatten();
-    Some(grid.map_or(Bed::Level(-given.depth_m), Bed::Grid))
+    let plane = given.plane().map(|(z, normal)| Bed::Plane(z, normal));
+    let plain = plane.unwrap_or(Bed::Level(-given.depth_m));
+    Some(grid.map_or(plain, Bed::Grid))
 }
 
 /// The current of a file, where it changes with time.
@@ -171,6 +174,7 @@ fn bodies(
             },
             motion: response.map(|found| found.motion).or(built.motion),
             added_mass: slow.map_or(built.added_mass, RadiationTable::slow),
+            slip_speed: file.seabed.as_ref().and_then(SystemBed::slip_speed),
             ..built
         };
         let floating = sea.filter(|_| built.free);
@@ -291,6 +295,18 @@ impl Builder<'_> {
         let held = self.held(given, place, self.file.places(given_name));
         let motion = (given.kind == PointKind::Moved)
             .then(|| point_motion(given, place.unwrap_or_default()));
+        if let (Held::On(body, at), Some(bearing)) = (&held, self.bearing(given)) {
+            self.network.bodies[*body].feet.push(BodyFoot {
+                point: number,
+                at: *at,
+                bears: FreePoint {
+                    friction: given.bed_friction,
+                    slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
+                    bearing: Some(bearing),
+                    ..FreePoint::default()
+                },
+            });
+        }
         self.network.points.push(Point {
             name: name.clone(),
             held,
@@ -319,6 +335,7 @@ impl Builder<'_> {
                 drag_area: per_axis(&given.drag_area_m2),
                 load: V3::from(given.load_n),
                 friction: given.bed_friction,
+                slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
                 below: given.bottom_m,
                 bearing: self.bearing(given),
                 start: place,
@@ -474,15 +491,20 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         buoyancy: network.density * given.volume_m3 * network.gravity,
         centre_of_buoyancy: V3::from(given.centre_of_buoyancy_m),
         waterplane: matrix(&given.waterplane_stiffness),
-        added_mass: matrix(&given.added_mass),
+        added_mass: added_mass(given),
+        centre_of_added_mass: given.centre_of_added_mass_m.map(V3::from),
         damping: matrix(&given.damping),
         quadratic_damping: matrix(&given.quadratic_damping),
         load: V3::from(given.load_n),
         moment: V3::from(given.moment_n_m),
         bottom: given.bottom_m,
         bed_friction: given.bed_friction,
+        slip_speed: None,
+        feet: Vec::new(),
         members: given.members.iter().flat_map(members).collect(),
         drag_area: V3::from(given.drag_area_m2),
+        centre_of_drag: V3::from(given.centre_of_drag_m),
+        drag_length: given.drag_length_m,
         wind_loads: heading_loads(&given.wind_loads),
         current_loads: heading_loads(&given.current_loads),
         drift_loads: drift_loads(given),
@@ -496,6 +518,22 @@ fn body(name: &str, given: &BodyInputs, network: &Network) -> Body {
         potential_flow: None,
         spins_about: None,
     }
+}
+
+/// Its added mass about its origin.
+fn added_mass(given: &BodyInputs) -> Matrix6<f64> {
+    let about_centre = matrix(&given.added_mass);
+    let centre = given.centre_of_added_mass_m.map(V3::from);
+    centre.map_or(about_centre, |centre| moved_mass(&about_centre, &centre))
+}
+
+/// A mass matrix about a place of a body, about its origin.
+#[must_use]
+pub fn moved_mass(mass: &Matrix6<f64>, place: &V3) -> Matrix6<f64> {
+    // The velocity of the place by those of the origin and of the rotation.
+    let mut there = Matrix6::identity();
+    there.fixed_view_mut::<3, 3>(0, 3).copy_from(&-cross(place));
+    there.transpose() * mass * there
 }
 
 /// Whether a body follows a prescribed motion; of one that is pinned its origin does.

@@ -14,8 +14,8 @@ use super::motion::{check as motion, check_payout};
 use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, WaterSurface, nearest, of_checks, of_current, of_load_cases, of_material, of_trials,
-    unknown, used_twice,
+    Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_trials, unknown,
+    used_twice,
 };
 use crate::published::number as published_number;
 use crate::reference::published_history;
@@ -121,22 +121,14 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
     if body.kind.is(&BodyKind::Pinned) {
         found.extend(pinned(body));
     }
-    found.extend(matrix(
+    for of_six in [
         &body.waterplane_stiffness,
-        &[6, 36],
-        "6 numbers, a diagonal, or 36, row by row",
-    ));
-    found.extend(matrix(
         &body.added_mass,
-        &[6, 36],
-        "6 numbers, a diagonal, or 36, row by row",
-    ));
-    for damping in [&body.damping, &body.quadratic_damping] {
-        found.extend(matrix(
-            damping,
-            &[6, 36],
-            "6 numbers, a diagonal, or 36, row by row",
-        ));
+        &body.damping,
+        &body.quadratic_damping,
+    ] {
+        let right = "6 numbers, a diagonal, or 36, row by row";
+        found.extend(matrix(of_six, &[6, 36], right));
     }
     found.extend(matrix(
         &body.inertia_kg_m2,
@@ -162,6 +154,41 @@ fn body_alone(body: &BodyKeys<'_>) -> Vec<Finding> {
         let problem = "has no effect: nothing of the body bears on the bed";
         let remedy = "say how far below its origin it bears: `bottom_m`, or remove it";
         found.extend(body.bed_friction.if_given(problem, remedy));
+    }
+    found.extend(in_flow(body));
+    if !body.kind.is(&BodyKind::Moved) || !body.response_file.is_given() {
+        let problem = "has no effect: no responses move the body";
+        let remedy = "make it a moved body with a `response_file`, or remove it";
+        found.extend(body.response_at_m.if_given(problem, remedy));
+    }
+    found
+}
+
+/// A centre of added mass beside other loads of the flow, or keys of drag without a drag area.
+fn in_flow(body: &BodyKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let centre = &body.centre_of_added_mass_m;
+    let problem = "counts the flow twice: added mass is about a centre of its own where nothing else says how current and waves act on the body";
+    let remedy = "leave it out, or the files, loads and members that say that";
+    let by_files = [
+        &body.radiation_file,
+        &body.excitation_file,
+        &body.response_file,
+    ];
+    let displaces = |member: &MemberKeys<'_>| member.drag_only.value() != Some(true);
+    let by_members = body.members.iter().any(|(_, member)| displaces(member));
+    if by_files.iter().any(|file| file.is_given()) || !body.current_loads.is_empty() || by_members {
+        found.extend(centre.if_given(problem, remedy));
+    }
+    let drags = body
+        .drag_area_m2
+        .value()
+        .is_some_and(|area| area != [0.0; 3]);
+    if !drags {
+        let problem = "has no effect: the body has no drag area";
+        let remedy = "add `drag_area_m2 = [...]`, or remove it";
+        found.extend(body.centre_of_drag_m.if_given(problem, remedy));
+        found.extend(body.drag_length_m.if_given(problem, remedy));
     }
     found
 }
@@ -343,6 +370,15 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         }
         Some(PointKind::Free) | None => {}
     }
+    let on_body = kind == Some(PointKind::Body);
+    if on_body && !point.bed_area_m2.is_given() {
+        let remedy = "add the area that bears: `bed_area_m2`, or remove it";
+        found.extend(
+            point
+                .bed_friction
+                .if_given("has no effect: the point does not bear on the bed", remedy),
+        );
+    }
     if matches!(
         kind,
         Some(PointKind::Fixed | PointKind::Body | PointKind::Moved)
@@ -354,8 +390,10 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         found.extend(point.load_n.if_given(problem, remedy));
         found.extend(point.added_mass_kg.if_given(problem, remedy));
         found.extend(point.drag_area_m2.if_given(problem, remedy));
-        found.extend(point.bed_friction.if_given(problem, remedy));
-        found.extend(point.bed_area_m2.if_given(problem, remedy));
+        if !on_body {
+            found.extend(point.bed_friction.if_given(problem, remedy));
+            found.extend(point.bed_area_m2.if_given(problem, remedy));
+        }
         found.extend(point.bottom_m.if_given(problem, remedy));
         found.extend(point.start_offset_m.if_given(problem, remedy));
         found.extend(point.start_velocity_m_per_s.if_given(problem, remedy));
@@ -426,11 +464,12 @@ fn outside_water(
         .environment
         .as_ref()
         .and_then(|e| e.water_density_kg_per_m3.value());
+    // Whoever says what becomes of lines above the water knows of it.
     let surface = keys.environment.as_ref().map(|e| &e.water_surface);
-    let crossed = surface.is_some_and(|surface| surface.is(&WaterSurface::Crossed));
-    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 && !crossed && !by_name.bears_no_weight(name) {
+    let is_said = surface.is_some_and(Key::is_given);
+    if z > 0.0 && water.unwrap_or(1025.0) > 0.0 && !is_said && !by_name.bears_no_weight(name) {
         let problem = format!("lies {z} m above the water, where lines have another weight");
-        let remedy = "set environment.water_surface = \"crossed\", which gives them their weight in air there, give a z of 0 or less, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
+        let remedy = "set environment.water_surface = \"crossed\", which gives them their weight in air there, or \"ignored\" where all counts as under water, give a z of 0 or less, or, for lines in air, set environment.water_density_kg_per_m3 = 0";
         return Some(point.position_m.finding(problem, remedy));
     }
     None

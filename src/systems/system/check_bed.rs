@@ -1,8 +1,8 @@
-//! Checks of the bed of a system: keys of a grid of depths without one, places below a level bed.
+//! Checks of the bed of a system: keys of its shape without effect, places below a level bed.
 
 use super::model::{LineKeys, PointKeys, SystemBedKeys, SystemKeys};
 use crate::case::schema::Key;
-use crate::case::{BedInterpolation, Finding, FrictionKeys};
+use crate::case::{BedShapeKeys, Finding, FrictionKeys};
 
 /// Keys of a bed without a grid of depths that have no effect.
 pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -10,13 +10,14 @@ pub(super) fn bed(keys: &SystemKeys<'_>) -> Vec<Finding> {
         return Vec::new();
     };
     let mut found = friction(keys, bed);
-    if !bed.depth_file.is_given() {
-        let problem = "has no effect: the bed has no file of depths";
-        let remedy = "add `depth_file = ...`, or remove this key";
-        let given = bed.interpolation.if_given(problem, remedy);
-        let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
-        found.extend(given.filter(|_| differs));
-    }
+    let shape = BedShapeKeys {
+        depth_at: &bed.depth_at_m,
+        slope: &bed.slope_deg,
+        azimuth: &bed.slope_azimuth_deg,
+        depth_file: &bed.depth_file,
+        interpolation: &bed.interpolation,
+    };
+    found.extend(shape.without_effect());
     found
 }
 
@@ -60,15 +61,19 @@ pub(super) fn bearing(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Vec<Findi
     area.into_iter().chain(bottom).collect()
 }
 
+/// How far below the bed a place may be, as the end of a line that has sunk into a bed that yields \[m\].
+const SUNK: f64 = 1e-3;
+
 /// A place below a level bed; over a grid that is found with the depths.
 pub(super) fn below_bed(keys: &SystemKeys<'_>, place: &Key<'_, [f64; 3]>) -> Option<Finding> {
     let bed = keys.seabed.as_ref()?;
-    if bed.depth_file.is_given() {
+    // Below another one it is found when that is built.
+    if bed.depth_file.is_given() || bed.slope_deg.is_given() {
         return None;
     }
     let depth = bed.depth_m.value()?;
     let [_, _, z] = place.value()?;
-    (z < -depth).then(|| {
+    (z < -depth - SUNK).then(|| {
         let problem = format!(
             "lies {} m below the bed, which is {depth} m deep",
             -depth - z

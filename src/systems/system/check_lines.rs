@@ -153,6 +153,10 @@ impl<'k, 'a> ByName<'k, 'a> {
             found.extend(last.clump_drag_area_normal_m2.if_given(problem, remedy));
             found.extend(last.clump_drag_area_tangential_m2.if_given(problem, remedy));
             found.extend(last.clump_added_mass_kg.if_given(problem, remedy));
+            found.extend(last.clump_bed_area_m2.if_given(problem, remedy));
+            found.extend(last.clump_bottom_m.if_given(problem, remedy));
+            found.extend(last.clump_breakout_n.if_given(problem, remedy));
+            found.extend(last.clump_breakout_distance_m.if_given(problem, remedy));
         }
         found
     }

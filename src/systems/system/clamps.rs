@@ -87,6 +87,35 @@ fn on_which(network: &Network) -> impl Iterator<Item = (usize, V3)> {
 /// Sine of the angle between a clamp and the axis of its rod below which the rod spins freely.
 const ALONG: f64 = 1e-6;
 
+/// Bodies with a centre of added mass that turn about their z axis without resistance: nothing is on them, nor acts on them, off that axis.
+pub fn let_spin(network: &mut Network) {
+    let off_axis = |place: &V3| place.x != 0.0 || place.y != 0.0;
+    let points = network.points.iter();
+    let held: Vec<usize> = points
+        .filter_map(|point| match point.held {
+            Held::On(body, at) if off_axis(&at) => Some(body),
+            _ => None,
+        })
+        .collect();
+    for (number, body) in network.bodies.iter_mut().enumerate() {
+        let centres = [
+            body.centre_of_gravity,
+            body.centre_of_buoyancy,
+            body.centre_of_drag,
+        ];
+        let centre = body.centre_of_added_mass;
+        let is_on_axis = !centres.iter().chain(&centre).any(off_axis) && !held.contains(&number);
+        let turned = body.waterplane.row(5).amax() + body.moment.amax();
+        let is_loaded = turned > 0.0
+            || !body.members.is_empty()
+            || body.wind_loads.is_some()
+            || body.drift_loads.is_some();
+        if centre.is_some() && is_on_axis && !is_loaded {
+            body.spins_about = Some(V3::z());
+        }
+    }
+}
+
 /// Rods that a clamp keeps from spinning: those that it does not hold along their axis.
 pub fn keep_from_spinning(network: &mut Network) {
     let clamps: Vec<(usize, V3)> = on_which(network).collect();

@@ -4,9 +4,9 @@
 use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
-use super::model::{LineInputs, SystemFile};
+use super::model::{LineInputs, SystemBed, SystemFile};
 use super::parts::{Part, SectionClump, is_crossed, parts};
-use crate::case::{Case, Clump, End, Ends, Method, OneOrMany, Seabed, Section};
+use crate::case::{Case, Clump, DynamicStiffness, End, Ends, Method, OneOrMany, Seabed, Section};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
@@ -29,21 +29,19 @@ pub enum LineForm {
 }
 
 impl LineForm {
-    /// The form of a line of these parts: divided where its file has a current, or a material of it bends or has a table.
+    /// The form of a line of these parts: divided where its file has a current, or a material of it bends, has a table or is stiffer at
+    /// rest than its static stiffness.
     #[must_use]
     pub fn of_parts(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Self {
         let bends = |part: &Part| part.material.ei_n_m2 > 0.0;
         let still = file.current.is_none() || line.still_water;
         let tabled = |part: &Part| part.material.strain.is_some();
-        let closed = still && !parts.iter().any(|part| bends(part) || tabled(part));
+        let secant = |part: &Part| part.material.dynamic_stiffness == DynamicStiffness::Secant;
+        let is_open = |part: &Part| bends(part) || tabled(part) || secant(part);
+        let closed = still && !parts.iter().any(is_open);
         if !closed {
             Self::Divided
-        } else if is_crossed(file)
-            || file
-                .seabed
-                .as_ref()
-                .is_some_and(|bed| bed.depth_file.is_some())
-        {
+        } else if is_crossed(file) || file.seabed.as_ref().is_some_and(|bed| !bed.is_level()) {
             Self::ClosedWhereKnown
         } else {
             Self::Closed
@@ -118,10 +116,7 @@ impl DiscretisedLine {
             return Ok(None);
         }
         let line = Arc::new(Self::of_parts(file, line, parts));
-        let is_flat = file
-            .seabed
-            .as_ref()
-            .is_none_or(|bed| bed.depth_file.is_none());
+        let is_flat = file.seabed.as_ref().is_none_or(SystemBed::is_level);
         if form == LineForm::Divided || !is_flat {
             line.element()?;
         }
@@ -353,6 +348,9 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
     case.current = file.current.clone().filter(|_| !line.still_water);
     let bed = file.seabed.as_ref().filter(|_| line.bed_contact);
     case.seabed = bed.map(|bed| Seabed {
+        depth_at_m: bed.depth_at_m,
+        slope_deg: bed.slope_deg,
+        slope_azimuth_deg: bed.slope_azimuth_deg,
         depth_file: bed.depth_file.clone(),
         interpolation: bed.interpolation,
         ..Seabed::level(bed.depth_m)
@@ -379,22 +377,37 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         case.line
             .push(Section::new(&name, &name, part.length_m, count));
         if part.clump != SectionClump::default() {
-            let [across, along] = part.clump.aligned_drag_area_m2;
-            case.clumps.push(Clump {
-                name: format!("clump{}", k + 1),
-                section: name,
-                at_m: part.length_m,
-                mass_kg: part.clump.mass_kg,
-                wet_mass_kg: part.clump.wet_kg,
-                drag_area_m2: OneOrMany::One(part.clump.drag_area_m2),
-                drag_area_normal_m2: across,
-                drag_area_tangential_m2: along,
-                added_mass_kg: OneOrMany::One(part.clump.added_mass_kg),
-                ..Clump::default()
-            });
+            case.clumps.push(clump_at_end(k, name, part));
         }
     }
     case
+}
+
+/// The clump at the end of a section, by the number of that.
+fn clump_at_end(number: usize, section: String, part: &Part) -> Clump {
+    let [across, along] = part.clump.aligned_drag_area_m2;
+    let bearing = part.clump.bearing;
+    Clump {
+        name: format!("clump{}", number + 1),
+        section,
+        at_m: part.length_m,
+        mass_kg: part.clump.mass_kg,
+        wet_mass_kg: part.clump.wet_kg,
+        drag_area_m2: by_axes(&part.clump.drag_area_m2),
+        drag_area_normal_m2: across,
+        drag_area_tangential_m2: along,
+        added_mass_kg: by_axes(&part.clump.added_mass_kg),
+        bed_area_m2: bearing.area_m2,
+        bottom_m: bearing.bottom_m,
+        breakout_n: bearing.breakout_n,
+        breakout_distance_m: bearing.breakout_distance_m,
+    }
+}
+
+/// A number along each axis, or one for all.
+fn by_axes(value: &V3) -> OneOrMany {
+    let many = OneOrMany::Many(value.iter().copied().collect());
+    many.alike().map_or(many, OneOrMany::One)
 }
 
 /// Segments of a part of a line: by what its sections ask for, or by its length.

@@ -6,10 +6,12 @@ use std::f64::consts::TAU;
 use nalgebra::Vector3;
 use num_dual::DualNum;
 
+use super::body_in_flow::share_in_water;
 use super::load_sum::LoadSum;
 use super::moving_pose::{Dual, DualVector, MovingPose, constant, near};
 use super::network::{Body, HeadingLoads, Network};
-use crate::numerics::{M3, V3};
+use crate::numerics::V3;
+use crate::physics::sea::WaterMotion;
 
 /// Wind, current and drag on a body.
 pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &mut LoadSum) {
@@ -20,47 +22,56 @@ pub(super) fn add(network: &Network, body: &Body, pose: &MovingPose<'_>, sum: &m
         by_heading(loads, &(constant(&network.wind) - pose.velocity), pose, sum);
     }
     let origin = pose.origin.map(|part| part.re);
-    let current = |z: f64| match &network.current {
-        Some(current) => current.flow(&V3::new(origin.x, origin.y, z)),
-        None => Default::default(),
-    };
     if let Some(loads) = &body.current_loads {
-        let (water, gradient) = current(0.0);
         let place = V3::new(origin.x, origin.y, 0.0);
+        let (water, gradient) = match &network.current {
+            Some(current) => current.flow(&place),
+            None => Default::default(),
+        };
         let mut surface = pose.origin;
         surface.z = Dual::from_re(0.0);
         let flow = near((&water, &gradient), &place, &surface) - pose.velocity;
         by_heading(loads, &flow, pose, sum);
     }
     if body.drag_area != V3::zeros() {
-        let water = current(origin.z);
-        on_areas(network.density, body, pose, water, sum);
+        let in_water = share_in_water(network, body, pose);
+        let waves = pose.at_strips(body.strips_in_waves());
+        for (number, (place, share)) in body.drag_strips().enumerate() {
+            let flow = waves.get(number).or(pose.at_station());
+            on_areas(network, body, pose, (&place, flow), in_water * share, sum);
+        }
     }
 }
 
-/// Drag at the origin on an area along each axis of the body: `rho/2 A |u| u`, axis by axis.
+/// Drag of a share of the body at a place of its frame on an area along each of its axes: `rho/2 A |u| u`, axis by axis.
 fn on_areas(
-    density: f64,
+    network: &Network,
     body: &Body,
     pose: &MovingPose<'_>,
-    (still, gradient): (V3, M3),
+    (place, waves): (&V3, Option<&WaterMotion>),
+    share: Dual,
     sum: &mut LoadSum,
 ) {
-    let here = pose.origin.map(|part| part.re);
-    let mut velocity = near((&still, &gradient), &here, &pose.origin) - pose.velocity;
-    if let Some(flow) = pose.at_origin() {
-        velocity += near((&flow.velocity, &flow.gradient), &flow.place, &pose.origin);
+    let arm = pose.arm(place);
+    let place = pose.place(&arm);
+    let here = place.map(|part| part.re);
+    let (still, gradient) = match &network.current {
+        Some(current) => current.flow(&here),
+        None => Default::default(),
+    };
+    let mut velocity = near((&still, &gradient), &here, &place) - pose.velocity_at(&arm);
+    if let Some(flow) = waves {
+        velocity += near((&flow.velocity, &flow.gradient), &flow.place, &place);
     }
     let speed2 = velocity.dot(&velocity);
     if speed2.re == 0.0 {
         return;
     }
     let speed = speed2.sqrt();
-    let arm = constant(&V3::zeros());
     for k in 0..3 {
         let axis = pose.arm(&V3::ith(k, 1.0));
-        let along = velocity.dot(&axis) * speed * (0.5 * density * body.drag_area[k]);
-        sum.add(&arm, &(axis * along));
+        let along = velocity.dot(&axis) * speed * (0.5 * network.density * body.drag_area[k]);
+        sum.add(&arm, &(axis * (along * share)));
     }
 }
 

@@ -187,7 +187,7 @@ fn level_below(network: &Network, line: &Line, (low, high): (&V3, &V3)) -> Optio
     let bed = network.bed.as_ref()?;
     let flat = bed.flat_between(low, high);
     let sinks = [line.from, line.to].map(|end| network.sinks_into_bed(end));
-    match flat.filter(|_| sinks == [false; 2]) {
+    match flat.filter(|level| sinks == [false; 2] && low.z >= *level) {
         Some(level) => Some(level),
         None => Some(flat.unwrap_or_else(|| bed.z_below(low)).min(low.z)),
     }

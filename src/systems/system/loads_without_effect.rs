@@ -93,7 +93,8 @@ enum WaveExcitation {
 fn excitation(body: &Body) -> WaveExcitation {
     let flow = body.potential_flow.as_ref();
     let by_flow = flow.is_some_and(|flow| flow.excitation.is_some());
-    if by_flow || body.members.iter().any(|member| !member.drag_only) {
+    let by_itself = body.centre_of_added_mass.is_some();
+    if by_flow || by_itself || body.members.iter().any(|member| !member.drag_only) {
         return WaveExcitation::Whole;
     }
     let drags = body.members.iter().any(|member| member.drag > 0.0);
@@ -160,7 +161,8 @@ fn has_weights(line: &Line) -> bool {
 fn current_of(network: &Network) -> impl Iterator<Item = String> {
     let bodies = moving(network).filter(|body| {
         let drags = body.members.iter().any(|member| member.drag > 0.0);
-        !drags && body.current_loads.is_none() && body.drag_area == V3::zeros()
+        let turns_it = body.centre_of_added_mass.is_some();
+        !drags && !turns_it && body.current_loads.is_none() && body.drag_area == V3::zeros()
     });
     let points = clumps(network).filter(|(_, point)| point.drag_area == V3::zeros());
     [

@@ -12,6 +12,7 @@ pub mod analysis;
 pub mod at_rest;
 pub mod balance;
 pub mod bed;
+mod body_in_flow;
 pub mod body_loads;
 pub mod bounds;
 pub mod build;

@@ -20,8 +20,11 @@ use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
     Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Trial, Waves,
 };
+use crate::numerics::V3;
+use crate::physics::ElasticBed;
 use crate::reference::{PublishedHistory, PublishedNumber};
 
+const BEARING: Conditions = &[("kind", &["free", "body"])];
 const ON_BODY: Conditions = &[("kind", &["body"])];
 const FREE: Conditions = &[("kind", &["free"])];
 const MOVED: Conditions = &[("kind", &["moved"])];
@@ -108,20 +111,26 @@ table! {
 }
 
 table! {
-    /// A sea bed, level or with depths over a grid of places; rigid below lines at rest that are closed forms.
+    /// A sea bed: level, sloping evenly, or with depths over a grid of places; rigid below lines at rest that are closed forms.
     #[derive(Debug, Clone, PartialEq)]
     pub struct SystemBed => SystemBedKeys {
-        /// Depth of the bed below still water; with depth_file that which waves feel.
+        /// Depth of the bed below still water, at depth_at_m where it slopes; with depth_file that which waves feel.
         depth_m: f64, "depth", range of(0.0, 2e4);
-        /// CSV file of depths, x_m,y_m,depth_m on a rectangular grid, in the place of a level bed; beyond it its edge.
-        depth_file: Option<String>, "file of depths", absent "the bed is level";
+        /// Where the bed has that depth, x and y; matters on a slope.
+        depth_at_m: [f64; 2] = [0.0, 0.0], "place of the depth", range of(-1e6, 1e6);
+        /// How steeply the bed rises towards slope_azimuth_deg; negative where it falls. It pushes along its normal, by the depth along that.
+        slope_deg: f64 = 0.0, "slope", range of(-80.0, 80.0);
+        /// Direction in which the bed rises, from +x towards +y.
+        slope_azimuth_deg: f64 = 0.0, "slope azimuth", range of(-360.0, 360.0);
+        /// CSV file of depths, x_m,y_m,depth_m on a rectangular grid, in the place of level and slope; beyond it its edge.
+        depth_file: Option<String>, "file of depths", absent "the bed is level or a plane";
         /// How the depth goes between the places of that file.
         interpolation: BedInterpolation = BedInterpolation::Smooth, "interpolation";
         /// Axial friction under a line that lies from its end on the bed: tension lost by the weight that the bed bears.
         friction: f64 = 0.0, "friction", range of(0.0, 10.0);
         /// Friction across lines: on lines divided into segments, in motion all.
         friction_lateral: Option<f64>, "friction across", range of(0.0, 10.0), absent "as along the line";
-        /// Under lines: grip holds at rest and slides beyond; zhu-2017 goes with the velocity and holds nothing.
+        /// Grip holds at rest and slides beyond; zhu-2017 goes with the velocity and holds nothing.
         friction_law: FrictionLaw = FrictionLaw::Grip, "friction law";
         /// Friction per area of line and distance pulled, before it slides.
         grip_stiffness_n_per_m3: Option<f64>, "grip stiffness", range positive(1e12), absent "as the stiffness";
@@ -154,6 +163,27 @@ impl SystemFile {
 }
 
 impl SystemBed {
+    /// Its slip speed, where its friction goes by the velocity \[m/s\].
+    #[must_use]
+    pub fn slip_speed(&self) -> Option<f64> {
+        (self.friction_law == FrictionLaw::Zhu2017).then_some(self.slip_speed_m_per_s)
+    }
+
+    /// Whether it is level.
+    #[must_use]
+    pub fn is_level(&self) -> bool {
+        self.depth_file.is_none() && self.slope_deg == 0.0
+    }
+
+    /// Height of a sloping plane at x = y = 0 \[m\] and its unit normal; nothing where it does not slope.
+    #[must_use]
+    pub fn plane(&self) -> Option<(f64, V3)> {
+        ElasticBed::plane(
+            (self.depth_m, self.depth_at_m),
+            [self.slope_deg, self.slope_azimuth_deg].map(f64::to_radians),
+        )
+    }
+
     /// The file of depths that it names, and how the depth goes between its places.
     #[must_use]
     pub fn depths(&self) -> (Option<&str>, BedInterpolation) {
@@ -219,9 +249,9 @@ table! {
         /// Steady load on it, along x, y, z.
         load_n: [f64; 3] = [0.0, 0.0, 0.0], "steady load", range of(-1e12, 1e12), matters FREE;
         /// Friction on the bed, by the push of the bed; in motion.
-        bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters FREE;
-        /// Area that bears on the bed, by the stiffness and damping of the bed; it then sinks into it.
-        bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "by its weight: it lies on the bed at rest", matters FREE;
+        bed_friction: f64 = 0.0, "friction on the bed", range of(0.0, 10.0), matters BEARING;
+        /// Area that bears on the bed, by the stiffness and damping of the bed; it then sinks into it. On a body that tips it.
+        bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "a free point by its weight: it lies on the bed at rest", matters BEARING;
         /// From the point down to what bears on the bed.
         bottom_m: f64 = 0.0, "bottom", range of(0.0, 1e3), matters FREE;
         /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z: it is let go there.
@@ -234,8 +264,8 @@ table! {
         period_s: Option<OneOrMany>, "motion period", kind NumberOrTriple, range positive(1e5), absent "it stays", matters MOVED;
         /// Phases of its motion, A sin(2 pi t / T + phase).
         phase_deg: [f64; 3] = [0.0, 0.0, 0.0], "motion phase", range of(-360.0, 360.0), matters MOVED;
-        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run.
-        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters MOVED;
+        /// Times of a motion by table, in the place of harmonics: from 0 or before to the end of the run.
+        table_time_s: Vec<f64>, "times of the table", range of(-1e6, 1e6), absent "no table", matters MOVED;
         /// x from its position at these times.
         table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// y from its position at these times.
@@ -244,6 +274,16 @@ table! {
         table_z_m: Vec<f64>, "z of the table", range of(-1e5, 1e5), absent "0", matters MOVED;
         /// How its table is interpolated: a spline is smooth, the others end steps at the kinks of their rows.
         table_interpolation: MotionInterpolation = MotionInterpolation::Spline, "table interpolation", matters MOVED;
+        /// Root mean square of an irregular motion along x, y, z, in the place of harmonics.
+        rms_m: [f64; 3] = [0.0, 0.0, 0.0], "motion rms", range of(0.0, 1e3), matters MOVED;
+        /// Period of the peak of the spectrum of an irregular motion.
+        peak_period_s: Option<f64>, "motion peak period", range positive(1e5), absent "no irregular motion", matters MOVED;
+        /// Gamma of the JONSWAP spectrum of an irregular motion.
+        gamma: f64 = 3.3, "motion peak enhancement", range of(1.0, 20.0), matters MOVED;
+        /// Harmonics that an irregular motion is made of along each axis.
+        components: usize = 100, "motion components", range of(1.0, 1e4), matters MOVED;
+        /// Of an irregular motion: the same seed, the same motion.
+        seed: u64 = 1, "motion seed", range of(0.0, 9e15), matters MOVED;
         /// Its motion grows smoothly from nothing over this time.
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters MOVED;
     }
@@ -275,6 +315,11 @@ impl PointInputs {
             table_y_m: Vec::new(),
             table_z_m: Vec::new(),
             table_interpolation: MotionInterpolation::Spline,
+            rms_m: [0.0; 3],
+            peak_period_s: None,
+            gamma: 3.3,
+            components: 100,
+            seed: 1,
             ramp_s: 0.0,
         }
     }
@@ -330,6 +375,8 @@ table! {
         waterplane_stiffness: Vec<f64>, "water-plane stiffness", unit "N/m, N, N m", range of(-1e15, 1e15), absent "none";
         /// Added mass about its origin, along its axes: 36 numbers row by row, or the diagonal; for natural periods.
         added_mass: Vec<f64>, "added mass", unit "kg, kg m, kg m2", range of(-1e18, 1e18), absent "none";
+        /// Place about which its added mass is given; current and waves then act on that and on its volume, as far as a ball of the volume about the centre of buoyancy is in the water.
+        centre_of_added_mass_m: Option<[f64; 3]>, "centre of added mass", range of(-1e3, 1e3), absent "its origin; current and waves act on members alone", matters TURNING;
         /// Damping about its origin, along its axes, in motion: 36 numbers row by row, or the diagonal.
         damping: Vec<f64>, "damping", unit "N s/m, N s, N m s", range of(-1e18, 1e18), absent "none", matters TURNING;
         /// The same by the squares of the six velocities, each with its sign.
@@ -350,8 +397,12 @@ table! {
         drift_file: Option<String>, "wave drift", absent "none", matters FLOATING;
         /// Length by which the numbers of these files are scaled (ULEN).
         wamit_length_m: f64 = 1.0, "length of the files", range positive(1e4), matters FLOATING;
-        /// Drag coefficient times area along its x, y and z, at its origin.
+        /// Drag coefficient times area along its x, y and z, at its centre of drag.
         drag_area_m2: [f64; 3] = [0.0, 0.0, 0.0], "drag area", range of(0.0, 1e7), matters TURNING;
+        /// Where its drag area acts, in its frame.
+        centre_of_drag_m: [f64; 3] = [0.0, 0.0, 0.0], "centre of drag", range of(-1e3, 1e3), matters TURNING;
+        /// Length along its z, about the centre of drag, that its drag area is spread over: it then resists turning too.
+        drag_length_m: f64 = 0.0, "length of drag", range of(0.0, 1e3), matters TURNING;
         /// Amplitudes of its motion: surge, sway, heave along x, y, z of the earth.
         amplitude_m: [f64; 3] = [0.0, 0.0, 0.0], "motion amplitude", range of(-1e4, 1e4), matters CARRIED;
         /// Amplitudes of its roll, pitch and yaw.
@@ -360,8 +411,8 @@ table! {
         period_s: Vec<f64>, "motion periods", range positive(1e5), absent "it stays", matters CARRIED;
         /// Phases of its six motions, A sin(2 pi t / T + phase): six numbers.
         phase_deg: Vec<f64>, "motion phases", range of(-360.0, 360.0), absent "0", matters CARRIED;
-        /// Times of a motion by table, in the place of harmonics: from 0 to the end of the run.
-        table_time_s: Vec<f64>, "times of the table", range of(0.0, 1e6), absent "no table", matters CARRIED;
+        /// Times of a motion by table, in the place of harmonics: from 0 or before to the end of the run.
+        table_time_s: Vec<f64>, "times of the table", range of(-1e6, 1e6), absent "no table", matters CARRIED;
         /// x from its position at these times.
         table_x_m: Vec<f64>, "x of the table", range of(-1e5, 1e5), absent "0", matters CARRIED;
         /// y from its position at these times.
@@ -380,6 +431,8 @@ table! {
         ramp_s: f64 = 0.0, "motion ramp", range of(0.0, 1e6), matters CARRIED;
         /// CSV file of its responses over period_s and heading_deg (optional): how a moved body follows waves, a free one would without lines.
         response_file: Option<String>, "responses", absent "none", matters IN_WAVES;
+        /// Where in its frame these responses are those of a moved body; its origin follows from them by its arm, for small angles.
+        response_at_m: [f64; 3] = [0.0, 0.0, 0.0], "place of the responses", range of(-1e3, 1e3), matters MOVED;
         /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z of the earth: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FLOATING;
         /// Roll, pitch and yaw at time zero beyond those there.
@@ -574,14 +627,22 @@ table! {
         clump_kg: f64 = 0.0, "clump", range of(-1e10, 1e10);
         /// Mass in air of that body.
         clump_mass_kg: Option<f64>, "mass of the clump", range of(0.0, 1e10), absent "as its weight in water, whichever way that acts";
-        /// Drag coefficient times area of that body.
-        clump_drag_area_m2: f64 = 0.0, "drag area of the clump", range of(0.0, 1e6);
+        /// Drag coefficient times area of that body: one number, or along x, y, z.
+        clump_drag_area_m2: OneOrMany = 0.0, "drag area of the clump", kind NumberOrTriple, range of(0.0, 1e6);
         /// Drag coefficient times area of that body across the line, of a module around it and what else is aligned with it; in place of its drag area.
         clump_drag_area_normal_m2: f64 = 0.0, "drag area of the clump across the line", range of(0.0, 1e6);
         /// The same along the line, that of a module by its length or of its ends.
         clump_drag_area_tangential_m2: f64 = 0.0, "drag area of the clump along the line", range of(0.0, 1e6);
-        /// Added mass of that body.
-        clump_added_mass_kg: f64 = 0.0, "added mass of the clump", range of(0.0, 1e10);
+        /// Added mass of that body: one number, or along x, y, z.
+        clump_added_mass_kg: OneOrMany = 0.0, "added mass of the clump", kind NumberOrTriple, range of(0.0, 1e10);
+        /// Area of that body that bears on the bed, on lines divided into segments.
+        clump_bed_area_m2: Option<f64>, "area of the clump on the bed", range of(0.0, 1e6), absent "the bottom of a cube of its volume";
+        /// From the line down to what of that body bears on the bed.
+        clump_bottom_m: f64 = 0.0, "bottom of the clump", range of(0.0, 1e3);
+        /// Greatest pull by which the bed holds that body back once it has borne on it.
+        clump_breakout_n: f64 = 0.0, "breakout force of the clump", range of(0.0, 1e10);
+        /// Distance off the bed at which it is free of that pull.
+        clump_breakout_distance_m: f64 = 0.1, "breakout distance of the clump", range positive(100.0);
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) struct MovingPose<'a> {
     /// Velocity of the origin \[m/s\] and angular velocity \[rad/s\], in the earth's directions.
     pub(super) velocity: DualVector,
     pub(super) spin: DualVector,
-    /// What waves make of the water at the origin and at the stations of the members; empty in still water.
+    /// What waves make of the water at the station of the body, at those of the members and at the strips of its drag; empty in still water.
     waves: &'a [WaterMotion],
 }
 
@@ -75,9 +75,15 @@ impl<'a> MovingPose<'a> {
         Self { waves, ..self }
     }
 
-    /// What waves make of the water at the origin.
-    pub(super) fn at_origin(&self) -> Option<&'a WaterMotion> {
+    /// What waves make of the water at the station of the body itself ([`Body::station`](super::network::Body::station)).
+    pub(super) fn at_station(&self) -> Option<&'a WaterMotion> {
         self.waves.first()
+    }
+
+    /// What waves make of the water at the strips of the drag of the body, of this many; empty in still water.
+    pub(super) fn at_strips(&self, count: usize) -> &'a [WaterMotion] {
+        let first = self.waves.len().saturating_sub(count);
+        &self.waves[first..]
     }
 
     /// What waves make of the water at the stations of a member; empty in still water.

@@ -15,6 +15,7 @@ use super::potential_flow::PotentialFlow;
 use crate::case::{Start, StartShape};
 use crate::numerics::{M3, V3};
 use crate::physics::current::CurrentProfile;
+use crate::physics::rigid_body::drag_strips;
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentGrid, EndMotion};
 use crate::statics::catenary::SectionProperties;
@@ -97,6 +98,8 @@ pub struct FreePoint {
     pub load: V3,
     /// Friction on the bed in motion \[-\].
     pub friction: f64,
+    /// The speed below which that is in proportion to the velocity \[m/s\], where it goes by that and not about an anchor.
+    pub slip_speed: Option<f64>,
     /// How far its bottom is below it \[m\].
     pub below: f64,
     /// The area that bears on the bed; without, it does so by its weight.
@@ -136,6 +139,8 @@ pub struct Body {
     pub waterplane: Matrix6<f64>,
     /// Added mass about the origin, along the axes of the body \[kg, kg m, kg m²\].
     pub added_mass: Matrix6<f64>,
+    /// Centre of its added mass in its frame \[m\], where current and waves act on that and on the volume; nothing where they do not.
+    pub centre_of_added_mass: Option<V3>,
     /// Damping about the origin, along the axes of the body \[N s/m, N s, N m s\], and the same by the squares of its velocities.
     pub damping: Matrix6<f64>,
     /// See `damping`.
@@ -148,12 +153,20 @@ pub struct Body {
     pub moment: V3,
     /// From the origin down to what bears on the bed \[m\].
     pub bottom: Option<f64>,
-    /// Friction on the bed in motion \[-\].
+    /// Friction on the bed in motion \[-\], and the speed below which that is in proportion to the velocity \[m/s\].
     pub bed_friction: f64,
+    /// See `bed_friction`.
+    pub slip_speed: Option<f64>,
+    /// What of it bears on the bed with an area, at points on it.
+    pub feet: Vec<BodyFoot>,
     /// Its members in the water.
     pub members: Vec<Member>,
-    /// Drag coefficient times area along its axes, at the origin \[m²\].
+    /// Drag coefficient times area along its axes \[m²\].
     pub drag_area: V3,
+    /// Where that acts in its frame \[m\], and the length along its z over which it is spread there \[m\].
+    pub centre_of_drag: V3,
+    /// See `centre_of_drag`.
+    pub drag_length: f64,
     /// Loads of the wind by its heading.
     pub wind_loads: Option<HeadingLoads>,
     /// Loads of the current at the surface by its heading.
@@ -169,6 +182,27 @@ pub struct Body {
 }
 
 impl Body {
+    /// Where in its frame the waves are read that act on the body itself \[m\].
+    #[must_use]
+    pub fn station(&self) -> V3 {
+        self.centre_of_added_mass.unwrap_or(self.centre_of_drag)
+    }
+
+    /// The strips that its drag acts on: their places in its frame \[m\] and their shares of it; one where it is not spread.
+    pub fn drag_strips(&self) -> impl Iterator<Item = (V3, f64)> {
+        let strips = drag_strips(0.5 * self.drag_length);
+        strips.map(|(along, share)| (self.centre_of_drag + V3::z() * along, share))
+    }
+
+    /// How many strips have waves of their own: none where drag is not spread.
+    #[must_use]
+    pub fn strips_in_waves(&self) -> usize {
+        match self.drag_length > 0.0 {
+            true => self.drag_strips().count(),
+            false => 0,
+        }
+    }
+
     /// Angle between the vertical and what is vertical at the pose given \[rad\].
     #[must_use]
     pub fn tilt(&self, pose: &Pose) -> f64 {
@@ -189,7 +223,11 @@ impl Body {
             .members
             .iter()
             .flat_map(|member| [member.from, member.to]);
-        let centres = [self.centre_of_gravity, self.centre_of_buoyancy];
+        let centres = [
+            self.centre_of_gravity,
+            self.centre_of_buoyancy,
+            self.centre_of_drag,
+        ];
         ends.chain(centres)
             .map(|arm| arm.norm())
             .fold(0.0, f64::max)
@@ -201,6 +239,17 @@ impl Body {
         let longest = self.members.iter().map(|m| (m.to - m.from).norm());
         (self.weight + self.buoyancy).max(1.0) * longest.fold(1.0, f64::max)
     }
+}
+
+/// A point on a body that bears on the bed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyFoot {
+    /// Which point of the network.
+    pub point: usize,
+    /// Where it is in the frame of the body \[m\].
+    pub at: V3,
+    /// Its area and its friction.
+    pub bears: FreePoint,
 }
 
 /// A round member of a body.

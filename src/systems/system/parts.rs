@@ -2,7 +2,9 @@
 
 use super::discretised::SEGMENTS;
 use super::model::{LineInputs, LineSection, SystemFile};
-use crate::case::{Material, WaterSurface};
+use crate::case::{Material, OneOrMany, WaterSurface};
+use crate::numerics::V3;
+use crate::scene::per_axis;
 
 /// A stretch of a line of one material.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,12 +30,33 @@ pub struct SectionClump {
     pub wet_kg: f64,
     /// Mass in air \[kg\].
     pub mass_kg: f64,
-    /// Drag coefficient times area \[m²\].
-    pub drag_area_m2: f64,
+    /// Drag coefficient times area along x, y, z \[m²\].
+    pub drag_area_m2: V3,
     /// The same across and along the line, in its place \[m²\].
     pub aligned_drag_area_m2: [f64; 2],
-    /// Added mass \[kg\].
-    pub added_mass_kg: f64,
+    /// Added mass along x, y, z \[kg\].
+    pub added_mass_kg: V3,
+    /// How it bears on the bed.
+    pub bearing: ClumpBearing,
+}
+
+/// How a body on a line bears on the bed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClumpBearing {
+    /// Area that bears \[m²\]; nothing for the bottom of a cube of its volume.
+    pub area_m2: Option<f64>,
+    /// From the line down to what bears \[m\].
+    pub bottom_m: f64,
+    /// Greatest pull of the bed once it has borne on it \[N\].
+    pub breakout_n: f64,
+    /// Distance off the bed at which it is free of that pull \[m\].
+    pub breakout_distance_m: f64,
+}
+
+impl Default for ClumpBearing {
+    fn default() -> Self {
+        LineSection::default().clump_bearing()
+    }
 }
 
 impl SectionClump {
@@ -54,12 +77,22 @@ impl LineSection {
         SectionClump {
             wet_kg: self.clump_kg,
             mass_kg: self.clump_mass_kg.unwrap_or(self.clump_kg.abs()),
-            drag_area_m2: self.clump_drag_area_m2,
+            drag_area_m2: per_axis(&self.clump_drag_area_m2),
             aligned_drag_area_m2: [
                 self.clump_drag_area_normal_m2,
                 self.clump_drag_area_tangential_m2,
             ],
-            added_mass_kg: self.clump_added_mass_kg,
+            added_mass_kg: per_axis(&self.clump_added_mass_kg),
+            bearing: self.clump_bearing(),
+        }
+    }
+
+    fn clump_bearing(&self) -> ClumpBearing {
+        ClumpBearing {
+            area_m2: self.clump_bed_area_m2,
+            bottom_m: self.clump_bottom_m,
+            breakout_n: self.clump_breakout_n,
+            breakout_distance_m: self.clump_breakout_distance_m,
         }
     }
 
@@ -69,10 +102,14 @@ impl LineSection {
         Self {
             clump_kg: 0.0,
             clump_mass_kg: None,
-            clump_drag_area_m2: 0.0,
+            clump_drag_area_m2: OneOrMany::One(0.0),
             clump_drag_area_normal_m2: 0.0,
             clump_drag_area_tangential_m2: 0.0,
-            clump_added_mass_kg: 0.0,
+            clump_added_mass_kg: OneOrMany::One(0.0),
+            clump_bed_area_m2: None,
+            clump_bottom_m: 0.0,
+            clump_breakout_n: 0.0,
+            clump_breakout_distance_m: ClumpBearing::default().breakout_distance_m,
             ..self
         }
     }

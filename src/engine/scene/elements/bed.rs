@@ -44,17 +44,14 @@ pub(in crate::scene) struct HalfSegment {
 
 /// The bed of the case.
 pub(super) fn seabed(bed: &case::Seabed, files: &Attachments) -> ElasticBed {
-    let (slope, azimuth) = (
-        bed.slope_deg.to_radians(),
-        bed.slope_azimuth_deg.to_radians(),
-    );
-    let [x, y] = bed.depth_at_m;
+    let angles = [bed.slope_deg, bed.slope_azimuth_deg].map(f64::to_radians);
+    let plane = ElasticBed::plane((bed.depth_m, bed.depth_at_m), angles);
     let friction = bed
         .friction
         .filter(|axial| *axial > 0.0 || bed.friction_lateral.is_some_and(|lateral| lateral > 0.0));
     ElasticBed {
-        z: -bed.depth_m - slope.tan() * (x * azimuth.cos() + y * azimuth.sin()),
-        slope: ElasticBed::sloping(slope, azimuth),
+        z: plane.map_or(-bed.depth_m, |(z, _)| z),
+        slope: plane.map(|(_, normal)| normal),
         // Its file was read with the case.
         grid: case::depth_grid(bed.depths(), files).ok().flatten(),
         stiffness: bed.stiffness_n_per_m3,

@@ -2,7 +2,10 @@
 
 use super::source::{LINE, LineSource};
 use super::stretches::{Stretch, end_of, on_free_end};
-use crate::case::{ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, channels};
+use super::turning_payload::{bottom_point, turning};
+use crate::case::{
+    ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, channels,
+};
 use crate::scene::{clump_bed_area, payload_bed_area};
 
 /// What is recorded of points that bear on the bed.
@@ -99,6 +102,16 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     let quantity = id.quantity;
     if ChannelQuantity::BENDING.contains(&quantity) {
         return Some(quantity.at(format!("{LINE}|{}", letter(end))));
+    }
+    let turns = end == LineEnd::B && turning(source).is_some();
+    let is_on_vessel = given.kind == EndKind::Moving && given.motion == MotionName::Vessel;
+    let is_unread = turns && quantity == ChannelQuantity::Speed
+        || is_on_vessel && ChannelQuantity::FORCE.contains(&quantity);
+    if is_unread {
+        return None;
+    }
+    if turns && OF_BED.contains(&quantity) {
+        return bears(source, end).then(|| quantity.at(bottom_point(source)));
     }
     let of_point = ChannelQuantity::POSITION.contains(&quantity)
         || ChannelQuantity::FORCE.contains(&quantity)

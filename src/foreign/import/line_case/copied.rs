@@ -1,21 +1,13 @@
 //! Tables that both kinds of file have, copied key by key with the expressions in them.
 
 use super::source::LineSource;
-use crate::case::{OneOrMany, TomlNode};
+use crate::case::{EndKind, MotionName, OneOrMany, TomlNode};
 use crate::import::to_case::case_text::{CaseText, number, text};
 
 /// Copies a table of the case, where it has it.
 pub(super) fn copy(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &str) {
     if let Some(node) = source.node(&[table]) {
         copy_table(system, source, &format!("[{table}]"), node, &[]);
-    }
-}
-
-/// Copies the bed but for its slope, which is none.
-pub(super) fn seabed(system: &mut CaseText<'_>, source: &LineSource<'_>) {
-    if let Some(node) = source.node(&["seabed"]) {
-        let slope = ["depth_at_m", "slope_deg", "slope_azimuth_deg"];
-        copy_table(system, source, "[seabed]", node, &slope);
     }
 }
 
@@ -105,6 +97,12 @@ pub(super) fn files(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let bed = case.seabed.iter().filter_map(|bed| bed.depth_file.as_ref());
     let load_cases = case.load_cases.iter().filter_map(|of| of.file.as_ref());
     let mut named: Vec<&String> = bed.chain(load_cases).collect();
+    if source.is_in_time() {
+        let ends = [&case.ends.a, &case.ends.b].into_iter();
+        let vessels =
+            ends.filter(|end| end.kind == EndKind::Moving && end.motion == MotionName::Vessel);
+        named.extend(vessels.filter_map(|end| end.motion_file.as_ref()));
+    }
     for check in &case.checks {
         named.extend(
             [&check.rules, &check.curve, &check.section]

@@ -2,8 +2,9 @@
 
 use super::bearing;
 use super::copied::{coefficient, value_of};
+use super::payload::lift_in_air;
 use super::results::reads_forces;
-use super::source::{DENSITY, LETTERS, LineSource};
+use super::source::{DENSITY, GRAVITY, LETTERS, LineSource};
 use super::stretches::{Stretch, at_end};
 use crate::case::{Clump, End, EndKind};
 use crate::import::fault::Fault;
@@ -80,10 +81,8 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
     }
     let path = ["clumps", &clump.name, "wet_mass_kg"];
     let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
-    if in_air && clump.wet_mass_kg != clump.mass_kg {
-        let problem = "differs from the mass where there is no water";
-        let remedy = "give the density of the water, or the mass";
-        found.push(source.fault(&path, problem, remedy));
+    if in_air {
+        found.extend(source.fault_of_expression(&GRAVITY));
     } else if clump.wet_mass_kg > clump.mass_kg {
         let problem =
             "is more than the mass in air, and a point of a system displaces no less than nothing";
@@ -105,6 +104,8 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &
         let why = "mass_kg less wet_mass_kg, by the density of the water";
         system.given("volume_m3", &number(displaced / density), &wet.span, why);
     }
+    let span = source.span(&[table[0], table[1], "wet_mass_kg"]);
+    lift_in_air(system, source, displaced, span);
     for (key, value) in [
         ("drag_area_m2", &clump.drag_area_m2),
         ("added_mass_kg", &clump.added_mass_kg),

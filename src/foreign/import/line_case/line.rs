@@ -2,6 +2,7 @@
 
 use super::buoyed::name_of;
 use super::copied::value_of;
+use super::ends::point_name;
 use super::source::{LETTERS, LINE, LineSource};
 use super::start;
 use super::stretches::{Stretch, is_one};
@@ -10,15 +11,15 @@ use crate::import::to_case::case_text::{CaseText, number, text};
 
 /// Writes the line.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
-    let [a, b] = [&source.case.ends.a, &source.case.ends.b];
+    let [a, b] = LETTERS.map(|letter| point_name(source, letter));
     system.table("[[lines]]", source.span(&["line"]));
     system.line(&format!("name = {}", text(LINE)), None);
     system.line(
-        &format!("from = {}", text(&a.name)),
+        &format!("from = {}", text(&a)),
         source.span(&["ends", "a", "name"]),
     );
     system.line(
-        &format!("to = {}", text(&b.name)),
+        &format!("to = {}", text(&b)),
         source.span(&["ends", "b", "name"]),
     );
     if is_one(line) {
@@ -117,9 +118,21 @@ fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
         ("clump_added_mass_kg", "added_mass_kg", &clump.added_mass_kg),
     ];
     for (key, from, value) in both {
-        let span = source.span(&["clumps", &clump.name, from]);
-        if let (Some(value), Some(span)) = (value.alike(), span) {
-            system.given(key, &number(value), span, from);
+        let node = source.node(&["clumps", &clump.name, from]);
+        if let Some(node) = node.filter(|_| !value.is_zero()) {
+            system.given(key, &value_of(source, node), &node.span, from);
+        }
+    }
+    let bearing = [
+        "bed_area_m2",
+        "bottom_m",
+        "breakout_n",
+        "breakout_distance_m",
+    ];
+    for from in bearing.into_iter().filter(|_| source.case.seabed.is_some()) {
+        if let Some(node) = source.node(&["clumps", &clump.name, from]) {
+            let key = format!("clump_{from}");
+            system.given(&key, &value_of(source, node), &node.span, from);
         }
     }
 }

@@ -19,6 +19,7 @@ mod run;
 mod source;
 mod start;
 mod stretches;
+mod turning_payload;
 mod unused;
 
 use std::path::Path;
@@ -68,11 +69,11 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     }
     let mut system = CaseText::of_text(source.text);
     head(&mut system, source, &line);
-    for table in ["parameters", "environment", "current"] {
-        copy(&mut system, source, table);
-    }
+    copy(&mut system, source, "parameters");
+    run::environment(&mut system, source);
+    copy(&mut system, source, "current");
     run::waves(&mut system, source);
-    copied::seabed(&mut system, source);
+    copy(&mut system, source, "seabed");
     buoyed::write_materials(&mut system, source, &line);
     ends::write(&mut system, source);
     line::write(&mut system, source, &line);

@@ -15,6 +15,7 @@ pub(super) fn translated(
     let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
     match parts.as_slice() {
         ["environment", "water_density_kg_per_m3"] if is_derived_by_density(source, line) => None,
+        ["environment", "gravity_m_per_s2"] if has_lift_in_air(source) => None,
         ["parameters" | "environment" | "current" | "statistics", ..] => Some(path.to_owned()),
         ["seabed", ..] => Some(path.to_owned()),
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
@@ -42,6 +43,16 @@ fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool 
             .iter()
             .any(|letter| on_free_end(source, letter).is_some())
         || line.iter().any(|stretch| !stretch.is_bare())
+}
+
+/// Whether a load was computed by gravity: of a body in air that weighs another than its mass.
+fn has_lift_in_air(source: &LineSource<'_>) -> bool {
+    let case = &source.case;
+    let payload = case.payload.iter();
+    let mut payload = payload.filter_map(|one| Some((one.dry_mass_kg, one.wet_mass_kg?)));
+    let mut clumps = case.clumps.iter().map(|one| (one.mass_kg, one.wet_mass_kg));
+    let differs = |(mass, wet): (f64, f64)| mass != wet;
+    case.environment.water_density_kg_per_m3 == 0.0 && (payload.any(differs) || clumps.any(differs))
 }
 
 /// Whether a material is that of the case wherever the line is of it.
@@ -108,5 +119,9 @@ fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
         }
         _ => return None,
     };
-    Some(format!("points.{}.{own}", source.case.ends.b.name))
+    let table = match payload.rotation {
+        Some(_) => "bodies",
+        None => "points",
+    };
+    Some(format!("{table}.{}.{own}", source.case.ends.b.name))
 }

@@ -1,13 +1,16 @@
-//! The payload as a free point, and what of it a point cannot state.
+//! The payload as a free point, and what of it a system cannot state.
+
+use std::ops::Range;
 
 use super::bearing::{self, bears_by_volume};
 use super::copied::{coefficient, value_of};
-use super::source::{DENSITY, LineSource};
-use crate::case::Payload;
+use super::source::{DENSITY, GRAVITY, LineSource};
+use super::turning_payload;
+use crate::case::{OneOrMany, Payload};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number, numbers};
 use crate::numerics::V3;
-use crate::scene::{payload_bed_area, shape_form};
+use crate::scene::{payload_bed_area, per_axis, shape_form};
 
 /// What of the payload acts and a free point cannot state.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
@@ -15,10 +18,8 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
         return Vec::new();
     };
     let mut found = Vec::new();
-    if payload.rotation.is_some() {
-        let problem = "a payload that turns about the end of the line is no point";
-        let remedy = "write it as a free body of a system";
-        found.push(source.fault(&["payload", "rotation"], problem, remedy));
+    if let Some(rotation) = &payload.rotation {
+        found.extend(turning_payload::faults(source, rotation));
     }
     found.extend(bearing::faults(source, &["payload"], payload.breakout_n));
     found.extend(derived(source, payload));
@@ -52,23 +53,27 @@ fn volume(source: &LineSource<'_>, payload: &Payload) -> Vec<Fault> {
     found.extend(source.fault_of_expression(&DENSITY));
     let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
     if in_air && wet != payload.dry_mass_kg {
-        let problem = "differs from the dry mass where there is no water";
-        let remedy = "give the density of the water, or the dry mass";
-        found.push(source.fault(&["payload", "wet_mass_kg"], problem, remedy));
+        found.extend(source.fault_of_expression(&GRAVITY));
+        if payload.rotation.is_some() {
+            let problem = "differs from the dry mass where there is no water";
+            let remedy = "give the density of the water, or the dry mass";
+            found.push(source.fault(&["payload", "wet_mass_kg"], problem, remedy));
+        }
     }
     found
 }
 
-/// Writes mass, volume, drag area and added mass of the payload.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
-    let mut one = |key: &str, from: &str| {
-        if let Some(node) = source.node(&["payload", from]) {
-            system.given(key, &value_of(source, node), &node.span, from);
-        }
-    };
-    one("mass_kg", "dry_mass_kg");
-    if payload.wet_mass_kg.is_none() {
-        one("volume_m3", "volume_m3");
+/// Writes the displaced volume of the payload, where it is not that of its shape.
+pub(super) fn write_volume(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
+    if payload.wet_mass_kg.is_none()
+        && let Some(node) = source.node(&["payload", "volume_m3"])
+    {
+        system.given(
+            "volume_m3",
+            &value_of(source, node),
+            &node.span,
+            "volume_m3",
+        );
     }
     let density = source.case.environment.water_density_kg_per_m3;
     if let Some(wet) = payload.wet_mass_kg
@@ -83,6 +88,50 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
             "dry_mass_kg less wet_mass_kg, by the density of the water",
         );
     }
+    let form = payload.shape.as_ref().map(shape_form);
+    if let Some(form) =
+        form.filter(|_| payload.wet_mass_kg.is_none() && payload.volume_m3.is_none())
+    {
+        system.assumed("volume_m3", &number(form.volume), "by its shape");
+    }
+}
+
+/// Drag area \[m²\] and added mass \[kg\] of the payload along x, y, z.
+pub(super) struct Hydrodynamics {
+    pub(super) drag_area: V3,
+    pub(super) added_mass: V3,
+}
+
+/// As they are given, or follow from the shape.
+pub(super) fn hydrodynamics(source: &LineSource<'_>, payload: &Payload) -> Hydrodynamics {
+    let form = payload.shape.as_ref().map(shape_form);
+    let density = source.case.environment.water_density_kg_per_m3;
+    let given = |value: &Option<OneOrMany>| value.as_ref().map(per_axis);
+    let by_form = |value: Option<V3>| value.unwrap_or_default();
+    Hydrodynamics {
+        drag_area: given(&payload.drag_area_m2)
+            .unwrap_or_else(|| by_form(form.map(|form| form.drag_area))),
+        added_mass: given(&payload.added_mass_kg)
+            .unwrap_or_else(|| by_form(form.map(|form| form.added_volume * density))),
+    }
+}
+
+/// Writes mass, volume, drag area and added mass of the payload as a point.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
+    if let Some(node) = source.node(&["payload", "dry_mass_kg"]) {
+        let mass = value_of(source, node);
+        system.given("mass_kg", &mass, &node.span, "dry_mass_kg");
+    }
+    write_volume(system, source, payload);
+    if let Some(wet) = payload.wet_mass_kg {
+        let lift = payload.dry_mass_kg - wet;
+        lift_in_air(
+            system,
+            source,
+            lift,
+            source.span(&["payload", "wet_mass_kg"]),
+        );
+    }
     for (key, value) in [
         ("drag_area_m2", &payload.drag_area_m2),
         ("added_mass_kg", &payload.added_mass_kg),
@@ -91,25 +140,44 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, payload:
             coefficient(system, source, &["payload", key], value);
         }
     }
-    of_shape(system, payload, density);
+    of_shape(system, source, payload);
     let area = payload_bed_area(payload, &source.case.environment);
     bearing::write(system, source, &["payload"], area);
 }
 
-/// What only the shape gives.
-fn of_shape(system: &mut CaseText<'_>, payload: &Payload, density: f64) {
-    let Some(form) = payload.shape.as_ref().map(shape_form) else {
-        return;
-    };
-    let mut one = |key: &str, value: &str| system.assumed(key, value, "by its shape");
-    let all = |value: V3| numbers(&[value.x, value.y, value.z]);
-    if payload.wet_mass_kg.is_none() && payload.volume_m3.is_none() {
-        one("volume_m3", &number(form.volume));
+/// Writes the load by which a body in air weighs less than its mass \[kg\]: there is no water whose buoyancy it would be.
+pub(super) fn lift_in_air(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    lift_kg: f64,
+    span: Option<&Range<usize>>,
+) {
+    let around = &source.case.environment;
+    if let Some(span) = span.filter(|_| around.water_density_kg_per_m3 == 0.0 && lift_kg != 0.0) {
+        let load = numbers(&[0.0, 0.0, lift_kg * around.gravity_m_per_s2]);
+        system.given(
+            "load_n",
+            &load,
+            span,
+            "the mass less wet_mass_kg, by gravity",
+        );
     }
+}
+
+/// Drag area and added mass that only the shape gives.
+fn of_shape(system: &mut CaseText<'_>, source: &LineSource<'_>, payload: &Payload) {
+    if payload.shape.is_none() {
+        return;
+    }
+    let of = hydrodynamics(source, payload);
+    let mut all = |key: &str, value: V3| {
+        let value = numbers(&[value.x, value.y, value.z]);
+        system.assumed(key, &value, "by its shape");
+    };
     if payload.drag_area_m2.is_none() {
-        one("drag_area_m2", &all(form.drag_area));
+        all("drag_area_m2", of.drag_area);
     }
     if payload.added_mass_kg.is_none() {
-        one("added_mass_kg", &all(form.added_volume * density));
+        all("added_mass_kg", of.added_mass);
     }
 }

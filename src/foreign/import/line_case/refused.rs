@@ -1,10 +1,10 @@
 //! What acts in a case and a system cannot state.
 
-use super::ends::rows_of;
+use super::ends::moves_at_rest;
 use super::payload;
 use super::source::{DENSITY, LETTERS, LineSource};
 use super::stretches::end_of;
-use crate::case::{DragCoefficient, DynamicStiffness, End, EndKind, MotionName};
+use crate::case::{Clump, DragCoefficient, End, EndKind, MotionName};
 use crate::import::fault::Fault;
 
 /// All of it, but for what the mesh and the results show.
@@ -27,84 +27,42 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     }
     found.extend(clumps(source));
     found.extend(buoyed(source));
-    found.extend(secants(source));
-    found.extend(slope(source));
     found.extend(start(source));
     found
 }
 
 /// The motion of an end.
-fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Option<Fault> {
-    if end.kind != EndKind::Moving {
-        return None;
-    }
-    let at = |key, problem, remedy| Some(source.fault(&["ends", letter, key], problem, remedy));
-    match end.motion {
-        MotionName::Irregular => at(
-            "motion",
-            "a system moves points by harmonics or by a table",
-            "give the motion as a table",
-        ),
-        MotionName::Vessel => at(
-            "motion",
-            "in a system a vessel is a body with a response_file of its own, and this one is not carried over",
-            "import the case with a held end, and put its point on a moved body",
-        ),
-        MotionName::Table
-            if rows_of(source, end)
-                .first()
-                .is_some_and(|row| row[0] != 0.0) =>
-        {
-            at(
-                "motion_file",
-                "the table of a system begins at time 0",
-                "begin it at 0",
-            )
-        }
-        MotionName::Table => None,
-        MotionName::Harmonic if !source.is_in_time() && is_off_place(end) => at(
-            "phase_deg",
-            "at rest a system has the point at its position, not where its motion begins",
-            "give that position, or leave the phase out",
-        ),
-        MotionName::Harmonic => None,
-    }
-}
-
-/// Whether a motion begins off its place.
-fn is_off_place(end: &End) -> bool {
-    let mut axes = end.amplitude_m.iter().zip(&end.phase_deg);
-    end.ramp_s == 0.0 && axes.any(|(amplitude, phase)| amplitude * phase.to_radians().sin() != 0.0)
-}
-
-/// Clumps between the ends whose coefficients go by axes, or that bear on the bed otherwise than a cube does.
-fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
+fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Vec<Fault> {
+    let path = |key| ["ends", letter, key];
     let mut found = Vec::new();
-    let clumps = source.case.clumps.iter();
-    for clump in clumps.filter(|clump| end_of(&source.case, clump).is_none()) {
-        let name = clump.name.as_str();
-        let both = [
-            ("drag_area_m2", source.flows(), &clump.drag_area_m2),
-            ("added_mass_kg", source.is_in_time(), &clump.added_mass_kg),
-        ];
-        for (key, acts, value) in both {
-            if acts && value.alike().is_none() {
-                let problem = "a clump of a system has the same along all axes";
-                found.push(source.fault(&["clumps", name, key], problem, "give one number"));
-            }
+    if end.kind != EndKind::Moving {
+        return found;
+    }
+    if end.motion == MotionName::Vessel && source.is_in_time() {
+        found.extend(source.fault_of_expression(&path("hang_point_m")));
+        let waves = source.case.waves.as_ref();
+        if waves.is_some_and(|waves| waves.ramp_s > end.ramp_s) {
+            let problem = "is shorter than that of the waves, with which the motion of a body of a system grows";
+            let remedy = "give the ramp_s of the waves, or a longer one";
+            found.push(source.fault(&path("ramp_s"), problem, remedy));
         }
-        for key in ["bed_area_m2", "bottom_m", "breakout_n"] {
-            let path = ["clumps", name, key];
-            if source.case.seabed.is_some() && source.node(&path).is_some() {
-                let problem = "a clump of a system bears on the bed as a cube of its volume";
-                found.push(source.fault(&path, problem, "leave it out"));
-            }
-        }
-        for key in ["at_m", "drag_area_m2", "added_mass_kg"] {
-            found.extend(source.fault_of_expression(&["clumps", name, key]));
-        }
+    }
+    if !source.is_in_time() && moves_at_rest(source, end) {
+        let keys = ["position_m", "amplitude_m", "phase_deg"];
+        found.extend(
+            keys.iter()
+                .filter_map(|key| source.fault_of_expression(&path(key))),
+        );
     }
     found
+}
+
+/// Expressions in what says where clumps between the ends hang.
+fn clumps(source: &LineSource<'_>) -> Vec<Fault> {
+    let clumps = source.case.clumps.iter();
+    let between = clumps.filter(|clump| end_of(&source.case, clump).is_none());
+    let at = |clump: &Clump| source.fault_of_expression(&["clumps", &clump.name, "at_m"]);
+    between.filter_map(at).collect()
 }
 
 /// Modules on a line whose drag goes by a law, or on a pipe with a bore; expressions in what they are computed from.
@@ -183,36 +141,6 @@ fn under(source: &LineSource<'_>, table: &str, name: &str) -> Vec<Fault> {
     );
     found.extend(source.fault_of_expression(&DENSITY));
     found
-}
-
-/// Ropes at rest whose stiffness goes with their tension: the closed form of a line has the static one.
-fn secants(source: &LineSource<'_>) -> Vec<Fault> {
-    let is_closed = !source.is_in_time() && source.case.current.is_none() && !source.bends();
-    let materials = source.case.materials.iter().filter(|_| is_closed);
-    let secants = materials.filter(|(_, of)| of.dynamic_stiffness == DynamicStiffness::Secant);
-    let fault = |(name, _): (&String, _)| {
-        let problem = "makes the line stiffer at rest, and a system has its static stiffness there";
-        let path = ["materials", name, "dynamic_stiffness"];
-        source.fault(
-            &path,
-            problem,
-            "let the case run in time, or leave this out",
-        )
-    };
-    secants.map(fault).collect()
-}
-
-/// A bed that slopes.
-fn slope(source: &LineSource<'_>) -> Option<Fault> {
-    let bed = source.case.seabed.as_ref()?;
-    (bed.slope_deg != 0.0 && bed.depth_file.is_none()).then(|| {
-        let problem = "a bed of a system is level, or has depths over a grid with vertical springs, and not ones across a slope";
-        source.fault(
-            &["seabed", "slope_deg"],
-            problem,
-            "give the slope as a `depth_file` of four places, with `interpolation = \"bilinear\"`",
-        )
-    })
 }
 
 /// A start that is no equilibrium.

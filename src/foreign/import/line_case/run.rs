@@ -1,10 +1,25 @@
 //! Waves, the run in time and its output.
 
-use super::copied::{copy_keys, value_of};
+use super::copied::{copy, copy_keys, value_of};
+use super::ends;
 use super::results;
 use super::source::LineSource;
 use super::stretches::Stretch;
 use crate::import::to_case::case_text::{CaseText, numbers};
+
+/// Writes the environment; above water that it does not say to be crossed all counts as under it, as of a line.
+pub(super) fn environment(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    copy(system, source, "environment");
+    let surface = ["environment", "water_surface"];
+    let wet = source.case.environment.water_density_kg_per_m3 > 0.0;
+    if source.node(&surface).is_some() || !wet || !ends::rises_above_water(source) {
+        return;
+    }
+    if source.node(&["environment"]).is_none() {
+        system.table("[environment]", None);
+    }
+    system.assumed("water_surface", "\"ignored\"", "as of a line");
+}
 
 /// Writes the waves; their gauge is where a case has it.
 pub(super) fn waves(system: &mut CaseText<'_>, source: &LineSource<'_>) {

@@ -15,6 +15,9 @@ pub(super) const LINE: &str = "line";
 /// The key of the density of the water, which volumes and materials with floats follow from.
 pub(super) const DENSITY: [&str; 2] = ["environment", "water_density_kg_per_m3"];
 
+/// The key of gravity, which loads of bodies in air follow from.
+pub(super) const GRAVITY: [&str; 2] = ["environment", "gravity_m_per_s2"];
+
 /// A case with its text.
 pub(super) struct LineSource<'t> {
     /// Its text.
@@ -77,12 +80,6 @@ impl<'t> LineSource<'t> {
             let material = self.case.materials.get(&section.material);
             material.is_some_and(|of| of.ei_n_m2 > 0.0)
         })
-    }
-
-    /// Whether water flows past the line.
-    pub(super) fn flows(&self) -> bool {
-        let has_water = self.case.environment.water_density_kg_per_m3 > 0.0;
-        has_water && (self.is_in_time() || self.case.current.is_some())
     }
 
     /// Key paths by the byte where their values begin.

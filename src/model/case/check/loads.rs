@@ -14,7 +14,7 @@ pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     found.extend(case.current.iter().filter_map(without_file));
     if let Some(bed) = &case.seabed {
         found.extend(friction(bed));
-        found.extend(level(bed).into_iter().chain(grid(bed)));
+        found.extend(shape(bed));
     }
     found.extend(work(case));
     found
@@ -28,6 +28,18 @@ fn friction(bed: &SeabedKeys<'_>) -> Vec<Finding> {
         slip_speed: &bed.slip_speed_m_per_s,
     }
     .without_effect(bed.friction.is_given())
+}
+
+/// Keys of the bed's shape that have no effect.
+fn shape(bed: &SeabedKeys<'_>) -> Vec<Finding> {
+    BedShapeKeys {
+        depth_at: &bed.depth_at_m,
+        slope: &bed.slope_deg,
+        azimuth: &bed.slope_azimuth_deg,
+        depth_file: &bed.depth_file,
+        interpolation: &bed.interpolation,
+    }
+    .without_effect()
 }
 
 /// Keys of friction beside its coefficient along lines.
@@ -72,34 +84,58 @@ impl FrictionKeys<'_, '_> {
     }
 }
 
-/// Keys of a bed with a grid of depths that say the same otherwise, or are not computed with it.
-fn grid(bed: &SeabedKeys<'_>) -> Vec<Finding> {
-    if !bed.depth_file.is_given() {
-        let problem = "has no effect: the bed has no file of depths";
-        let remedy = "add `depth_file = ...`, or remove this key";
-        let given = bed.interpolation.if_given(problem, remedy);
-        let differs = !bed.interpolation.is(&BedInterpolation::Smooth);
-        return given.filter(|_| differs).into_iter().collect();
-    }
-    let problem = "has no effect: the bed has the depths of depth_file";
-    let slope = bed.slope_deg.if_given(problem, "remove it, or depth_file");
-    slope.into_iter().collect()
+/// The keys that give a bed its shape.
+#[derive(Debug)]
+pub struct BedShapeKeys<'k, 'a> {
+    /// Where it has its depth.
+    pub depth_at: &'k Key<'a, [f64; 2]>,
+    /// How steeply it rises.
+    pub slope: &'k Key<'a, f64>,
+    /// Which way.
+    pub azimuth: &'k Key<'a, f64>,
+    /// The file of its depths.
+    pub depth_file: &'k Key<'a, String>,
+    /// How the depth goes between the places of that.
+    pub interpolation: &'k Key<'a, BedInterpolation>,
 }
 
-/// Where a level bed is how deep, and which way it does not rise. Zero says no more than nothing.
-fn level(bed: &SeabedKeys<'_>) -> Vec<Finding> {
-    if bed.slope_deg.is_given() {
-        return Vec::new();
+impl BedShapeKeys<'_, '_> {
+    /// Those that have no effect, or say the same otherwise.
+    #[must_use]
+    pub fn without_effect(&self) -> Vec<Finding> {
+        let mut found = self.of_level();
+        found.extend(self.of_grid());
+        found
     }
-    let problem = "has no effect: the bed is level";
-    let remedy = "add `slope_deg = ...`, how steeply it rises, or remove this key";
-    let azimuth = bed.slope_azimuth_deg.if_given(problem, remedy);
-    let place = bed.depth_at_m.if_given(problem, remedy);
-    let found = [
-        azimuth.filter(|_| !bed.slope_azimuth_deg.is(&0.0)),
-        place.filter(|_| !bed.depth_at_m.is(&[0.0, 0.0])),
-    ];
-    found.into_iter().flatten().collect()
+
+    /// Keys of a bed with a grid of depths that say the same otherwise, or are not computed with it.
+    fn of_grid(&self) -> Option<Finding> {
+        if !self.depth_file.is_given() {
+            let problem = "has no effect: the bed has no file of depths";
+            let remedy = "add `depth_file = ...`, or remove this key";
+            let given = self.interpolation.if_given(problem, remedy);
+            let differs = !self.interpolation.is(&BedInterpolation::Smooth);
+            return given.filter(|_| differs);
+        }
+        let problem = "has no effect: the bed has the depths of depth_file";
+        self.slope.if_given(problem, "remove it, or depth_file")
+    }
+
+    /// Where a level bed is how deep, and which way it does not rise. Zero says no more than nothing.
+    fn of_level(&self) -> Vec<Finding> {
+        if self.slope.is_given() {
+            return Vec::new();
+        }
+        let problem = "has no effect: the bed is level";
+        let remedy = "add `slope_deg = ...`, how steeply it rises, or remove this key";
+        let azimuth = self.azimuth.if_given(problem, remedy);
+        let place = self.depth_at.if_given(problem, remedy);
+        let found = [
+            azimuth.filter(|_| !self.azimuth.is(&0.0)),
+            place.filter(|_| !self.depth_at.is(&[0.0, 0.0])),
+        ];
+        found.into_iter().flatten().collect()
+    }
 }
 
 /// A current by a file is computed in systems alone.

@@ -26,7 +26,9 @@ pub use checks::of_checks;
 pub use line::drag_twice;
 pub use load_cases::{of_load_cases, takes_values};
 pub(crate) use load_cases::{variable, varied};
-pub use loads::{FrictionKeys, current as of_current, increasing, too_many_rows, too_many_steps};
+pub use loads::{
+    BedShapeKeys, FrictionKeys, current as of_current, increasing, too_many_rows, too_many_steps,
+};
 pub use rope::of_material;
 pub use sea::of_waves;
 pub(crate) use seacable_keys::check::{

@@ -174,23 +174,26 @@ fn drawn_of(index: usize, moves: bool, random: &mut Random) -> (usize, Result<Ta
 pub fn one(index: usize, seed: u64, moves: bool) -> InvariantOutcome {
     let mut random = Random::new(seed, index as u64);
     let (kind, file) = drawn_of(index, moves, &mut random);
-    let refused = |file: Table, why: String| InvariantOutcome {
+    let outcome = match file {
+        Ok(file) => against_itself(file, &mut random, moves),
+        Err(why) => refused(Table::new(), why),
+    };
+    InvariantOutcome {
         index,
         kind,
-        file,
-        refused: Some(why),
-        held: Vec::new(),
-    };
-    let file = match file {
-        Ok(file) => file,
-        Err(why) => return refused(Table::new(), why),
-    };
+        ..outcome
+    }
+}
+
+/// Holds a system against itself.
+#[must_use]
+pub fn against_itself(file: Table, random: &mut Random, moves: bool) -> InvariantOutcome {
     let system = match computed(&text(&file), moves) {
         Ok(system) => system,
         Err(why) => return refused(file, why),
     };
     let held = Invariant::ALL.map(|invariant| {
-        let Some(variant) = invariant.variant(&file, &mut random) else {
+        let Some(variant) = invariant.variant(&file, random) else {
             return (VariantOutcome::NotAsked, None);
         };
         let other = match computed(&variant.text(), moves) {
@@ -203,10 +206,20 @@ pub fn one(index: usize, seed: u64, moves: bool) -> InvariantOutcome {
         }
     });
     InvariantOutcome {
-        index,
-        kind,
+        index: 0,
+        kind: 0,
         file,
         refused: None,
         held: held.into(),
+    }
+}
+
+fn refused(file: Table, why: String) -> InvariantOutcome {
+    InvariantOutcome {
+        index: 0,
+        kind: 0,
+        file,
+        refused: Some(why),
+        held: Vec::new(),
     }
 }

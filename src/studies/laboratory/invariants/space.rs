@@ -93,6 +93,7 @@ impl Space {
                 }
             }
         }
+        self.slope(file);
         self.bed(file);
     }
 
@@ -153,7 +154,13 @@ impl Space {
                 V3::new(self.roll(of.x), of.y, self.roll(of.z))
             });
         }
-        for key in ["centre_of_gravity_m", "centre_of_buoyancy_m"] {
+        for key in [
+            "centre_of_gravity_m",
+            "centre_of_buoyancy_m",
+            "centre_of_added_mass_m",
+            "centre_of_drag_m",
+            "response_at_m",
+        ] {
             change_vector(body, key, |of| self.within(of));
         }
         self.table_of_places(body);
@@ -183,6 +190,22 @@ impl Space {
                 rows.reverse();
             }
         }
+    }
+
+    /// A bed that slopes evenly.
+    fn slope(&self, file: &mut Table) {
+        let bed = file.get_mut("seabed").and_then(Value::as_table_mut);
+        let Some(bed) = bed.filter(|bed| bed.contains_key("slope_deg")) else {
+            return;
+        };
+        let azimuth = number(bed, "slope_azimuth_deg").unwrap_or(0.0);
+        put(bed, "slope_azimuth_deg", self.azimuth(azimuth));
+        let at = match numbers(bed, "depth_at_m")[..] {
+            [x, y] => V3::new(x, y, 0.0),
+            _ => V3::zeros(),
+        };
+        let to = self.place(at);
+        put(bed, "depth_at_m", vec![to.x, to.y]);
     }
 
     /// A grid of depths, which is an inclined plane where it is turned.

@@ -154,7 +154,7 @@ fn without_body_drag(system: &mut SystemFile) {
         clear(&mut point.drag_area_m2);
     }
     for section in sections(system) {
-        section.clump_drag_area_m2 = 0.0;
+        clear(&mut section.clump_drag_area_m2);
         section.clump_drag_area_normal_m2 = 0.0;
         section.clump_drag_area_tangential_m2 = 0.0;
     }
@@ -174,7 +174,7 @@ fn without_body_added_mass(system: &mut SystemFile) {
     for point in system.points.values_mut() {
         clear(&mut point.added_mass_kg);
     }
-    sections(system).for_each(|section| section.clump_added_mass_kg = 0.0);
+    sections(system).for_each(|section| clear(&mut section.clump_added_mass_kg));
     for body in system.bodies.values_mut() {
         body.added_mass.clear();
         for member in &mut body.members {
@@ -204,6 +204,7 @@ fn without_friction(system: &mut SystemFile) {
 fn still_point(point: &mut PointInputs) {
     point.amplitude_m = [0.0; 3];
     point.period_s = None;
+    (point.rms_m, point.peak_period_s) = ([0.0; 3], None);
     let columns = [
         &mut point.table_time_s,
         &mut point.table_x_m,

@@ -110,10 +110,10 @@ fn carry(
 fn lift(network: &Network, rest: &SystemEquilibrium, point: usize) -> [f64; 3] {
     let bed = network.bed.as_ref();
     let lies = rest.contact(point) == Contact::Bed;
-    let gradient = bed
+    let rise = bed
         .filter(|_| lies)
-        .map(|bed| bed.gradient(&rest.placement.points[point]));
-    gradient.map_or([0.0; 3], |gradient| [-gradient.x, -gradient.y, 0.0])
+        .map(|bed| bed.rise(&rest.placement.points[point]));
+    rise.map_or([0.0; 3], |[x, y]| [x, y, 0.0])
 }
 
 /// The axes of a body in the earth's, for displacements and turns.

@@ -24,7 +24,8 @@ pub(in crate::system) fn bed(
         let arm = pose.arm(end);
         let place = pose.place(&arm);
         let here = place.map(|part| part.re);
-        let gradient = bed.gradient(&here);
+        let [x, y] = bed.rise(&here);
+        let gradient = V3::new(-x, -y, 1.0);
         let lower = (place - constant(&here)).dot(&constant(&V3::new(gradient.x, gradient.y, 0.0)));
         let above = pose.origin.z + arm.z - (bed.z_below(&here) + radius) + lower;
         if above.re < 0.0 {

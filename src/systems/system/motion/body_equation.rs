@@ -17,8 +17,9 @@
 
 use nalgebra::{Matrix6, Rotation3, UnitQuaternion, Vector6};
 
+use super::super::body_in_flow::{self, BodyRates, Momentum, product};
 use super::super::load_sum::LoadSum;
-use super::super::moving_pose::{Dual, DualVector, MovingPose, constant, unknown};
+use super::super::moving_pose::{Dual, MovingPose, constant, unknown};
 use super::body_damping::{damp, is_linear};
 use super::flow_load::FlowLoad;
 use super::foot::Foot;
@@ -39,10 +40,10 @@ pub struct BodyWater<'a> {
     pub waves: &'a [WaterMotion],
     /// Loads of potential flow, if it has coefficients.
     pub flow: Option<&'a FlowLoad>,
-    /// What of it bears on the bed, if anything does.
-    pub foot: Option<&'a Foot>,
-    /// The anchor about which friction of the bed acts, where there is any.
-    pub grip: Option<&'a FrictionAnchor>,
+    /// What of it bears on the bed.
+    pub feet: &'a [Foot],
+    /// The anchors about which friction of the bed acts, one a joint; none where there is none.
+    pub grips: &'a [FrictionAnchor],
 }
 
 /// A body in the equation of motion.
@@ -54,6 +55,8 @@ pub struct MovingBody {
     pub mass: Matrix6<f64>,
     /// Of it what acts to first order alone, and the same along the earth's axes at the pose given.
     linear: [Matrix6<f64>; 2],
+    /// Of it the added mass that feels the flow by itself.
+    in_flow: Matrix6<f64>,
 }
 
 impl MovingBody {
@@ -71,20 +74,34 @@ impl MovingBody {
             ],
             false => [Matrix6::zeros(); 2],
         };
+        let in_flow = match body.centre_of_added_mass {
+            Some(_) => body.added_mass,
+            None => Matrix6::zeros(),
+        };
         Self {
             number,
             mass,
             linear,
+            in_flow,
         }
     }
 
-    /// The same body without inertia: of its residual loads are left.
+    /// The same body without inertia: of its residual loads are left, those of the flow on its added mass by velocities too.
     #[must_use]
     pub fn massless(&self) -> Self {
         Self {
+            in_flow: Matrix6::zeros(),
+            ..self.loads_beside_inertia()
+        }
+    }
+
+    /// The same body, of whose residual the loads are left that act beside its inertia in still water.
+    #[must_use]
+    pub fn loads_beside_inertia(&self) -> Self {
+        Self {
             mass: Matrix6::zeros(),
             linear: [Matrix6::zeros(); 2],
-            number: self.number,
+            ..self.clone()
         }
     }
 
@@ -118,11 +135,18 @@ impl MovingBody {
         )
         .in_waves(around.waves);
         let mut sum = LoadSum::none();
-        self.inertia(&moving, (&acceleration, &spin, &spin_rate), &mut sum);
+        let rates = BodyRates {
+            acceleration,
+            spin,
+            spin_rate,
+        };
+        self.inertia(&moving, &rates, &mut sum);
         add_loads_by_pose(network, body, &moving, true, &mut sum);
+        let given = (body, &self.in_flow);
+        body_in_flow::add(network, given, &moving, true, &rates, &mut sum);
         damp(body, around.flow, &moving, &spin, &mut sum);
-        if let Some(foot) = around.foot {
-            foot.bear(network, &moving, around.grip, &mut sum);
+        for foot in around.feet {
+            foot.bear(network, &moving, around.grips.get(foot.joint), &mut sum);
         }
         let (force, tangent) = sum.parts();
         let (mut fixed, by_turn) = fixed_loads(body, &motion.pose);
@@ -136,24 +160,17 @@ impl MovingBody {
     }
 
     /// Inertia as a load.
-    fn inertia(
-        &self,
-        moving: &MovingPose<'_>,
-        (acceleration, spin, spin_rate): (&DualVector, &DualVector, &DualVector),
-        sum: &mut LoadSum,
-    ) {
-        let velocity = moving.to_body(&moving.velocity);
-        let rate = moving.to_body(acceleration) - spin.cross(&velocity);
-        let turning = self.mass - self.linear[0];
-        let (momentum, angular_momentum) = product(&turning, &velocity, spin);
-        let (force, moment) = product(&turning, &rate, spin_rate);
-        let force = force + spin.cross(&momentum);
-        let moment = moment + spin.cross(&angular_momentum) + velocity.cross(&momentum);
+    fn inertia(&self, moving: &MovingPose<'_>, rates: &BodyRates, sum: &mut LoadSum) {
+        let own = Momentum {
+            velocity: moving.velocity,
+            acceleration: rates.acceleration,
+        };
+        let [force, moment] = own.rates(moving, &(self.mass - self.linear[0]), rates);
         sum.add(&constant(&V3::zeros()), &-moving.to_earth(&force));
         sum.turn(&-moving.to_earth(&moment));
         if self.linear[1] != Matrix6::zeros() {
-            let (force, moment) =
-                product(&self.linear[1], acceleration, &moving.to_earth(spin_rate));
+            let turned = moving.to_earth(&rates.spin_rate);
+            let (force, moment) = product(&self.linear[1], &rates.acceleration, &turned);
             sum.add(&constant(&V3::zeros()), &-force);
             sum.turn(&-moment);
         }
@@ -180,22 +197,6 @@ fn turned(matrix: &Matrix6<f64>, turn: &Rotation3<f64>) -> Matrix6<f64> {
         out.fixed_view_mut::<3, 3>(row, column).copy_from(&there);
     }
     out
-}
-
-/// A matrix times a vector of two parts.
-fn product(
-    matrix: &Matrix6<f64>,
-    first: &DualVector,
-    second: &DualVector,
-) -> (DualVector, DualVector) {
-    let block = |row: usize, column: usize| {
-        let block = matrix.fixed_view::<3, 3>(row, column).into_owned();
-        block.map(Dual::from_re)
-    };
-    (
-        block(0, 0) * first + block(0, 3) * second,
-        block(3, 0) * first + block(3, 3) * second,
-    )
 }
 
 /// Velocity of the origin and angular velocity along the axes of the body.
@@ -242,11 +243,17 @@ pub fn rotation_jacobian(rotation: &UnitQuaternion<f64>, vector: &V3) -> M3 {
 mod tests {
     use super::*;
     use crate::numerics::{DepthGrid, DepthInterpolation};
+    use crate::physics::CurrentProfile;
+    use crate::physics::kirchhoff::{KirchhoffAddedMass, RelativeMotion};
     use crate::physics::sea::{
         Component, DepthDecay, Sea, SeaReader, Stretching, WaveField, WaveLoad, WaveSettings,
     };
     use crate::system::bed::Bed;
-    use crate::system::network::{HeadingLoads, Member};
+    use crate::system::build::moved_mass;
+    use crate::system::motion::foot::feet;
+    use crate::system::motion::joints::Joints;
+    use crate::system::network::{BodyFoot, FreePoint, HeadingLoads, Held, Member, Point};
+    use crate::system::point_on_bed::BearingArea;
     use nalgebra::UnitQuaternion;
     use std::sync::Arc;
 
@@ -327,6 +334,120 @@ mod tests {
         }
     }
 
+    /// A body across the surface whose added mass has a centre, in a current that is sheared, with a foot on the bed.
+    #[test]
+    fn the_tangent_of_a_body_in_flow_is_the_derivative() {
+        let bearing = BearingArea {
+            area: 2.0,
+            stiffness: 3e4,
+            damping: 2e3,
+            grip: 1e4,
+        };
+        let foot = BodyFoot {
+            point: 0,
+            at: V3::new(0.4, -0.3, -2.0),
+            bears: FreePoint {
+                bearing: Some(bearing),
+                ..FreePoint::default()
+            },
+        };
+        for (bed, above) in [(Some(hills()), -9.0), (None, 1.3)] {
+            let body = Body {
+                pose: Pose::new(V3::zeros(), 0.0, 0.0, 0.3),
+                members: Vec::new(),
+                bottom: None,
+                centre_of_added_mass: Some(V3::new(0.1, -0.2, 0.7)),
+                drag_length: 2.5,
+                feet: vec![foot],
+                ..body()
+            };
+            let network = Network {
+                bed,
+                crossed: true,
+                gravity: 9.81,
+                density: 1025.0,
+                current: Some(CurrentProfile::Table {
+                    depth: vec![0.0, 20.0],
+                    velocity: vec![V3::new(1.2, 0.4, 0.0), V3::new(-0.3, 0.2, 0.0)],
+                }),
+                points: vec![Point {
+                    name: "foot".to_owned(),
+                    held: Held::On(0, foot.at),
+                    motion: None,
+                }],
+                bodies: vec![body],
+                ..Network::default()
+            };
+            check_tangents_at(&network, V3::new(3.0, -2.0, above));
+        }
+    }
+
+    /// A body of revolution needs what Kirchhoff's equations of one say, by the code of payloads of lines.
+    #[test]
+    fn a_body_of_revolution_has_the_added_mass_of_a_payload() {
+        let added = KirchhoffAddedMass {
+            normal: 700.0,
+            tangential: 250.0,
+            inertia: 180.0,
+        };
+        let centre = V3::new(0.0, 0.0, -1.5);
+        let about = Vector6::new(700.0, 700.0, 250.0, 180.0, 180.0, 0.0);
+        let body = Body {
+            free: true,
+            added_mass: moved_mass(&Matrix6::from_diagonal(&about), &centre),
+            centre_of_added_mass: Some(centre),
+            ..Body::default()
+        };
+        let water = V3::new(0.9, -0.4, 0.2);
+        let network = Network {
+            gravity: 9.81,
+            density: 1025.0,
+            current: Some(CurrentProfile::Uniform(water)),
+            bodies: vec![body],
+            ..Network::default()
+        };
+        let motion = BodyMotion {
+            pose: Pose::new(V3::new(1.0, 2.0, -20.0), 0.4, -0.3, 0.8),
+            velocity: V3::new(0.7, -0.5, 0.3),
+            spin: V3::new(0.2, -0.3, 0.5),
+            acceleration: V3::new(0.3, 0.2, -0.6),
+            spin_rate: V3::new(-0.1, 0.2, 0.3),
+        };
+        let moving = MovingBody::new(&network, 0, &Pose::default());
+        let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
+        let still = Factors {
+            mass: 0.0,
+            damping: 0.0,
+            stiffness: 0.0,
+        };
+        let around = BodyWater::default();
+        let (found, _) = moving.residual(&network, &motion, &around, &jacobian, still);
+        // The axis of a payload points down, away from where it hangs.
+        let (t, turned) = (
+            motion.pose.arm(&-V3::z()),
+            motion.pose.rotation * motion.spin,
+        );
+        let gained = motion.pose.rotation * motion.spin_rate;
+        let (_, v, a) = motion.motion_of(&centre);
+        let turn = turned.cross(&t);
+        let relative = RelativeMotion {
+            t,
+            v: v - water,
+            a,
+            turn,
+            gain: gained.cross(&t) + turned.cross(&turn),
+        };
+        let (force, couple) = added.force_and_couple(&relative);
+        let moment = t.cross(&couple) + motion.pose.arm(&centre).cross(&force);
+        let own: V3 = found.fixed_rows::<3>(0).into();
+        let own_moment: V3 = found.fixed_rows::<3>(3).into();
+        assert!((own - force).norm() < 1e-9 * force.norm(), "{own} {force}");
+        assert!(
+            (own_moment - moment).norm() < 1e-9 * moment.norm(),
+            "{own_moment} {moment}"
+        );
+    }
+
     /// Hills below the body, of which its foot and its members touch.
     fn hills() -> Bed {
         let axis: Vec<f64> = (-6..=6).map(|k| 3.1 * f64::from(k)).collect();
@@ -356,11 +477,15 @@ mod tests {
     }
 
     fn check_tangents(network: &Network) {
+        check_tangents_at(network, V3::new(3.0, -2.0, 1.0));
+    }
+
+    fn check_tangents_at(network: &Network, origin: V3) {
         let base = UnitQuaternion::from_euler_angles(0.2, -0.1, 0.7);
         let vector = V3::new(0.3, -0.2, 0.4);
         let motion = BodyMotion {
             pose: Pose {
-                origin: V3::new(3.0, -2.0, 1.0),
+                origin,
                 rotation: base * UnitQuaternion::from_scaled_axis(vector),
             },
             velocity: V3::new(0.7, -0.5, 0.3),
@@ -391,13 +516,17 @@ mod tests {
             phase: 0.4,
         };
         let sea = Sea::new(vec![WaveField::new(vec![component], &setting)]);
-        let mut flows = vec![sea.flow(2.0, &pose.origin, true)];
+        let station = pose.origin + pose.arm(&network.bodies[0].station());
+        let mut flows = vec![sea.flow(2.0, &station, true)];
         for member in &network.bodies[0].members {
             let mut stations = [WaterMotion::default(); members::STATIONS];
             let mut reader = SeaReader::Once(&sea, 2.0);
             members::read_waves(member, pose, (&mut reader, 0), &mut stations);
             flows.extend(stations);
         }
+        let strips = network.bodies[0].drag_strips();
+        let places = strips.map(|(place, _)| pose.origin + pose.arm(&place));
+        flows.extend(places.map(|place| sea.flow(2.0, &place, true)));
         flows
     }
 
@@ -416,12 +545,12 @@ mod tests {
         flow.waves[2] = 1e4;
         flow.memory[4] = 1e4;
         flow.damping[(0, 4)] = 3e3;
-        let foot = Foot::of_body(&network.bodies[0], &moving.mass);
+        let feet = feet(network, &Joints::new(network));
         let around = BodyWater {
             waves,
             flow: (!waves.is_empty()).then_some(&flow),
-            foot: foot.as_ref(),
-            grip: None,
+            feet: &feet[0],
+            grips: &[],
         };
         let residual = |motion: &BodyMotion, vector: &V3| {
             moving.residual(

@@ -4,6 +4,7 @@ use super::bed_reach::may_reach;
 use super::body_equation::MovingBody;
 use super::broken_names;
 use super::channel_values::ChannelValues;
+use super::foot::Foot;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::point_loads::bears;
@@ -168,7 +169,7 @@ impl Channels {
 
     /// What bears on the bed: the force of the bed, and how fast it landed.
     fn bearing(&mut self, system: &MovingSystem) {
-        for (number, (joint, _)) in system.landing().enumerate() {
+        for (number, Foot { joint, .. }) in system.landing().enumerate() {
             let name = system.name_of_bearing(joint);
             self.add(ChannelQuantity::BedForce.at(name), Source::BedForce(joint));
             let landing = ChannelQuantity::LandingSpeed.at(name);
@@ -360,7 +361,7 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     let feet = network
         .bodies
         .iter()
-        .any(|body| body.free && body.bottom.is_some());
+        .any(|body| body.free && body.bottom.is_some() || !body.feet.is_empty());
     if network.bed.is_some() && (feet || network.free_points().any(bears)) {
         all.push(ChannelQuantity::BedForce);
     }

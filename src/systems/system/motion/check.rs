@@ -7,7 +7,7 @@ use crate::case::{
     too_many_rows, too_many_steps,
 };
 use crate::limits::SEGMENTS;
-use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKind, SystemKeys};
+use crate::system::model::{BodyKeys, BodyKind, LineKeys, PointKeys, PointKind, SystemKeys};
 
 /// Waves without height or period, or in a system without water.
 pub(in crate::system) fn waves(keys: &SystemKeys<'_>) -> Vec<Finding> {
@@ -137,6 +137,7 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
         found.extend(of_longest_step(&solver.time_step_s, &solver.longest_step_s));
     }
     for (_, point) in &keys.points {
+        found.extend(irregular(point));
         if point.kind.is(&PointKind::Moved) && point.amplitude_m.is_given() {
             let remedy = "add the period of its motion: `period_s = 10.0`, or one along each axis";
             found.extend(point.period_s.if_missing(remedy));
@@ -177,6 +178,27 @@ pub(in crate::system) fn motion(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found
 }
 
+/// An irregular motion without a period, beside another motion, or keys of one that there is not.
+fn irregular(point: &PointKeys<'_>) -> Vec<Finding> {
+    let mut found = Vec::new();
+    if point.rms_m.is_given() {
+        let remedy = "add the period of the peak of its spectrum: `peak_period_s = 10.0`";
+        found.extend(point.peak_period_s.if_missing(remedy));
+        let problem = "is given beside an irregular motion";
+        let remedy = "leave it out, or `rms_m`";
+        found.extend(point.amplitude_m.if_given(problem, remedy));
+        found.extend(point.table_time_s.if_given(problem, remedy));
+        return found;
+    }
+    let problem = "has no effect: the point has no irregular motion";
+    let remedy = "add its root mean square: `rms_m = [x, y, z]`, or remove it";
+    found.extend(point.peak_period_s.if_given(problem, remedy));
+    found.extend(point.gamma.if_given(problem, remedy));
+    found.extend(point.components.if_given(problem, remedy));
+    found.extend(point.seed.if_given(problem, remedy));
+    found
+}
+
 /// How a table is interpolated that there is not.
 fn interpolated_table(
     how: &Key<'_, MotionInterpolation>,
@@ -202,9 +224,9 @@ pub(super) fn motion_table(
     };
     let increases = rows.windows(2).all(|pair| pair[0] < pair[1]);
     let ends = until.is_none_or(|until| rows.last().is_some_and(|last| *last >= until));
-    if rows.len() < 2 || rows[0] != 0.0 || !increases || !ends {
-        let problem = "must increase from 0 to the end of the run";
-        return Some(times.finding(problem, "give two rows or more, the first at 0"));
+    if rows.len() < 2 || rows[0] > 0.0 || !increases || !ends {
+        let problem = "must increase from 0 or before to the end of the run";
+        return Some(times.finding(problem, "give two rows or more, the first at 0 or before"));
     }
     let off = |column: &&&Key<'_, Vec<f64>>| {
         column.is_given()

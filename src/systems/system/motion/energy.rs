@@ -82,9 +82,9 @@ fn power_of_loads(system: &MovingSystem, body: &MovingBody, state: &SystemState)
         stiffness: 0.0,
     };
     let motion = system.body(state, body.number);
-    let massless = body.massless();
+    let loads = body.loads_beside_inertia();
     let jacobian = rotation_jacobian(&motion.pose.rotation, &V3::zeros());
-    let (residual, _) = massless.residual(
+    let (residual, _) = loads.residual(
         &system.network,
         &motion,
         &system.water_around(state, body.number),

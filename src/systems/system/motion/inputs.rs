@@ -10,6 +10,7 @@ use crate::numerics::spline::Spline;
 use crate::physics::EndMotion;
 use crate::physics::motion::MotionPath;
 use crate::physics::sea::{Component, Harmonics};
+use crate::scene::IrregularMotion;
 use crate::system::model::{BodyInputs, PointInputs};
 
 /// The motion of a moved point about its place \[m\].
@@ -22,6 +23,20 @@ pub fn point_motion(given: &PointInputs, place: V3) -> EndMotion {
         }
         None => [f64::INFINITY; 3],
     };
+    if let Some(peak_period) = given.peak_period_s {
+        let motion = IrregularMotion {
+            rms: given.rms_m,
+            peak_period,
+            gamma: given.gamma,
+            components: given.components,
+            seed: given.seed,
+        };
+        return EndMotion {
+            position: place,
+            course: motion.path(),
+            ramp: given.ramp_s,
+        };
+    }
     let columns = [&given.table_x_m, &given.table_y_m, &given.table_z_m];
     let rows = rows(&given.table_time_s, columns, 1.0);
     if let Some(course) = table(&rows, given.table_interpolation) {

@@ -251,8 +251,8 @@ impl Integrated for MovingSystem {
             let at = |state| &self.scene(line, state).line;
             at(end).acceleration_by_snaps((at(between), &between.lines[line]), &end.lines[line])
         });
-        let landings = self.bearing().map(|(joint, foot)| {
-            let places = [between, end].map(|state| foot.place(&state.joints.x[joint]));
+        let landings = self.bearing().map(|foot| {
+            let places = [between, end].map(|state| foot.place(&state.joints.x[foot.joint]));
             landing_acceleration(&self.network, &foot.point, &places[0], &places[1])
         });
         snaps.chain(landings).fold(0.0, f64::max)

@@ -8,39 +8,22 @@ use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::{BodyOnBed, State};
 use crate::system::bed::Bed;
-use crate::system::network::Held;
 
 /// Step times frequency up to which Runge-Kutta of order 4 is stable, on the imaginary axis and on the real one.
 const STABLE: f64 = 2.785;
 
 impl MovingSystem {
-    /// What bears on the bed by itself, by its joints; nothing without a bed.
-    pub(super) fn landing(&self) -> impl Iterator<Item = (usize, Foot)> {
-        let joints = self.joints.free.clone();
-        joints.filter_map(|joint| Some((joint, self.foot(joint)?)))
-    }
-
-    fn foot(&self, joint: usize) -> Option<Foot> {
-        self.network.bed.as_ref()?;
-        let foot = match self.joints.roles[joint] {
-            Role::Free(number) => match &self.network.points[number].held {
-                Held::Free(point) => Foot {
-                    below: point.below,
-                    point: *point,
-                },
-                Held::At(_) | Held::On(..) => return None,
-            },
-            Role::Origin(body) if self.network.bodies[body].free => self.feet[body]?,
-            _ => return None,
-        };
-        bears(&foot.point).then_some(foot)
+    /// What bears on the bed by itself, free points before bodies; nothing without a bed.
+    pub(super) fn landing(&self) -> impl Iterator<Item = Foot> {
+        let feet = self.network.bed.iter().flat_map(|_| self.bearing());
+        feet.filter(|foot| bears(&foot.point))
     }
 
     /// The stability limits of explicit steps \[s\] of what bears on the bed by itself, and what sets each.
     pub(super) fn landing_limits(&self) -> impl Iterator<Item = (f64, String)> {
-        let heavy = self.landing().filter_map(|(joint, foot)| {
-            let mass = foot.point.moving_mass.min() + self.mass_of_lines_at(joint);
-            (mass > 0.0).then(|| (joint, STABLE / fastest_on_bed(&foot.point, mass)))
+        let heavy = self.landing().filter_map(|foot| {
+            let mass = foot.point.moving_mass.min() + self.mass_of_lines_at(foot.joint);
+            (mass > 0.0).then(|| (foot.joint, STABLE / fastest_on_bed(&foot.point, mass)))
         });
         heavy.map(|(joint, limit)| {
             let at = format!("{} on the bed", self.name_of_bearing(joint));
@@ -68,6 +51,10 @@ impl MovingSystem {
         match self.joints.roles[joint] {
             Role::Free(number) => &self.network.points[number].name,
             Role::Origin(body) => &self.network.bodies[body].name,
+            Role::OnBody(..) => {
+                let point = self.joints.points.iter().position(|own| *own == joint);
+                point.map_or("", |point| &self.network.points[point].name)
+            }
             _ => "",
         }
     }
@@ -78,10 +65,10 @@ impl MovingSystem {
         let Some(bed) = &self.network.bed else {
             return;
         };
-        let begun = |(joint, foot): (usize, Foot)| BodyOnBed {
-            grip: anchor(&foot.point, &foot.place(&joints.x[joint])),
+        let begun = |foot: Foot| BodyOnBed {
+            grip: anchor(&foot.point, &foot.place(&joints.x[foot.joint])),
             stuck: false,
-            height: height(bed, &foot, joint, joints),
+            height: height(bed, &foot, joints),
             landing_speed: 0.0,
         };
         joints.memory.bodies = self.landing().map(begun).collect();
@@ -93,8 +80,8 @@ impl MovingSystem {
             return;
         };
         let mut bodies = std::mem::take(&mut joints.memory.bodies);
-        for ((joint, foot), body) in self.landing().zip(&mut bodies) {
-            body.update(height(bed, &foot, joint, joints));
+        for (foot, body) in self.landing().zip(&mut bodies) {
+            body.update(height(bed, &foot, joints));
         }
         joints.memory.bodies = bodies;
     }
@@ -102,7 +89,8 @@ impl MovingSystem {
     /// Normal force of the bed on what bears at a joint \[N\], with that on the ends of lines there.
     pub(super) fn bed_force(&self, joint: usize, state: &SystemState) -> f64 {
         let joints = &state.joints;
-        let own = self.foot(joint).map_or(0.0, |foot| {
+        let own = self.landing().find(|foot| foot.joint == joint);
+        let own = own.map_or(0.0, |foot| {
             let place = foot.place(&joints.x[joint]);
             normal_force(&self.network, &foot.point, (&place, &joints.v[joint]))
         });
@@ -124,7 +112,8 @@ impl MovingSystem {
 }
 
 /// Height of a foot above the bed along its normal \[m\], and its rates \[m/s\], \[m/s²\].
-fn height(bed: &Bed, foot: &Foot, joint: usize, joints: &State) -> [f64; 3] {
+fn height(bed: &Bed, foot: &Foot, joints: &State) -> [f64; 3] {
+    let joint = foot.joint;
     let place: V3 = foot.place(&joints.x[joint]);
     let gradient = bed.gradient(&place);
     let (normal, steepness) = (gradient.normalize(), gradient.norm());

@@ -37,7 +37,7 @@ pub struct MovingSystem {
     /// Potential flow around the bodies that have coefficients.
     pub flows: Vec<BodyFlow>,
     /// What of each body bears on the bed.
-    pub feet: Vec<Option<Foot>>,
+    pub feet: Vec<Vec<Foot>>,
     /// The lines that are paid out.
     pub paid: Vec<PaidLine>,
     /// What passes their ends, in the order of the network's.
@@ -97,7 +97,7 @@ impl MovingSystem {
                 network.sea.is_some() || network.current_over_time.is_some(),
             ),
             water: network.sea.clone(),
-            feet: feet(&network),
+            feet: feet(&network, &joints),
             flows,
             paid,
             payouts: Vec::new(),
@@ -362,28 +362,26 @@ impl MovingSystem {
             })
     }
 
-    /// What may bear on the bed, with its joint and how far it is below: free points, and the feet of free bodies.
-    pub(super) fn bearing(&self) -> impl Iterator<Item = (usize, Foot)> {
-        let points = self.free_points().map(|(joint, point)| {
-            let (below, point) = (point.below, *point);
-            (joint, Foot { below, point })
+    /// What may bear on the bed: free points, and the feet of bodies that turn.
+    pub(super) fn bearing(&self) -> impl Iterator<Item = Foot> {
+        let points = self.free_points().map(|(joint, point)| Foot {
+            joint,
+            at: V3::zeros(),
+            below: point.below,
+            point: *point,
         });
-        let feet = self.feet.iter().enumerate().filter_map(|(body, foot)| {
-            let foot = foot.filter(|_| self.network.bodies[body].free)?;
-            Some((self.joints.bodies[body], foot))
-        });
-        points.chain(feet)
+        points.chain(self.feet.iter().flatten().copied())
     }
 
     /// Anchors of the friction on the bed, one a joint; none where nothing has friction.
     #[must_use]
     pub fn anchors(&self, joints: &State) -> Vec<FrictionAnchor> {
-        if self.bearing().all(|(_, foot)| foot.point.friction == 0.0) {
+        if self.bearing().all(|foot| foot.point.friction == 0.0) {
             return Vec::new();
         }
         let mut all = vec![anchor(&FreePoint::default(), &V3::zeros()); joints.x.len()];
-        for (joint, foot) in self.bearing() {
-            all[joint] = anchor(&foot.point, &foot.place(&joints.x[joint]));
+        for foot in self.bearing() {
+            all[foot.joint] = anchor(&foot.point, &foot.place(&joints.x[foot.joint]));
         }
         all
     }
@@ -394,7 +392,8 @@ impl MovingSystem {
         if memory.grips.is_empty() {
             return;
         }
-        for (joint, foot) in self.bearing() {
+        for foot in self.bearing() {
+            let joint = foot.joint;
             drag_anchor(
                 &self.network,
                 &foot.point,
@@ -412,8 +411,8 @@ impl MovingSystem {
         BodyWater {
             waves: state.body_flow.get(stations).unwrap_or_default(),
             flow: flow.and_then(|number| state.flow_loads.get(number)),
-            foot: self.feet[body].as_ref(),
-            grip: state.joints.memory.grips.get(self.joints.bodies[body]),
+            feet: &self.feet[body],
+            grips: &state.joints.memory.grips,
         }
     }
 
@@ -507,16 +506,16 @@ pub(super) fn turn_bases(system: &MovingSystem, state: &mut SystemState) {
     }
 }
 
-/// The stations of each body among those of all: its origin, then its members; none in still water.
+/// The stations of each body among those of all: its own, those of its members, then the strips of its drag; none in still water.
 #[must_use]
 pub(super) fn ranges(bodies: &[Body], waves: bool) -> Vec<Range<usize>> {
     let mut next = 0;
     let range = |body: &Body| {
-        // Only drag and members feel the water itself.
-        let feels =
-            waves && body.turns() && (body.drag_area != V3::zeros() || !body.members.is_empty());
+        // Only drag, members and added mass that has a centre feel the water itself.
+        let by_itself = body.drag_area != V3::zeros() || body.centre_of_added_mass.is_some();
+        let feels = waves && body.turns() && (by_itself || !body.members.is_empty());
         let count = if feels {
-            1 + STATIONS * body.members.len()
+            1 + STATIONS * body.members.len() + body.strips_in_waves()
         } else {
             0
         };

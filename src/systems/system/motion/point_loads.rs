@@ -192,7 +192,13 @@ fn bed(
     load.by_velocity += by_velocity;
     load.lost += (elastic - push.force) * gradient.dot(v);
     if let Some(grip) = grip.filter(|_| point.friction > 0.0) {
-        let held = friction(point).grip(&contact(bed, &gradient.normalize(), &push, (x, v)), grip);
+        let normal = gradient.normalize();
+        let contact = contact(bed, &normal, &push, (x, v));
+        let held = match point.slip_speed {
+            Some(_) => friction(point).with_tangent(&contact, None),
+            None => Some(friction(point).grip(&contact, grip)),
+        };
+        let Some(held) = held else { return };
         load.force += held.force;
         load.by_position += held.by_position;
         load.by_velocity += held.by_velocity;
@@ -204,7 +210,10 @@ fn friction(point: &FreePoint) -> Friction {
     Friction {
         axial: point.friction,
         lateral: point.friction,
-        law: FrictionModel::ElasticPlastic(0.0),
+        law: match point.slip_speed {
+            Some(speed) => FrictionModel::Regularised(speed),
+            None => FrictionModel::ElasticPlastic(0.0),
+        },
     }
 }
 
@@ -245,7 +254,8 @@ pub(super) fn drag_anchor(
     grip: &mut FrictionAnchor,
 ) {
     // Nothing holds a point without weight or mass.
-    let Some(bed) = network.bed.as_ref().filter(|_| grip.stiffness > 0.0) else {
+    let slides = point.slip_speed.is_none() && grip.stiffness > 0.0;
+    let Some(bed) = network.bed.as_ref().filter(|_| slides) else {
         return;
     };
     let (push, normal) = (point.push_of_bed(bed, (x, v)), bed.gradient(x).normalize());
@@ -369,8 +379,11 @@ mod tests {
         // 50 m below the point that is checked.
         let up = at_point(&hills).at(1.0, 2.0).depth;
         let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
-        for friction in [0.0, 0.4] {
-            let [clump, _, on_area] = clumps();
+        for (friction, slip_speed) in [(0.0, None), (0.4, None), (0.4, Some(0.5))] {
+            let [clump, _, on_area] = clumps().map(|point| FreePoint {
+                slip_speed,
+                ..point
+            });
             for point in [clump, on_area] {
                 check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), point, friction);
             }

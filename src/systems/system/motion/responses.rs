@@ -68,16 +68,20 @@ fn motion(
 ) -> Result<BodyWaveResponse, Diagnostic> {
     let [roll, pitch, yaw] = [body.roll_deg, body.pitch_deg, body.yaw_deg].map(f64::to_radians);
     let place = V3::from(body.position_m);
+    // From where the responses are to its origin.
+    let arm = -V3::from(body.response_at_m);
+    let (sin, cos) = yaw.sin_cos();
+    let turned_arm = V3::new(arm.x * cos - arm.y * sin, arm.x * sin + arm.y * cos, arm.z);
     let (mut moved, mut turned) = (Vec::new(), Vec::new());
     let (mut beyond, mut all) = (0.0, 0.0);
     for field in sea.fields() {
         let from_bow = (field.direction() - yaw).rem_euclid(std::f64::consts::TAU);
         let rao = rao_file::at_angle(raos, from_bow, name)?;
-        let waves = field.at_point(&place);
+        let waves = field.at_point(&(place - turned_arm));
         let energy: f64 = waves.iter().map(|c| c.amplitude * c.amplitude).sum();
         beyond += rao.energy_beyond(&waves) * energy;
         all += energy;
-        moved.push(rao.motion_at(&waves, yaw, &V3::zeros()));
+        moved.push(rao.motion_at(&waves, yaw, &arm));
         turned.push(rao.rotations_in(&waves));
     }
     let grown = file.waves.iter().map(|waves| waves.ramp_s);

@@ -52,8 +52,14 @@ pub(super) fn read(system: &MovingSystem, mut sea: SeaReader<'_>, state: &mut Sy
         let pose = state.body(&system.joints, number).pose;
         let flows = &mut state.body_flow[range.clone()];
         let first = state.joints.x.len() + range.start;
-        flows[0] = sea.flow(first, &pose.origin, true);
-        let members = &system.network.bodies[number].members;
+        let body = &system.network.bodies[number];
+        let members = &body.members;
+        flows[0] = sea.flow(first, &(pose.origin + pose.arm(&body.station())), true);
+        let along = flows.len() - body.strips_in_waves();
+        for (number, (place, _)) in (along..flows.len()).zip(body.drag_strips()) {
+            let place = pose.origin + pose.arm(&place);
+            flows[number] = sea.flow(first + number, &place, false);
+        }
         let stations = (first + 1..).step_by(STATIONS);
         let flows = flows[1..].chunks_exact_mut(STATIONS);
         for ((member, flows), first) in members.iter().zip(flows).zip(stations) {
