@@ -69,11 +69,9 @@ fn target(random: &mut Random) -> ExtremesTarget {
 
 fn method(random: &mut Random) -> IntervalMethod {
     let (draws, seed) = ((random.uniform() * 30.0) as u32, 1);
-    match (random.uniform() * 5.0) as u8 {
+    match (random.uniform() * 3.0) as u8 {
         0 => IntervalMethod::ProfileLikelihood,
         1 => IntervalMethod::Bartlett { draws, seed },
-        2 => IntervalMethod::Percentile { draws, seed },
-        3 => IntervalMethod::BiasCorrected { draws, seed },
         _ => IntervalMethod::Conditional,
     }
 }

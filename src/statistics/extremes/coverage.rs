@@ -158,14 +158,6 @@ fn reseeded(method: IntervalMethod, draw: u64) -> IntervalMethod {
             draws,
             seed: other(seed),
         },
-        IntervalMethod::Percentile { draws, seed } => IntervalMethod::Percentile {
-            draws,
-            seed: other(seed),
-        },
-        IntervalMethod::BiasCorrected { draws, seed } => IntervalMethod::BiasCorrected {
-            draws,
-            seed: other(seed),
-        },
         fixed => fixed,
     }
 }

@@ -2,7 +2,7 @@
 //! `F(x) = 1 - (1 + shape (x - threshold)/scale)^(-1/shape)`.
 
 use super::error::{ExtremesError, check_finite, check_probability};
-use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
+use super::interval::{Interval, IntervalMethod, by_profile};
 use super::pareto_likelihood::likely;
 use super::pareto_profile::Excesses;
 use super::pareto_sums::UnitExcesses;
@@ -105,7 +105,7 @@ pub fn interval(
     let estimate = fit.value(target)?;
     let unit = UnitFigure::new(target);
     let model = Excesses::new(&excesses(peaks, threshold)?, fit, &unit);
-    let (low, high) = by_resampling_or_profile(&model, level, method)?;
+    let (low, high) = by_profile(&model, level, method)?;
     Interval {
         estimate,
         low: threshold + low,

@@ -2,7 +2,7 @@
 
 use super::conditional::Posterior;
 use super::error::{ExtremesError, check_probability, check_spread};
-use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
+use super::interval::{Interval, IntervalMethod, by_profile};
 use super::location_scale::{LocationScale, Offset};
 use super::target::ExtremesTarget;
 use crate::numerics::random::Random;
@@ -91,7 +91,7 @@ pub fn interval(
             let tail = 0.5 * (1.0 - level);
             (posterior.quantile(tail)?, posterior.quantile(1.0 - tail)?)
         }
-        other => by_resampling_or_profile(&model, level, other)?,
+        other => by_profile(&model, level, other)?,
     };
     Interval {
         estimate,

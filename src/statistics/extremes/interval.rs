@@ -1,10 +1,10 @@
-//! Confidence intervals by profile likelihood, with and without Bartlett's correction, and by parametric bootstrap.
+//! Confidence intervals by profile likelihood, with and without Bartlett's correction.
 
 use std::convert::Infallible;
 
 use super::conditional::settled;
 use super::error::ExtremesError;
-use super::special::{normal_probability, normal_quantile};
+use super::special::normal_quantile;
 use crate::numerics::random::Random;
 use crate::numerics::roots::false_position;
 
@@ -21,21 +21,6 @@ pub enum IntervalMethod {
     /// The same with the cut multiplied by the mean of the likelihood ratio over samples drawn from the fitted law (Bartlett
     /// 1937; Rocke, J. Amer. Statist. Assoc. 84 (1989) 1015, by bootstrap).
     Bartlett {
-        /// Samples drawn.
-        draws: u32,
-        /// Seed of the draws.
-        seed: u64,
-    },
-    /// Quantiles of the estimate over samples drawn from the fitted law (Efron and Tibshirani, An Introduction to the
-    /// Bootstrap, 1993, ch. 13).
-    Percentile {
-        /// Samples drawn.
-        draws: u32,
-        /// Seed of the draws.
-        seed: u64,
-    },
-    /// The same corrected for the bias of the median (ibid. section 14.3, without acceleration).
-    BiasCorrected {
         /// Samples drawn.
         draws: u32,
         /// Seed of the draws.
@@ -89,7 +74,7 @@ pub(super) trait Model: Sized {
 }
 
 /// Both ends by any method but the conditional.
-pub(super) fn by_resampling_or_profile<M: Model>(
+pub(super) fn by_profile<M: Model>(
     model: &M,
     level: f64,
     method: IntervalMethod,
@@ -101,8 +86,6 @@ pub(super) fn by_resampling_or_profile<M: Model>(
         IntervalMethod::Bartlett { draws, seed } => {
             profile(model, cut * bartlett_factor(model, draws, seed)?)
         }
-        IntervalMethod::Percentile { draws, seed } => bootstrap(model, level, draws, seed, false),
-        IntervalMethod::BiasCorrected { draws, seed } => bootstrap(model, level, draws, seed, true),
     }
 }
 
@@ -147,62 +130,4 @@ fn bartlett_factor<M: Model>(model: &M, draws: u32, seed: u64) -> Result<f64, Ex
         return Err(ExtremesError::Unbounded);
     }
     Ok(sum / count)
-}
-
-fn bootstrap<M: Model>(
-    model: &M,
-    level: f64,
-    draws: u32,
-    seed: u64,
-    corrected: bool,
-) -> Result<(f64, f64), ExtremesError> {
-    let mut estimates: Vec<f64> = (0..u64::from(draws))
-        .filter_map(|draw| Some(model.redraw(&mut Random::new(seed, draw))?.estimate()))
-        .filter(|v| v.is_finite())
-        .collect();
-    let count = estimates.len() as f64;
-    if count < 10.0 || 2.0 * count < f64::from(draws) {
-        return Err(ExtremesError::Unbounded);
-    }
-    estimates.sort_by(f64::total_cmp);
-    let centre = model.estimate();
-    let below = estimates.partition_point(|v| *v < centre) as f64;
-    // Half a draw away from the ends, so that the correction is finite.
-    let share = (below / count).clamp(0.5 / count, 1.0 - 0.5 / count);
-    let shift = if corrected {
-        normal_quantile(share)
-    } else {
-        0.0
-    };
-    let tail = normal_quantile(0.5 * (1.0 - level));
-    let at = |z: f64| order_quantile(&estimates, normal_probability(2.0 * shift + z));
-    Ok((at(tail), at(-tail)))
-}
-
-/// A quantile of ascending values, linear between their places `k/(n + 1)`.
-fn order_quantile(ascending: &[f64], probability: f64) -> f64 {
-    let place = (probability * (ascending.len() + 1) as f64 - 1.0).max(0.0);
-    let (below, part) = (place.floor() as usize, place.fract());
-    let value = |k: usize| {
-        ascending
-            .get(k)
-            .or(ascending.last())
-            .copied()
-            .unwrap_or(f64::NAN)
-    };
-    value(below) + part * (value(below + 1) - value(below))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_of_order() {
-        let ascending = [1.0, 2.0, 3.0];
-        assert_eq!(order_quantile(&ascending, 0.5), 2.0);
-        assert_eq!(order_quantile(&ascending, 0.375), 1.5);
-        assert_eq!(order_quantile(&ascending, 0.0), 1.0);
-        assert_eq!(order_quantile(&ascending, 1.0), 3.0);
-    }
 }

@@ -139,10 +139,6 @@ mod tests {
         for method in [
             IntervalMethod::ProfileLikelihood,
             IntervalMethod::Bartlett { draws: 50, seed: 1 },
-            IntervalMethod::BiasCorrected {
-                draws: 200,
-                seed: 1,
-            },
         ] {
             let found =
                 interval(&peaks, 2.0, ExtremesTarget::quantile(0.99), 0.95, method).unwrap();

@@ -1,31 +1,13 @@
-//! The gamma and beta functions, and the distributions that follow from them.
+//! The incomplete gamma and beta functions, and the distributions that follow from them.
+//!
+//! Those of `statrs` are 0 and 1 below arguments of 1.1e-15, where P(1/2, x) is 4e-8 already, and not in logarithms, which the tails of order
+//! statistics need.
 
 use std::convert::Infallible;
-use std::f64::consts::PI;
+
+pub(super) use statrs::function::gamma::ln_gamma;
 
 use crate::numerics::roots::false_position;
-
-/// Logarithm of the gamma function of a positive number: Stirling's series from 15 on, the recurrence below (Abramowitz and
-/// Stegun 6.1.40 and 6.1.15).
-#[must_use]
-pub(super) fn ln_gamma(x: f64) -> f64 {
-    let (mut x, mut product) = (x, 1.0);
-    while x < 15.0 {
-        product *= x;
-        x += 1.0;
-    }
-    const SERIES: [f64; 6] = [
-        1.0 / 12.0,
-        -1.0 / 360.0,
-        1.0 / 1260.0,
-        -1.0 / 1680.0,
-        1.0 / 1188.0,
-        -691.0 / 360_360.0,
-    ];
-    let square = 1.0 / (x * x);
-    let series = SERIES.iter().rev().fold(0.0, |sum, c| sum * square + c) / x;
-    (x - 0.5) * x.ln() - x + 0.5 * (2.0 * PI).ln() + series - product.ln()
-}
 
 /// The regularised incomplete gamma functions, lower P(a, x) and upper Q(a, x): series and continued fraction (Abramowitz and
 /// Stegun 6.5.29 and 6.5.31).
@@ -164,6 +146,8 @@ pub(super) fn chi_squared_quantile(freedom: f64, probability: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     #[test]

@@ -5,7 +5,7 @@
 use super::conditional::Posterior;
 use super::error::{ExtremesError, check_finite, check_probability};
 use super::gumbel::GumbelFit;
-use super::interval::{Interval, IntervalMethod, by_resampling_or_profile};
+use super::interval::{Interval, IntervalMethod, by_profile};
 use super::location_scale::{LocationScale, Offset};
 use super::target::{ExponentialMaximum, ExtremesTarget};
 use crate::numerics::random::Random;
@@ -90,7 +90,7 @@ pub fn interval(
         (posterior.quantile(tail)?, posterior.quantile(1.0 - tail)?)
     } else {
         let model = LocationScale::new(logs.clone(), &offset)?;
-        by_resampling_or_profile(&model, level, method)?
+        by_profile(&model, level, method)?
     };
     let back = |log: f64| location + (-log).exp();
     Interval {
@@ -187,14 +187,6 @@ mod tests {
                 IntervalMethod::ProfileLikelihood,
                 IntervalMethod::Bartlett {
                     draws: 100,
-                    seed: 1,
-                },
-                IntervalMethod::Percentile {
-                    draws: 200,
-                    seed: 1,
-                },
-                IntervalMethod::BiasCorrected {
-                    draws: 200,
                     seed: 1,
                 },
             ] {

@@ -6,7 +6,7 @@ use super::turning_points::{GREATEST, SeriesError};
 ///
 /// The centres of the first and last class are the bounds, so `count` intervals have `count + 1` centres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Classes {
+pub(super) struct Classes {
     low: f64,
     width: f64,
     count: usize,
@@ -17,7 +17,7 @@ impl Classes {
     ///
     /// # Errors
     /// No interval, bounds that are not finite or do not rise.
-    pub fn new(low: f64, high: f64, count: usize) -> Result<Self, SeriesError> {
+    pub(super) fn new(low: f64, high: f64, count: usize) -> Result<Self, SeriesError> {
         let width = (high - low) / count as f64;
         let bounded = low.abs() <= GREATEST && high.abs() <= GREATEST;
         if count == 0 || !bounded || !(width.is_finite() && width > 0.0) {
@@ -30,7 +30,7 @@ impl Classes {
     ///
     /// # Errors
     /// A value that is not finite; values that are all equal, or none.
-    pub fn of_values(values: &[f64], count: usize) -> Result<Self, SeriesError> {
+    pub(super) fn of_values(values: &[f64], count: usize) -> Result<Self, SeriesError> {
         if let Some((index, &value)) = values.iter().enumerate().find(|(_, v)| !v.is_finite()) {
             return Err(SeriesError::Value { index, value });
         }
@@ -41,20 +41,20 @@ impl Classes {
 
     /// The class of a value, from zero; those outside belong to the first or last.
     #[must_use]
-    pub fn index(&self, value: f64) -> usize {
+    pub(super) fn index(&self, value: f64) -> usize {
         // A cast of a float saturates, so that NaN and what lies below are in the first class.
         (((value - self.low) / self.width + 0.5).floor() as usize).min(self.count)
     }
 
     /// The centre of the class of a value.
     #[must_use]
-    pub fn centre(&self, value: f64) -> f64 {
+    pub(super) fn centre(&self, value: f64) -> f64 {
         self.low + self.width * self.index(value) as f64
     }
 
     /// A series with every value at the centre of its class.
     #[must_use]
-    pub fn rounded(&self, values: &[f64]) -> Vec<f64> {
+    pub(super) fn rounded(&self, values: &[f64]) -> Vec<f64> {
         values.iter().map(|&v| self.centre(v)).collect()
     }
 }

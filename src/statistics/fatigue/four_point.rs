@@ -13,7 +13,7 @@ const ROOM: usize = 128;
 /// then fall.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct FourPointCounter {
+pub(super) struct FourPointCounter {
     turning: TurningPoints,
     open: Vec<Reversal>,
 }
@@ -27,7 +27,7 @@ impl Default for FourPointCounter {
 impl FourPointCounter {
     /// Before any value.
     #[must_use]
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self {
             turning: TurningPoints::new(),
             open: Vec::with_capacity(ROOM),
@@ -38,7 +38,7 @@ impl FourPointCounter {
     ///
     /// # Errors
     /// Those of [`TurningPoints::push`]; the series may go on as if the value had not come.
-    pub fn push(
+    pub(super) fn push(
         &mut self,
         time: f64,
         value: f64,
@@ -52,12 +52,12 @@ impl FourPointCounter {
 
     /// Whether a state read from a file could be that of a series.
     #[must_use]
-    pub fn is_sound(&self) -> bool {
+    pub(super) fn is_sound(&self) -> bool {
         self.turning.is_sound() && alternate(&self.open)
     }
 
     /// Ends the series; what its end closes goes to `found`.
-    pub fn finish(mut self, mut found: impl FnMut(Cycle)) -> Residue {
+    pub(super) fn finish(mut self, mut found: impl FnMut(Cycle)) -> Residue {
         if let Some(end) = self.turning.end() {
             turn(&mut self.open, end, &mut found);
         }
@@ -82,17 +82,17 @@ fn turn(open: &mut Vec<Reversal>, reversal: Reversal, found: &mut impl FnMut(Cyc
 
 /// The turning points that belong to no closed cycle.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Residue(Vec<Reversal>);
+pub(super) struct Residue(Vec<Reversal>);
 
 impl Residue {
     /// Its turning points, in their order in time.
     #[must_use]
-    pub fn reversals(&self) -> &[Reversal] {
+    pub(super) fn reversals(&self) -> &[Reversal] {
         &self.0
     }
 
     /// Its ranges as half cycles: with these the count is that of ASTM E1049-85, 5.4.4.
-    pub fn half_cycles(&self) -> impl Iterator<Item = Cycle> {
+    pub(super) fn half_cycles(&self) -> impl Iterator<Item = Cycle> {
         half_cycles(&self.0)
     }
 
@@ -101,7 +101,7 @@ impl Residue {
     ///
     /// A start or end time may lie in the first or the second repetition; both are given in the time of the series.
     #[must_use]
-    pub fn closed_by_repeating(&self) -> Vec<Cycle> {
+    pub(super) fn closed_by_repeating(&self) -> Vec<Cycle> {
         let mut counter = FourPointCounter::new();
         let mut cycles = Vec::new();
         let twice = self.0.iter().chain(&self.0);
@@ -127,24 +127,24 @@ impl Residue {
 
 /// Closed cycles and residue of a series.
 #[derive(Debug, Clone, PartialEq)]
-pub struct FourPointCount {
+pub(super) struct FourPointCount {
     /// Closed cycles in the order in which they close, each counted once.
-    pub cycles: Vec<Cycle>,
+    pub(super) cycles: Vec<Cycle>,
     /// What remains.
-    pub residue: Residue,
+    pub(super) residue: Residue,
 }
 
 impl FourPointCount {
     /// All cycles of the series repeated for ever, for one repetition.
     #[must_use]
-    pub fn repeating(mut self) -> Vec<Cycle> {
+    pub(super) fn repeating(mut self) -> Vec<Cycle> {
         self.cycles.extend(self.residue.closed_by_repeating());
         self.cycles
     }
 
     /// All cycles, the residue as half cycles.
     #[must_use]
-    pub fn with_half_cycles(mut self) -> Vec<Cycle> {
+    pub(super) fn with_half_cycles(mut self) -> Vec<Cycle> {
         self.cycles.extend(self.residue.half_cycles());
         self.cycles
     }
@@ -154,7 +154,7 @@ impl FourPointCount {
 ///
 /// # Errors
 /// A value that is not finite.
-pub fn four_point(values: &[f64]) -> Result<FourPointCount, SeriesError> {
+pub(super) fn four_point(values: &[f64]) -> Result<FourPointCount, SeriesError> {
     let mut counter = FourPointCounter::new();
     let mut cycles = Vec::new();
     for (time, value) in places(values) {

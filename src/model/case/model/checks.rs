@@ -36,7 +36,7 @@ table! {
         method: GreatestMethod = GreatestMethod::Auto, "method";
         /// Whether a sweep draws the seeds of a sea only until its checks are settled, by intervals that hold at all looks together.
         until_settled: bool = false, "seeds until settled";
-        /// Rounds in which a sweep computes load cases again whose verdict by a check lies within their numerical error, each on twice the segments and in half the steps.
+        /// Rounds in which load cases are computed again, twice as fine, whose verdict by a check lies within their numerical error.
         finer_runs: usize = 0, "rounds of finer runs", range of(0.0, 6.0);
         /// Years of service, for fatigue.
         service_years: f64 = 25.0, "service", range positive(1e3);
