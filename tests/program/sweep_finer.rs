@@ -2,6 +2,9 @@
 
 use std::fs;
 use std::path::Path;
+use std::sync::atomic::AtomicBool;
+
+use seacable::study::sweep::{SweepSnapshot, stored_sweeps};
 
 use crate::sweep_checks::{CHAIN, sweep, value};
 
@@ -137,6 +140,14 @@ fn is_settled_by_finer_runs(text: &str, varied: (&str, &str), is_stored: bool) {
     let run = |name: &str| dir.path().join(name).exists();
     assert_eq!(run("finer-finer-1-0001"), is_stored, "{out}");
     assert!(!run("finer-finer-1-0002"));
+
+    // The screen has the sweep with its finer runs, and not their round.
+    let listed = stored_sweeps(dir.path(), "scene.toml");
+    assert_eq!(listed.len(), 3, "{listed:?}");
+    let never = AtomicBool::new(false);
+    let shown = SweepSnapshot::read(&dir.path().join("finer"), &never).unwrap();
+    let worst = shown.answers().unwrap().open_by_error();
+    assert!(worst.is_empty(), "{worst:?}");
 
     // Gone on with, nothing is computed again that is stored, and the page is the same.
     let (_, resumed, _) = sweep(dir.path(), &["--resume", "finer"]);

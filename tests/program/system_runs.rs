@@ -74,7 +74,7 @@ fn the_file_of_a_system_at_rest_asks_for_an_accuracy() {
         ],
     )
     .assert()
-    .code(1)
+    .code(2)
     .stderr(contains("solver.accuracy: is out of range: 3"));
 }
 

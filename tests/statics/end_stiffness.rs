@@ -42,12 +42,17 @@ fn compare(given: &Given) -> Result<usize, TestCaseError> {
     let k = here.end_stiffness(given.friction);
     let rows = [k.h_a, k.v_a, k.h_b, k.v_b];
     let size = given.x + here.length_m();
+    // What a difference of forces rounds to; those of a slack line without weight, of 1e-200 N, by the stiffness.
     let of_section = |section: &SectionProperties| section.ea_n / section.length_m;
     let softest = given
         .sections
         .iter()
         .map(of_section)
         .fold(f64::INFINITY, f64::min);
+    let greatest = forces(&here)
+        .iter()
+        .fold(0.0, |most: f64, force| most.max(force.abs()));
+    let rounding = f64::EPSILON * (softest + greatest / (1e-5 * size));
     let mut compared = 0;
     for column in 0..3 {
         if column > 0 && given.bed && given.heights[column - 1] == 0.0 {
@@ -69,8 +74,6 @@ fn compare(given: &Given) -> Result<usize, TestCaseError> {
         let scale = rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
         for i in 0..4 {
             // Differences that do not agree between themselves say nothing: a kink is near.
-            // A slack line without weight has forces of 1e-200 N, which differences do not resolve.
-            let rounding = f64::EPSILON * softest;
             let noise = 2.0 * (coarse[i] - fine[i]).abs() + 1e-5 * scale + rounding;
             let off = (rows[i][column] - fine[i]).abs();
             prop_assert!(

@@ -4,12 +4,13 @@
 //! before, so that it depends neither on the number of threads nor on resumes. The runs of a round are a sweep of their own, beside the folder.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use super::{Sweep, SweepError, SweepFolder, SweepOutcomes, SweepProgress, SweepResults};
-use crate::case::kind;
+use crate::case::{Case, kind};
+use crate::checks::utilisation::UtilisationVerdict;
 use crate::run::accuracy::searchable::Searchable;
 use crate::study::points::{BaseCase, reasons};
 use crate::study::seas::{SeaQuestion, SeaResults};
@@ -18,7 +19,7 @@ use crate::study::vary::Variation;
 use crate::system::SystemFile;
 use crate::system::at_rest::SystemAtRest;
 use crate::system::motion::system_in_time::SystemInTime;
-use crate::{case::Case, checks::utilisation::UtilisationVerdict, system::solved::solve};
+use crate::system::solved::solve;
 
 /// Load cases that were computed again.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -77,6 +78,8 @@ impl Sweep {
         mut outcomes: SweepOutcomes,
         (cancel, told): (&AtomicBool, &(dyn Fn(SweepProgress) + Sync)),
     ) -> Result<(SweepOutcomes, Vec<FinerRound>), SweepError> {
+        // Equilibria are not stored.
+        let folder = folder.filter(|_| !matches!(self.results, SweepResults::AtRest(_)));
         let mut rounds = Vec::new();
         for round in 1..=question.statistics.finer_runs {
             let answers = self.answers(&outcomes, question);
@@ -153,7 +156,18 @@ impl Sweep {
 
 /// What the folder of a round is called behind the name of its sweep.
 fn name(round: usize) -> String {
-    format!("finer-{round}")
+    format!("{FINER}{round}")
+}
+
+const FINER: &str = "finer-";
+
+/// Whether a folder is of a round of another sweep, beside it.
+pub(super) fn is_round(dir: &Path) -> bool {
+    let name = dir.file_name().and_then(|name| name.to_str());
+    let parts = name.and_then(|name| name.rsplit_once(&format!("-{FINER}")));
+    parts.is_some_and(|(of, round)| {
+        round.parse::<usize>().is_ok() && SweepFolder::is_one(&dir.with_file_name(of))
+    })
 }
 
 impl SweepFolder {

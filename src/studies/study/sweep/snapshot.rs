@@ -7,6 +7,7 @@ use std::sync::atomic::AtomicBool;
 
 use rayon::prelude::*;
 
+use super::finer::is_round;
 use super::{StoredSweep, Sweep, SweepFolder, SweepInfo, SweepOutcomes, SweepPlan, SweepResults};
 use crate::case::QuantityId;
 use crate::files::read;
@@ -49,7 +50,7 @@ pub enum SnapshotOutcomes {
 }
 
 /// The sweeps of a case file right below a directory, the newest first. Searches for a limiting value are passed over: they hold no runs
-/// of their own. What cannot be read is passed over too.
+/// of their own, and rounds of finer runs, which a sweep shows in the place of its own. What cannot be read is passed over too.
 #[must_use]
 pub fn stored_sweeps(root: &Path, case_file: &str) -> Vec<SweepEntry> {
     let Ok(inside) = fs::read_dir(root) else {
@@ -62,7 +63,8 @@ pub fn stored_sweeps(root: &Path, case_file: &str) -> Vec<SweepEntry> {
         let is_of = info.case_file == case_file && info.window.is_none();
         is_of.then_some(SweepEntry { dir, info })
     };
-    let found = dirs.into_iter().filter(|dir| !is_hidden(dir));
+    let found = dirs.into_iter();
+    let found = found.filter(|dir| !is_hidden(dir) && !is_round(dir));
     let mut found: Vec<SweepEntry> = found.filter_map(entry).collect();
     // The names end with the time at which each began.
     found.sort_by(|a, b| b.dir.cmp(&a.dir));
@@ -87,7 +89,9 @@ impl SweepSnapshot {
         let sweep = &plan.sweep;
         let found = match &sweep.results {
             SweepResults::AtRest(_) => {
-                SnapshotOutcomes::of_outcomes(sweep.compute(Some(&folder), cancel, &|_| {}))
+                let found = sweep.compute_asked(None, &plan.question, cancel, &|_| {});
+                let (outcomes, _) = found.map_err(|error| error.to_string())?;
+                SnapshotOutcomes::of_outcomes(outcomes)
             }
             SweepResults::Line(ids) | SweepResults::InTime(ids) => {
                 let none = vec![None; sweep.variation.points.len()];
