@@ -118,7 +118,7 @@ pub fn unstable(settings: &Settings) -> Option<String> {
 }
 
 /// Distance \[m\] and speed \[m/s\] that the errors of a step are measured by: those of a line and of its fall by its own length or, where
-/// only what is prescribed disturbs the scene, [`RESPONSE`] times the distance and the speed of that.
+/// only what is prescribed disturbs the scene, ten times the distance and the speed of that.
 #[must_use]
 pub fn motion_scale((length, speed): (f64, f64), (far, fast): (f64, f64)) -> (f64, f64) {
     if far <= 0.0 || fast <= 0.0 {
