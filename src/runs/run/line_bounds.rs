@@ -32,14 +32,6 @@ pub fn bounds(case: &Case, scene: &Scene) -> SceneBounds {
     }
 }
 
-/// Newton's tolerance: the user's, or less where the line is so stiff that this would hide a force.
-#[must_use]
-pub fn position_tolerance(case: &Case, scene: &Scene) -> f64 {
-    case.solver
-        .position_tolerance_m
-        .min(scene.position_tolerance(1e-4))
-}
-
 /// The motions of the ends that are held.
 fn motions(scene: &Scene) -> impl Iterator<Item = &EndMotion> {
     scene.line.ends.iter().filter_map(|end| match end {

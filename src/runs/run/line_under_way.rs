@@ -3,19 +3,16 @@
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
 
-use super::line_bounds::{position_tolerance, scale_of_motion};
+use super::line_bounds::scale_of_motion;
+use super::method::method;
 use super::observers::observers;
 use super::output_times::OutputTimes;
 use super::recorded::{Recorded, RecordedLine};
 use super::recorder::RecorderPlan;
-use super::settings::error_limits;
 use super::under_way::{MethodOf, UnderWay, halved};
 use super::{Checkpoint, Settings, energy_balance, step_envelope};
 use crate::case::{self, Case, ChannelSpec, Method};
-use crate::dynamics::generalized_alpha::GeneralizedAlpha;
-use crate::dynamics::quasi_static::QuasiStatic;
-use crate::dynamics::rk4::Rk4;
-use crate::dynamics::{self, March, MethodState};
+use crate::dynamics::{March, MethodState};
 use crate::run::observer::NodeChange;
 use crate::scene::{EnergyRates, Scene};
 use crate::solve::{Kinematics, NewtonError, State};
@@ -63,23 +60,6 @@ impl LineUnderWay<'_> {
     pub(super) fn scene(&self) -> &Scene {
         &self.phases[self.phase]
     }
-
-    fn alpha(&self, state: &State, tolerance: f64) -> GeneralizedAlpha {
-        let (scene, solver) = (&self.phases[0], &self.case.solver);
-        let iterations = solver.max_iterations;
-        let method = GeneralizedAlpha::new(scene, state, solver.rho_inf, tolerance, iterations);
-        let method = match self.settings.step_tolerance {
-            Some(tolerance) => {
-                let scale = scale_of_motion(self.case, scene);
-                method.controlled(error_limits(tolerance, scale))
-            }
-            None => method,
-        };
-        match scene.velocity_resolution() {
-            Some(speed) => method.resolving(speed),
-            None => method,
-        }
-    }
 }
 
 impl UnderWay for LineUnderWay<'_> {
@@ -99,20 +79,13 @@ impl UnderWay for LineUnderWay<'_> {
     }
 
     fn method(&self, state: &State) -> MethodOf<Self> {
-        let (scene, solver) = (&self.phases[0], &self.case.solver);
-        let tolerance = position_tolerance(self.case, scene);
-        match solver.method {
-            Method::Quasi => dynamics::Method::QuasiStatic(QuasiStatic::new(
-                scene,
-                state,
-                tolerance,
-                solver.max_iterations,
-            )),
-            Method::Rk4 => dynamics::Method::Rk4(Rk4::new(scene, state)),
-            Method::Alpha | Method::Auto | Method::Static => {
-                dynamics::Method::Alpha(self.alpha(state, tolerance))
-            }
-        }
+        let scene = &self.phases[0];
+        method(
+            (&self.case.solver, self.settings),
+            (scene, state),
+            || scale_of_motion(self.case, scene),
+            scene.velocity_resolution(),
+        )
     }
 
     fn begins_off_rest(&self) -> bool {

@@ -28,6 +28,7 @@ pub mod line_statistics;
 mod line_under_way;
 pub mod lines_along;
 pub mod march;
+pub mod method;
 pub mod model;
 mod natural_modes;
 pub mod observer;

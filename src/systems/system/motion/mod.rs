@@ -44,7 +44,6 @@ mod let_go;
 mod line_ends;
 mod line_start;
 mod mesh_of_ends;
-mod method;
 pub mod motion_plan;
 pub mod moving_system;
 mod new_node;

@@ -10,13 +10,12 @@ use super::broken_names;
 use super::channels::Channels;
 use super::checkpoint::{ResumedSystem, SystemCheckpoint, check, check_added};
 use super::mesh_of_ends::{EndMesh, Remesh};
-use super::method::{SystemMethod, method};
 use super::motion_plan::MotionPlan;
 use super::moving_system::MovingSystem;
 use super::recorded_system::RecordedSystem;
 use super::release::{Release, by_tension, by_time};
 use super::start::Start;
-use super::system_bounds::bounds;
+use super::system_bounds::{bounds, scale_of_motion};
 use super::system_state::SystemState;
 use crate::background::cpu_time;
 use crate::case::Method;
@@ -26,6 +25,7 @@ use crate::modes::WkbMedium;
 use crate::run::compute::Computed;
 use crate::run::event::Listener;
 use crate::run::march::{MarchStart, Marching};
+use crate::run::method::method;
 use crate::run::observer::{LineAtEnd, NodeChange, RunEnd};
 use crate::run::observers::{ObservedRun, RecordedResponse, of_lines};
 use crate::run::output_times::OutputTimes;
@@ -35,7 +35,7 @@ use crate::run::requested_statistics::{self, StatisticSource, add_stated, of_cha
 use crate::run::response::AskedResponse;
 use crate::run::settings::set_numerical_damping;
 use crate::run::steady_state::settling_quantity;
-use crate::run::under_way::{UnderWay, halved};
+use crate::run::under_way::{MethodOf, UnderWay, halved};
 use crate::run::{Cost, Profile, Work, step_envelope};
 use crate::scene::Scene;
 use crate::solve::NewtonError;
@@ -252,8 +252,18 @@ impl UnderWay for SystemUnderWay<'_> {
         }
     }
 
-    fn method(&self, state: &SystemState) -> SystemMethod {
-        method(self.plan, &self.system, state)
+    fn method(&self, state: &SystemState) -> MethodOf<Self> {
+        let MotionPlan {
+            solver, settings, ..
+        } = self.plan;
+        let system = &self.system;
+        let resolutions = system.scenes.iter().filter_map(Scene::velocity_resolution);
+        method(
+            (solver, settings),
+            (system, state),
+            || scale_of_motion(system),
+            resolutions.reduce(f64::min),
+        )
     }
 
     fn begins_off_rest(&self) -> bool {
