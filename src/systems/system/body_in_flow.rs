@@ -6,11 +6,9 @@
 //! surface all of these count, as drag does, by the share of a ball of that volume that is in the water; the buoyancy lost above it derives
 //! from a potential. It is the law of a payload of a line (`engine/scene/elements/rigid_payload`), for a body of any form.
 
-use std::f64::consts::PI;
-
 use nalgebra::Matrix6;
-use num_dual::DualNum;
 
+use super::immersion::Immersion;
 use super::load_sum::LoadSum;
 use super::moving_pose::{Dual, DualVector, MovingPose, constant, near};
 use super::network::{Body, Network};
@@ -157,16 +155,12 @@ pub(super) fn share_in_water(network: &Network, body: &Body, moving: &MovingPose
         return one;
     }
     let volume = displaced_mass(network, body) / network.density;
-    let radius = (0.75 * volume / PI).cbrt();
     let centre = moving.place(&moving.arm(&body.centre_of_buoyancy));
     let mut above = centre.z;
     if let Some(flow) = moving.at_station() {
         let along = (centre - constant(&flow.place)).dot(&constant(&flow.slope));
         above -= along + flow.elevation;
     }
-    match above.re {
-        z if z <= -radius => one,
-        z if z >= radius => Dual::from_re(0.0),
-        _ => (-above + radius).powi(2) * (above + 2.0 * radius) * (0.25 / radius.powi(3)),
-    }
+    let ball = Immersion::of_ball(volume, above.re);
+    (above - above.re) * ball.by_height + ball.share
 }

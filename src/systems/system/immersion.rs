@@ -30,6 +30,12 @@ impl Immersion {
         } else {
             0.0
         };
+        Self::of_ball(volume, z)
+    }
+
+    /// Of a ball of a volume \[m^3\] whose centre is at a height above the surface \[m\].
+    #[must_use]
+    pub fn of_ball(volume: f64, z: f64) -> Self {
         let r = (0.75 * volume / std::f64::consts::PI).cbrt();
         if z >= r {
             return Self {
