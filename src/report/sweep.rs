@@ -46,6 +46,14 @@ pub struct SweepReport<'a> {
     dir: Option<&'a Path>,
 }
 
+/// That there is no verdict by which load cases would be computed again.
+fn unused_finer(question: &SeaQuestion) -> Option<String> {
+    let unused = question.statistics.finer_runs > 0 && question.checks.is_empty();
+    unused.then(|| {
+        "`statistics.finer_runs` has no effect: there are no [[checks]] whose verdict finer runs would settle.".to_owned()
+    })
+}
+
 /// What was computed again, in words; nothing where nothing was.
 fn in_words(rounds: &[FinerRound]) -> Option<String> {
     let each = rounds.iter().map(|round| {
@@ -92,7 +100,7 @@ impl<'a> SweepReport<'a> {
             view,
             seas,
             cost: cost(outcomes),
-            finer: None,
+            finer: unused_finer(question),
             page: SweepPage::Sweep,
             dir,
         }
@@ -102,7 +110,7 @@ impl<'a> SweepReport<'a> {
     #[must_use]
     pub fn with_finer(self, rounds: &[FinerRound]) -> Self {
         Self {
-            finer: in_words(rounds),
+            finer: in_words(rounds).or(self.finer),
             ..self
         }
     }

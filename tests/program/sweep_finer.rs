@@ -146,8 +146,8 @@ fn is_settled_by_finer_runs(text: &str, varied: (&str, &str), is_stored: bool) {
     assert_eq!(listed.len(), 3, "{listed:?}");
     let never = AtomicBool::new(false);
     let shown = SweepSnapshot::read(&dir.path().join("finer"), &never).unwrap();
-    let worst = shown.answers().unwrap().open_by_error();
-    assert!(worst.is_empty(), "{worst:?}");
+    let open = shown.answers().unwrap().open_by_error();
+    assert!(open.is_empty(), "{open:?}");
 
     // Gone on with, nothing is computed again that is stored, and the page is the same.
     let (_, resumed, _) = sweep(dir.path(), &["--resume", "finer"]);
