@@ -193,7 +193,7 @@ enum Values {
 impl Values {
     fn of(text: &str) -> Self {
         let solved = kind::parse::<SystemFile>(text, "system.toml").unwrap();
-        match solved.file.solver {
+        match solved.file.in_time() {
             Some(_) => Self::Over(Box::new(system_run(text).history)),
             None => Self::AtRest(Box::new(solved)),
         }
@@ -646,8 +646,7 @@ fn published(name: &str, text: &str) -> (usize, usize) {
     let solved = kind::parse::<SystemFile>(&system, "system.toml").unwrap();
     let motion = solved
         .file
-        .solver
-        .as_ref()
+        .in_time()
         .map(|solver| run(&solved, solver, &AtomicBool::new(false), &mut |_| {}).unwrap());
     let rows = validation::rows(&solved, motion.as_ref());
     let passed = rows.iter().filter(|row| row.outcome == Outcome::Pass);

@@ -87,6 +87,20 @@ fn end_of_wire() -> u32 {
 }
 
 #[test]
+fn how_a_line_at_rest_is_computed_goes_along() {
+    let at_rest = "[solver]\nmethod = \"static\"\naccuracy = 1e-3";
+    let text = WIRE.replace("[solver]", at_rest);
+    let system = line_case::read(&text, Path::new("wire.toml")).unwrap().text;
+    let read = kind::read::<SystemFile>(&system, "system.toml").unwrap();
+    let solver = read.content.solver.as_ref().unwrap();
+    assert_eq!(
+        (solver.accuracy, solver.error_estimate),
+        (Some(1e-3), false)
+    );
+    assert_eq!(read.content.in_time(), None);
+}
+
+#[test]
 fn a_clump_hangs_where_sections_meet() {
     let sections = &file("").lines[0].sections;
     let lengths: Vec<f64> = sections.iter().map(|section| section.length_m).collect();

@@ -101,6 +101,9 @@ impl SceneBounds {
 #[must_use]
 pub fn refused(settings: &Settings) -> Option<(String, String)> {
     let (step, duration) = (settings.time_step_s, settings.duration_s);
+    if duration <= 0.0 {
+        return None;
+    }
     if let Some(problem) = unstable(settings) {
         return Some((problem, BELOW_LIMIT.to_owned()));
     }

@@ -20,7 +20,7 @@ pub(super) fn translated(
         ["seabed", ..] => Some(path.to_owned()),
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
         ["materials", name, ..] => is_bare(source, line, name).then(|| path.to_owned()),
-        ["solver", ..] => source.is_in_time().then(|| path.to_owned()),
+        ["solver", ..] => Some(path.to_owned()),
         [
             "output",
             "interval_s" | "shape_interval_s" | "response_from_s",

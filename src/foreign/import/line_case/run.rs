@@ -36,15 +36,15 @@ pub(super) fn waves(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     }
 }
 
-/// Writes how the run in time is computed, and what is recorded of it.
+/// Writes how the system is computed, and what is recorded of a run in time.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
-    if !source.is_in_time() {
-        return;
-    }
     let solver = source.node(&["solver"]);
     system.table("[solver]", solver.map(|node| &node.span));
     if let Some(node) = solver {
         copy_keys(system, source, node, &[]);
+    }
+    if !source.is_in_time() {
+        return;
     }
     if source.node(&["solver", "duration_s"]).is_none() {
         let duration = format!("{:?}", source.case.solver.duration_s);
