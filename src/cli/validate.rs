@@ -194,7 +194,8 @@ fn request(loaded: &NamedCase, at: Option<&StudyPoint>) -> Result<Request, Comma
     let (text, overrides) = match at {
         None => (loaded.text.clone(), Vec::new()),
         Some(at) => {
-            let variant = reference::variant(&loaded.text, &loaded.case, at)
+            let case = &loaded.case;
+            let variant = reference::variant(&loaded.text, &case.case.title, &case.study, at)
                 .map_err(CommandError::Invalid)?;
             (variant.text, variant.overrides)
         }

@@ -1,9 +1,11 @@
-//! A published number of a file that is computed without a run, and its comparison with the computed one.
+//! A published number by the name of its result, and its comparison with the computed one.
 
 use super::{ValidationRow, compare, tolerance};
 use crate::case::fields::of;
-use crate::case::schema::{Key, table};
-use crate::case::{Evidence, Finding, Provenance};
+use crate::case::schema::{Key, TableNode, table};
+use crate::case::{
+    Evidence, Finding, Provenance, Published, QuantityId, StudyKeys, StudyPoint, of_study_point,
+};
 
 table! {
     /// A published value and its comparison with the computed one.
@@ -13,6 +15,8 @@ table! {
         name: String, "name";
         /// The quantity, such as model.max_tension_n or pitch.velocity.rms.
         quantity: String, "quantity";
+        /// Another quantity of the same computation that it is divided by.
+        divided_by: Option<String>, "divided by", absent "not used";
         /// The published value, in the unit of the quantity.
         value: f64, "value", unit "";
         /// Tolerance relative to the value; of two tolerances the wider one counts.
@@ -34,9 +38,23 @@ table! {
         /// Why the number is out of reach; the row then reads DIFFERS instead of FAIL.
         out_of_reach: Option<String>, "out of reach", absent "within reach";
     }
+    tables {
+        /// The point of a study this row belongs to.
+        at: Option<StudyPoint>;
+        /// The point of a study from which this row's value is the change.
+        change_from: Option<StudyPoint>;
+        /// The point of a study by which this row's value is divided.
+        ratio_to: Option<StudyPoint>;
+    }
 }
 
 impl PublishedNumber {
+    /// Whether it is the ratio of two numbers.
+    #[must_use]
+    pub fn is_ratio(&self) -> bool {
+        self.divided_by.is_some() || self.ratio_to.is_some()
+    }
+
     /// The row of the validation table for what was found, with its numerical error where that is known, in this unit.
     #[must_use]
     pub fn held(&self, unit: &str, found: Result<(f64, Option<f64>), String>) -> ValidationRow {
@@ -48,6 +66,9 @@ impl PublishedNumber {
             kind: self.kind.into(),
             of_trials: self.of_trials,
             note: self.note.clone(),
+            at: self.at.clone(),
+            from: self.change_from.clone(),
+            by: self.ratio_to.clone(),
             tolerance_reason: self.tolerance_reason.clone(),
             ..ValidationRow::not_run(&self.name, &self.source, unit.to_owned())
         };
@@ -55,11 +76,41 @@ impl PublishedNumber {
     }
 }
 
-/// Checks of published numbers: a known quantity, as `unknown` says, a tolerance, and trials where it is of those; `named` are the rows
-/// that trials name.
+impl Published {
+    /// The same by the name of its result.
+    #[must_use]
+    pub fn number(&self) -> PublishedNumber {
+        let name = |within| {
+            let id = QuantityId::new(self.channel.clone(), self.statistic, within);
+            id.numbered(self.nth).to_string()
+        };
+        PublishedNumber {
+            name: self.name.clone(),
+            quantity: name(self.within()),
+            divided_by: self.by_stretch_m.map(|stretch| name(Some(stretch))),
+            value: self.value,
+            tolerance_rel: self.tolerance_rel,
+            tolerance_abs: self.tolerance_abs,
+            source: self.source.clone(),
+            inputs: self.inputs,
+            kind: self.kind,
+            note: self.note.clone(),
+            tolerance_reason: self.tolerance_reason.clone(),
+            of_trials: false,
+            out_of_reach: self.out_of_reach.clone(),
+            at: self.at.clone(),
+            change_from: self.change_from.clone(),
+            ratio_to: self.ratio_to.clone(),
+        }
+    }
+}
+
+/// Checks of published numbers: known quantities, as `unknown` says, a tolerance, points of the studies of the file, and trials where it is
+/// of those; `named` are the rows that trials name.
 pub fn check(
     list: &[(String, PublishedNumberKeys<'_>)],
     unknown: impl Fn(&Key<'_, String>) -> Option<Finding>,
+    studies: &[(String, StudyKeys<'_>)],
     named: &[String],
 ) -> Vec<Finding> {
     let mut found = Vec::new();
@@ -73,10 +124,31 @@ pub fn check(
             );
         }
         found.extend(unknown(&printed.quantity));
+        found.extend(unknown(&printed.divided_by));
+        found.extend(one_other(printed));
+        let points = [&printed.at, &printed.change_from, &printed.ratio_to];
+        let points = points.into_iter().flatten();
+        found.extend(points.filter_map(|at| of_study_point(studies, at)));
         if !printed.tolerance_rel.is_given() && !printed.tolerance_abs.is_given() {
             let remedy = "add `tolerance_rel` or `tolerance_abs`";
             found.push(printed.place.finding("has no tolerance", remedy));
         }
     }
     found
+}
+
+/// A row is a change, a ratio to another point, or a ratio to another quantity; no two of them.
+fn one_other(row: &PublishedNumberKeys<'_>) -> Option<Finding> {
+    two_others(&row.place, ["divided_by", "ratio_to", "change_from"])
+}
+
+/// A fault where two of three keys are given that each hold a row against another number.
+pub(crate) fn two_others(table: &TableNode<'_>, keys: [&str; 3]) -> Option<Finding> {
+    let mut given = keys.iter().filter_map(|key| table.node.entry(key));
+    let (first, _) = (given.next()?, given.next()?);
+    let problem = "the row is held against two other numbers at once";
+    let [by, ratio, change] = keys;
+    let remedy = format!("keep one of {change}, {ratio} and {by}");
+    let key = table.key("ratio_to");
+    Some(Finding::new(&first.key_span, key, problem, remedy))
 }

@@ -39,6 +39,7 @@ pub(super) fn check(section: &SectionKeys<'_>) -> Vec<Finding> {
         &section.published,
         unknown_quantity,
         &[],
+        &[],
     ));
     let file = section.place.node;
     if let (Some(about), None, None) = (&section.about, file.get("centre"), file.get("layer")) {

@@ -1,29 +1,11 @@
 //! Published values of a case with edited inputs: they are those of another case, and do not judge it.
 
 use super::{Outcome, ValidationRow};
-use crate::case::{Case, EditedKey, Published, PublishedCurve, StudyPoint, Trend};
+use crate::case::{EditedKey, PublishedCurve, QuantityId, Study, StudyPoint};
+use crate::published::{PublishedNumber, PublishedTrend};
 
 /// Edited keys that a reason names.
 const NAMED: usize = 3;
-
-/// The rows whose published values are not for the case as edited read EDITED, with the keys that are why.
-///
-/// Keys of solver, output, modes and mesh leave a published value what it is: every well-resolved computation should agree with
-/// it. The duration counts for what is taken of the whole run. The key of a study does not count for rows at its points, which set
-/// it themselves.
-pub(super) fn judge(rows: &mut [ValidationRow], case: &Case, edited: &[EditedKey]) {
-    if edited.is_empty() {
-        return;
-    }
-    let values = case.published.iter().map(RowScope::of_value);
-    let trends = case.trend.iter().map(RowScope::of_trend);
-    let curves = case.published_curve.iter().map(RowScope::of_curve);
-    for (row, scope) in rows.iter_mut().zip(values.chain(trends).chain(curves)) {
-        let concern = |key: &&EditedKey| scope.concerns(case, &key.path);
-        let keys: Vec<&EditedKey> = edited.iter().filter(concern).collect();
-        set_aside(row, &keys);
-    }
-}
 
 /// The rows of a file that is computed without a run, of which every edited key but that of a trend counts.
 pub fn judge_plain(rows: &mut [ValidationRow], edited: &[EditedKey]) {
@@ -35,7 +17,8 @@ pub fn judge_plain(rows: &mut [ValidationRow], edited: &[EditedKey]) {
     }
 }
 
-fn set_aside(row: &mut ValidationRow, keys: &[&EditedKey]) {
+/// A row reads EDITED where there are such keys.
+pub(super) fn set_aside(row: &mut ValidationRow, keys: &[&EditedKey]) {
     if keys.is_empty() {
         return;
     }
@@ -48,7 +31,12 @@ fn set_aside(row: &mut ValidationRow, keys: &[&EditedKey]) {
 }
 
 /// What a row is taken of.
-struct RowScope<'a> {
+///
+/// Keys of solver, output, modes and mesh leave a published value what it is: every well-resolved computation should agree with
+/// it. The duration counts for what is taken of the whole run. The key of a study does not count for rows at its points, which set
+/// it themselves.
+#[derive(Debug, Clone, Default)]
+pub struct RowScope<'a> {
     /// The studies at whose points it is, each of which sets its key.
     studies: Vec<&'a str>,
     /// Whether it is of the whole run, however long that is.
@@ -56,25 +44,26 @@ struct RowScope<'a> {
 }
 
 impl<'a> RowScope<'a> {
-    fn of_value(value: &'a Published) -> Self {
+    pub(super) fn of_number(number: &'a PublishedNumber) -> Self {
         // A change or a ratio is of two variants: what only one of them sets counts.
-        let own = |at: &Option<StudyPoint>| at.as_ref().is_none_or(|at| same(at, &value.at));
-        let alone = own(&value.change_from) && own(&value.ratio_to);
-        let at = value.at.as_ref().filter(|_| alone);
+        let own = |at: &Option<StudyPoint>| at.as_ref().is_none_or(|at| same(at, &number.at));
+        let alone = own(&number.change_from) && own(&number.ratio_to);
+        let at = number.at.as_ref().filter(|_| alone);
         Self {
             studies: at.iter().map(|at| at.study.as_str()).collect(),
-            whole_run: value.window_s.is_none(),
+            whole_run: is_of_whole_run(&number.quantity),
         }
     }
 
-    fn of_trend(trend: &'a Trend) -> Self {
+    pub(super) fn of_trend(trend: &'a PublishedTrend) -> Self {
         Self {
             studies: vec![&trend.study],
-            whole_run: trend.window_s.is_none(),
+            whole_run: is_of_whole_run(&trend.quantity),
         }
     }
 
-    fn of_curve(curve: &'a PublishedCurve) -> Self {
+    /// Of a curve of a line case.
+    pub(super) fn of_curve(curve: &'a PublishedCurve) -> Self {
         Self {
             studies: curve.at.iter().map(|at| at.study.as_str()).collect(),
             whole_run: curve.window_s.is_none(),
@@ -82,8 +71,8 @@ impl<'a> RowScope<'a> {
     }
 
     /// Whether the published value is for another value of this key.
-    fn concerns(&self, case: &Case, key: &str) -> bool {
-        let mut own = case.study.iter().filter(|study| study.key == key);
+    pub(super) fn concerns(&self, studies: &[Study], key: &str) -> bool {
+        let mut own = studies.iter().filter(|study| study.key == key);
         if own.any(|study| self.studies.contains(&study.name.as_str())) {
             return false;
         }
@@ -91,6 +80,16 @@ impl<'a> RowScope<'a> {
             "solver.duration_s" => self.whole_run,
             key => is_physical(key),
         }
+    }
+}
+
+/// Whether a result of this name is one of the run in time, over all of it.
+fn is_of_whole_run(name: &str) -> bool {
+    match name.parse() {
+        Ok(QuantityId::Statistic { of, within, .. }) => {
+            within.is_none() || of.line_quantity().is_some()
+        }
+        _ => false,
     }
 }
 

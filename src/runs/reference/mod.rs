@@ -8,8 +8,9 @@
 //! *error* is what the computation itself may be off by. A row whose error is not small beside its
 //! tolerance says so.
 //!
-//! Rows of line cases come from runs ([`rows()`]). A kind of file that is computed without a run compares its
-//! numbers with published ones by [`compare()`] and [`compare_trend()`]; tables, tallies and words are the same.
+//! Line cases and systems state numbers and trends by the names of their results, along studies ([`Stated`]); the rows of line cases come from
+//! runs ([`rows()`]). A kind of file that is computed without a run compares its numbers with published ones by [`compare()`] and
+//! [`compare_trend()`]; tables, tallies and words are the same.
 
 mod curve;
 mod edited;
@@ -18,27 +19,56 @@ mod outcome_counts;
 pub mod papers;
 mod plan;
 pub mod published_history;
+mod runs_at;
+mod stated;
 pub mod table;
 mod trend;
 mod value;
 mod variant;
 
 pub use self::table::table;
-pub use edited::judge_plain as set_edited_aside;
+pub use edited::{RowScope, judge_plain as set_edited_aside};
 pub use outcome_counts::{OutcomeCounts, count_outcomes};
 pub use plan::plan;
 pub use published_history::PublishedHistory;
+pub use runs_at::NOT_RUN;
+pub use stated::{ResultsAt, Stated};
 pub use trend::{TrendStatement, compare_trend};
 pub use variant::{StudyVariant, rows_of_run, variant};
 
+use crate::case::{Case, EditedKey, Published, StudyPoint, Trend};
 pub use crate::published::{
-    CalibrationBasis, Outcome, PublishedNumber, RowKind, TrendLine, TrendPoint, ValidationRow,
-    compare,
+    CalibrationBasis, Outcome, PublishedNumber, PublishedTrend, RowKind, TrendLine, TrendPoint,
+    ValidationRow, compare,
 };
-use crate::{
-    case::{Case, EditedKey, StudyPoint},
-    run::Run,
-};
+use crate::run::Run;
+use runs_at::RunsAt;
+
+/// What a line case states, by the names of its results.
+struct StatedByCase<'a> {
+    case: &'a Case,
+    numbers: Vec<PublishedNumber>,
+    trends: Vec<PublishedTrend>,
+}
+
+impl<'a> StatedByCase<'a> {
+    fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            numbers: case.published.iter().map(Published::number).collect(),
+            trends: case.trend.iter().map(Trend::of_quantity).collect(),
+        }
+    }
+
+    fn stated(&self) -> Stated<'_> {
+        Stated {
+            studies: &self.case.study,
+            numbers: &self.numbers,
+            trends: &self.trends,
+            reason: self.case.case.tolerance_reason.as_deref(),
+        }
+    }
+}
 
 /// Compares runs with everything the case states: first the values, then the trends, then the curves, in
 /// the order of the file.
@@ -50,19 +80,12 @@ pub fn rows<'r>(
     case: &Case,
     lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
-    let values = case
-        .published
-        .iter()
-        .map(|published| value::row(published, &case.published, lookup));
-    let trends = case
-        .trend
-        .iter()
-        .map(|trend| trend::row(case, trend, lookup));
+    let mut rows = StatedByCase::new(case).stated().rows(&RunsAt(lookup));
     let curves = case.published_curve.iter().enumerate();
     let curves = curves.map(|(number, curve)| curve::row(number, curve, lookup));
     let common = case.case.tolerance_reason.as_deref();
-    let all = values.chain(trends).chain(curves);
-    all.map(|row| row.with_common_reason(common)).collect()
+    rows.extend(curves.map(|row| row.with_common_reason(common)));
+    rows
 }
 
 /// The same of a case with edited inputs: the rows whose published values are not for it read EDITED, with the reason.
@@ -73,7 +96,9 @@ pub fn rows_of_edited<'r>(
     lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
 ) -> Vec<ValidationRow> {
     let mut rows = rows(case, lookup);
-    edited::judge(&mut rows, case, edited);
+    let curves = case.published_curve.iter().map(RowScope::of_curve);
+    let stated = StatedByCase::new(case);
+    stated.stated().set_edited_aside(&mut rows, curves, edited);
     rows
 }
 

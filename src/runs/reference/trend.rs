@@ -2,27 +2,25 @@
 
 use std::cmp::Ordering;
 
-use super::{Outcome, RowKind, TrendLine, TrendPoint, ValidationRow, value::find};
+use super::stated::{ResultsAt, Stated};
+use super::{Outcome, RowKind, TrendLine, TrendPoint, ValidationRow};
+use crate::case::{Direction, StudyPoint, StudyValue};
+use crate::published::PublishedTrend;
 use crate::published::comparison::REACHED;
-use crate::{
-    case::{Case, Direction, StudyPoint, StudyValue, Trend},
-    run::Run,
-};
 
-pub(super) fn row<'r>(
-    case: &Case,
-    trend: &Trend,
-    lookup: &dyn Fn(Option<&StudyPoint>) -> Option<&'r Run>,
+/// The row of a trend of a file.
+pub(super) fn row(
+    stated: &Stated<'_>,
+    trend: &PublishedTrend,
+    results: &dyn ResultsAt,
 ) -> ValidationRow {
-    let study = case.study.iter().find(|s| s.name == trend.study);
+    let study = stated.study(&trend.study);
     let mut values: Vec<StudyValue> = study.map_or_else(Vec::new, |s| s.values.clone());
     // Words have no order but that of the file.
     values.sort_by(|a, b| match (a.number(), b.number()) {
         (Some(a), Some(b)) => a.total_cmp(&b),
         _ => Ordering::Equal,
     });
-
-    let unit = trend.statistic.unit(trend.channel.unit());
     let mut missing = None;
     let mut points = Vec::with_capacity(values.len());
     for value in values {
@@ -30,14 +28,8 @@ pub(super) fn row<'r>(
             study: trend.study.clone(),
             value: value.clone(),
         };
-        let found = lookup(Some(&at))
-            .ok_or_else(|| "It has not been run.".to_owned())
-            .and_then(|run| {
-                let within = trend.within();
-                find(run, &trend.channel, trend.statistic, within, trend.nth)
-            });
-        let (computed, error) = match found {
-            Ok(quantity) => (Some(quantity.value), quantity.error_estimate()),
+        let (computed, error) = match results.number(Some(&at), &trend.quantity) {
+            Ok(number) => (Some(number.value), number.error),
             Err(why) => {
                 missing.get_or_insert_with(|| format!("At {value}: {why}"));
                 (None, None)
@@ -58,7 +50,7 @@ pub(super) fn row<'r>(
             note: trend.note.as_deref(),
             out_of_reach: trend.out_of_reach.as_deref(),
         },
-        unit,
+        results.unit(&trend.quantity),
         points,
         missing,
     )

@@ -2,7 +2,7 @@
 
 use super::{ValidationRow, rows_of_edited};
 use crate::{
-    case::{self, Case, Diagnostic, EditedKey, StudyPoint, edit},
+    case::{self, Case, Diagnostic, EditedKey, Study, StudyPoint, edit},
     run::{Run, edited_inputs},
 };
 
@@ -15,14 +15,19 @@ pub struct StudyVariant {
     pub overrides: Vec<String>,
 }
 
-/// Sets a case to a point of one of its studies.
+/// Sets a file to a point of one of its studies; `file` is its name in the diagnostics.
 ///
 /// # Errors
-/// The case has no such study, or does not take the value.
-pub fn variant(text: &str, case: &Case, at: &StudyPoint) -> Result<StudyVariant, Vec<Diagnostic>> {
-    let Some(study) = case.study.iter().find(|s| s.name == at.study) else {
+/// The file has no such study, or does not take the value.
+pub fn variant(
+    text: &str,
+    file: &str,
+    studies: &[Study],
+    at: &StudyPoint,
+) -> Result<StudyVariant, Vec<Diagnostic>> {
+    let Some(study) = studies.iter().find(|s| s.name == at.study) else {
         return Err(vec![Diagnostic::whole_file(
-            &case.case.title,
+            file,
             format!("There is no study named `{}`.", at.study),
             "Name one of the studies of the case.",
         )]);
@@ -65,7 +70,7 @@ fn is_point(key: &EditedKey, case: &Case) -> bool {
 
 /// A run was computed at a point when setting the point does not change its case.
 fn stands_at(run: &Run, case: &Case, at: &StudyPoint) -> bool {
-    let set = variant(&run.case_text, case, at).ok();
+    let set = variant(&run.case_text, &case.case.title, &case.study, at).ok();
     let again = set.and_then(|v| case::parse_stored(&v.text, &run.info.case_file).ok());
     again.is_some_and(|again| again == *case)
 }

@@ -9,6 +9,7 @@ use super::along::FatigueSpot;
 use super::{QuantityId, SearchProgress};
 use crate::case::{ChannelId, ChannelQuantity};
 use crate::numerics::richardson::OBSERVED;
+use crate::published::ComputedNumber;
 
 pub use seacable_base::VERSION;
 
@@ -463,6 +464,13 @@ impl Quantity {
             (None, None) => None,
             (t, m) => Some(t.unwrap_or(0.0) + m.unwrap_or(0.0)),
         }
+    }
+
+    /// It as a number that is held against a published one.
+    #[must_use]
+    pub fn computed(&self) -> ComputedNumber {
+        let parts = [self.time_error, self.mesh_error];
+        ComputedNumber::new(self.value, self.error_estimate(), parts)
     }
 
     /// The error to be expected: the bar without the factor of safety, by which nearly every single one lies inside.

@@ -34,6 +34,7 @@ impl FileKind for Ropeway {
             &keys.published,
             unknown_quantity,
             &[],
+            &[],
         ));
         let trends = keys.trend.iter();
         found.extend(trends.filter_map(|(_, trend)| unknown_quantity(&trend.quantity)));

@@ -33,6 +33,7 @@ pub(super) fn check(ship: &ShipKeys<'_>) -> Vec<Finding> {
         &ship.published,
         unknown_quantity,
         &[],
+        &[],
     ));
     found
 }

@@ -62,7 +62,12 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(of_checks(&keys.checks));
     let unknown = |key: &Key<'_, String>| results_in_time::unknown(key, keys);
     let named = rows_of_trials(keys);
-    found.extend(published_number::check(&keys.published, unknown, &named));
+    found.extend(published_number::check(
+        &keys.published,
+        unknown,
+        &[],
+        &named,
+    ));
     found.extend(published_history::check(&keys.published_curve));
     found.extend(trials(keys));
     found

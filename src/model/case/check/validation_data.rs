@@ -1,21 +1,20 @@
 //! Validation data: studies of keys that exist, published values and trends of channels that a run records.
 
 use super::checks::of_checks;
-use super::load_cases::{of_load_cases, values, varied};
+use super::load_cases::of_load_cases;
 use super::recorded;
+use super::studies::{of_studies, of_study, of_study_point};
 use super::taken::{number as number_of, stretch, suits, window};
-use super::{unknown, unknown_name, used_twice};
+use super::unknown_name;
 use crate::case::diagnostic::Finding;
-use crate::case::fields::number;
-use crate::case::model::{
-    AtKeys, CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, StudyKeys, StudyValue, TrendKeys,
-};
+use crate::case::model::{CASE, CaseKeys, PublishedCurveKeys, PublishedKeys, TrendKeys};
 use crate::case::schema::{Key, KeyValue};
 use crate::case::{ChannelId, ChannelQuantity, LineQuantity};
+use crate::published::number::two_others;
 
 /// Checks of studies, published values and trends.
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let mut found = studies(case);
+    let mut found = of_studies(&CASE, case.place.node, &case.study);
     found.extend(of_load_cases(&CASE, case.place.node, &case.load_cases));
     found.extend(of_checks(&case.checks));
     let recorded = recorded::names(case);
@@ -82,7 +81,9 @@ fn curve(
         channel(case, &row.channel, channels.as_deref()),
         window(&row.window_s, None),
         points(row),
-        row.at.as_ref().and_then(|at| point(case, at)),
+        row.at
+            .as_ref()
+            .and_then(|at| of_study_point(&case.study, at)),
     ];
     found.into_iter().flatten().collect()
 }
@@ -100,7 +101,7 @@ fn published(
         stretch(&row.stretch_m, &row.channel),
         stretch(&row.by_stretch_m, &row.channel),
         tolerance(row),
-        one_other(row),
+        two_others(&row.place, ["by_stretch_m", "ratio_to", "change_from"]),
     ];
     let points = [&row.at, &row.change_from, &row.ratio_to]
         .into_iter()
@@ -108,7 +109,7 @@ fn published(
     found
         .into_iter()
         .flatten()
-        .chain(points.filter_map(|at| point(case, at)))
+        .chain(points.filter_map(|at| of_study_point(&case.study, at)))
         .collect()
 }
 
@@ -119,25 +120,9 @@ fn trend(case: &CaseKeys<'_>, row: &TrendKeys<'_>, known: Option<&[String]>) -> 
         number_of(&row.nth, &row.statistic),
         window(&row.window_s, row.channel.get()),
         stretch(&row.stretch_m, &row.channel),
-        study_of(case, &row.study).err(),
+        of_study(&case.study, &row.study).err(),
     ];
     found.into_iter().flatten().collect()
-}
-
-/// A study varies a key that exists and takes one number, over values in its range.
-fn studies(case: &CaseKeys<'_>) -> Vec<Finding> {
-    let names = case.study.iter().map(|(_, study)| &study.name);
-    let mut found = used_twice(names, "give every study a name of its own");
-    for (_, study) in &case.study {
-        let Some(key) = study.key.get() else {
-            continue;
-        };
-        match varied(&CASE, case.place.node, key) {
-            Ok(field) => found.extend(values(&study.values, field)),
-            Err((problem, remedy)) => found.push(study.key.finding(problem, remedy)),
-        }
-    }
-    found
 }
 
 /// A curve has as many values as times, at least two, and its times increase.
@@ -183,60 +168,4 @@ fn tolerance(row: &PublishedKeys<'_>) -> Option<Finding> {
         let remedy = "add `tolerance_rel = ...` (a fraction of the value) or `tolerance_abs = ...` (in the unit of the value)";
         row.tolerance_rel.finding("the row has no tolerance", remedy)
     })
-}
-
-/// A row is a change, a ratio to another point, or a ratio to another stretch; no two of them.
-fn one_other(row: &PublishedKeys<'_>) -> Option<Finding> {
-    let table = &row.place;
-    let given = ["by_stretch_m", "ratio_to", "change_from"].map(|key| table.node.entry(key));
-    let mut given = given.into_iter().flatten();
-    let (first, _) = (given.next()?, given.next()?);
-    let problem = "the row is held against two other numbers at once";
-    let remedy = "keep one of change_from, ratio_to and by_stretch_m";
-    Some(Finding::new(
-        &first.key_span,
-        table.key("ratio_to"),
-        problem,
-        remedy,
-    ))
-}
-
-/// The study that a key names.
-fn study_of<'k, 'a>(
-    case: &'k CaseKeys<'a>,
-    key: &Key<'_, String>,
-) -> Result<Option<&'k StudyKeys<'a>>, Finding> {
-    let known: Vec<&str> = case.study.iter().map(|(name, _)| name.as_str()).collect();
-    if let Some(finding) = unknown(key, &known, "study", "case") {
-        return Err(finding);
-    }
-    let mut studies = case.study.iter();
-    let study = studies.find(|(name, _)| Some(name) == key.get());
-    Ok(study.map(|(_, study)| study))
-}
-
-/// The point of a study that a published row belongs to: one of the study's values.
-fn point(case: &CaseKeys<'_>, at: &AtKeys<'_>) -> Option<Finding> {
-    let study = match study_of(case, &at.study) {
-        Ok(study) => study?,
-        Err(finding) => return Some(finding),
-    };
-    let (value, values) = (at.value.get()?, study.values.get()?);
-    let same = |candidate: &StudyValue| match (candidate.number(), value.number()) {
-        (Some(a), Some(b)) => (a - b).abs() <= 1e-9 * a.abs().max(b.abs()),
-        _ => candidate == value,
-    };
-    if values.iter().any(same) {
-        return None;
-    }
-    let shown = |value: &StudyValue| match value {
-        StudyValue::Word(word) => format!("\"{}\"", word.escape_default()),
-        StudyValue::Number(value) => number(*value),
-    };
-    let list: Vec<String> = values.iter().map(shown).collect();
-    let problem = format!("{} is not a value of the study", shown(value));
-    Some(at.value.finding(
-        problem,
-        format!("the study's values are {}", list.join(", ")),
-    ))
 }
