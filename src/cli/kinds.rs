@@ -13,9 +13,9 @@ use seacable_runs::reference::{self, ValidationRow};
 use seacable_systems::ropeway::{self, ROPEWAY, Ropeway};
 use seacable_systems::ship::{self, MotionAnalysis, SHIP, Ship};
 use seacable_systems::system::{
-    self, SYSTEM, SolvedSystem, SystemFile,
-    motion::{self, run::MotionRun},
-    results_in_time::has_published_in_time,
+    SYSTEM, SystemFile,
+    validated::{NotValidated, validated},
+    validation::set_edited_aside,
 };
 
 /// The tables and keys of a kind.
@@ -56,12 +56,12 @@ pub(super) fn validation(
             (statics.ship.ship.title.clone(), rows)
         }
         FileType::System => {
-            let (text, solved) = &cases::set_and_compute::<SystemFile>(text, set, path)?;
-            let run = in_time(solved, cancel)?;
-            let mut rows = system::validation::rows(solved, run.as_ref());
-            let (_, edited) = kind::edited_rows::<SystemFile>(text, before);
-            reference::set_edited_aside(&mut rows, &edited);
-            (solved.file.about.title.clone(), rows)
+            let (text, solved) = cases::set_and_compute::<SystemFile>(text, set, path)?;
+            let (_, edited) = kind::edited_rows::<SystemFile>(&text, before);
+            let file = solved.file.clone();
+            let mut rows = validated(solved, &text, name, cancel).map_err(not_validated)?;
+            set_edited_aside(&mut rows, &file, &edited);
+            (file.about.title, rows)
         }
         FileType::Section => {
             let (text, design) = &cases::set_and_compute::<CrossSection>(text, set, path)?;
@@ -74,13 +74,11 @@ pub(super) fn validation(
     })
 }
 
-/// The run in time of a system that has values or curves to be held against it.
-fn in_time(solved: &SolvedSystem, cancel: &AtomicBool) -> Result<Option<MotionRun>, CommandError> {
-    let given = solved.file.in_time();
-    let Some(given) = given.filter(|_| has_published_in_time(&solved.file)) else {
-        return Ok(None);
-    };
-    let run = motion::run::run(solved, given, cancel, &mut |_| {});
-    run.map(Some)
-        .map_err(|why| CommandError::Usage(format!("{}; {}.", why.problem, why.remedy)))
+fn not_validated(why: NotValidated) -> CommandError {
+    match why {
+        NotValidated::Invalid(found) => CommandError::Invalid(found),
+        NotValidated::Unsolved(why) => {
+            CommandError::Usage(format!("{}; {}.", why.problem, why.remedy))
+        }
+    }
 }

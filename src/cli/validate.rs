@@ -195,8 +195,9 @@ fn request(loaded: &NamedCase, at: Option<&StudyPoint>) -> Result<Request, Comma
         None => (loaded.text.clone(), Vec::new()),
         Some(at) => {
             let case = &loaded.case;
-            let variant = reference::variant(&loaded.text, &case.case.title, &case.study, at)
-                .map_err(CommandError::Invalid)?;
+            let variant =
+                reference::variant::<Case>(&loaded.text, &case.case.title, &case.study, at)
+                    .map_err(CommandError::Invalid)?;
             (variant.text, variant.overrides)
         }
     };

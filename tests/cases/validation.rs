@@ -59,7 +59,8 @@ fn compute(path: &str, text: &str, case: &Case, at: Option<&StudyPoint>) -> Run 
     let (text, overrides) = match at {
         None => (text.to_owned(), Vec::new()),
         Some(at) => {
-            let variant = reference::variant(text, &case.case.title, &case.study, at).unwrap();
+            let variant =
+                reference::variant::<Case>(text, &case.case.title, &case.study, at).unwrap();
             (variant.text, variant.overrides)
         }
     };

@@ -307,9 +307,10 @@ fn what_acts_and_cannot_be_said_is_refused_at_its_key() {
 
 #[test]
 fn what_other_views_have_is_a_remark() {
-    let more = "[modes]\ncount = 3\n[[study]]\nname = \"s\"\nkey = \"ends.b.period_s\"\nvalues = [6.0, 8.0]\n";
+    let more = "[modes]\ncount = 3\n[[study]]\nname = \"s\"\nkey = \"ends.b.motion\"\nvalues = [\"harmonic\", \"table\"]\n";
     let notes = file(more).about.notes;
-    assert!(notes.starts_with("NOT CARRIED OVER: studies; "), "{notes}");
+    let studies = "NOT CARRIED OVER: studies of keys whose value no key of a system has alone: s; ";
+    assert!(notes.starts_with(studies), "{notes}");
     assert!(notes.contains("the natural modes of the line"), "{notes}");
 }
 

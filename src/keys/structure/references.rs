@@ -12,10 +12,14 @@ const OF_CASES: &[TableReference] = &[
     ("floats.*.section", &["line"]),
     ("clumps.*.section", &["line"]),
     ("modules.*.section", &["line"]),
+    ("published_curve.*.at.study", &["study"]),
+];
+
+/// Of line cases and of systems.
+const OF_STUDIES: &[TableReference] = &[
     ("published.*.at.study", &["study"]),
     ("published.*.change_from.study", &["study"]),
     ("published.*.ratio_to.study", &["study"]),
-    ("published_curve.*.at.study", &["study"]),
     ("trend.*.study", &["study"]),
 ];
 
@@ -48,21 +52,20 @@ const OF_SECTIONS: &[TableReference] = &[
     ("centre.unit", &["units"]),
 ];
 
-fn references(schema: &Schema) -> &'static [TableReference] {
-    match schema.what {
-        "case" => OF_CASES,
-        "system" => OF_SYSTEMS,
-        "section" => OF_SECTIONS,
-        _ => &[],
-    }
+fn references(schema: &Schema) -> impl Iterator<Item = &'static TableReference> {
+    let (own, of_studies) = match schema.what {
+        "case" => (OF_CASES, OF_STUDIES),
+        "system" => (OF_SYSTEMS, OF_STUDIES),
+        "section" => (OF_SECTIONS, &[][..]),
+        _ => (&[][..], &[][..]),
+    };
+    own.iter().chain(of_studies)
 }
 
 /// The names that a key of this pattern may hold in a file; nothing where the key names no table.
 #[must_use]
 pub fn names(schema: &Schema, text: &str, pattern: &str) -> Option<Vec<String>> {
-    let (_, tables) = references(schema)
-        .iter()
-        .find(|(known, _)| *known == pattern)?;
+    let (_, tables) = references(schema).find(|(known, _)| *known == pattern)?;
     let tree = TomlNode::parse(text).ok()?;
     let of = |table: &&&str| {
         let node = tree.get(table);
@@ -126,7 +129,6 @@ impl Use<'_> {
         let (name, table) = self.path.split_last()?;
         let table = table.first()?;
         let names_it = references(self.schema)
-            .iter()
             .any(|(known, tables)| *known == pattern && tables.contains(&table.as_str()));
         if names_it && text == name {
             return Some(self.to.to_owned());

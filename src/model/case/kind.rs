@@ -6,7 +6,7 @@ use super::check::variable;
 use super::diagnostic::Diagnostic;
 use super::edit::{field_by, put_all};
 use super::edited::{self, EditedKey};
-use super::fields::Field;
+use super::fields::{Field, ValueType};
 pub use super::file_kind::FileContent;
 use super::file_kind::{FileKind, errors};
 use super::read::diagnose;
@@ -17,7 +17,7 @@ use super::replaced_value::Origin;
 use super::rows::{FieldLister, FieldRow};
 use super::schema::{TableNode, WrittenKeys};
 use super::tree::TomlNode;
-use super::{parameters, shipped};
+use super::{StudyValue, parameters, shipped};
 
 /// A file with its text and its result.
 #[derive(Debug, Clone, PartialEq)]
@@ -168,6 +168,25 @@ pub fn put<K: FileKind>(
     value: &str,
 ) -> Result<String, Vec<Diagnostic>> {
     put_all(K::schema(), text, &[(key_path, value)]).map(|(edited, _)| edited)
+}
+
+/// The same with a value of a study, a number written as its field wants it.
+///
+/// # Errors
+///
+/// As [`put`].
+pub fn put_study_value<K: FileKind>(
+    text: &str,
+    key_path: &str,
+    value: &StudyValue,
+) -> Result<String, Vec<Diagnostic>> {
+    let whole = || field::<K>(text, key_path).is_ok_and(|field| field.kind == ValueType::Integer);
+    let written = match value {
+        StudyValue::Word(word) => word.clone(),
+        StudyValue::Number(number) if number.fract() == 0.0 && whole() => format!("{number:.0}"),
+        StudyValue::Number(number) => format!("{number:?}"),
+    };
+    put::<K>(text, key_path, &written)
 }
 
 /// The text with several keys set one after the other; the file is checked and computed once all are set.

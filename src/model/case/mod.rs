@@ -69,6 +69,7 @@ pub use read_file::ReadFile;
 pub use replaced_value::{Origin, ReplacedValue, YOURS};
 pub use rows::{FieldLister, FieldRow};
 pub use section_text::SectionText;
+pub use study_point::stands_at;
 pub use subject::{ModePlane, Subject};
 pub use value_range::{RangeError, Spacing, ValueRange};
 pub use write::write;

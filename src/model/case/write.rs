@@ -13,11 +13,6 @@ pub fn write(case: &Case) -> String {
     DocumentMut::from(case.write(WrittenKeys::WithoutDefaults)).to_string()
 }
 
-/// The same, with the keys that hold their default.
-pub(crate) fn write_all(case: &Case) -> String {
-    DocumentMut::from(case.write(WrittenKeys::All)).to_string()
-}
-
 #[cfg(test)]
 mod tests {
     use super::write;

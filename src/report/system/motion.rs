@@ -19,11 +19,7 @@ use seacable_model::case::{
 };
 use seacable_runs::run::{Channel, Profile, Quantity, Run, edited_inputs};
 use seacable_systems::system::motion::job::STATISTICS;
-use seacable_systems::system::{
-    SolvedSystem, SystemFile,
-    validation::{self, ComparedRun},
-    warnings::warnings,
-};
+use seacable_systems::system::{SolvedSystem, SystemFile, validation, warnings::warnings};
 
 /// Lines of a chart.
 const LINES: usize = 16;
@@ -258,7 +254,7 @@ fn report(solved: &SolvedSystem, run: &Run, fields: &[FieldRow]) -> Report {
     inputs(&mut page, fields, !about.source.trim().is_empty());
     page.heading("Results");
     results(&mut page, run);
-    let rows = validation::rows_of(solved, &ComparedRun::of_run(run));
+    let rows = validation::rows_of_run(solved, run);
     if !rows.is_empty() {
         page.heading("Published values");
         text::add_validation(&mut page, &rows);

@@ -2,7 +2,7 @@
 
 use super::{ValidationRow, rows_of_edited};
 use crate::{
-    case::{self, Case, Diagnostic, EditedKey, Study, StudyPoint, edit},
+    case::{self, Case, Diagnostic, EditedKey, Study, StudyPoint, file_kind::FileKind, kind},
     run::{Run, edited_inputs},
 };
 
@@ -19,7 +19,7 @@ pub struct StudyVariant {
 ///
 /// # Errors
 /// The file has no such study, or does not take the value.
-pub fn variant(
+pub fn variant<K: FileKind>(
     text: &str,
     file: &str,
     studies: &[Study],
@@ -32,8 +32,7 @@ pub fn variant(
             "Name one of the studies of the case.",
         )]);
     };
-    let text =
-        edit::set_value(text, &study.key, &at.value).map_err(|diagnostic| vec![diagnostic])?;
+    let text = kind::put_study_value::<K>(text, &study.key, &at.value)?;
     Ok(StudyVariant {
         text,
         overrides: vec![format!("{}={}", study.key, at.value)],
@@ -70,7 +69,7 @@ fn is_point(key: &EditedKey, case: &Case) -> bool {
 
 /// A run was computed at a point when setting the point does not change its case.
 fn stands_at(run: &Run, case: &Case, at: &StudyPoint) -> bool {
-    let set = variant(&run.case_text, &case.case.title, &case.study, at).ok();
+    let set = variant::<Case>(&run.case_text, &case.case.title, &case.study, at).ok();
     let again = set.and_then(|v| case::parse_stored(&v.text, &run.info.case_file).ok());
     again.is_some_and(|again| again == *case)
 }

@@ -2,7 +2,7 @@
 //! greatest magnitude of the curve, over the output times of a window.
 
 use super::{History, Quantity, QuantityId};
-use crate::case::{Case, PublishedCurve};
+use crate::case::{Case, PublishedCurve, stands_at};
 
 /// Number of shifts of a periodic curve that are tried over a period.
 const SHIFTS: usize = 400;
@@ -70,7 +70,12 @@ pub fn points(curve: &PublishedCurve) -> impl Iterator<Item = (f64, f64)> {
 /// The differences of a record from the curves of its case; of curves that belong to another point of a study, none.
 pub(super) fn differences(case: &Case, history: &History) -> Vec<Quantity> {
     let curves = case.published_curve.iter().enumerate();
-    let here = curves.filter(|(_, curve)| curve.at.as_ref().is_none_or(|at| case.stands_at(at)));
+    let here = curves.filter(|(_, curve)| {
+        curve
+            .at
+            .as_ref()
+            .is_none_or(|at| stands_at(case, &case.study, at))
+    });
     let number = |(number, curve): (usize, &PublishedCurve)| {
         let percent = compare(curve, history).ok()?.percent;
         Some(Quantity::new(difference_id(curve, number), percent))

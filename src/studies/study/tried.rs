@@ -9,7 +9,7 @@ use crate::reference::{self, ValidationRow};
 use crate::run::job::{self, Request};
 use crate::run::{RunInfo, RunState, Settings, Work};
 use crate::system::results_in_time::id_in_time;
-use crate::system::validation::{self, ComparedRun};
+use crate::system::validation::{self, ComparedRun, ComputedSystem};
 use crate::system::warnings::warnings;
 use crate::system::{SolvedSystem, SystemFile, motion};
 
@@ -133,12 +133,17 @@ impl Tried for SystemFile {
         let solved = Arc::new(read.compute()?);
         let request = motion::job::request(Arc::clone(&solved), &text, String::new(), Vec::new());
         let Some(request) = request.filter(|_| !is_of_rest(&solved.file, trial)) else {
-            let no_run = Err("The trial has no run in time.".to_owned());
-            let rows = validation::rows_of_trials(&solved, &no_run);
+            let rows = validation::rows_of_trials(&ComputedSystem {
+                solved: &solved,
+                run: Err("The trial has no run in time.".to_owned()),
+            });
             return Ok(ComputedTrial::at_rest(&solved, rows));
         };
         let run = job::execute(&request, cancel, &mut |_| {});
-        let rows = validation::rows_of_trials(&solved, &ComparedRun::of_run(&run));
+        let rows = validation::rows_of_trials(&ComputedSystem {
+            solved: &solved,
+            run: ComparedRun::of_run(&run),
+        });
         Ok(ComputedTrial::of_run(run.info, rows))
     }
 }

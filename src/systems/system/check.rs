@@ -14,10 +14,10 @@ use super::motion::{check as motion, check_payout};
 use super::{quantities, results_in_time, rods};
 use crate::case::schema::{Key, TableNode};
 use crate::case::{
-    Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_trials, unknown,
-    used_twice,
+    Finding, nearest, of_checks, of_current, of_load_cases, of_material, of_studies, of_trials,
+    unknown, used_twice,
 };
-use crate::published::number as published_number;
+use crate::published::{number as published_number, trend as published_trend};
 use crate::reference::published_history;
 
 /// Checks of a system.
@@ -65,10 +65,12 @@ pub(super) fn check(keys: &SystemKeys<'_>) -> Vec<Finding> {
     found.extend(published_number::check(
         &keys.published,
         unknown,
-        &[],
+        &keys.study,
         &named,
     ));
+    found.extend(published_trend::check(&keys.trend, unknown, &keys.study));
     found.extend(published_history::check(&keys.published_curve));
+    found.extend(of_studies(&SYSTEM, keys.place.node, &keys.study));
     found.extend(trials(keys));
     found
 }

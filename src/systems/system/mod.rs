@@ -61,6 +61,7 @@ pub mod stability;
 pub mod start;
 pub mod stiffness;
 mod unstable;
+pub mod validated;
 pub mod validation;
 pub mod warnings;
 mod waterplane;

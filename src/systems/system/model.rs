@@ -18,11 +18,12 @@ use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
     Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Trial, Waves,
+    Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Study, Trial,
+    Waves,
 };
 use crate::numerics::V3;
 use crate::physics::ElasticBed;
-use crate::reference::{PublishedHistory, PublishedNumber};
+use crate::reference::{PublishedHistory, PublishedNumber, PublishedTrend};
 
 const BEARING: Conditions = &[("kind", &["free", "body"])];
 const ON_BODY: Conditions = &[("kind", &["body"])];
@@ -80,6 +81,8 @@ table! {
         files: BTreeMap<String, Attachment>;
         /// Where an input comes from when the source does not print it, by key path.
         marks: BTreeMap<String, Mark>;
+        /// One key varied over a list of values.
+        study: Vec<Study>;
         /// Load cases that `seacable sweep` computes, in all combinations.
         load_cases: Vec<LoadCaseInputs>;
         /// How `seacable sweep` sums up the results of load cases.
@@ -90,6 +93,8 @@ table! {
         published: Vec<PublishedNumber>;
         /// A published curve over time that the run is held against.
         published_curve: Vec<PublishedHistory>;
+        /// A published statement of trend, checked along a study.
+        trend: Vec<PublishedTrend>;
         /// One way in which a hard case is computed, and what must come of it.
         trial: Vec<Trial>;
     }

@@ -1,5 +1,7 @@
 //! Which published values of a system are of its run in time: those by the names that its summary has, `tension_n[LINE|b].max`.
 
+use std::iter;
+
 use super::model::{SystemFile, SystemKeys};
 use super::motion::channels::GAUGE;
 use super::quantities;
@@ -13,20 +15,22 @@ pub fn id_in_time(name: &str) -> Option<QuantityId> {
     matches!(id, QuantityId::Statistic { .. }).then_some(id)
 }
 
-/// Whether a file states published values or curves of its run in time.
+/// Whether a file states published values, trends or curves of its run in time.
 #[must_use]
 pub fn has_published_in_time(file: &SystemFile) -> bool {
-    let mut numbers = file.published.iter();
-    let has_numbers = numbers.any(|printed| id_in_time(&printed.quantity).is_some());
-    has_numbers || !file.published_curve.is_empty()
+    !stated(file).is_empty() || !file.published_curve.is_empty()
 }
 
-/// The results of its run in time that a file states published values of.
+/// The results of its run in time that a file states published values and trends of.
 #[must_use]
 pub fn stated(file: &SystemFile) -> Vec<QuantityId> {
     let numbers = file.published.iter();
-    let ids = numbers.filter_map(|printed| id_in_time(&printed.quantity));
-    ids.collect()
+    let numbers = numbers.flat_map(|row| iter::once(&row.quantity).chain(&row.divided_by));
+    let trends = file.trend.iter().map(|trend| &trend.quantity);
+    numbers
+        .chain(trends)
+        .filter_map(|name| id_in_time(name))
+        .collect()
 }
 
 /// A result that exists neither at rest nor in time.

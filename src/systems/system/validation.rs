@@ -1,13 +1,15 @@
 //! A system compared with its published values: rows of the validation table.
 
+use super::model::SystemFile;
 use super::motion::run::MotionRun;
 use super::quantities::{error, unit, value};
 use super::results_in_time::id_in_time;
 use super::solved::SolvedSystem;
-use crate::case::QuantityId;
-use crate::published::{PublishedNumber, ValidationRow};
+use crate::case::{EditedKey, QuantityId, StudyPoint, stands_at};
+use crate::published::{ComputedNumber, PublishedNumber, ValidationRow};
+use crate::reference::{NOT_RUN, ResultsAt, Stated};
 use crate::run::error_estimate::HistoryPair;
-use crate::run::{History, Quantity, Run};
+use crate::run::{History, Quantity, Run, edited_inputs};
 
 /// What a run in time is compared by.
 #[derive(Debug, Clone, Copy)]
@@ -44,10 +46,10 @@ impl<'r> ComparedRun<'r> {
     }
 
     /// A number of the summary, with its error where that is estimated.
-    fn number(&self, id: &QuantityId) -> Result<(f64, Option<f64>), String> {
+    fn number(&self, id: &QuantityId) -> Result<ComputedNumber, String> {
         let found = self.summary.iter().find(|number| number.id == *id);
         let number = found.ok_or_else(|| format!("The run has no result `{id}`."))?;
-        Ok((number.value, number.error_estimate()))
+        Ok(number.computed())
     }
 }
 
@@ -55,58 +57,148 @@ fn ended(failure: Option<&String>) -> Result<(), String> {
     failure.map_or(Ok(()), |why| Err(format!("The run ended early: {why}.")))
 }
 
-/// Rows for every published value of a system at rest and of its run in time, then for every published curve of that run, in the order of
-/// its file. Without a run what is of one reads NOT RUN.
-#[must_use]
-pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow> {
-    let run = match run {
-        None if solved.file.in_time().is_none() => {
-            Err("The file has no run in time: add [solver].".to_owned())
-        }
-        None => Err("`seacable validate` computes the run in time.".to_owned()),
-        Some(run) => ComparedRun::of_motion(run),
-    };
-    rows_of(solved, &run)
+/// A system as it was computed: at rest, and its run in time or why there is none.
+#[derive(Debug, Clone)]
+pub struct ComputedSystem<'s> {
+    /// At rest.
+    pub solved: &'s SolvedSystem,
+    /// In time.
+    pub run: Result<ComparedRun<'s>, String>,
 }
 
-/// The same for a run, or why there is none.
+impl<'s> ComputedSystem<'s> {
+    /// At rest and in time; without a run what is of one reads NOT RUN.
+    #[must_use]
+    pub fn new(solved: &'s SolvedSystem, run: Option<&'s MotionRun>) -> Self {
+        let run = match run {
+            None if solved.file.in_time().is_none() => {
+                Err("The file has no run in time: add [solver].".to_owned())
+            }
+            None => Err("`seacable validate` computes the run in time.".to_owned()),
+            Some(run) => ComparedRun::of_motion(run),
+        };
+        Self { solved, run }
+    }
+
+    /// A result by its name, in time or at rest.
+    fn number(&self, name: &str) -> Result<ComputedNumber, String> {
+        let solved = self.solved;
+        match (id_in_time(name), &self.run) {
+            (Some(id), Ok(run)) => run.number(&id),
+            (Some(_), Err(why)) => Err(why.clone()),
+            (None, _) => {
+                // Closed forms are exact to rounding.
+                let error = match solved.is_discretised() {
+                    true => error(solved, name),
+                    false => Some(0.0),
+                };
+                Ok(ComputedNumber::new(
+                    value(solved, name)?,
+                    error,
+                    [None, error],
+                ))
+            }
+        }
+    }
+}
+
+/// What gives the system as it was computed at a point of a study, `None` being the file without one.
+pub type SystemLookup<'l, 's> = dyn Fn(Option<&StudyPoint>) -> Option<ComputedSystem<'s>> + 'l;
+
+/// The results of a system at the points of its studies.
+struct SystemsAt<'l, 's>(&'l SystemLookup<'l, 's>);
+
+impl ResultsAt for SystemsAt<'_, '_> {
+    fn unit(&self, name: &str) -> String {
+        id_in_time(name).map_or_else(|| unit(name).to_owned(), |id| id.unit())
+    }
+
+    fn number(&self, at: Option<&StudyPoint>, name: &str) -> Result<ComputedNumber, String> {
+        let computed = self.0(at).ok_or_else(|| NOT_RUN.to_owned())?;
+        computed.number(name)
+    }
+}
+
+/// What the file of a system states of published numbers and trends.
 #[must_use]
-pub fn rows_of(solved: &SolvedSystem, run: &Result<ComparedRun<'_>, String>) -> Vec<ValidationRow> {
-    let mut rows = rows_of_trials(solved, run);
-    rows.retain(|row| !row.of_trials);
-    rows
+pub fn stated(file: &SystemFile) -> Stated<'_> {
+    Stated {
+        studies: &file.study,
+        numbers: &file.published,
+        trends: &file.trend,
+        reason: file.about.tolerance_reason.as_deref(),
+    }
+}
+
+/// Rows for every published value and trend of a system at rest and of its run in time, then for every published curve of that run, in the
+/// order of its file. What is of a point of a study at which the system does not stand reads NOT RUN.
+#[must_use]
+pub fn rows(solved: &SolvedSystem, run: Option<&MotionRun>) -> Vec<ValidationRow> {
+    rows_of(&ComputedSystem::new(solved, run))
+}
+
+/// The same of a system as it was computed.
+#[must_use]
+pub fn rows_of(computed: &ComputedSystem<'_>) -> Vec<ValidationRow> {
+    without_trials(rows_of_trials(computed))
 }
 
 /// The same with the rows that only trials hold.
 #[must_use]
-pub fn rows_of_trials(
-    solved: &SolvedSystem,
-    run: &Result<ComparedRun<'_>, String>,
-) -> Vec<ValidationRow> {
-    let file = &solved.file;
-    let numbers = file.published.iter();
-    let numbers = numbers.map(|printed| match id_in_time(&printed.quantity) {
-        Some(id) => {
-            let found = run.as_ref().map_err(String::clone);
-            printed.held(&id.unit(), found.and_then(|run| run.number(&id)))
-        }
-        None => at_rest(solved, printed),
+pub fn rows_of_trials(computed: &ComputedSystem<'_>) -> Vec<ValidationRow> {
+    let file = &computed.solved.file;
+    rows_at(file, &|at| {
+        let here = at.is_none_or(|at| stands_at(file, &file.study, at));
+        here.then(|| computed.clone())
+    })
+}
+
+/// The same of a run, of which rows whose published values are not for its inputs read EDITED.
+#[must_use]
+pub fn rows_of_run(solved: &SolvedSystem, run: &Run) -> Vec<ValidationRow> {
+    let mut rows = rows_of(&ComputedSystem {
+        solved,
+        run: ComparedRun::of_run(run),
     });
+    set_edited_aside(&mut rows, &solved.file, &edited_inputs::<SystemFile>(run));
+    rows
+}
+
+/// The rows of a file whose systems at the points of its studies, which [`Stated::plan`] names, `lookup` gives; without those of trials.
+#[must_use]
+pub fn rows_along_studies(file: &SystemFile, lookup: &SystemLookup<'_, '_>) -> Vec<ValidationRow> {
+    without_trials(rows_at(file, lookup))
+}
+
+/// Rows whose published values are not for the inputs of a file read EDITED.
+pub fn set_edited_aside(rows: &mut [ValidationRow], file: &SystemFile, edited: &[EditedKey]) {
+    // Rows of trials are none of these.
+    let numbers = file.published.iter().filter(|row| !row.of_trials);
+    let numbers: Vec<PublishedNumber> = numbers.cloned().collect();
+    let stated = Stated {
+        numbers: &numbers,
+        ..stated(file)
+    };
+    stated.set_edited_aside(rows, [], edited);
+}
+
+fn without_trials(mut rows: Vec<ValidationRow>) -> Vec<ValidationRow> {
+    rows.retain(|row| !row.of_trials);
+    rows
+}
+
+fn rows_at(file: &SystemFile, lookup: &SystemLookup<'_, '_>) -> Vec<ValidationRow> {
+    let mut rows = stated(file).rows(&SystemsAt(lookup));
+    let here = lookup(None);
+    let run = here.as_ref().map_or_else(
+        || Err(NOT_RUN.to_owned()),
+        |computed| computed.run.as_ref().map_err(String::clone),
+    );
     let history = run.as_ref().map(|run| run.history).map_err(String::clone);
     let companions = run.as_ref().map_or(&[][..], |run| run.companions);
     let curves = file.published_curve.iter();
     let curves = curves.flat_map(|curve| curve.rows(history.clone(), companions));
     let common = file.about.tolerance_reason.as_deref();
-    let all = numbers.chain(curves);
-    all.map(|row| row.with_common_reason(common)).collect()
-}
-
-fn at_rest(solved: &SolvedSystem, printed: &PublishedNumber) -> ValidationRow {
-    // Closed forms are exact to rounding.
-    let error = match solved.is_discretised() {
-        true => error(solved, &printed.quantity),
-        false => Some(0.0),
-    };
-    let found = value(solved, &printed.quantity).map(|value| (value, error));
-    printed.held(unit(&printed.quantity), found)
+    rows.extend(curves.map(|row| row.with_common_reason(common)));
+    rows
 }

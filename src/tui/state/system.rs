@@ -173,8 +173,9 @@ impl DocumentKind for SystemView {
 
     fn validate(&mut self, _text: &str, edited: &[EditedKey]) {
         self.analyses = Some(Arc::new(Analyses::of_system(&self.solved)));
-        let rows = validation::rows(&self.solved, None);
-        self.checks = ValidationTable::edited(rows, edited);
+        let mut rows = validation::rows(&self.solved, None);
+        validation::set_edited_aside(&mut rows, &self.solved.file, edited);
+        self.checks = ValidationTable::new(rows);
     }
 
     fn checks(&self) -> Option<&ValidationTable> {

@@ -3,7 +3,7 @@
 use super::bearing;
 use super::copied::{coefficient, value_of};
 use super::payload::lift_in_air;
-use super::results::reads_forces;
+use super::published::reads_forces;
 use super::source::{DENSITY, GRAVITY, LETTERS, LineSource};
 use super::stretches::{Stretch, at_end};
 use crate::case::{Clump, End, EndKind};

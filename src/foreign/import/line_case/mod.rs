@@ -13,6 +13,7 @@ mod ends;
 mod line;
 mod paths;
 mod payload;
+mod published;
 mod refused;
 mod results;
 mod run;

@@ -2,7 +2,7 @@
 
 use super::copied::{copy, copy_keys, value_of};
 use super::ends;
-use super::results;
+use super::published;
 use super::source::LineSource;
 use super::stretches::Stretch;
 use crate::import::to_case::case_text::{CaseText, numbers};
@@ -50,7 +50,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         let duration = format!("{:?}", source.case.solver.duration_s);
         system.assumed("duration_s", &duration, "as a case leaves it out");
     }
-    let forces = results::reads_forces(source, line);
+    let forces = published::reads_forces(source, line);
     let output = source.node(&["output"]);
     let is_checked = !source.case.checks.is_empty();
     if output.is_none() && !forces && !is_checked {

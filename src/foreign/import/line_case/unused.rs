@@ -1,15 +1,13 @@
 //! What of a case is not carried over and does not act in the system, in words.
 
 use super::end_clumps;
-use super::results;
+use super::published;
 use super::source::LineSource;
 use super::stretches::Stretch;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
-const VIEWS: [(&[&str], &str); 6] = [
-    (&["study"], "studies"),
-    (&["trend"], "trends"),
+const VIEWS: [(&[&str], &str); 4] = [
     (&["trial"], "trials"),
     (
         &["modes"],
@@ -38,9 +36,16 @@ pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Stri
             left_out.push((*what).to_owned());
         }
     }
-    let (published, all) = results::left_out(source, line);
-    if published > 0 {
-        left_out.push(format!("{published} of {all} published values and curves, which are of studies, statistics or channels that a system has none of"));
+    let studies = published::studies_left_out(source, line);
+    if !studies.is_empty() {
+        let names = studies.join(", ");
+        left_out.push(format!(
+            "studies of keys whose value no key of a system has alone: {names}"
+        ));
+    }
+    let (lost, all) = published::left_out(source, line);
+    if lost > 0 {
+        left_out.push(format!("{lost} of {all} published values, trends and curves, which are of such studies, or of statistics or channels that a system has none of"));
     }
     if bears_on_nothing(source) {
         left_out.push("how the payload or clumps bear on a bed, as there is none".to_owned());

@@ -44,6 +44,8 @@ impl HasEffects for SystemFile {
         self.marks.clear();
         self.published.clear();
         self.published_curve.clear();
+        self.study.clear();
+        self.trend.clear();
         self.trial.clear();
         self.load_cases.clear();
         self.checks.clear();

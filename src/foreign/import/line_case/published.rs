@@ -1,0 +1,295 @@
+//! What is published of a case: studies, values at their points, trends along them, curves.
+
+use super::channels;
+use super::copied::{copy_keys, value_of};
+use super::paths;
+use super::source::{LINE, LineSource};
+use super::stretches::Stretch;
+use crate::case::{
+    ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Study,
+    StudyPoint, StudyValue, Subject, TomlNode, Trend,
+};
+use crate::import::to_case::case_text::{CaseText, number, numbers, text};
+
+/// Keys that numbers, trends and curves have in both kinds of file.
+const KEPT: [&str; 14] = [
+    "name",
+    "study",
+    "expect",
+    "value",
+    "tolerance_rel",
+    "tolerance_abs",
+    "tolerance_percent",
+    "source",
+    "inputs",
+    "kind",
+    "note",
+    "tolerance_reason",
+    "out_of_reach",
+    "greatest_percent",
+];
+
+/// Statistics that are the value itself of a single state.
+const ONE_STATE: [Statistic; 4] = [
+    Statistic::Mean,
+    Statistic::Max,
+    Statistic::Min,
+    Statistic::Final,
+];
+
+/// A result of a case: what it is of, what is taken of that, within which window or stretch, which of several.
+struct CaseResult<'c> {
+    of: &'c Subject,
+    statistic: Statistic,
+    within: Option<[f64; 2]>,
+    nth: Option<usize>,
+    /// Whether it is within a window of time.
+    has_window: bool,
+}
+
+impl<'c> CaseResult<'c> {
+    fn of_value(row: &'c Published) -> Self {
+        Self {
+            of: &row.channel,
+            statistic: row.statistic,
+            within: row.within(),
+            nth: row.nth,
+            has_window: row.window_s.is_some(),
+        }
+    }
+
+    fn of_trend(row: &'c Trend) -> Self {
+        Self {
+            of: &row.channel,
+            statistic: row.statistic,
+            within: row.within(),
+            nth: row.nth,
+            has_window: row.window_s.is_some(),
+        }
+    }
+
+    /// The quantity of a system that it is: at rest, or of its run in time.
+    fn quantity(&self, source: &LineSource<'_>, line: &[Stretch<'_>]) -> Option<String> {
+        if !source.is_in_time() {
+            return self.at_rest(source, line);
+        }
+        let of = match self.of {
+            Subject::Channel(id) => Subject::Channel(channels::translated(source, line, id)?),
+            Subject::Line(quantity) => Subject::along(*quantity, LINE),
+            of @ Subject::Energy(_) => of.clone(),
+            _ => return None,
+        };
+        let id = QuantityId::new(of, self.statistic, self.within).numbered(self.nth);
+        Some(id.to_string())
+    }
+
+    fn at_rest(&self, source: &LineSource<'_>, line: &[Stretch<'_>]) -> Option<String> {
+        let Subject::Channel(id) = self.of else {
+            return None;
+        };
+        if self.has_window || !ONE_STATE.contains(&self.statistic) {
+            return None;
+        }
+        let found = channels::translated(source, line, id)?;
+        // At rest the tension of a system is the force on the end, with the shear of a line that bends.
+        if id.quantity == ChannelQuantity::Tension && source.bends() {
+            return None;
+        }
+        let at_rest = [ChannelQuantity::Tension, ChannelQuantity::OnBed];
+        let is_known = at_rest.contains(&found.quantity)
+            || ChannelQuantity::POSITION.contains(&found.quantity);
+        is_known.then(|| found.to_string())
+    }
+}
+
+/// The key of the system that a study varies; nothing where none has the value of this one alone.
+fn key_of(source: &LineSource<'_>, line: &[Stretch<'_>], study: &Study) -> Option<String> {
+    paths::translated(source, line, &study.key)
+}
+
+/// Whether the system has a study.
+fn has_study(source: &LineSource<'_>, line: &[Stretch<'_>], name: &str) -> bool {
+    let mut studies = source.case.study.iter();
+    let study = studies.find(|study| study.name == name);
+    study.is_some_and(|study| key_of(source, line, study).is_some())
+}
+
+/// Results of the system that a published value is of and that it is divided by; nothing where it has none, or not the points.
+fn of_value(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    row: &Published,
+) -> Option<(String, Option<String>)> {
+    let points = [&row.at, &row.change_from, &row.ratio_to];
+    let mut points = points.into_iter().flatten();
+    if !points.all(|point| has_study(source, line, &point.study)) {
+        return None;
+    }
+    let of = CaseResult::of_value(row);
+    let quantity = of.quantity(source, line)?;
+    let Some(stretch) = row.by_stretch_m else {
+        return Some((quantity, None));
+    };
+    let within = Some(stretch);
+    let other = CaseResult { within, ..of }.quantity(source, line)?;
+    Some((quantity, Some(other)))
+}
+
+/// The result of the system that a trend is of.
+fn of_trend(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Trend) -> Option<String> {
+    let quantity = CaseResult::of_trend(row).quantity(source, line);
+    quantity.filter(|_| has_study(source, line, &row.study))
+}
+
+/// The channel that a published value is of.
+fn channel_of(row: &Published) -> Option<&ChannelId> {
+    match &row.channel {
+        Subject::Channel(id) => Some(id),
+        _ => None,
+    }
+}
+
+/// The channel of a system in time that a published curve is of.
+fn channel(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    curve: &PublishedCurve,
+) -> Option<ChannelId> {
+    let is_plain = curve.at.is_none() && curve.period_s.is_none() && curve.window_s.is_none();
+    let found = channels::translated(source, line, &curve.channel);
+    found.filter(|_| is_plain && source.is_in_time())
+}
+
+/// Whether a published curve, value or trend is of a force on an end.
+pub(super) fn reads_forces(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
+    let is_force = |id: &ChannelId| ChannelQuantity::FORCE.contains(&id.quantity);
+    let case = &source.case;
+    let curves = case.published_curve.iter();
+    let mut curves = curves.filter_map(|curve| channel(source, line, curve));
+    let mut values = case.published.iter().filter_map(channel_of);
+    let mut trends = case.trend.iter().map(|trend| &trend.channel);
+    let of_trend = |of: &Subject| matches!(of, Subject::Channel(id) if is_force(id));
+    curves.any(|id| is_force(&id)) || values.any(is_force) || trends.any(of_trend)
+}
+
+/// How many published values, trends and curves the system cannot state, of how many.
+pub(super) fn left_out(source: &LineSource<'_>, line: &[Stretch<'_>]) -> (usize, usize) {
+    let case = &source.case;
+    let values = case.published.iter();
+    let values = values.filter(|row| of_value(source, line, row).is_none());
+    let trends = case.trend.iter();
+    let trends = trends.filter(|row| of_trend(source, line, row).is_none());
+    let curves = case.published_curve.iter();
+    let curves = curves.filter(|curve| channel(source, line, curve).is_none());
+    let all = case.published.len() + case.trend.len() + case.published_curve.len();
+    (values.count() + trends.count() + curves.count(), all)
+}
+
+/// The studies of keys that the system has not by themselves.
+pub(super) fn studies_left_out<'c>(
+    source: &'c LineSource<'_>,
+    line: &[Stretch<'_>],
+) -> Vec<&'c str> {
+    let studies = source.case.study.iter();
+    let lost = studies.filter(|study| key_of(source, line, study).is_none());
+    lost.map(|study| &*study.name).collect()
+}
+
+/// Writes studies, published values, trends and curves.
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+    let case = &source.case;
+    for (study, node) in case.study.iter().zip(items(source, "study")) {
+        let Some((key, at)) = key_of(source, line, study).zip(node.get("key")) else {
+            continue;
+        };
+        system.table("[[study]]", Some(&node.span));
+        system.given("key", &text(&key), &at.span, "");
+        copy_keys(system, source, node, &["key"]);
+    }
+    for (row, node) in case.published.iter().zip(items(source, "published")) {
+        if let Some(results) = of_value(source, line, row) {
+            value(system, source, row, node, results);
+        }
+    }
+    for (row, node) in case.trend.iter().zip(items(source, "trend")) {
+        let Some((quantity, at)) = of_trend(source, line, row).zip(node.get("channel")) else {
+            continue;
+        };
+        system.table("[[trend]]", Some(&node.span));
+        system.given("quantity", &text(&quantity), &at.span, "channel");
+        kept(system, source, node);
+    }
+    let curves = case.published_curve.iter();
+    for (row, node) in curves.zip(items(source, "published_curve")) {
+        if let Some(channel) = channel(source, line, row) {
+            curve(system, source, row, node, &channel);
+        }
+    }
+}
+
+fn value(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    row: &Published,
+    node: &TomlNode,
+    (quantity, by): (String, Option<String>),
+) {
+    system.table("[[published]]", Some(&node.span));
+    if let Some(at) = node.get("channel") {
+        system.given("quantity", &text(&quantity), &at.span, "channel");
+    }
+    if let Some((by, at)) = by.zip(node.get("by_stretch_m")) {
+        system.given("divided_by", &text(&by), &at.span, "by_stretch_m");
+    }
+    kept(system, source, node);
+    for (key, point) in [
+        ("at", &row.at),
+        ("change_from", &row.change_from),
+        ("ratio_to", &row.ratio_to),
+    ] {
+        if let Some((point, at)) = point.as_ref().zip(node.get(key)) {
+            system.given(key, &inline(point), &at.span, "");
+        }
+    }
+}
+
+fn curve(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    row: &PublishedCurve,
+    node: &TomlNode,
+    channel: &ChannelId,
+) {
+    system.table("[[published_curve]]", Some(&node.span));
+    if let Some(at) = node.get("channel") {
+        system.given("channel", &text(&channel.to_string()), &at.span, "");
+    }
+    system.given("time_s", &numbers(&row.time_s), &node.span, "");
+    kept(system, source, node);
+    if node.get("value").is_none() {
+        system.given("value", &numbers(&row.value), &node.span, "points_file");
+    }
+}
+
+/// The tables of a list of the case.
+fn items<'n>(source: &'n LineSource<'_>, list: &str) -> &'n [TomlNode] {
+    source.node(&[list]).map_or(&[][..], TomlNode::items)
+}
+
+/// A point of a study as an inline table.
+fn inline(point: &StudyPoint) -> String {
+    let value = match &point.value {
+        StudyValue::Number(value) => number(*value),
+        StudyValue::Word(word) => text(word),
+    };
+    format!("{{ study = {}, value = {value} }}", text(&point.study))
+}
+
+/// The keys of a published value, trend or curve that say what it is worth.
+fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode) {
+    for key in KEPT {
+        if let Some(value) = node.get(key) {
+            system.given(key, &value_of(source, value), &value.span, "");
+        }
+    }
+}
