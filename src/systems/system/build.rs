@@ -19,7 +19,7 @@ use super::motion::payout_inputs::payouts;
 use super::motion::responses::{responses, wave_response};
 use super::network::{
     Body, BodyFoot, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
-    WEIGHTLESS, reversed, weight, weighted,
+    StatedSection, WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, is_crossed, parts};
 use super::point_on_bed::BearingArea;
@@ -390,10 +390,7 @@ impl Builder<'_> {
             reversed: reversed(&sections),
             added_weight: weight(&sections) - own_weight,
             sections,
-            break_loads: parts
-                .iter()
-                .map(|part| part.material.break_load_n)
-                .collect(),
+            parts: parts.iter().map(stated).collect(),
             friction,
             friction_lateral,
             still_water: line.still_water,
@@ -429,6 +426,14 @@ impl Builder<'_> {
             .wet_weight_kg_per_m
             .unwrap_or(material.mass_kg_per_m - displaced);
         mass * self.network.gravity
+    }
+}
+
+fn stated(part: &Part) -> StatedSection {
+    StatedSection {
+        name: part.section.clone(),
+        length_m: part.length_m,
+        break_load: part.material.break_load_n,
     }
 }
 

@@ -9,7 +9,7 @@ use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
 use crate::case::schema::Key;
-use crate::case::{Finding, drag_twice, unknown};
+use crate::case::{Finding, drag_twice, unknown, used_twice};
 
 /// Parts of a system by their names, so that many lines are checked in proportion to them.
 pub(super) struct ByName<'k, 'a> {
@@ -137,6 +137,7 @@ impl<'k, 'a> ByName<'k, 'a> {
         let sections = line.sections.iter();
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
         found.extend(segments_of_some(line));
+        found.extend(names_of_sections(line));
         found.extend(line.sections.iter().filter_map(|(_, section)| {
             let aligned = [
                 &section.clump_drag_area_normal_m2,
@@ -222,6 +223,21 @@ fn segments_of_some(line: &LineKeys<'_>) -> Option<Finding> {
         let problem = "is given for some sections of the line and not for others";
         given.finding(problem, "give every section its segments, or none")
     })
+}
+
+/// Names that sections of a line share, or that some of them have and others do not.
+fn names_of_sections(line: &LineKeys<'_>) -> Vec<Finding> {
+    let names = line.sections.iter().map(|(_, section)| &section.name);
+    let mut found = used_twice(
+        names.clone(),
+        "give every section of the line a name of its own",
+    );
+    let given = names.clone().find(|key| key.is_given());
+    if let Some(given) = given.filter(|_| names.clone().any(|key| !key.is_given())) {
+        let problem = "is given for some sections of the line and not for others";
+        found.push(given.finding(problem, "give every section a name, or none"));
+    }
+    found
 }
 
 fn repeats(line: &LineKeys<'_>) -> Option<Finding> {

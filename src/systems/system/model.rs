@@ -617,6 +617,8 @@ table! {
     /// A section of a line.
     #[derive(Debug, Clone, PartialEq)]
     pub struct LineSection => LineSectionKeys {
+        /// Name of the section, used in channel names and key paths; of all sections of a line or of none.
+        name: Option<String>, "name", kind Name, absent "its number from end A";
         /// What it is made of.
         material: String, "material", kind Name;
         /// Unstretched length.

@@ -11,6 +11,8 @@ use crate::scene::per_axis;
 pub struct Part {
     /// Name of its material.
     pub name: String,
+    /// Name of its section, where it has one.
+    pub section: Option<String>,
     /// What it is made of.
     pub material: Material,
     /// Unstretched length \[m\].
@@ -134,6 +136,7 @@ pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
     let part = |section: LineSection| Part {
         material: file.materials[&section.material].clone(),
         clump: section.clump(),
+        section: section.name,
         name: section.material,
         length_m: section.length_m,
         segments: section.segments,

@@ -57,7 +57,7 @@ const fn quantity(
 /// All results.
 #[rustfmt::skip] // one a line
 static QUANTITIES: [SystemQuantity; 16] = [
-    quantity("tension_n", "N", SystemSubject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
+    quantity("tension_n", "N", SystemSubject::LineEnd, "tension at an end of a line, or where its sections meet: tension_n[LINE|1], of named sections tension_n[LINE|CHAIN|ROPE]"),
     quantity("horizontal_n", "N", SystemSubject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", SystemSubject::LineEnd, "vertical force of a line on its end, upwards"),
     quantity("on_bed_m", "m", SystemSubject::Line, "unstretched length of a line on the bed"),
@@ -207,14 +207,11 @@ fn stretch(place: &str) -> Option<Option<[f64; 2]>> {
     Some(Some([from.parse().ok()?, to.parse().ok()?]))
 }
 
-/// The tension where two sections of a line meet, by its number from end A.
+/// The tension where two sections of a line meet, by their names or its number from end A.
 fn between((network, rest): AtRest<'_>, line: usize, place: &str) -> Option<f64> {
-    let meeting: usize = place.parse().ok()?;
     let given = &network.lines[line];
-    if !(1..given.sections.len()).contains(&meeting) {
-        return None;
-    }
-    let before = given.sections[..meeting].iter();
+    let meeting = given.meetings().position(|meeting| meeting == place)? + 1;
+    let before = given.parts[..meeting].iter();
     let arc: f64 = before.map(|section| section.length_m).sum();
     let places = &rest.placement.points;
     let ends = [&places[given.from], &places[given.to]];

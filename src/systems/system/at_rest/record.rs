@@ -45,8 +45,8 @@ fn channel((id, value): (ChannelId, f64)) -> Channel {
 pub fn readings(solved: &SolvedSystem) -> Vec<(ChannelId, f64)> {
     let mut ids = Vec::new();
     for line in &solved.network.lines {
-        let meetings = (1..line.sections.len()).map(|meeting| meeting.to_string());
-        let places = ["a".to_owned(), "b".to_owned()].into_iter().chain(meetings);
+        let ends = ["a", "b"].map(str::to_owned).into_iter();
+        let places = ends.chain(line.meetings());
         ids.extend(
             places.map(|place| ChannelQuantity::Tension.at(format!("{}|{place}", line.name))),
         );

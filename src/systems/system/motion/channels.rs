@@ -183,15 +183,15 @@ impl Channels {
         }
     }
 
-    /// Tensions where the sections of a line meet, by their number from end A; not of lines that may break, whose parts change.
+    /// Tensions where the sections of a line meet, by their names or number from end A; not of lines that may break, whose parts change.
     fn between(&mut self, system: &MovingSystem, line: usize) {
         let given = &system.network.lines[line];
         if may_break(&system.network, given) {
             return;
         }
-        for meeting in 1..given.sections.len() {
+        for (before, meeting) in given.meetings().enumerate() {
             let id = ChannelQuantity::Tension.at(format!("{}|{meeting}", given.name));
-            self.add(id, Source::Between(line, meeting));
+            self.add(id, Source::Between(line, before + 1));
         }
     }
 
@@ -210,28 +210,31 @@ impl Channels {
         }
     }
 
-    /// Dynamic stiffness of ropes and tension of the wall of pipes at both ends of the sections of a line, by their number from end A; not of
+    /// Dynamic stiffness of ropes and tension of the wall of pipes at both ends of the sections of a line, by their names or number from end A; not of
     /// lines that may break.
     fn sections(&mut self, system: &MovingSystem, line: usize) {
         let given = &system.network.lines[line];
         if may_break(&system.network, given) {
             return;
         }
-        for (section, material) in materials(given).enumerate() {
-            let ends = [("a", false), ("b", true)];
-            let name = |end: &str| format!("{}|{}.{end}", given.name, section + 1);
+        let materials: Vec<&Material> = materials(given).collect();
+        for (section, [first, last]) in given.named_sections() {
+            let Some(material) = materials.get(first) else {
+                continue;
+            };
+            let ends = [("a", (first, false)), ("b", (last, true))];
+            let name = |end: &str| format!("{}|{section}.{end}", given.name);
             if is_dynamic(material) {
                 for quantity in ChannelQuantity::ROPE {
-                    for (end, at_end) in ends {
-                        let source = Source::Rope(line, (section, at_end), quantity);
-                        self.add(quantity.at(name(end)), source);
+                    for (end, place) in ends {
+                        self.add(quantity.at(name(end)), Source::Rope(line, place, quantity));
                     }
                 }
             }
             if material.bore.is_some() {
-                for (end, at_end) in ends {
+                for (end, place) in ends {
                     let id = ChannelQuantity::WallTension.at(name(end));
-                    self.add(id, Source::Wall(line, (section, at_end)));
+                    self.add(id, Source::Wall(line, place));
                 }
             }
         }

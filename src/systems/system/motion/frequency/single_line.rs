@@ -68,7 +68,7 @@ fn network(scene: &Scene) -> Network {
             to: 1,
             sections: Vec::new(),
             reversed: Vec::new(),
-            break_loads: Vec::new(),
+            parts: Vec::new(),
             added_weight: 0.0,
             friction: 0.0,
             friction_lateral: 0.0,
