@@ -337,8 +337,10 @@ fn sections_are_named_in_key_paths_and_all_of_a_line_or_none() {
     let text = format!("{HEAD}{}", of_sections(named, mark));
     let file = solved(&text).file;
     assert_eq!(file.lines[0].sections[1].name.as_deref(), Some("high"));
-    let set =
-        seacable::case::edit::set_all(&text, &[("lines.mooring.sections.high.length_m", "60.0")]);
+    let set = seacable::case::kind::set_all::<seacable::system::SystemFile>(
+        &text,
+        &[("lines.mooring.sections.high.length_m", "60.0")],
+    );
     assert_eq!(
         solved(&set.unwrap()).file.lines[0].sections[1].length_m,
         60.0

@@ -33,6 +33,7 @@ const OF_SYSTEMS: &[TableReference] = &[
     ("lines.*.sections.*.material", &["materials"]),
     ("lines.*.floats.*.section", &["lines.*.sections"]),
     ("lines.*.modules.*.section", &["lines.*.sections"]),
+    ("lines.*.clumps.*.section", &["lines.*.sections"]),
     ("payouts.*.line", &["lines"]),
     ("sliding_points.*.point", &["points"]),
     ("sliding_points.*.line", &["lines"]),

@@ -225,6 +225,7 @@ impl RandomNetworkBuilder<'_> {
             reversed: reversed(&sections),
             added_weight: 0.0,
             parts: sections.iter().map(stated).collect(),
+            bodies: Vec::new(),
             sections,
             clamps: [None; 2],
             still_water: false,

@@ -17,8 +17,9 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Trial, Waves,
+    Attachment, BedInterpolation, CheckInputs, Clump, Current, Environment, Floats, FrictionLaw,
+    LoadCaseInputs, Mark, Material, Modules, MotionInterpolation, OneOrMany, Solver, Start,
+    StatisticsInputs, Trial, Waves,
 };
 use crate::numerics::V3;
 use crate::physics::ElasticBed;
@@ -608,6 +609,12 @@ table! {
     tables {
         /// The sections of the line, from its end A to its end B.
         sections: Vec<LineSection>;
+        /// Floats spread evenly over a stretch of a section.
+        floats: Vec<Floats>;
+        /// Buoyancy modules clamped on a stretch of a section, one a pitch.
+        modules: Vec<Modules>;
+        /// A body hung on the line at one place: a clump weight, or a buoy.
+        clumps: Vec<Clump>;
         /// How the line lies between its ends at time zero of a run in time, where it does not begin at rest, and its velocity.
         start: Option<Start>;
     }

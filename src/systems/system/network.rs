@@ -320,6 +320,15 @@ pub struct StatedSection {
     pub break_load: Option<f64>,
 }
 
+/// A body hung on a line.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct BodyOnLine {
+    /// Its name, where it has one.
+    pub name: Option<String>,
+    /// Unstretched arc length from A \[m\].
+    pub arc_m: f64,
+}
+
 /// A line between two points.
 #[derive(Debug, Clone, Default)]
 pub struct Line {
@@ -335,6 +344,8 @@ pub struct Line {
     pub reversed: Vec<SectionProperties>,
     /// The sections that its file states.
     pub parts: Vec<StatedSection>,
+    /// The bodies on it.
+    pub bodies: Vec<BodyOnLine>,
     /// Weight that weightless sections were given \[N\]: see [`weighted`].
     pub added_weight: f64,
     /// Axial friction under the line at rest \[-\], none by a law that holds nothing.

@@ -4,7 +4,6 @@ use super::channels;
 use super::copied::{copy, copy_keys, value_of};
 use super::paths;
 use super::source::{LINE, LineSource};
-use super::stretches::Stretch;
 use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Subject, TomlNode,
 };
@@ -28,13 +27,13 @@ const KEPT: [&str; 12] = [
 ];
 
 /// Load cases of keys that the system does not have, and checks of what it does not name.
-pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault> {
+pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     let mut found = Vec::new();
     for (number, of) in source.case.load_cases.iter().enumerate() {
         let number = (number + 1).to_string();
         let at = |key| ["load_cases", &*number, key];
         if let Some(key) = &of.key
-            && paths::translated(source, line, key).is_none()
+            && paths::translated(source, key).is_none()
         {
             let problem = "no key of a system has the value of this one alone";
             found.push(source.fault(
@@ -47,7 +46,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
             .file
             .as_ref()
             .and_then(|name| source.case.files.get(name));
-        if file.is_some_and(|file| !has_same_columns(source, line, &file.text)) {
+        if file.is_some_and(|file| !has_same_columns(source, &file.text)) {
             let problem = "has columns of keys that a system has elsewhere, or not at all";
             found.push(source.fault(
                 &at("file"),
@@ -61,7 +60,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
 }
 
 /// Whether all columns of a file of load cases are keys that the system has by the same path.
-fn has_same_columns(source: &LineSource<'_>, line: &[Stretch<'_>], csv: &str) -> bool {
+fn has_same_columns(source: &LineSource<'_>, csv: &str) -> bool {
     let mut rows = csv.lines().map(str::trim);
     let head = rows
         .find(|row| !row.is_empty() && !row.starts_with('#'))
@@ -69,7 +68,7 @@ fn has_same_columns(source: &LineSource<'_>, line: &[Stretch<'_>], csv: &str) ->
     let is_same = |column: &str| {
         let column = column.trim().trim_matches('"');
         let of_table = ["probability", "occurrences"].contains(&column);
-        of_table || paths::translated(source, line, column).is_some_and(|path| path == column)
+        of_table || paths::translated(source, column).is_some_and(|path| path == column)
     };
     head.split(',').all(is_same)
 }
@@ -106,7 +105,7 @@ const ONE_STATE: [Statistic; 4] = [
 ];
 
 /// The quantity of a system that a published value is of: at rest, or of its run in time.
-fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> Option<String> {
+fn quantity(source: &LineSource<'_>, row: &Published) -> Option<String> {
     let by_other =
         row.change_from.is_some() || row.ratio_to.is_some() || row.by_stretch_m.is_some();
     if row.at.is_some() || by_other {
@@ -114,7 +113,7 @@ fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> O
     }
     if source.is_in_time() {
         let of = match &row.channel {
-            Subject::Channel(id) => Subject::Channel(channels::translated(source, line, id)?),
+            Subject::Channel(id) => Subject::Channel(channels::translated(source, id)?),
             Subject::Line(quantity) => Subject::along(*quantity, LINE),
             of @ Subject::Energy(_) => of.clone(),
             _ => return None,
@@ -124,7 +123,7 @@ fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> O
     }
     let is_last = row.window_s.is_none() && ONE_STATE.contains(&row.statistic);
     let id = channel_of(row).filter(|_| is_last)?;
-    let found = channels::translated(source, line, id)?;
+    let found = channels::translated(source, id)?;
     // At rest the tension of a system is the force on the end, with the shear of a line that bends.
     if id.quantity == ChannelQuantity::Tension && source.bends() {
         return None;
@@ -144,43 +143,39 @@ fn channel_of(row: &Published) -> Option<&ChannelId> {
 }
 
 /// The channel of a system in time that a published curve is of.
-fn channel(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    curve: &PublishedCurve,
-) -> Option<ChannelId> {
+fn channel(source: &LineSource<'_>, curve: &PublishedCurve) -> Option<ChannelId> {
     let is_plain = curve.at.is_none() && curve.period_s.is_none() && curve.window_s.is_none();
-    let found = channels::translated(source, line, &curve.channel);
+    let found = channels::translated(source, &curve.channel);
     found.filter(|_| is_plain && source.is_in_time())
 }
 
 /// Whether a published curve or value is of a force on an end.
-pub(super) fn reads_forces(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
+pub(super) fn reads_forces(source: &LineSource<'_>) -> bool {
     let is_force = |id: &ChannelId| ChannelQuantity::FORCE.contains(&id.quantity);
     let case = &source.case;
     let curves = case.published_curve.iter();
-    let mut curves = curves.filter_map(|curve| channel(source, line, curve));
+    let mut curves = curves.filter_map(|curve| channel(source, curve));
     let mut values = case.published.iter().filter_map(channel_of);
     curves.any(|id| is_force(&id)) || values.any(is_force)
 }
 
 /// How many published values and curves the system cannot state, of how many.
-pub(super) fn left_out(source: &LineSource<'_>, line: &[Stretch<'_>]) -> (usize, usize) {
+pub(super) fn left_out(source: &LineSource<'_>) -> (usize, usize) {
     let case = &source.case;
     let values = case
         .published
         .iter()
-        .filter(|row| quantity(source, line, row).is_none());
+        .filter(|row| quantity(source, row).is_none());
     let curves = case
         .published_curve
         .iter()
-        .filter(|curve| channel(source, line, curve).is_none());
+        .filter(|curve| channel(source, curve).is_none());
     let all = case.published.len() + case.published_curve.len();
     (values.count() + curves.count(), all)
 }
 
 /// Writes load cases, statistics, checks, published values and curves, and marks of inputs.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     for node in source
         .node(&["load_cases"])
         .iter()
@@ -188,9 +183,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
     {
         system.table("[[load_cases]]", Some(&node.span));
         if let Some(key) = node.get("key")
-            && let Some(path) = key
-                .text()
-                .and_then(|path| paths::translated(source, line, path))
+            && let Some(path) = key.text().and_then(|path| paths::translated(source, path))
         {
             system.given("key", &text(&path), &key.span, "");
         }
@@ -205,16 +198,16 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         system.table("[[checks]]", Some(&node.span));
         copy_keys(system, source, node, &[]);
     }
-    published(system, source, line);
-    marks(system, source, line);
+    published(system, source);
+    marks(system, source);
 }
 
-fn published(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+fn published(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let nodes = source
         .node(&["published"])
         .map_or(&[][..], |list| list.items());
     for (row, node) in source.case.published.iter().zip(nodes) {
-        let Some((quantity, at)) = quantity(source, line, row).zip(node.get("channel")) else {
+        let Some((quantity, at)) = quantity(source, row).zip(node.get("channel")) else {
             continue;
         };
         system.table("[[published]]", Some(&node.span));
@@ -225,7 +218,7 @@ fn published(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch
         .node(&["published_curve"])
         .map_or(&[][..], |list| list.items());
     for (curve, node) in source.case.published_curve.iter().zip(nodes) {
-        let Some((channel, at)) = channel(source, line, curve).zip(node.get("channel")) else {
+        let Some((channel, at)) = channel(source, curve).zip(node.get("channel")) else {
             continue;
         };
         system.table("[[published_curve]]", Some(&node.span));
@@ -248,12 +241,12 @@ fn kept(system: &mut CaseText<'_>, source: &LineSource<'_>, node: &TomlNode) {
 }
 
 /// Where inputs come from, of those that the system has.
-fn marks(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+fn marks(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     for entry in source
         .node(&["marks"])
         .map_or(&[][..], |marks| marks.entries())
     {
-        let Some(path) = paths::translated(source, line, &entry.key) else {
+        let Some(path) = paths::translated(source, &entry.key) else {
             continue;
         };
         system.table(&format!("[marks.{}]", text(&path)), Some(&entry.node.span));

@@ -3,7 +3,6 @@
 use super::end_clumps;
 use super::results;
 use super::source::LineSource;
-use super::stretches::Stretch;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
@@ -31,14 +30,14 @@ const BEARING: [&str; 4] = [
 ];
 
 /// The remarks, a sentence each.
-pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<String> {
+pub(super) fn remarks(source: &LineSource<'_>) -> Vec<String> {
     let mut left_out: Vec<String> = Vec::new();
     for (path, what) in VIEWS {
         if source.node(path).is_some() {
             left_out.push((*what).to_owned());
         }
     }
-    let (published, all) = results::left_out(source, line);
+    let (published, all) = results::left_out(source);
     if published > 0 {
         left_out.push(format!("{published} of {all} published values and curves, which are of studies, statistics or channels that a system has none of"));
     }

@@ -54,6 +54,13 @@ pub fn readings(solved: &SolvedSystem) -> Vec<(ChannelId, f64)> {
             ids.push(ChannelQuantity::OnBed.at(line.name.as_str()));
         }
     }
+    for line in &solved.network.lines {
+        let bodies = line.bodies.iter().filter_map(|body| body.name.as_ref());
+        let places = bodies.map(|body| format!("{}|{body}", line.name));
+        ids.extend(
+            places.flat_map(|place| ChannelQuantity::POSITION.map(|axis| axis.at(place.as_str()))),
+        );
+    }
     for point in &solved.network.points {
         if matches!(point.held, Held::Free(_)) {
             ids.extend(ChannelQuantity::POSITION.map(|axis| axis.at(point.name.as_str())));

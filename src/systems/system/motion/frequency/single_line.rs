@@ -69,6 +69,7 @@ fn network(scene: &Scene) -> Network {
             sections: Vec::new(),
             reversed: Vec::new(),
             parts: Vec::new(),
+            bodies: Vec::new(),
             added_weight: 0.0,
             friction: 0.0,
             friction_lateral: 0.0,
