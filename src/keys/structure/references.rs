@@ -147,9 +147,9 @@ impl Use<'_> {
         let (name, table) = self.path.split_last()?;
         let (_, outer) = table.split_last()?;
         let names_it = here.starts_with(outer)
-            && references(self.schema).iter().any(|(known, tables)| {
-                *known == pattern && tables.iter().any(|table| *table == self.table)
-            });
+            && references(self.schema)
+                .iter()
+                .any(|(known, tables)| *known == pattern && tables.contains(&self.table));
         if names_it && text == name {
             return Some(self.to.to_owned());
         }
