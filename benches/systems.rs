@@ -14,7 +14,7 @@ use seacable::system::analysis::offset::HeldAway;
 use seacable::system::analysis::periods::periods;
 use seacable::system::bed::Bed;
 use seacable::system::equilibrium::search;
-use seacable::system::network::{FreePoint, Held, Line, Network, Point, reversed};
+use seacable::system::network::{FreePoint, Held, Line, Network, Point, StatedSection, reversed};
 use seacable::system::start::start;
 
 /// Headings and radii of the watch circle.
@@ -191,7 +191,10 @@ fn join(network: &mut Network, (from, to): (usize, usize), length: f64) {
         from,
         to,
         reversed: reversed(&sections),
-        break_loads: vec![None],
+        parts: vec![StatedSection {
+            length_m: length,
+            ..StatedSection::default()
+        }],
         sections,
         bed_contact: true,
         displaced: vec![0.0],

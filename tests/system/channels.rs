@@ -295,3 +295,72 @@ fn a_line_that_is_lowered_onto_the_bed_records_its_length_there() {
     assert!(on_bed[0] == 0.0 && exact > 10.0, "{} {exact}", on_bed[0]);
     assert!((last - exact).abs() < 1.0, "{last} {exact}");
 }
+
+/// A line of two sections of two materials, its top moved; `names` are those of the sections.
+fn of_sections(names: [&str; 2], more: &str) -> String {
+    let section = |name: &str, length: f64| {
+        format!(
+            "[[lines.sections]]\n{name}material = \"chain\"\nlength_m = {length:?}\nsegments = 20\n"
+        )
+    };
+    format!(
+        "{CHAIN}[points.anchor]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, -50.0]\n\
+         [points.top]\nkind = \"moved\"\nposition_m = [95.0, 0.0, 0.0]\namplitude_m = [0.0, 0.0, 1.0]\nperiod_s = 10.0\n\
+         [[lines]]\nname = \"mooring\"\nfrom = \"anchor\"\nto = \"top\"\n{}{}{more}",
+        section(names[0], 70.0),
+        section(names[1], 50.0)
+    )
+}
+
+const SHORT_RUN: &str = "[solver]\nduration_s = 0.5\nerror_estimate = false\n";
+
+#[test]
+fn where_sections_meet_a_channel_has_their_names() {
+    let named = ["name = \"low\"\n", "name = \"high\"\n"];
+    let at_rest = |names, place: &str| {
+        let solved = solved(&format!("{HEAD}{}", of_sections(names, "")));
+        seacable::system::quantities::value(&solved, &format!("tension_n[mooring|{place}]"))
+    };
+    let by_number = at_rest(["", ""], "1").unwrap();
+    assert_eq!(at_rest(named, "low|high"), Ok(by_number));
+    assert!(at_rest(named, "1").is_err() && at_rest(named, "high|low").is_err());
+    let run = moved(&of_sections(["", ""], SHORT_RUN));
+    let by_number = channel(&run, "tension_n[mooring|1]").to_vec();
+    let run = moved(&of_sections(named, SHORT_RUN));
+    assert_eq!(channel(&run, "tension_n[mooring|low|high]"), by_number);
+}
+
+#[test]
+fn sections_are_named_in_key_paths_and_all_of_a_line_or_none() {
+    let named = ["name = \"low\"\n", "name = \"high\"\n"];
+    let mark = "[marks.\"lines.mooring.sections.high.length_m\"]\nstatus = \"assumed\"\nreason = \"none\"\n";
+    let text = format!("{HEAD}{}", of_sections(named, mark));
+    let file = solved(&text).file;
+    assert_eq!(file.lines[0].sections[1].name.as_deref(), Some("high"));
+    let set = seacable::case::kind::set_all::<seacable::system::SystemFile>(
+        &text,
+        &[("lines.mooring.sections.high.length_m", "60.0")],
+    );
+    assert_eq!(
+        solved(&set.unwrap()).file.lines[0].sections[1].length_m,
+        60.0
+    );
+    for (names, key, problem) in [
+        (
+            ["name = \"low\"\n", ""],
+            "lines.mooring.sections.low.name",
+            "for some sections",
+        ),
+        (
+            ["name = \"low\"\n", "name = \"low\"\n"],
+            "lines.mooring.sections.2.name",
+            "used twice",
+        ),
+    ] {
+        let text = format!("{HEAD}{}", of_sections(names, ""));
+        let found = seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "s.toml")
+            .unwrap_err();
+        assert_eq!(found[0].key, key);
+        assert!(found[0].problem.contains(problem), "{found:?}");
+    }
+}

@@ -5,6 +5,7 @@
 mod accuracy;
 mod ageing;
 mod analysis;
+mod attached;
 mod audit;
 mod bodies;
 mod channels;

@@ -6,7 +6,7 @@ use super::labels::Joint;
 use super::line::AttachedBody;
 use super::vectors::per_axis;
 use super::{RigidPayload, SceneError};
-use crate::case::{self, Case, EndKind};
+use crate::case::{self, Case, EndKind, OnSection};
 use crate::physics::kirchhoff::KirchhoffAddedMass;
 use crate::physics::payload::{FormCoefficients, box_form, sphere_and_cylinder};
 use crate::physics::rigid_body::RigidBodyProperties;
@@ -22,13 +22,15 @@ pub(super) fn on_line(
     let mut remarks = Vec::new();
     for clump in &case.clumps {
         let (node, off) = nearest_node(case, clump, joints, arc)?;
+        let mut sections = case.line.iter();
+        let section = sections.find(|section| clump.is_on(Some(&section.name)));
         if off.abs() > 1e-6 * arc[arc.len() - 1] {
             remarks.push(format!(
                 "`{}` hangs at the nearest node, {:.3} m {} the place given; choose the segments of section `{}` so that a node lies there",
                 clump.name,
                 off.abs(),
                 if off > 0.0 { "beyond" } else { "before" },
-                clump.section,
+                section.map_or("", |section| section.name.as_str()),
             ));
         }
         bodies.push(AttachedBody {
@@ -53,7 +55,7 @@ fn nearest_node(
     joints: &[Joint],
     arc: &[f64],
 ) -> Result<(usize, f64), SceneError> {
-    let section = case.line.iter().position(|s| s.name == clump.section);
+    let section = case.line.iter().position(|s| clump.is_on(Some(&s.name)));
     let section = section.ok_or_else(|| SceneError::Impossible {
         key: format!("clumps.{}.section", clump.name),
         why: "the case has no section of that name",

@@ -10,7 +10,9 @@ use super::labels::{Joint, Labels};
 use super::line::{AttachedBody, LumpedLine, Segment};
 use super::scene::{InitialState, Scene};
 use super::{LaidFrom, bodies, buoyancy, ends, event, initial_shape, mesh, unused_inputs, waves};
-use crate::case::{self, Attachment, Case, DragLength, DragWidth, OneOrMany, StartShape};
+use crate::case::{
+    self, Attachment, Case, DragLength, DragWidth, OnSection, OneOrMany, StartShape,
+};
 use crate::numerics::V3;
 use crate::physics::added_mass::AddedMass;
 use crate::physics::drag::DragProperties;
@@ -203,29 +205,18 @@ impl Mesh {
             });
         }
         let elasticity = elasticity(&section.material, material, &mut self.laws)?;
+        let name = Some(section.name.as_str());
         for (from, length) in mesh::of_section(case, index, coarsening) {
-            let mut segment = bare_segment(&case.environment, material, &elasticity, length);
-            for modules in case.modules.iter().filter(|m| m.section == section.name) {
-                let bare = material.diameter_m;
-                let reach = (from, from + length);
-                buoyancy::add_modules(
-                    &case.environment,
-                    modules,
-                    bare,
+            let segment = buoyancy::segment(
+                &case.environment,
+                (material, &elasticity),
+                (
                     section.length_m,
-                    reach,
-                    &mut segment,
-                );
-            }
-            for floats in case.floats.iter().filter(|f| f.section == section.name) {
-                buoyancy::add_floats(
-                    &case.environment,
-                    floats,
-                    section.length_m,
-                    (from, from + length),
-                    &mut segment,
-                );
-            }
+                    case.floats.iter().filter(|of| of.is_on(name)),
+                    case.modules.iter().filter(|of| of.is_on(name)),
+                ),
+                (from, length),
+            );
             self.segments.push(segment);
             self.arc.push(self.arc[self.arc.len() - 1] + length);
         }
@@ -234,7 +225,7 @@ impl Mesh {
 }
 
 /// A segment of a material, without floats.
-fn bare_segment(
+pub(super) fn bare_segment(
     water: &case::Environment,
     material: &case::Material,
     elasticity: &Elasticity,

@@ -3,7 +3,48 @@
 use std::f64::consts::FRAC_PI_4;
 
 use super::Segment;
+use super::build::bare_segment;
+use super::elasticity::Elasticity;
 use crate::case;
+
+/// A segment of a section, by where it begins and its length \[m\], of a material with floats and modules.
+pub(super) fn segment<'c>(
+    water: &case::Environment,
+    (material, elasticity): (&case::Material, &Elasticity),
+    (section_length, floats, modules): (
+        f64,
+        impl Iterator<Item = &'c case::Floats>,
+        impl Iterator<Item = &'c case::Modules>,
+    ),
+    (from, length): (f64, f64),
+) -> Segment {
+    let mut segment = bare_segment(water, material, elasticity, length);
+    let (bare, reach) = (material.diameter_m, (from, from + length));
+    for modules in modules {
+        add_modules(water, modules, bare, section_length, reach, &mut segment);
+    }
+    for floats in floats {
+        add_floats(water, floats, section_length, reach, &mut segment);
+    }
+    segment
+}
+
+/// A whole section with floats and modules on it as one segment, but for its tension: what has constants along it is spread as in a mesh.
+#[must_use]
+pub fn spread(
+    water: &case::Environment,
+    material: &case::Material,
+    section_length: f64,
+    (floats, modules): (&[case::Floats], &[case::Modules]),
+) -> Segment {
+    let elasticity = Elasticity::linear(material.representative_ea_n().unwrap_or(0.0));
+    segment(
+        water,
+        (material, &elasticity),
+        (section_length, floats.iter(), modules.iter()),
+        (0.0, section_length),
+    )
+}
 
 /// Length of the part from `from` to `to` \[m\] (default: the end of the section) that overlaps a piece of the section.
 fn overlap(from: f64, to: Option<f64>, section: f64, piece: (f64, f64)) -> f64 {
@@ -11,7 +52,7 @@ fn overlap(from: f64, to: Option<f64>, section: f64, piece: (f64, f64)) -> f64 {
 }
 
 /// Adds the share of floats that overlaps this part of the section.
-pub(super) fn add_floats(
+fn add_floats(
     water: &case::Environment,
     floats: &case::Floats,
     section_length: f64,
@@ -36,7 +77,7 @@ pub(super) fn add_floats(
 /// Adds the share of buoyancy modules on this part of the section, by the equivalence of Lin et al. 2016: volume and
 /// mass per length are kept (its eqs 20 and 21), `V = pi/4 (Df² - Dp²) Lf / Sf` and `M = V rho_f + M_fh / Sf`, and so is
 /// drag, `[C_Df Df Lf + C_D Dp (Sf - Lf)] / Sf`; that along the line where it is given, else it stays that of the line. The line under a module keeps its own stiffness.
-pub(super) fn add_modules(
+fn add_modules(
     water: &case::Environment,
     modules: &case::Modules,
     bare_diameter: f64,

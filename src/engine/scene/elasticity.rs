@@ -21,6 +21,18 @@ pub(super) struct Elasticity {
     pub(super) creep_damping: Option<f64>,
 }
 
+impl Elasticity {
+    /// Tension that is a stiffness \[N\] times strain.
+    pub(super) const fn linear(ea: f64) -> Self {
+        Self {
+            steepest: ea,
+            ea,
+            law: None,
+            creep_damping: None,
+        }
+    }
+}
+
 /// The elasticity of a material; a nonlinear law is added to those of the line.
 ///
 /// # Errors
@@ -50,12 +62,7 @@ pub(super) fn elasticity(
     }
     let reading = match (material.dynamic_stiffness, slow) {
         (DynamicStiffness::None, StaticElasticity::Linear(ea)) => {
-            return Ok(Elasticity {
-                steepest: ea,
-                ea,
-                law: None,
-                creep_damping: None,
-            });
+            return Ok(Elasticity::linear(ea));
         }
         (DynamicStiffness::None, StaticElasticity::TensionTable(table)) => {
             return Ok(with_law(TensionLaw::TensionTable(table), ea, laws));

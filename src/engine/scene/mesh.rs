@@ -1,6 +1,6 @@
 //! The mesh: division of a section into segments, and the coarser mesh for the mesh error estimate.
 
-use crate::case::Case;
+use crate::case::{Case, OnSection};
 
 /// Start and length of each segment of a section \[m\], from the end of the section nearer to A. Segments are equal; coarsened,
 /// they are equal between the clumps on the section, which keep their places on the fine mesh: a clump moved by half a segment
@@ -13,7 +13,7 @@ pub(super) fn of_section(case: &Case, index: usize, coarsening: usize) -> Vec<(f
         let hung = case
             .clumps
             .iter()
-            .filter(|clump| clump.section == section.name);
+            .filter(|clump| clump.is_on(Some(&section.name)));
         let node = |at: f64| (at / section.length_m * fine as f64).round().max(0.0) as usize;
         places.extend(hung.map(|clump| node(clump.at_m).min(fine)));
         places.sort_unstable();

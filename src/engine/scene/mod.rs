@@ -55,6 +55,7 @@ mod waves;
 pub use bodies::{clump_bed_area, payload_bed_area, shape_form};
 pub use build::build;
 pub use build::current as current_profile;
+pub use buoyancy::spread;
 pub use elements::{
     BedContact, DrumPull, Elements, FedEnd, Flexure, MassDamping, PaidOut, RigidPayload,
     TravellingBody,

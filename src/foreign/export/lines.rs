@@ -4,9 +4,10 @@ use super::sheet::{RodRow, RodTypeRow, Sheet, SheetLine, SheetPoint};
 use super::target::Target;
 use crate::case::CreepModel;
 use crate::numerics::V3;
+use crate::scene::per_axis;
 use crate::system::SolvedSystem;
 use crate::system::model::{LineInputs, LineSection};
-use crate::system::parts::{SectionClump, sections};
+use crate::system::parts::sections;
 
 /// Segments of a line that does not say how many.
 const SEGMENTS: usize = 50;
@@ -128,21 +129,24 @@ fn joint(
 ) -> String {
     let bends = |section: &LineSection| solved.file.materials[&section.material].ei_n_m2 > 0.0;
     let clump = before.clump();
-    let is_bare = clump == SectionClump::default();
-    if target == Target::MoorDyn && is_bare && bends(before) && bends(behind) {
+    if target == Target::MoorDyn && clump.is_none() && bends(before) && bends(behind) {
         let number = rod_without_length("Free", [place; 2], sheet);
         return format!("R{number}A");
     }
     let density = solved.file.environment.water_density_kg_per_m3;
-    let volume = clump.volume_m3(density);
+    let clump = clump.unwrap_or_default();
+    let volume = match density > 0.0 {
+        true => (clump.mass_kg - clump.wet_mass_kg) / density,
+        false => 0.0,
+    };
     sheet.points.push(SheetPoint {
         hold: "Free".to_owned(),
         place,
         mass: clump.mass_kg,
         volume,
-        drag_area: clump.drag_area_m2.x,
+        drag_area: per_axis(&clump.drag_area_m2).x,
         added_mass: match density * volume > 0.0 {
-            true => clump.added_mass_kg.x / (density * volume),
+            true => per_axis(&clump.added_mass_kg).x / (density * volume),
             false => 0.0,
         },
         load: [0.0; 3],

@@ -4,6 +4,7 @@
 //! would change results is refused, all at once; what it cannot say and changes none is named beside the text. Numbers have twelve
 //! significant digits, so that a file that was written, read and written again is the same text.
 
+mod attachments;
 pub mod lines;
 pub mod map_plus_plus;
 pub mod materials;
@@ -38,6 +39,15 @@ pub fn export(
     target: Target,
     options: ExportOptions,
 ) -> Result<Exported, Vec<Unsayable>> {
+    let written_out = attachments::written_out(solved).map_err(|found| {
+        let name = target.name();
+        let in_words = |one: Unsayable| Unsayable {
+            what: format!("a file of {name} has no {}", one.what),
+            ..one
+        };
+        found.into_iter().map(in_words).collect::<Vec<_>>()
+    })?;
+    let solved = written_out.as_ref();
     let mut refused = refusals::refusals(solved, target);
     let sheet = parts::sheet(solved, target, options, &mut refused);
     if !refused.is_empty() {

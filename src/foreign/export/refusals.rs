@@ -2,11 +2,13 @@
 
 use super::sea::{common_friction, current_by_file};
 use super::target::{Target, Unsayable};
-use crate::case::{BedInterpolation, CreepModel, DragCoefficient, DynamicStiffness, WaveKind};
+use crate::case::{
+    BedInterpolation, Clump, CreepModel, DragCoefficient, DynamicStiffness, WaveKind,
+};
 use crate::numerics::V3;
 use crate::system::bed::Bed;
 use crate::system::model::{BodyInputs, BodyKind, LineInputs, PointInputs, PointKind};
-use crate::system::parts::{ClumpBearing, sections};
+use crate::system::parts::sections;
 use crate::system::{SolvedSystem, SystemFile};
 
 /// All of it.
@@ -348,33 +350,33 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
 /// Added mass of bodies in a line that displace nothing, and drag of bodies that are aligned with it; a file of MAP++ has neither.
 fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
     for (number, section) in line.sections.iter().enumerate() {
-        let clump = section.clump();
+        let clump = section.clump().unwrap_or_default();
         let key = |key: &str| format!("lines.{}.sections.{}.{key}", line.name, number + 1);
         found.add(
             target == Target::MoorDyn
-                && clump.added_mass_kg != V3::zeros()
-                && clump.mass_kg <= clump.wet_kg,
+                && !clump.added_mass_kg.is_zero()
+                && clump.mass_kg <= clump.wet_mass_kg,
             key("clump_added_mass_kg"),
             "added mass of a point without volume",
         );
         for (name, value) in [
-            ("clump_drag_area_m2", clump.drag_area_m2),
-            ("clump_added_mass_kg", clump.added_mass_kg),
+            ("clump_drag_area_m2", &clump.drag_area_m2),
+            ("clump_added_mass_kg", &clump.added_mass_kg),
         ] {
             found.add(
-                target == Target::MoorDyn && value != V3::repeat(value.x),
+                target == Target::MoorDyn && value.alike().is_none(),
                 key(name),
                 "point with another drag or added mass along each axis",
             );
         }
         found.add(
-            clump.bearing != ClumpBearing::default(),
+            bears(&clump),
             key("clump_bottom_m"),
             "bearing area, bottom and breakout force of a point",
         );
         for (name, area) in ["clump_drag_area_normal_m2", "clump_drag_area_tangential_m2"]
             .into_iter()
-            .zip(clump.aligned_drag_area_m2)
+            .zip([clump.drag_area_normal_m2, clump.drag_area_tangential_m2])
         {
             found.add(
                 target == Target::MoorDyn && area > 0.0,
@@ -383,6 +385,15 @@ fn clumps(line: &LineInputs, target: Target, found: &mut FoundRefusals) {
             );
         }
     }
+}
+
+/// Whether a body says how it bears on the bed.
+fn bears(clump: &Clump) -> bool {
+    let bare = Clump::default();
+    clump.bed_area_m2.is_some()
+        || clump.bottom_m != bare.bottom_m
+        || clump.breakout_n != bare.breakout_n
+        || clump.breakout_distance_m != bare.breakout_distance_m
 }
 
 fn single_line(

@@ -102,17 +102,7 @@ fn section_of_case(
 ) -> Result<String, String> {
     let name = path.last().map_or("", String::as_str);
     let tree = TomlNode::parse(text).map_err(|error| error.to_string())?;
-    for table in ["floats", "clumps", "modules"] {
-        let on_it = |item: &TomlNode| item.get("section").and_then(TomlNode::text) == Some(name);
-        if tree
-            .get(table)
-            .is_some_and(|list| list.items().iter().any(on_it))
-        {
-            return Err(format!(
-                "[[{table}]] have places on the section {name}, which would be other places then; remove them first."
-            ));
-        }
-    }
+    without_places(&tree, Some(name), &format!("section {name}"))?;
     let second = free_name(text, &["line".to_owned()], name);
     let [first_values, second_values] = parts.values();
     let edits = StructureEdit::All(vec![
@@ -132,6 +122,26 @@ fn section_of_case(
     apply(schema, text, &edits)
 }
 
+/// What has places on a section of a line, or on all of it, which a division would make other places.
+///
+/// # Errors
+/// That it has to be removed first.
+fn without_places(line: &TomlNode, section: Option<&str>, shown: &str) -> Result<(), String> {
+    for table in ["floats", "clumps", "modules"] {
+        let on_it = |item: &TomlNode| {
+            let own = item.get("section").and_then(TomlNode::text);
+            own.is_none() || section.is_none() || own == section
+        };
+        let list = line.get(table).map_or(&[][..], TomlNode::items);
+        if list.iter().any(on_it) {
+            return Err(format!(
+                "[[{table}]] have places on the {shown}, which would be other places then; remove them first."
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// What the keys of the body at the end of a section of a line of a system begin with.
 const OF_CLUMP: &str = "clump_";
 
@@ -142,14 +152,29 @@ fn section_of_line(
     path: &[String],
     parts: &DividedLengths,
 ) -> Result<String, String> {
-    let number: usize = path.last().and_then(|last| last.parse().ok()).unwrap_or(1);
-    let range = extent(text, &blocks(text), path)?;
-    let copied = text[range.clone()].to_owned();
-    let text = inserted(text, range.end, &copied);
-    let mut next = path.to_vec();
-    if let Some(last) = next.last_mut() {
-        *last = (number + 1).to_string();
-    }
+    let tree = TomlNode::parse(text).map_err(|error| error.to_string())?;
+    let (Some(line), Some(section)) = (tree.find(&path[..2]), tree.find(path)) else {
+        return Err(format!("There is no {} in this file.", shown(path)));
+    };
+    let name = section.get("name").and_then(TomlNode::text);
+    without_places(line, name, &format!("section {}", path[3]))?;
+    let (text, next) = match name {
+        Some(name) => {
+            let second = free_name(text, &path[..3], name);
+            let edit = StructureEdit::Copy {
+                path: join(path),
+                name: Some(second.clone()),
+            };
+            (apply(schema, text, &edit)?, second)
+        }
+        None => {
+            let number: usize = path[3].parse().unwrap_or(1);
+            let range = extent(text, &blocks(text), path)?;
+            let copied = &text[range.clone()];
+            (inserted(text, range.end, copied), (number + 1).to_string())
+        }
+    };
+    let next = [&path[..3], &[next]].concat();
     let [mut first, second] = parts.values();
     let pattern = table_of(schema, path).map(|(table, _)| table.pattern());
     let pattern = pattern.unwrap_or_default();
@@ -187,6 +212,7 @@ fn line_of_system(
             entry.key
         ));
     }
+    without_places(node, None, &format!("line {name}"))?;
     let word = |key: &str| node.get(key).and_then(TomlNode::text).map(str::to_owned);
     let (Some(from), Some(to)) = (word("from"), word("to")) else {
         return Err(format!("The line {name} has no ends."));

@@ -1,9 +1,12 @@
 //! Which keys name tables of the same file: what forms offer, and what a new name changes.
 
+use std::collections::HashSet;
+
+use super::tables::declaration;
 use crate::fields::{Schema, join, split};
 use crate::tree::{TomlData, TomlEntry, TomlNode, element_names};
 
-/// A key that holds the name of a table, by the pattern of its path, and the tables that it may name.
+/// A key that holds the name of a table, by the pattern of its path, and the tables that it may name: those in a table are named in that alone.
 type TableReference = (&'static str, &'static [&'static str]);
 
 /// Of line cases.
@@ -32,6 +35,9 @@ const OF_SYSTEMS: &[TableReference] = &[
     ("lines.*.to", &["points"]),
     ("lines.*.material", &["materials"]),
     ("lines.*.sections.*.material", &["materials"]),
+    ("lines.*.floats.*.section", &["lines.*.sections"]),
+    ("lines.*.modules.*.section", &["lines.*.sections"]),
+    ("lines.*.clumps.*.section", &["lines.*.sections"]),
     ("payouts.*.line", &["lines"]),
     ("sliding_points.*.point", &["points"]),
     ("sliding_points.*.line", &["lines"]),
@@ -67,14 +73,12 @@ fn references(schema: &Schema) -> impl Iterator<Item = &'static TableReference> 
 pub fn names(schema: &Schema, text: &str, pattern: &str) -> Option<Vec<String>> {
     let (_, tables) = references(schema).find(|(known, _)| *known == pattern)?;
     let tree = TomlNode::parse(text).ok()?;
-    let of = |table: &&&str| {
-        let node = tree.get(table);
-        node.map_or(Vec::new(), |node| match node.items() {
-            [] => node.names(),
-            items => element_names(items),
-        })
-    };
-    let mut all: Vec<String> = tables.iter().flat_map(|table| of(&table)).collect();
+    let mut all: Vec<String> = tables
+        .iter()
+        .flat_map(|table| names_of(&tree, table))
+        .collect();
+    let mut known = HashSet::new();
+    all.retain(|name| known.insert(name.clone()));
     // The ends of a rod are points too.
     if tables.contains(&"points") {
         let rods = tree.get("rods").map_or(Vec::new(), TomlNode::names);
@@ -86,31 +90,46 @@ pub fn names(schema: &Schema, text: &str, pattern: &str) -> Option<Vec<String>> 
     Some(all)
 }
 
+/// The names of the tables of a pattern, `materials` or `lines.*.sections`.
+fn names_of(node: &TomlNode, pattern: &str) -> Vec<String> {
+    match pattern.split_once(".*.") {
+        Some((outer, inner)) => {
+            let lists = node.get(outer).map_or(&[][..], TomlNode::items);
+            lists
+                .iter()
+                .flat_map(|item| names_of(item, inner))
+                .collect()
+        }
+        None => node.get(pattern).map_or(Vec::new(), TomlNode::names),
+    }
+}
+
 /// Places of a text that name a table, and their new text.
 pub(super) type Replacements = Vec<(std::ops::Range<usize>, String)>;
 
 /// Every value that names a table of this path, with the new name: keys that hold names, and keys that hold key paths. The headers of marks
 /// are others' business.
 pub(super) fn uses(
-    schema: &Schema,
+    schema: &'static Schema,
     text: &str,
     tree: &TomlNode,
     path: &[String],
     to: &str,
 ) -> Replacements {
+    let Some(table) = declaration(schema, path) else {
+        return Vec::new();
+    };
+    let sought = Use {
+        schema,
+        text,
+        table: &table.path,
+        path,
+        to,
+    };
     let mut found = Vec::new();
     for entry in tree.entries() {
-        walk(
-            &Use {
-                schema,
-                text,
-                path,
-                to,
-            },
-            entry,
-            &entry.key,
-            &mut found,
-        );
+        let mut here = vec![entry.key.clone()];
+        walk(&sought, entry, &entry.key, &mut here, &mut found);
     }
     found
 }
@@ -119,17 +138,20 @@ pub(super) fn uses(
 struct Use<'a> {
     schema: &'a Schema,
     text: &'a str,
+    /// The pattern of the table, `lines.*.sections`.
+    table: &'a str,
     path: &'a [String],
     to: &'a str,
 }
 
 impl Use<'_> {
-    /// The new text of a value, where it names the table.
-    fn replaced(&self, pattern: &str, text: &str) -> Option<String> {
+    /// The new text of a value of a key at a path, where it names the table.
+    fn replaced(&self, pattern: &str, here: &[String], text: &str) -> Option<String> {
         let (name, table) = self.path.split_last()?;
-        let table = table.first()?;
-        let names_it = references(self.schema)
-            .any(|(known, tables)| *known == pattern && tables.contains(&table.as_str()));
+        let (_, outer) = table.split_last()?;
+        let names_it = here.starts_with(outer)
+            && references(self.schema)
+                .any(|(known, tables)| *known == pattern && tables.contains(&self.table));
         if names_it && text == name {
             return Some(self.to.to_owned());
         }
@@ -152,35 +174,54 @@ impl Use<'_> {
     }
 }
 
-fn walk(sought: &Use<'_>, entry: &TomlEntry, pattern: &str, found: &mut Replacements) {
-    values(sought, &entry.node, pattern, found);
+fn walk(
+    sought: &Use<'_>,
+    entry: &TomlEntry,
+    pattern: &str,
+    here: &mut Vec<String>,
+    found: &mut Replacements,
+) {
+    values(sought, &entry.node, (pattern, &*here), found);
     let tables = sought.schema.tables.iter();
     let by_name = tables
         .filter(|table| table.shape == crate::fields::TableShape::ByName)
         .any(|table| table.path == pattern);
     for inner in entry.node.entries() {
         let key = if by_name { "*" } else { inner.key.as_str() };
-        walk(sought, inner, &format!("{pattern}.{key}"), found);
+        here.push(inner.key.clone());
+        walk(sought, inner, &format!("{pattern}.{key}"), here, found);
+        here.pop();
     }
-    for item in entry.node.items() {
+    let items = entry.node.items();
+    for (item, name) in items.iter().zip(element_names(items)) {
+        here.push(name);
         for inner in item.entries() {
-            walk(sought, inner, &format!("{pattern}.*.{}", inner.key), found);
+            let pattern = format!("{pattern}.*.{}", inner.key);
+            here.push(inner.key.clone());
+            walk(sought, inner, &pattern, here, found);
+            here.pop();
         }
+        here.pop();
     }
 }
 
-fn values(sought: &Use<'_>, node: &TomlNode, pattern: &str, found: &mut Replacements) {
+fn values(
+    sought: &Use<'_>,
+    node: &TomlNode,
+    (pattern, here): (&str, &[String]),
+    found: &mut Replacements,
+) {
     let quoted = |text: &str| toml_edit::Value::from(text).to_string();
     match &node.data {
         TomlData::Text(text) => {
             let in_file = sought.text.get(node.span.clone()).is_some();
-            if let Some(new) = sought.replaced(pattern, text).filter(|_| in_file) {
+            if let Some(new) = sought.replaced(pattern, here, text).filter(|_| in_file) {
                 found.push((node.span.clone(), quoted(&new)));
             }
         }
         TomlData::List(items) => {
             for item in items.iter().filter(|item| !item.is_table()) {
-                values(sought, item, pattern, found);
+                values(sought, item, (pattern, here), found);
             }
         }
         _ => {}

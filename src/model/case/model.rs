@@ -27,15 +27,16 @@ pub use checks::{
     StatisticsInputs, UnitSlip,
 };
 pub(crate) use checks::{CheckKeys, RuleSetKeys};
+pub use construct::OnSection;
 pub use ends::{
     Attachment, BoxShape, End, EndKind, Ends, MotionInterpolation, MotionName, Payload,
     PayloadShape, Rotation, SphereAndCylinder,
 };
 pub(crate) use ends::{EndKeys, PayloadKeys, RotationKeys, ShapeKeys};
 pub use line::{
-    Bore, BoreKeys, Clump, CreepModel, DragCoefficient, DragLawName, DragWidth, DynamicStiffness,
-    Floats, Material, MaterialKeys, Modules, Section, StiffnessScope, TensionInterpolation,
-    Traveller, WorkingCurveShape,
+    Bore, BoreKeys, Clump, ClumpKeys, CreepModel, DragCoefficient, DragLawName, DragWidth,
+    DynamicStiffness, Floats, FloatsKeys, Material, MaterialKeys, Modules, ModulesKeys, Section,
+    StiffnessScope, TensionInterpolation, Traveller, WorkingCurveShape,
 };
 pub use load_cases::LoadCaseInputs;
 pub(crate) use load_cases::LoadCaseKeys;

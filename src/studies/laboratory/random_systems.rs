@@ -18,7 +18,7 @@ use crate::numerics::{M3, V3};
 use crate::statics::catenary::SectionProperties;
 use crate::system::bed::Bed;
 use crate::system::network::{
-    Body, FreePoint, Held, Line, Network, Point, WEIGHTLESS, reversed, weighted,
+    Body, FreePoint, Held, Line, Network, Point, StatedSection, WEIGHTLESS, reversed, weighted,
 };
 use crate::system::pose::Pose;
 use crate::system::rest::rest;
@@ -203,6 +203,10 @@ impl RandomNetworkBuilder<'_> {
     }
 
     fn line(&mut self, from: usize, to: usize, sections: Vec<SectionProperties>) {
+        let stated = |section: &SectionProperties| StatedSection {
+            length_m: section.length_m,
+            ..StatedSection::default()
+        };
         let name = format!("l{}", self.network.lines.len());
         let sections = weighted(sections, WEIGHTLESS);
         let rough = self.random.whole(0, 2) == 0;
@@ -220,7 +224,8 @@ impl RandomNetworkBuilder<'_> {
             to,
             reversed: reversed(&sections),
             added_weight: 0.0,
-            break_loads: vec![None; sections.len()],
+            parts: sections.iter().map(stated).collect(),
+            bodies: Vec::new(),
             sections,
             clamps: [None; 2],
             still_water: false,

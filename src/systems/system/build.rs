@@ -18,8 +18,8 @@ use super::motion::inputs::{body_motion, point_motion};
 use super::motion::payout_inputs::payouts;
 use super::motion::responses::{responses, wave_response};
 use super::network::{
-    Body, BodyFoot, FreePoint, HeadingLoads, Held, Line, Member, Network, Point, ReleaseCondition,
-    WEIGHTLESS, reversed, weight, weighted,
+    Body, BodyFoot, BodyOnLine, FreePoint, HeadingLoads, Held, Line, Member, Network, Point,
+    ReleaseCondition, StatedSection, WEIGHTLESS, reversed, weight, weighted,
 };
 use super::parts::{Part, is_crossed, parts};
 use super::point_on_bed::BearingArea;
@@ -367,16 +367,22 @@ impl Builder<'_> {
         name: String,
         (from, to): (usize, usize),
     ) -> Line {
-        let sections: Vec<SectionProperties> = parts
+        // As its closed form has it: of one material from place to place.
+        let bears = self.file.seabed.is_some() && line.bed_contact;
+        let uniform = parts.iter();
+        let uniform: Vec<Part> = uniform
+            .flat_map(|part| part.uniform(&self.file.environment, bears))
+            .collect();
+        let sections: Vec<SectionProperties> = uniform
             .iter()
             .map(|part| SectionProperties {
                 length_m: part.length_m,
                 weight_n_per_m: self.wet_weight(&part.material),
                 ea_n: part.material.representative_ea_n().unwrap_or(f64::INFINITY),
-                clump_n: part.clump.wet_kg * self.network.gravity,
+                clump_n: wet_mass(part) * self.network.gravity,
             })
             .collect();
-        let displaced: Vec<f64> = parts.iter().map(|part| self.displaced(part)).collect();
+        let displaced: Vec<f64> = uniform.iter().map(|part| self.displaced(part)).collect();
         let own_weight = weight(&sections);
         let sections = weighted(sections, WEIGHTLESS);
         let [friction, friction_lateral] = match &self.file.seabed {
@@ -390,10 +396,8 @@ impl Builder<'_> {
             reversed: reversed(&sections),
             added_weight: weight(&sections) - own_weight,
             sections,
-            break_loads: parts
-                .iter()
-                .map(|part| part.material.break_load_n)
-                .collect(),
+            parts: parts.iter().map(stated).collect(),
+            bodies: bodies_on(parts),
             friction,
             friction_lateral,
             still_water: line.still_water,
@@ -430,6 +434,35 @@ impl Builder<'_> {
             .unwrap_or(material.mass_kg_per_m - displaced);
         mass * self.network.gravity
     }
+}
+
+/// Weight in water of the bodies on a part, as mass \[kg\].
+fn wet_mass(part: &Part) -> f64 {
+    let clumps = part.clumps.iter();
+    clumps.fold(0.0, |sum, clump| sum + clump.wet_mass_kg)
+}
+
+fn stated(part: &Part) -> StatedSection {
+    StatedSection {
+        name: part.section.clone(),
+        length_m: part.length_m,
+        break_load: part.material.break_load_n,
+    }
+}
+
+/// The bodies with names on the parts of a line.
+fn bodies_on(parts: &[Part]) -> Vec<BodyOnLine> {
+    let mut found = Vec::new();
+    let mut arc = 0.0;
+    for part in parts {
+        let clumps = part.clumps.iter();
+        found.extend(clumps.map(|clump| BodyOnLine {
+            name: Some(clump.name.clone()).filter(|name| !name.is_empty()),
+            arc_m: arc + clump.at_m,
+        }));
+        arc += part.length_m;
+    }
+    found
 }
 
 fn area(material: &Material) -> f64 {

@@ -9,7 +9,7 @@ use super::motion::check as motion;
 use super::rods;
 use crate::case::model::MaterialKeys;
 use crate::case::schema::Key;
-use crate::case::{Finding, drag_twice, unknown};
+use crate::case::{CheckedSection, Finding, drag_twice, of_attachments, unknown, used_twice};
 
 /// Parts of a system by their names, so that many lines are checked in proportion to them.
 pub(super) struct ByName<'k, 'a> {
@@ -57,6 +57,7 @@ impl<'k, 'a> ByName<'k, 'a> {
         for (_, line) in &self.keys.lines {
             found.extend(self.ends(line));
             found.extend(self.make_up(line));
+            found.extend(attached(line));
             found.extend(repeats(line));
             found.extend(self.clamps(line));
             found.extend(check_start::of_line(self.keys, line));
@@ -137,6 +138,7 @@ impl<'k, 'a> ByName<'k, 'a> {
         let sections = line.sections.iter();
         found.extend(sections.filter_map(|(_, section)| self.unknown_material(&section.material)));
         found.extend(segments_of_some(line));
+        found.extend(names_of_sections(line));
         found.extend(line.sections.iter().filter_map(|(_, section)| {
             let aligned = [
                 &section.clump_drag_area_normal_m2,
@@ -222,6 +224,60 @@ fn segments_of_some(line: &LineKeys<'_>) -> Option<Finding> {
         let problem = "is given for some sections of the line and not for others";
         given.finding(problem, "give every section its segments, or none")
     })
+}
+
+/// Floats, modules and bodies off their sections, bodies of one name, and bodies at the ends of the line.
+fn attached(line: &LineKeys<'_>) -> Vec<Finding> {
+    let sections = line.sections.iter().map(|(_, section)| {
+        let name = section.name.given().map(String::as_str);
+        (name, section.length_m.value())
+    });
+    let mut sections: Vec<CheckedSection<'_>> = sections.collect();
+    if sections.is_empty() {
+        sections.push((None, line.length_m.value()));
+    }
+    let all = (&line.floats[..], &line.modules[..], &line.clumps[..]);
+    let mut found = of_attachments(&sections, "line", all);
+    let names = line.clumps.iter().map(|(_, clump)| &clump.name);
+    found.extend(used_twice(
+        names,
+        "give every body on the line a name of its own",
+    ));
+    for (_, clump) in &line.clumps {
+        let own = clump.section.given().map(String::as_str);
+        let of = |section: Option<&CheckedSection<'_>>| {
+            section
+                .filter(|(name, _)| own.is_none() || *name == own)
+                .map(|(_, length)| *length)
+        };
+        let at = clump.at_m.value();
+        let at_a = of(sections.first()).is_some() && at == Some(0.0);
+        let at_b = at.is_some() && of(sections.last()) == Some(at);
+        if at_a || at_b {
+            let problem = "is at the end of the line";
+            found.push(
+                clump
+                    .at_m
+                    .finding(problem, "give the mass to the point there"),
+            );
+        }
+    }
+    found
+}
+
+/// Names that sections of a line share, or that some of them have and others do not.
+fn names_of_sections(line: &LineKeys<'_>) -> Vec<Finding> {
+    let names = line.sections.iter().map(|(_, section)| &section.name);
+    let mut found = used_twice(
+        names.clone(),
+        "give every section of the line a name of its own",
+    );
+    let given = names.clone().find(|key| key.is_given());
+    if let Some(given) = given.filter(|_| names.clone().any(|key| !key.is_given())) {
+        let problem = "is given for some sections of the line and not for others";
+        found.push(given.finding(problem, "give every section a name, or none"));
+    }
+    found
 }
 
 fn repeats(line: &LineKeys<'_>) -> Option<Finding> {

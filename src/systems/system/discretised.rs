@@ -5,8 +5,10 @@ use std::sync::{Arc, OnceLock};
 
 use super::line_at_rest::{LineAtRest, LineNote};
 use super::model::{LineInputs, SystemBed, SystemFile};
-use super::parts::{Part, SectionClump, is_crossed, parts};
-use crate::case::{Case, Clump, DynamicStiffness, End, Ends, Method, OneOrMany, Seabed, Section};
+use super::parts::{Part, is_crossed, parts};
+use crate::case::{
+    Case, Clump, DynamicStiffness, End, Ends, Floats, Method, Modules, Seabed, Section,
+};
 use crate::line_between_ends::{LineBetweenEnds, LineEquilibrium, LineError};
 use crate::numerics::V3;
 use crate::scene::{LaidFrom, Scene};
@@ -376,38 +378,35 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
         let count = segments_of(line, part, parts);
         case.line
             .push(Section::new(&name, &name, part.length_m, count));
-        if part.clump != SectionClump::default() {
-            case.clumps.push(clump_at_end(k, name, part));
-        }
+        attach(&mut case, part, (k, name));
     }
     case
 }
 
-/// The clump at the end of a section, by the number of that.
-fn clump_at_end(number: usize, section: String, part: &Part) -> Clump {
-    let [across, along] = part.clump.aligned_drag_area_m2;
-    let bearing = part.clump.bearing;
-    Clump {
-        name: format!("clump{}", number + 1),
-        section,
-        at_m: part.length_m,
-        mass_kg: part.clump.mass_kg,
-        wet_mass_kg: part.clump.wet_kg,
-        drag_area_m2: by_axes(&part.clump.drag_area_m2),
-        drag_area_normal_m2: across,
-        drag_area_tangential_m2: along,
-        added_mass_kg: by_axes(&part.clump.added_mass_kg),
-        bed_area_m2: bearing.area_m2,
-        bottom_m: bearing.bottom_m,
-        breakout_n: bearing.breakout_n,
-        breakout_distance_m: bearing.breakout_distance_m,
+/// Attaches to a section, by its number and name, what is on a part.
+fn attach(case: &mut Case, part: &Part, (number, name): (usize, String)) {
+    let section = Some(name);
+    let floats = part.floats.iter().map(|floats| Floats {
+        section: section.clone(),
+        ..floats.clone()
+    });
+    case.floats.extend(floats);
+    let modules = part.modules.iter().map(|modules| Modules {
+        section: section.clone(),
+        ..modules.clone()
+    });
+    case.modules.extend(modules);
+    for clump in &part.clumps {
+        let name = match clump.name.is_empty() {
+            true => format!("clump{}", number + 1),
+            false => clump.name.clone(),
+        };
+        case.clumps.push(Clump {
+            name,
+            section: section.clone(),
+            ..clump.clone()
+        });
     }
-}
-
-/// A number along each axis, or one for all.
-fn by_axes(value: &V3) -> OneOrMany {
-    let many = OneOrMany::Many(value.iter().copied().collect());
-    many.alike().map_or(many, OneOrMany::One)
 }
 
 /// Segments of a part of a line: by what its sections ask for, or by its length.
@@ -427,6 +426,28 @@ fn segments_of(line: &LineInputs, part: &Part, parts: &[Part]) -> usize {
     )]
     let count = count as usize;
     count.max(fewest)
+}
+
+/// Whether the bodies on a line of a file hang at nodes where it is divided into so many times fewer segments.
+#[must_use]
+pub fn keeps_its_places(file: &SystemFile, line: &LineInputs, coarser: usize) -> bool {
+    const ROUNDING: f64 = 1e-9;
+    if line.clumps.is_empty() {
+        return true;
+    }
+    let parts = parts(file, line);
+    let coarse = LineInputs {
+        segments: Some(line.wanted_segments().div_ceil(coarser)),
+        ..line.clone()
+    };
+    parts.iter().all(|part| {
+        let segments = segments_of(&coarse, part, &parts) as f64;
+        let mut places = part.clumps.iter();
+        places.all(|clump| {
+            let place = clump.at_m / part.length_m * segments;
+            (place - place.round()).abs() < ROUNDING * segments
+        })
+    })
 }
 
 /// Segments that a line of a file is divided into.

@@ -111,6 +111,9 @@ impl FileKind for SystemFile {
         rows.extend(lister.if_given(&["wind"], "wind"));
         rows.extend(lister.named("lines", "line"));
         rows.extend(nested(lister, ("lines", "line"), ("sections", "section")));
+        rows.extend(nested(lister, ("lines", "line"), ("floats", "floats on")));
+        rows.extend(nested(lister, ("lines", "line"), ("modules", "modules on")));
+        rows.extend(nested(lister, ("lines", "line"), ("clumps", "clump")));
         rows.extend(lister.named("points", "point"));
         rows.extend(lister.named("bodies", "body"));
         rows.extend(nested(lister, ("bodies", "body"), ("members", "member")));

@@ -77,10 +77,10 @@ pub fn share_of_breaking_load(
     let whole = line.length();
     let mut arc = 0.0;
     let mut greatest: Option<f64> = None;
-    for (section, breaks) in line.sections.iter().zip(&line.break_loads) {
+    for section in &line.parts {
         let (from, to) = (arc / whole, (arc + section.length_m) / whole);
         arc += section.length_m;
-        if let Some(breaks) = breaks {
+        if let Some(breaks) = section.break_load {
             let tension = at_rest.at(from, ends).1.max(at_rest.at(to, ends).1);
             greatest = Some(greatest.unwrap_or(0.0).max(tension / breaks));
         }

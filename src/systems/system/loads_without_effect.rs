@@ -137,7 +137,7 @@ fn waves(network: &Network) -> impl Iterator<Item = String> {
             "The waves do not act on the clumps of",
             "line",
             clumped.map(|line| line.name.as_str()),
-            "give the clumps a clump_drag_area_m2, or a clump_mass_kg beyond their weight in water",
+            "give the clumps a drag area, or a mass beyond their weight in water",
         ),
     ]
     .into_iter()

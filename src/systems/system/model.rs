@@ -17,9 +17,9 @@ use crate::case::fields::ValueType::{Name, NumberOrTriple};
 use crate::case::fields::{Conditions, of, positive};
 use crate::case::schema::{table, words};
 use crate::case::{
-    Attachment, BedInterpolation, CheckInputs, Current, Environment, FrictionLaw, LoadCaseInputs,
-    Mark, Material, MotionInterpolation, OneOrMany, Solver, Start, StatisticsInputs, Study, Trial,
-    Waves,
+    Attachment, BedInterpolation, CheckInputs, Clump, Current, Environment, Floats, FrictionLaw,
+    LoadCaseInputs, Mark, Material, Modules, MotionInterpolation, OneOrMany, Solver, Start,
+    StatisticsInputs, Study, Trial, Waves,
 };
 use crate::numerics::V3;
 use crate::physics::ElasticBed;
@@ -613,6 +613,12 @@ table! {
     tables {
         /// The sections of the line, from its end A to its end B.
         sections: Vec<LineSection>;
+        /// Floats spread evenly over a stretch of a section.
+        floats: Vec<Floats>;
+        /// Buoyancy modules clamped on a stretch of a section, one a pitch.
+        modules: Vec<Modules>;
+        /// A body hung on the line at one place: a clump weight, or a buoy.
+        clumps: Vec<Clump>;
         /// How the line lies between its ends at time zero of a run in time, where it does not begin at rest, and its velocity.
         start: Option<Start>;
     }
@@ -622,6 +628,8 @@ table! {
     /// A section of a line.
     #[derive(Debug, Clone, PartialEq)]
     pub struct LineSection => LineSectionKeys {
+        /// Name of the section, used in channel names and key paths; of all sections of a line or of none.
+        name: Option<String>, "name", kind Name, absent "its number from end A";
         /// What it is made of.
         material: String, "material", kind Name;
         /// Unstretched length.

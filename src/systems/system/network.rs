@@ -309,6 +309,26 @@ impl ReleaseCondition {
     }
 }
 
+/// A section of a line as its file states it.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct StatedSection {
+    /// Its name, where it has one.
+    pub name: Option<String>,
+    /// Unstretched length \[m\].
+    pub length_m: f64,
+    /// Breaking load \[N\], where its material states one.
+    pub break_load: Option<f64>,
+}
+
+/// A body hung on a line.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct BodyOnLine {
+    /// Its name, where it has one.
+    pub name: Option<String>,
+    /// Unstretched arc length from A \[m\].
+    pub arc_m: f64,
+}
+
 /// A line between two points.
 #[derive(Debug, Clone, Default)]
 pub struct Line {
@@ -322,8 +342,10 @@ pub struct Line {
     pub sections: Vec<SectionProperties>,
     /// The same from B to A: lines are solved from their lower end.
     pub reversed: Vec<SectionProperties>,
-    /// Breaking load of each section \[N\].
-    pub break_loads: Vec<Option<f64>>,
+    /// The sections that its file states.
+    pub parts: Vec<StatedSection>,
+    /// The bodies on it.
+    pub bodies: Vec<BodyOnLine>,
     /// Weight that weightless sections were given \[N\]: see [`weighted`].
     pub added_weight: f64,
     /// Axial friction under the line at rest \[-\], none by a law that holds nothing.
@@ -355,6 +377,31 @@ impl Line {
     #[must_use]
     pub fn length(&self) -> f64 {
         self.sections.iter().map(|section| section.length_m).sum()
+    }
+
+    /// The places where its sections meet, from A: by the names of both, `chain|rope`, or by their number from 1 where they have none, as pieces of
+    /// one section.
+    pub fn meetings(&self) -> impl Iterator<Item = String> {
+        let pairs = self.parts.windows(2).enumerate();
+        pairs.map(|(before, pair)| match (&pair[0].name, &pair[1].name) {
+            (Some(one), Some(other)) if one != other => format!("{one}|{other}"),
+            _ => (before + 1).to_string(),
+        })
+    }
+
+    /// Its sections by their names, or by number from 1 where they have none, each with its first and its last part.
+    #[must_use]
+    pub fn named_sections(&self) -> Vec<(String, [usize; 2])> {
+        let mut found: Vec<(String, [usize; 2])> = Vec::new();
+        for (number, part) in self.parts.iter().enumerate() {
+            let name = part.name.clone();
+            let name = name.unwrap_or_else(|| (number + 1).to_string());
+            match found.last_mut().filter(|(before, _)| *before == name) {
+                Some((_, [_, last])) => *last = number,
+                None => found.push((name, [number; 2])),
+            }
+        }
+        found
     }
 
     /// Whether it begins a run in time in a shape of its own, which needs no equilibrium between its ends.

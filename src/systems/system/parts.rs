@@ -2,97 +2,102 @@
 
 use super::discretised::SEGMENTS;
 use super::model::{LineInputs, LineSection, SystemFile};
-use crate::case::{Material, OneOrMany, WaterSurface};
-use crate::numerics::V3;
-use crate::scene::per_axis;
+use crate::case::{Clump, Floats, Material, Modules, OnSection, OneOrMany, WaterSurface};
 
-/// A stretch of a line of one material.
+/// A stretch of a line of one material, with what is attached to it in lengths from its end nearer to A.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Part {
     /// Name of its material.
     pub name: String,
+    /// Name of its section, where it has one.
+    pub section: Option<String>,
     /// What it is made of.
     pub material: Material,
     /// Unstretched length \[m\].
     pub length_m: f64,
-    /// The body at its end towards B.
-    pub clump: SectionClump,
+    /// Floats on it.
+    pub floats: Vec<Floats>,
+    /// Modules on it.
+    pub modules: Vec<Modules>,
+    /// The bodies on it.
+    pub clumps: Vec<Clump>,
     /// Segments that its section asks for.
     pub segments: Option<usize>,
     /// Pieces of equal length that its section is divided into; 1 where it is not.
     pub pieces: usize,
 }
 
-/// A body where two sections of a line meet.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct SectionClump {
-    /// Weight in water, as mass \[kg\]; negative floats.
-    pub wet_kg: f64,
-    /// Mass in air \[kg\].
-    pub mass_kg: f64,
-    /// Drag coefficient times area along x, y, z \[m²\].
-    pub drag_area_m2: V3,
-    /// The same across and along the line, in its place \[m²\].
-    pub aligned_drag_area_m2: [f64; 2],
-    /// Added mass along x, y, z \[kg\].
-    pub added_mass_kg: V3,
-    /// How it bears on the bed.
-    pub bearing: ClumpBearing,
-}
-
-/// How a body on a line bears on the bed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ClumpBearing {
-    /// Area that bears \[m²\]; nothing for the bottom of a cube of its volume.
-    pub area_m2: Option<f64>,
-    /// From the line down to what bears \[m\].
-    pub bottom_m: f64,
-    /// Greatest pull of the bed once it has borne on it \[N\].
-    pub breakout_n: f64,
-    /// Distance off the bed at which it is free of that pull \[m\].
-    pub breakout_distance_m: f64,
-}
-
-impl Default for ClumpBearing {
-    fn default() -> Self {
-        LineSection::default().clump_bearing()
-    }
-}
-
-impl SectionClump {
-    /// Volume that it displaces in water of a density \[m³\].
+impl Part {
+    /// A piece of it, between two lengths from its end nearer to A \[m\].
     #[must_use]
-    pub fn volume_m3(&self, density: f64) -> f64 {
-        match density > 0.0 {
-            true => (self.mass_kg - self.wet_kg) / density,
-            false => 0.0,
+    pub fn piece(&self, piece: [f64; 2]) -> Self {
+        Self {
+            length_m: piece[1] - piece[0],
+            floats: on_piece(&self.floats, self.length_m, piece),
+            modules: on_piece(&self.modules, self.length_m, piece),
+            clumps: on_piece(&self.clumps, self.length_m, piece),
+            ..self.clone()
         }
     }
+}
+
+/// What of floats, modules or bodies on a section of a length is on a piece of it \[m\].
+#[must_use]
+pub fn on_piece<T: OnSection>(all: &[T], section_m: f64, piece: [f64; 2]) -> Vec<T> {
+    let all = all.iter();
+    all.filter_map(|one| one.on_piece(section_m, piece))
+        .collect()
 }
 
 impl LineSection {
-    /// The body at its end towards B.
+    /// The body at its end towards B, where it has one.
     #[must_use]
-    pub fn clump(&self) -> SectionClump {
-        SectionClump {
-            wet_kg: self.clump_kg,
-            mass_kg: self.clump_mass_kg.unwrap_or(self.clump_kg.abs()),
-            drag_area_m2: per_axis(&self.clump_drag_area_m2),
-            aligned_drag_area_m2: [
-                self.clump_drag_area_normal_m2,
-                self.clump_drag_area_tangential_m2,
-            ],
-            added_mass_kg: per_axis(&self.clump_added_mass_kg),
-            bearing: self.clump_bearing(),
-        }
+    pub fn clump(&self) -> Option<Clump> {
+        let bare = Self {
+            length_m: self.length_m,
+            ..Self::default()
+        };
+        let own = self.stated_clump();
+        (own != bare.stated_clump()).then_some(own)
     }
 
-    fn clump_bearing(&self) -> ClumpBearing {
-        ClumpBearing {
-            area_m2: self.clump_bed_area_m2,
+    fn stated_clump(&self) -> Clump {
+        let shortest = |value: &OneOrMany| match value.alike() {
+            Some(one) => OneOrMany::One(one),
+            None => value.clone(),
+        };
+        Clump {
+            name: String::new(),
+            section: None,
+            at_m: self.length_m,
+            mass_kg: self.clump_mass_kg.unwrap_or(self.clump_kg.abs()),
+            wet_mass_kg: self.clump_kg,
+            drag_area_m2: shortest(&self.clump_drag_area_m2),
+            drag_area_normal_m2: self.clump_drag_area_normal_m2,
+            drag_area_tangential_m2: self.clump_drag_area_tangential_m2,
+            added_mass_kg: shortest(&self.clump_added_mass_kg),
+            bed_area_m2: self.clump_bed_area_m2,
             bottom_m: self.clump_bottom_m,
             breakout_n: self.clump_breakout_n,
             breakout_distance_m: self.clump_breakout_distance_m,
+        }
+    }
+
+    /// The same section with this body at its end towards B.
+    #[must_use]
+    pub fn with_clump(self, clump: &Clump) -> Self {
+        Self {
+            clump_kg: clump.wet_mass_kg,
+            clump_mass_kg: Some(clump.mass_kg),
+            clump_drag_area_m2: clump.drag_area_m2.clone(),
+            clump_drag_area_normal_m2: clump.drag_area_normal_m2,
+            clump_drag_area_tangential_m2: clump.drag_area_tangential_m2,
+            clump_added_mass_kg: clump.added_mass_kg.clone(),
+            clump_bed_area_m2: clump.bed_area_m2,
+            clump_bottom_m: clump.bottom_m,
+            clump_breakout_n: clump.breakout_n,
+            clump_breakout_distance_m: clump.breakout_distance_m,
+            ..self
         }
     }
 
@@ -100,17 +105,11 @@ impl LineSection {
     #[must_use]
     pub fn without_clump(self) -> Self {
         Self {
-            clump_kg: 0.0,
-            clump_mass_kg: None,
-            clump_drag_area_m2: OneOrMany::One(0.0),
-            clump_drag_area_normal_m2: 0.0,
-            clump_drag_area_tangential_m2: 0.0,
-            clump_added_mass_kg: OneOrMany::One(0.0),
-            clump_bed_area_m2: None,
-            clump_bottom_m: 0.0,
-            clump_breakout_n: 0.0,
-            clump_breakout_distance_m: ClumpBearing::default().breakout_distance_m,
-            ..self
+            name: self.name,
+            material: self.material,
+            length_m: self.length_m,
+            segments: self.segments,
+            ..Self::default()
         }
     }
 }
@@ -128,21 +127,50 @@ pub fn sections(line: &LineInputs) -> Vec<LineSection> {
     }
 }
 
-/// The parts of a line, which the checks passed.
+/// The parts of a line, which the checks passed: its sections, with what is attached to them.
 #[must_use]
 pub fn parts(file: &SystemFile, line: &LineInputs) -> Vec<Part> {
     let part = |section: LineSection| Part {
         material: file.materials[&section.material].clone(),
-        clump: section.clump(),
+        floats: of_section(&line.floats, &section),
+        modules: of_section(&line.modules, &section),
+        clumps: section
+            .clump()
+            .into_iter()
+            .chain(of_section(&line.clumps, &section))
+            .collect(),
+        section: section.name,
         name: section.material,
         length_m: section.length_m,
         segments: section.segments,
         pieces: 1,
     };
-    sections(line).into_iter().map(part).collect()
+    let mut parts: Vec<Part> = sections(line).into_iter().map(part).collect();
+    // A body at the beginning of a section hangs where that meets the one before.
+    for number in 1..parts.len() {
+        let at_m = parts[number - 1].length_m;
+        let all = std::mem::take(&mut parts[number].clumps);
+        let (first, others): (Vec<Clump>, Vec<Clump>) =
+            all.into_iter().partition(|clump| clump.at_m <= 0.0);
+        parts[number].clumps = others;
+        let first = first.into_iter().map(|clump| Clump { at_m, ..clump });
+        parts[number - 1].clumps.extend(first);
+    }
+    parts
+}
+
+fn of_section<T: OnSection + Clone>(all: &[T], section: &LineSection) -> Vec<T> {
+    let own = all.iter().filter(|one| one.is_on(section.name.as_deref()));
+    own.cloned().collect()
 }
 
 impl LineInputs {
+    /// Whether anything is attached to it by a table of its own.
+    #[must_use]
+    pub fn has_attachments(&self) -> bool {
+        !(self.floats.is_empty() && self.modules.is_empty() && self.clumps.is_empty())
+    }
+
     /// The segments that the line, or its sections, ask for.
     #[must_use]
     pub fn asked_segments(&self) -> Option<usize> {

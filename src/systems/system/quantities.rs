@@ -13,6 +13,7 @@ use super::solved::SolvedSystem;
 use super::stiffness::of_body;
 use crate::case::Finding;
 use crate::case::schema::Key;
+use crate::numerics::V3;
 
 /// What a result by name is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,7 +58,7 @@ const fn quantity(
 /// All results.
 #[rustfmt::skip] // one a line
 static QUANTITIES: [SystemQuantity; 16] = [
-    quantity("tension_n", "N", SystemSubject::LineEnd, "tension at an end of a line, or by number where its sections meet"),
+    quantity("tension_n", "N", SystemSubject::LineEnd, "tension at an end of a line, or where its sections meet: tension_n[LINE|1], of named sections tension_n[LINE|CHAIN|ROPE]"),
     quantity("horizontal_n", "N", SystemSubject::LineEnd, "horizontal part of the tension at an end of a line"),
     quantity("vertical_n", "N", SystemSubject::LineEnd, "vertical force of a line on its end, upwards"),
     quantity("on_bed_m", "m", SystemSubject::Line, "unstretched length of a line on the bed"),
@@ -69,12 +70,14 @@ static QUANTITIES: [SystemQuantity; 16] = [
     quantity("pin_force_y_n", "N", SystemSubject::Body, "y of the force of its pin on a body"),
     quantity("pin_force_z_n", "N", SystemSubject::Body, "z of the force of its pin on a body"),
     quantity("period_s", "s", SystemSubject::Period, "natural period by its number, the longest first, or longest of one that is mostly of a body and a direction"),
-    quantity("x_m", "m", SystemSubject::Point, "x of a point"),
-    quantity("y_m", "m", SystemSubject::Point, "y of a point"),
-    quantity("z_m", "m", SystemSubject::Point, "z of a point"),
+    quantity("x_m", "m", SystemSubject::Point, "x of a point, or of a body on a line: x_m[LINE|CLUMP]"),
+    quantity("y_m", "m", SystemSubject::Point, "y of a point, or of a body on a line"),
+    quantity("z_m", "m", SystemSubject::Point, "z of a point, or of a body on a line"),
     quantity("stiffness", "N/m, N, N m", SystemSubject::Stiffness, "stiffness of the lines on a body, by row and column from 1 to 6"),
 ];
 
+/// Components of a place.
+const POSITION: [&str; 3] = ["x_m", "y_m", "z_m"];
 /// Components of the force of a pin.
 const PIN_FORCE: [&str; 3] = ["pin_force_x_n", "pin_force_y_n", "pin_force_z_n"];
 
@@ -168,14 +171,7 @@ pub fn value_at(network: &Network, rest: &SystemEquilibrium, name: &str) -> Resu
             })
         }
         SystemSubject::Point => {
-            let index = network.point(subject).ok_or_else(missing)?;
-            if quantity.name == "uplift_n" {
-                return Ok(loads::pull(network, rest, index).z);
-            }
-            let axis = ["x_m", "y_m", "z_m"]
-                .iter()
-                .position(|n| *n == quantity.name);
-            Ok(rest.placement.points[index][axis.unwrap_or(0)])
+            of_point((network, rest), quantity.name, subject, place).ok_or_else(missing)
         }
         SystemSubject::Body => {
             let index = network.body(subject).ok_or_else(missing)?;
@@ -207,18 +203,40 @@ fn stretch(place: &str) -> Option<Option<[f64; 2]>> {
     Some(Some([from.parse().ok()?, to.parse().ok()?]))
 }
 
-/// The tension where two sections of a line meet, by its number from end A.
+/// The tension where two sections of a line meet, by their names or its number from end A.
 fn between((network, rest): AtRest<'_>, line: usize, place: &str) -> Option<f64> {
-    let meeting: usize = place.parse().ok()?;
     let given = &network.lines[line];
-    if !(1..given.sections.len()).contains(&meeting) {
-        return None;
-    }
-    let before = given.sections[..meeting].iter();
+    let meeting = given.meetings().position(|meeting| meeting == place)? + 1;
+    let before = given.parts[..meeting].iter();
     let arc: f64 = before.map(|section| section.length_m).sum();
     let places = &rest.placement.points;
     let ends = [&places[given.from], &places[given.to]];
     Some(rest.balance.lines[line].at(arc / given.length(), ends).1)
+}
+
+/// A result of a point, or of a body on a line.
+fn of_point((network, rest): AtRest<'_>, name: &str, subject: &str, place: &str) -> Option<f64> {
+    let axis = POSITION.iter().position(|axis| *axis == name);
+    if !place.is_empty() {
+        return Some(on_line((network, rest), subject, place)?[axis?]);
+    }
+    let index = network.point(subject)?;
+    Some(match axis {
+        Some(axis) => rest.placement.points[index][axis],
+        None => loads::pull(network, rest, index).z,
+    })
+}
+
+/// The place of a body on a line, by the names of both.
+fn on_line((network, rest): AtRest<'_>, line: &str, body: &str) -> Option<V3> {
+    let index = network.line(line)?;
+    let given = &network.lines[index];
+    let mut bodies = given.bodies.iter();
+    let body = bodies.find(|one| one.name.as_deref() == Some(body))?;
+    let places = &rest.placement.points;
+    let ends = [&places[given.from], &places[given.to]];
+    let share = body.arc_m / given.length();
+    Some(rest.balance.lines[index].at(share, ends).0)
 }
 
 /// A system and where it rests.
@@ -234,7 +252,9 @@ pub fn error(solved: &SolvedSystem, name: &str) -> Option<f64> {
         return errors.lines[network.line(subject)?];
     }
     match (quantity.of, quantity.unit) {
-        (SystemSubject::Point, "m") => return errors.points[network.point(subject)?],
+        (SystemSubject::Point, "m") if place.is_empty() => {
+            return errors.points[network.point(subject)?];
+        }
         (SystemSubject::Body, "m") => return Some(errors.bodies[network.body(subject)?]?[0]),
         _ => {}
     }

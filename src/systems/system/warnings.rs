@@ -6,6 +6,7 @@ use super::line_at_rest::LineNote;
 use super::loads::share_of_breaking_load;
 use super::loads_without_effect::loads_without_effect;
 use super::motion::responses::{MUCH_BEYOND, wave_response};
+use super::off_nodes::off_nodes;
 use super::potential_flow::wave_loads::energy_above;
 use super::stability::{Stability, stability};
 use super::{SolvedSystem, SystemFile};
@@ -54,6 +55,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
     found.extend(unused_motion(solved));
     found.extend(on_waves(solved));
     found.extend(loads_without_effect(solved));
+    found.extend(off_nodes(solved));
     found.extend(afloat(solved));
     found.extend(far_tilted(solved));
     found.extend(above_water(solved));

@@ -344,6 +344,70 @@ fn a_section_of_a_line_of_a_system_is_divided() {
     assert_eq!(count(&edited), count(SPREAD) + 1);
 }
 
+/// The first line of a spread with names of its sections, the second line with the same.
+fn with_names() -> String {
+    let mut names = ["chain", "rope"].into_iter().cycle();
+    let parts: Vec<&str> = SPREAD.split("[[lines.sections]]\n").collect();
+    let mut text = parts[0].to_owned();
+    for part in &parts[1..] {
+        text += &format!(
+            "[[lines.sections]]\nname = \"{}\"\n{part}",
+            names.next().unwrap()
+        );
+    }
+    text
+}
+
+#[test]
+fn a_named_section_is_divided_renamed_and_moved() {
+    let schema = SystemFile::schema();
+    let text = with_names();
+    let lines: Vec<OutlineRow> = several(schema, &text);
+    let first = lines
+        .iter()
+        .find(|row| row.path.contains(".sections."))
+        .unwrap();
+    let line = first.path.split(".sections.").next().unwrap().to_owned();
+    assert!(first.path.ends_with(".sections.chain"), "{}", first.path);
+    let floats = format!(
+        "\n[[lines.floats]]\nsection = \"chain\"\nlift_kg = 1.0\n[marks.\"{}.length_m\"]\nkind = \"assumed\"\nreason = \"r\"\n",
+        first.path
+    );
+    let edit = |text: &str, edit: StructureEdit| apply(schema, text, &edit);
+    let divided = edit(
+        &text,
+        StructureEdit::Divide {
+            path: first.path.clone(),
+            at_m: "10".to_owned(),
+        },
+    )
+    .unwrap();
+    kind::parse::<SystemFile>(&divided, "x.toml").unwrap();
+    assert!(divided.contains("name = \"chain-2\""), "{divided}");
+    let renamed = edit(
+        &format!("{text}{floats}"),
+        StructureEdit::Rename {
+            path: first.path.clone(),
+            to: "ground".to_owned(),
+        },
+    )
+    .unwrap();
+    assert!(
+        renamed.contains(&format!("marks.\"{line}.sections.ground.length_m\"")),
+        "{renamed}"
+    );
+    let moved = edit(
+        &text,
+        StructureEdit::Move {
+            path: first.path.clone(),
+            down: true,
+        },
+    )
+    .unwrap();
+    let place = |name: &str| moved.find(&format!("name = \"{name}\"\nmaterial")).unwrap();
+    assert!(place("rope") < place("chain"), "{moved}");
+}
+
 #[test]
 fn the_clump_of_a_divided_section_stays_at_its_end() {
     const CLUMP: &str = "clump_kg = 50.0\nclump_mass_kg = 80.0\nclump_drag_area_normal_m2 = 2.0\nclump_drag_area_tangential_m2 = 0.5\nclump_added_mass_kg = 30.0\n";

@@ -1,7 +1,7 @@
 //! Channels of a case by the names that its system gives them.
 
+use super::places::{end_of, is_one, on_free_end};
 use super::source::{LINE, LineSource};
-use super::stretches::{Stretch, end_of, on_free_end};
 use super::turning_payload::{bottom_point, turning};
 use crate::case::{
     ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, channels,
@@ -12,37 +12,25 @@ use crate::scene::{clump_bed_area, payload_bed_area};
 const OF_BED: [ChannelQuantity; 2] = [ChannelQuantity::BedForce, ChannelQuantity::LandingSpeed];
 
 /// The channel of the system that is a channel of the case; nothing where the system has none.
-pub(super) fn translated(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    id: &ChannelId,
-) -> Option<ChannelId> {
+pub(super) fn translated(source: &LineSource<'_>, id: &ChannelId) -> Option<ChannelId> {
     let spec = channels(&source.case)
         .into_iter()
         .find(|spec| spec.id == *id)?;
     match spec.site {
-        ChannelLocation::Joint(joint) => Some(tension(source, line, joint)),
+        ChannelLocation::Joint(joint) => Some(tension(source, joint)),
         ChannelLocation::End(end) => at_end(source, id, end),
         ChannelLocation::Section(section, end) => {
-            let within = line
-                .iter()
-                .enumerate()
-                .filter(|(_, one)| one.section == section);
-            let mut numbers = within.map(|(number, _)| number + 1);
-            let number = match end {
-                LineEnd::A => numbers.next(),
-                LineEnd::B => numbers.next_back(),
+            let name = match is_one(&source.case) {
+                true => "1",
+                false => &source.case.line.get(section)?.name,
             };
-            Some(
-                id.quantity
-                    .at(format!("{LINE}|{}.{}", number?, letter(end))),
-            )
+            Some(id.quantity.at(format!("{LINE}|{name}.{}", letter(end))))
         }
         ChannelLocation::Gauge => Some(id.clone()),
         ChannelLocation::Line => {
             (id.quantity == ChannelQuantity::OnBed).then(|| id.quantity.at(LINE))
         }
-        ChannelLocation::Body(number) => of_end_clump(source, id, number),
+        ChannelLocation::Body(number) => of_clump(source, id, number),
         ChannelLocation::Traveller => None,
     }
 }
@@ -55,24 +43,27 @@ const fn letter(end: LineEnd) -> &'static str {
 }
 
 /// The tension where two sections meet, or at an end, by its number from end A.
-fn tension(source: &LineSource<'_>, line: &[Stretch<'_>], joint: usize) -> ChannelId {
+fn tension(source: &LineSource<'_>, joint: usize) -> ChannelId {
     let place = match joint {
         0 => "a".to_owned(),
         joint if joint == source.case.line.len() => "b".to_owned(),
-        joint => line
-            .iter()
-            .filter(|one| one.section < joint)
-            .count()
-            .to_string(),
+        joint => format!(
+            "{}|{}",
+            source.case.line[joint - 1].name,
+            source.case.line[joint].name
+        ),
     };
     ChannelQuantity::Tension.at(format!("{LINE}|{place}"))
 }
 
-/// What is recorded of a clump by its number: of the point at the free end that it hangs on.
-fn of_end_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Option<ChannelId> {
+/// What is recorded of a clump by its number: of the body on the line, or of the point at the free end that it hangs on.
+fn of_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Option<ChannelId> {
     let case = &source.case;
     let clump = case.clumps.get(number)?;
-    let (end, given) = match end_of(case, clump)? {
+    let Some(letter) = end_of(case, clump) else {
+        return Some(id.quantity.at(format!("{LINE}|{}", clump.name)));
+    };
+    let (end, given) = match letter {
         "a" => (LineEnd::A, &case.ends.a),
         _ => (LineEnd::B, &case.ends.b),
     };

@@ -3,9 +3,9 @@
 use super::bearing;
 use super::copied::{coefficient, value_of};
 use super::payload::lift_in_air;
+use super::places::at_end;
 use super::published::reads_forces;
 use super::source::{DENSITY, GRAVITY, LETTERS, LineSource};
-use super::stretches::{Stretch, at_end};
 use crate::case::{Clump, End, EndKind};
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number};
@@ -20,7 +20,7 @@ pub(super) fn left_out<'c>(source: &'c LineSource<'_>) -> impl Iterator<Item = &
 }
 
 /// Clumps at ends that a system cannot state.
-pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault> {
+pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     let ends = &source.case.ends;
     let mut found = Vec::new();
     for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
@@ -30,7 +30,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
                     "hangs where another body does, and a system has one there",
                     "make one body of both",
                 )),
-                false => on_held(source, line, end),
+                false => on_held(source, end),
             };
             let path = ["clumps", &clump.name, "at_m"];
             found.extend(of_place.map(|(problem, remedy)| source.fault(&path, problem, remedy)));
@@ -43,11 +43,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
 }
 
 /// What a clump on a held end acts on.
-fn on_held(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    end: &End,
-) -> Option<(&'static str, &'static str)> {
+fn on_held(source: &LineSource<'_>, end: &End) -> Option<(&'static str, &'static str)> {
     if !end.kind.is_held() {
         return None;
     }
@@ -57,7 +53,7 @@ fn on_held(
             "hang it on the node before the end",
         ));
     }
-    reads_forces(source, line).then_some((
+    reads_forces(source).then_some((
         "hangs on a held end, whose force in a system is that of the line alone",
         "leave it out, and add its weight to the published force",
     ))

@@ -3,9 +3,9 @@
 use super::copied::{bare, value_of};
 use super::end_clumps;
 use super::payload;
+use super::places::on_free_end;
 use super::source::{LETTERS, LineSource};
 use super::start;
-use super::stretches::on_free_end;
 use super::turning_payload;
 use crate::case::attachments::{PLACES, carried_numbers};
 use crate::case::{End, EndKind, MotionName, StartShape};

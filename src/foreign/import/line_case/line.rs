@@ -1,16 +1,23 @@
 //! The line itself: its sections, clamps and releases.
 
-use super::buoyed::name_of;
-use super::copied::value_of;
+use super::copied::{copy_table, value_of};
 use super::ends::point_name;
+use super::places::{end_of, is_one};
 use super::source::{LETTERS, LINE, LineSource};
 use super::start;
-use super::stretches::{Stretch, is_one};
-use crate::case::{Clump, EndKind};
-use crate::import::to_case::case_text::{CaseText, number, text};
+use crate::case::{EndKind, Section};
+use crate::import::to_case::case_text::{CaseText, text};
+
+/// Keys of how a clump bears on a bed.
+const BEARING: [&str; 4] = [
+    "bed_area_m2",
+    "bottom_m",
+    "breakout_n",
+    "breakout_distance_m",
+];
 
 /// Writes the line.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let [a, b] = LETTERS.map(|letter| point_name(source, letter));
     system.table("[[lines]]", source.span(&["line"]));
     system.line(&format!("name = {}", text(LINE)), None);
@@ -22,18 +29,38 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         &format!("to = {}", text(&b)),
         source.span(&["ends", "b", "name"]),
     );
-    if is_one(line) {
-        section(system, source, line, 0);
+    let sections = source.case.line.iter();
+    let is_one = is_one(&source.case);
+    for own in sections.clone().filter(|_| is_one) {
+        section(system, source, own);
     }
     held(system, source);
-    if !is_one(line) {
-        for (number, stretch) in line.iter().enumerate() {
-            let name = &source.case.line[stretch.section].name;
-            system.table("[[lines.sections]]", source.span(&["line", name]));
-            section(system, source, line, number);
+    for own in sections.filter(|_| !is_one) {
+        system.table("[[lines.sections]]", source.span(&["line", &own.name]));
+        section(system, source, own);
+    }
+    attached(system, source);
+    start::of_line(system, source);
+}
+
+/// What is attached to the line between its ends.
+fn attached(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let one = ["section"];
+    let without: &[&str] = if is_one(&source.case) { &one } else { &[] };
+    for table in ["floats", "modules", "clumps"] {
+        let nodes = source.node(&[table]).map_or(&[][..], |list| list.items());
+        let header = format!("[[lines.{table}]]");
+        for (number, node) in nodes.iter().enumerate() {
+            let clump = source.case.clumps.get(number).filter(|_| table == "clumps");
+            if clump.is_some_and(|clump| end_of(&source.case, clump).is_some()) {
+                continue;
+            }
+            let is_deaf = table == "clumps" && source.case.seabed.is_none();
+            let bearing = if is_deaf { &BEARING[..] } else { &[] };
+            let without = [without, bearing].concat();
+            copy_table(system, source, &header, node, &without);
         }
     }
-    start::of_line(system, source);
 }
 
 /// Clamps of the ends, and when they are let go.
@@ -61,78 +88,13 @@ fn given(system: &mut CaseText<'_>, source: &LineSource<'_>, path: &[&str], key:
     }
 }
 
-/// A section of the line, by the number of its stretch.
-fn section(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>], of: usize) {
-    let stretch = &line[of];
-    let own = &source.case.line[stretch.section];
-    let span = |key: &str| {
-        source
-            .span(&["line", &own.name, key])
-            .cloned()
-            .unwrap_or(0..0)
-    };
-    let material = text(&name_of(source, line, of));
-    system.given("material", &material, &span("material"), "");
-    match source
-        .node(&["line", &own.name, "length_m"])
-        .filter(|_| stretch.is_whole)
-    {
-        Some(node) => system.given("length_m", &value_of(source, node), &node.span, ""),
-        None => system.given(
-            "length_m",
-            &number(stretch.length_m),
-            &span("length_m"),
-            "a part of it",
-        ),
-    }
-    match source
-        .node(&["line", &own.name, "segments"])
-        .filter(|_| stretch.is_whole)
-    {
-        Some(node) => system.given("segments", &value_of(source, node), &node.span, ""),
-        None => system.given(
-            "segments",
-            &stretch.segments.to_string(),
-            &span("segments"),
-            "a part of them",
-        ),
-    }
-    if let Some(clump) = stretch.clump {
-        hung(system, source, clump);
-    }
-}
-
-/// The body at the end of a section.
-fn hung(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
-    let mut one = |key: &str, from: &str| {
-        if let Some(node) = source.node(&["clumps", &clump.name, from]) {
-            system.given(key, &value_of(source, node), &node.span, from);
-        }
-    };
-    one("clump_kg", "wet_mass_kg");
-    one("clump_mass_kg", "mass_kg");
-    one("clump_drag_area_normal_m2", "drag_area_normal_m2");
-    one("clump_drag_area_tangential_m2", "drag_area_tangential_m2");
-    let both = [
-        ("clump_drag_area_m2", "drag_area_m2", &clump.drag_area_m2),
-        ("clump_added_mass_kg", "added_mass_kg", &clump.added_mass_kg),
-    ];
-    for (key, from, value) in both {
-        let node = source.node(&["clumps", &clump.name, from]);
-        if let Some(node) = node.filter(|_| !value.is_zero()) {
-            system.given(key, &value_of(source, node), &node.span, from);
-        }
-    }
-    let bearing = [
-        "bed_area_m2",
-        "bottom_m",
-        "breakout_n",
-        "breakout_distance_m",
-    ];
-    for from in bearing.into_iter().filter(|_| source.case.seabed.is_some()) {
-        if let Some(node) = source.node(&["clumps", &clump.name, from]) {
-            let key = format!("clump_{from}");
-            system.given(&key, &value_of(source, node), &node.span, from);
+/// The keys of a section.
+fn section(system: &mut CaseText<'_>, source: &LineSource<'_>, own: &Section) {
+    let keys = ["name", "material", "length_m", "segments"];
+    let is_named = !is_one(&source.case);
+    for key in keys.into_iter().filter(|key| is_named || *key != "name") {
+        if let Some(node) = source.node(&["line", &own.name, key]) {
+            system.given(key, &value_of(source, node), &node.span, "");
         }
     }
 }

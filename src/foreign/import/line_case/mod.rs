@@ -1,11 +1,10 @@
 //! A case of one line between two ends as a system of one line.
 //!
-//! What both kinds of file have is copied with the expressions in it; ends become points, sections those of the line `line`, floats and modules
-//! materials of their sections, clumps bodies where sections meet, or of the point at the end that they hang on. What acts and a system cannot state is a fault at its key; what only concerns
+//! What both kinds of file have is copied with the expressions in it; ends become points, sections with floats, modules and clumps those of the line
+//! `line`, clumps at an end the body of the point there. What acts and a system cannot state is a fault at its key; what only concerns
 //! other views of the case is a remark in the notes.
 
 mod bearing;
-mod buoyed;
 mod channels;
 mod copied;
 mod end_clumps;
@@ -13,13 +12,13 @@ mod ends;
 mod line;
 mod paths;
 mod payload;
+mod places;
 mod published;
 mod refused;
 mod results;
 mod run;
 mod source;
 mod start;
-mod stretches;
 mod turning_payload;
 mod unused;
 
@@ -27,7 +26,6 @@ use std::path::Path;
 
 use self::copied::copy;
 use self::source::LineSource;
-use self::stretches::stretches;
 use super::fault::{self, Fault};
 use super::imported::Imported;
 use super::to_case::case_text::{CaseText, text};
@@ -56,12 +54,8 @@ pub fn read(case_text: &str, path: &Path) -> Result<Imported, Vec<Diagnostic>> {
 
 fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     let mut faults = refused::faults(source);
-    let line = stretches(source).unwrap_or_else(|found| {
-        faults.extend(found);
-        Vec::new()
-    });
-    faults.extend(results::faults(source, &line));
-    faults.extend(end_clumps::faults(source, &line));
+    faults.extend(results::faults(source));
+    faults.extend(end_clumps::faults(source));
     if !faults.is_empty() {
         faults
             .sort_by(|one, other| (one.span.start, &one.key).cmp(&(other.span.start, &other.key)));
@@ -69,18 +63,18 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
         return Err(faults);
     }
     let mut system = CaseText::of_text(source.text);
-    head(&mut system, source, &line);
+    head(&mut system, source);
     copy(&mut system, source, "parameters");
     run::environment(&mut system, source);
     copy(&mut system, source, "current");
     run::waves(&mut system, source);
     copy(&mut system, source, "seabed");
-    buoyed::write_materials(&mut system, source, &line);
+    materials(&mut system, source);
     ends::write(&mut system, source);
-    line::write(&mut system, source, &line);
+    line::write(&mut system, source);
     start::of_ends(&mut system, source);
-    run::write(&mut system, source, &line);
-    results::write(&mut system, source, &line);
+    run::write(&mut system, source);
+    results::write(&mut system, source);
     copied::files(&mut system, source);
     Ok(Imported {
         text: system.text,
@@ -90,8 +84,18 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     })
 }
 
+/// Writes the materials of the line.
+fn materials(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    for name in source.case.materials.keys() {
+        if let Some(node) = source.node(&["materials", name]) {
+            let header = format!("[materials.{}]", copied::bare(name));
+            copied::copy_table(system, source, &header, node, &[]);
+        }
+    }
+}
+
 /// The table `[system]`: what the case is, and what of it is not carried over.
-fn head(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[stretches::Stretch<'_>]) {
+fn head(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     system.line(
         "# A case of one line, as a system; comments name its rows.",
         None,
@@ -109,7 +113,7 @@ fn head(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[stretches::S
     if !about.notes.is_empty() {
         notes.push(about.notes.trim().to_owned());
     }
-    notes.extend(unused::remarks(source, line));
+    notes.extend(unused::remarks(source));
     if !notes.is_empty() {
         system.line(&format!("notes = {}", text(&notes.join(" "))), None);
     }

@@ -1,32 +1,31 @@
 //! Key paths of a case by the paths that its system has them at.
 
 use super::bearing::bears_by_volume;
+use super::places::{end_of, is_one, on_free_end};
 use super::source::{LETTERS, LINE, LineSource};
-use super::stretches::{Stretch, is_one, on_free_end};
 use crate::case::{Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
-pub(super) fn translated(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    path: &str,
-) -> Option<String> {
+pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> {
     let parts = split(path)?;
     let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
     match parts.as_slice() {
-        ["environment", "water_density_kg_per_m3"] if is_derived_by_density(source, line) => None,
+        ["environment", "water_density_kg_per_m3"] if is_derived_by_density(source) => None,
         ["environment", "gravity_m_per_s2"] if has_lift_in_air(source) => None,
-        ["parameters" | "environment" | "current" | "statistics", ..] => Some(path.to_owned()),
+        [
+            "parameters" | "environment" | "current" | "statistics" | "materials",
+            ..,
+        ] => Some(path.to_owned()),
         ["seabed", ..] => Some(path.to_owned()),
         ["waves", rest @ ..] => Some(format!("waves.1.{}", rest.join("."))),
-        ["materials", name, ..] => is_bare(source, line, name).then(|| path.to_owned()),
         ["solver", ..] => Some(path.to_owned()),
         [
             "output",
             "interval_s" | "shape_interval_s" | "response_from_s",
         ] => source.is_in_time().then(|| path.to_owned()),
-        ["line", section, key @ ("length_m" | "segments")] => {
-            of_section(source, line, section, key)
+        ["line", section, key @ ("length_m" | "segments")] => of_section(source, section, key),
+        [table @ ("floats" | "modules" | "clumps"), name, key] => {
+            of_attached(source, (table, name), key)
         }
         ["ends", letter @ ("a" | "b"), key, axis @ ..] => of_end(source, letter, key, axis),
         ["payload", key] => of_payload(source, key),
@@ -35,14 +34,13 @@ pub(super) fn translated(
 }
 
 /// Whether a number of the system was computed by the density of the water.
-fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
+fn is_derived_by_density(source: &LineSource<'_>) -> bool {
     let payload = source.case.payload.as_ref();
     let by_shape = |payload: &Payload| payload.shape.is_some() && payload.added_mass_kg.is_none();
     payload.is_some_and(|payload| payload.wet_mass_kg.is_some() || by_shape(payload))
         || LETTERS
             .iter()
             .any(|letter| on_free_end(source, letter).is_some())
-        || line.iter().any(|stretch| !stretch.is_bare())
 }
 
 /// Whether a load was computed by gravity: of a body in air that weighs another than its mass.
@@ -55,32 +53,33 @@ fn has_lift_in_air(source: &LineSource<'_>) -> bool {
     case.environment.water_density_kg_per_m3 == 0.0 && (payload.any(differs) || clumps.any(differs))
 }
 
-/// Whether a material is that of the case wherever the line is of it.
-fn is_bare(source: &LineSource<'_>, line: &[Stretch<'_>], name: &str) -> bool {
-    let mut of_it = line
-        .iter()
-        .filter(|stretch| source.case.line[stretch.section].material == name);
-    of_it.all(Stretch::is_bare)
+fn of_section(source: &LineSource<'_>, section: &str, key: &str) -> Option<String> {
+    let case = &source.case;
+    case.line.iter().find(|one| one.name == section)?;
+    Some(match is_one(case) {
+        true => format!("lines.{LINE}.{key}"),
+        false => format!("lines.{LINE}.sections.{section}.{key}"),
+    })
 }
 
-fn of_section(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    section: &str,
-    key: &str,
-) -> Option<String> {
-    let number = source
-        .case
-        .line
-        .iter()
-        .position(|one| one.name == section)?;
-    let at = line
-        .iter()
-        .position(|stretch| stretch.section == number && stretch.is_whole)?;
-    Some(match is_one(line) {
-        true => format!("lines.{LINE}.{key}"),
-        false => format!("lines.{LINE}.sections.{}.{key}", at + 1),
-    })
+/// A key of floats, modules or a clump between the ends, by the name of its table.
+fn of_attached(source: &LineSource<'_>, (table, name): (&str, &str), key: &str) -> Option<String> {
+    let case = &source.case;
+    let own = match table {
+        "clumps" => {
+            let clump = case.clumps.iter().find(|clump| clump.name == name)?;
+            end_of(case, clump).is_none().then(|| name.to_owned())?
+        }
+        _ => {
+            let names = source.node(&[table])?.names();
+            let number = names.iter().position(|one| one == name)?;
+            match is_one(case) {
+                true => (number + 1).to_string(),
+                false => name.to_owned(),
+            }
+        }
+    };
+    Some(format!("lines.{LINE}.{table}.{own}.{key}"))
 }
 
 fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Option<String> {

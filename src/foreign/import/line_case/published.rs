@@ -4,7 +4,6 @@ use super::channels;
 use super::copied::{copy_keys, value_of};
 use super::paths;
 use super::source::{LINE, LineSource};
-use super::stretches::Stretch;
 use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Study,
     StudyPoint, StudyValue, Subject, TomlNode, Trend,
@@ -69,12 +68,12 @@ impl<'c> CaseResult<'c> {
     }
 
     /// The quantity of a system that it is: at rest, or of its run in time.
-    fn quantity(&self, source: &LineSource<'_>, line: &[Stretch<'_>]) -> Option<String> {
+    fn quantity(&self, source: &LineSource<'_>) -> Option<String> {
         if !source.is_in_time() {
-            return self.at_rest(source, line);
+            return self.at_rest(source);
         }
         let of = match self.of {
-            Subject::Channel(id) => Subject::Channel(channels::translated(source, line, id)?),
+            Subject::Channel(id) => Subject::Channel(channels::translated(source, id)?),
             Subject::Line(quantity) => Subject::along(*quantity, LINE),
             of @ Subject::Energy(_) => of.clone(),
             _ => return None,
@@ -83,14 +82,14 @@ impl<'c> CaseResult<'c> {
         Some(id.to_string())
     }
 
-    fn at_rest(&self, source: &LineSource<'_>, line: &[Stretch<'_>]) -> Option<String> {
+    fn at_rest(&self, source: &LineSource<'_>) -> Option<String> {
         let Subject::Channel(id) = self.of else {
             return None;
         };
         if self.has_window || !ONE_STATE.contains(&self.statistic) {
             return None;
         }
-        let found = channels::translated(source, line, id)?;
+        let found = channels::translated(source, id)?;
         // At rest the tension of a system is the force on the end, with the shear of a line that bends.
         if id.quantity == ChannelQuantity::Tension && source.bends() {
             return None;
@@ -103,42 +102,38 @@ impl<'c> CaseResult<'c> {
 }
 
 /// The key of the system that a study varies; nothing where none has the value of this one alone.
-fn key_of(source: &LineSource<'_>, line: &[Stretch<'_>], study: &Study) -> Option<String> {
-    paths::translated(source, line, &study.key)
+fn key_of(source: &LineSource<'_>, study: &Study) -> Option<String> {
+    paths::translated(source, &study.key)
 }
 
 /// Whether the system has a study.
-fn has_study(source: &LineSource<'_>, line: &[Stretch<'_>], name: &str) -> bool {
+fn has_study(source: &LineSource<'_>, name: &str) -> bool {
     let mut studies = source.case.study.iter();
     let study = studies.find(|study| study.name == name);
-    study.is_some_and(|study| key_of(source, line, study).is_some())
+    study.is_some_and(|study| key_of(source, study).is_some())
 }
 
 /// Results of the system that a published value is of and that it is divided by; nothing where it has none, or not the points.
-fn of_value(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    row: &Published,
-) -> Option<(String, Option<String>)> {
+fn of_value(source: &LineSource<'_>, row: &Published) -> Option<(String, Option<String>)> {
     let points = [&row.at, &row.change_from, &row.ratio_to];
     let mut points = points.into_iter().flatten();
-    if !points.all(|point| has_study(source, line, &point.study)) {
+    if !points.all(|point| has_study(source, &point.study)) {
         return None;
     }
     let of = CaseResult::of_value(row);
-    let quantity = of.quantity(source, line)?;
+    let quantity = of.quantity(source)?;
     let Some(stretch) = row.by_stretch_m else {
         return Some((quantity, None));
     };
     let within = Some(stretch);
-    let other = CaseResult { within, ..of }.quantity(source, line)?;
+    let other = CaseResult { within, ..of }.quantity(source)?;
     Some((quantity, Some(other)))
 }
 
 /// The result of the system that a trend is of.
-fn of_trend(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Trend) -> Option<String> {
-    let quantity = CaseResult::of_trend(row).quantity(source, line);
-    quantity.filter(|_| has_study(source, line, &row.study))
+fn of_trend(source: &LineSource<'_>, row: &Trend) -> Option<String> {
+    let quantity = CaseResult::of_trend(row).quantity(source);
+    quantity.filter(|_| has_study(source, &row.study))
 }
 
 /// The channel that a published value is of.
@@ -150,22 +145,18 @@ fn channel_of(row: &Published) -> Option<&ChannelId> {
 }
 
 /// The channel of a system in time that a published curve is of.
-fn channel(
-    source: &LineSource<'_>,
-    line: &[Stretch<'_>],
-    curve: &PublishedCurve,
-) -> Option<ChannelId> {
+fn channel(source: &LineSource<'_>, curve: &PublishedCurve) -> Option<ChannelId> {
     let is_plain = curve.at.is_none() && curve.period_s.is_none() && curve.window_s.is_none();
-    let found = channels::translated(source, line, &curve.channel);
+    let found = channels::translated(source, &curve.channel);
     found.filter(|_| is_plain && source.is_in_time())
 }
 
 /// Whether a published curve, value or trend is of a force on an end.
-pub(super) fn reads_forces(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool {
+pub(super) fn reads_forces(source: &LineSource<'_>) -> bool {
     let is_force = |id: &ChannelId| ChannelQuantity::FORCE.contains(&id.quantity);
     let case = &source.case;
     let curves = case.published_curve.iter();
-    let mut curves = curves.filter_map(|curve| channel(source, line, curve));
+    let mut curves = curves.filter_map(|curve| channel(source, curve));
     let mut values = case.published.iter().filter_map(channel_of);
     let mut trends = case.trend.iter().map(|trend| &trend.channel);
     let of_trend = |of: &Subject| matches!(of, Subject::Channel(id) if is_force(id));
@@ -173,33 +164,30 @@ pub(super) fn reads_forces(source: &LineSource<'_>, line: &[Stretch<'_>]) -> boo
 }
 
 /// How many published values, trends and curves the system cannot state, of how many.
-pub(super) fn left_out(source: &LineSource<'_>, line: &[Stretch<'_>]) -> (usize, usize) {
+pub(super) fn left_out(source: &LineSource<'_>) -> (usize, usize) {
     let case = &source.case;
     let values = case.published.iter();
-    let values = values.filter(|row| of_value(source, line, row).is_none());
+    let values = values.filter(|row| of_value(source, row).is_none());
     let trends = case.trend.iter();
-    let trends = trends.filter(|row| of_trend(source, line, row).is_none());
+    let trends = trends.filter(|row| of_trend(source, row).is_none());
     let curves = case.published_curve.iter();
-    let curves = curves.filter(|curve| channel(source, line, curve).is_none());
+    let curves = curves.filter(|curve| channel(source, curve).is_none());
     let all = case.published.len() + case.trend.len() + case.published_curve.len();
     (values.count() + trends.count() + curves.count(), all)
 }
 
 /// The studies of keys that the system has not by themselves.
-pub(super) fn studies_left_out<'c>(
-    source: &'c LineSource<'_>,
-    line: &[Stretch<'_>],
-) -> Vec<&'c str> {
+pub(super) fn studies_left_out<'c>(source: &'c LineSource<'_>) -> Vec<&'c str> {
     let studies = source.case.study.iter();
-    let lost = studies.filter(|study| key_of(source, line, study).is_none());
+    let lost = studies.filter(|study| key_of(source, study).is_none());
     lost.map(|study| &*study.name).collect()
 }
 
 /// Writes studies, published values, trends and curves.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let case = &source.case;
     for (study, node) in case.study.iter().zip(items(source, "study")) {
-        let Some((key, at)) = key_of(source, line, study).zip(node.get("key")) else {
+        let Some((key, at)) = key_of(source, study).zip(node.get("key")) else {
             continue;
         };
         system.table("[[study]]", Some(&node.span));
@@ -207,12 +195,12 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         copy_keys(system, source, node, &["key"]);
     }
     for (row, node) in case.published.iter().zip(items(source, "published")) {
-        if let Some(results) = of_value(source, line, row) {
+        if let Some(results) = of_value(source, row) {
             value(system, source, row, node, results);
         }
     }
     for (row, node) in case.trend.iter().zip(items(source, "trend")) {
-        let Some((quantity, at)) = of_trend(source, line, row).zip(node.get("channel")) else {
+        let Some((quantity, at)) = of_trend(source, row).zip(node.get("channel")) else {
             continue;
         };
         system.table("[[trend]]", Some(&node.span));
@@ -221,7 +209,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
     }
     let curves = case.published_curve.iter();
     for (row, node) in curves.zip(items(source, "published_curve")) {
-        if let Some(channel) = channel(source, line, row) {
+        if let Some(channel) = channel(source, row) {
             curve(system, source, row, node, &channel);
         }
     }

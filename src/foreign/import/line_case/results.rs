@@ -2,20 +2,19 @@
 
 use super::copied::{copy, copy_keys};
 use super::source::LineSource;
-use super::stretches::Stretch;
 use super::{paths, published};
 use crate::case::TomlNode;
 use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, text};
 
 /// Load cases of keys that the system does not have, and checks of what it does not name.
-pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault> {
+pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     let mut found = Vec::new();
     for (number, of) in source.case.load_cases.iter().enumerate() {
         let number = (number + 1).to_string();
         let at = |key| ["load_cases", &*number, key];
         if let Some(key) = &of.key
-            && paths::translated(source, line, key).is_none()
+            && paths::translated(source, key).is_none()
         {
             let problem = "no key of a system has the value of this one alone";
             found.push(source.fault(
@@ -28,7 +27,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
             .file
             .as_ref()
             .and_then(|name| source.case.files.get(name));
-        if file.is_some_and(|file| !has_same_columns(source, line, &file.text)) {
+        if file.is_some_and(|file| !has_same_columns(source, &file.text)) {
             let problem = "has columns of keys that a system has elsewhere, or not at all";
             found.push(source.fault(
                 &at("file"),
@@ -42,7 +41,7 @@ pub(super) fn faults(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Fault
 }
 
 /// Whether all columns of a file of load cases are keys that the system has by the same path.
-fn has_same_columns(source: &LineSource<'_>, line: &[Stretch<'_>], csv: &str) -> bool {
+fn has_same_columns(source: &LineSource<'_>, csv: &str) -> bool {
     let mut rows = csv.lines().map(str::trim);
     let head = rows
         .find(|row| !row.is_empty() && !row.starts_with('#'))
@@ -50,7 +49,7 @@ fn has_same_columns(source: &LineSource<'_>, line: &[Stretch<'_>], csv: &str) ->
     let is_same = |column: &str| {
         let column = column.trim().trim_matches('"');
         let of_table = ["probability", "occurrences"].contains(&column);
-        of_table || paths::translated(source, line, column).is_some_and(|path| path == column)
+        of_table || paths::translated(source, column).is_some_and(|path| path == column)
     };
     head.split(',').all(is_same)
 }
@@ -79,7 +78,7 @@ fn checks(source: &LineSource<'_>) -> Vec<Fault> {
 }
 
 /// Writes load cases, statistics, checks, published values and curves, and marks of inputs.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     for node in source
         .node(&["load_cases"])
         .iter()
@@ -87,9 +86,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
     {
         system.table("[[load_cases]]", Some(&node.span));
         if let Some(key) = node.get("key")
-            && let Some(path) = key
-                .text()
-                .and_then(|path| paths::translated(source, line, path))
+            && let Some(path) = key.text().and_then(|path| paths::translated(source, path))
         {
             system.given("key", &text(&path), &key.span, "");
         }
@@ -104,17 +101,17 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         system.table("[[checks]]", Some(&node.span));
         copy_keys(system, source, node, &[]);
     }
-    published::write(system, source, line);
-    marks(system, source, line);
+    published::write(system, source);
+    marks(system, source);
 }
 
 /// Where inputs come from, of those that the system has.
-fn marks(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+fn marks(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     for entry in source
         .node(&["marks"])
         .map_or(&[][..], |marks| marks.entries())
     {
-        let Some(path) = paths::translated(source, line, &entry.key) else {
+        let Some(path) = paths::translated(source, &entry.key) else {
             continue;
         };
         system.table(&format!("[marks.{}]", text(&path)), Some(&entry.node.span));

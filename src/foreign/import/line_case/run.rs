@@ -4,7 +4,6 @@ use super::copied::{copy, copy_keys, value_of};
 use super::ends;
 use super::published;
 use super::source::LineSource;
-use super::stretches::Stretch;
 use crate::import::to_case::case_text::{CaseText, numbers};
 
 /// Writes the environment; above water that it does not say to be crossed all counts as under it, as of a line.
@@ -37,7 +36,7 @@ pub(super) fn waves(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 }
 
 /// Writes how the system is computed, and what is recorded of a run in time.
-pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
+pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let solver = source.node(&["solver"]);
     system.table("[solver]", solver.map(|node| &node.span));
     if let Some(node) = solver {
@@ -50,7 +49,7 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[
         let duration = format!("{:?}", source.case.solver.duration_s);
         system.assumed("duration_s", &duration, "as a case leaves it out");
     }
-    let forces = published::reads_forces(source, line);
+    let forces = published::reads_forces(source);
     let output = source.node(&["output"]);
     let is_checked = !source.case.checks.is_empty();
     if output.is_none() && !forces && !is_checked {

@@ -12,7 +12,7 @@ pub(super) const LETTERS: [&str; 2] = ["a", "b"];
 /// The name of the line in the system.
 pub(super) const LINE: &str = "line";
 
-/// The key of the density of the water, which volumes and materials with floats follow from.
+/// The key of the density of the water, which volumes follow from.
 pub(super) const DENSITY: [&str; 2] = ["environment", "water_density_kg_per_m3"];
 
 /// The key of gravity, which loads of bodies in air follow from.

@@ -3,7 +3,6 @@
 use super::end_clumps;
 use super::published;
 use super::source::LineSource;
-use super::stretches::Stretch;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
@@ -29,21 +28,21 @@ const BEARING: [&str; 4] = [
 ];
 
 /// The remarks, a sentence each.
-pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<String> {
+pub(super) fn remarks(source: &LineSource<'_>) -> Vec<String> {
     let mut left_out: Vec<String> = Vec::new();
     for (path, what) in VIEWS {
         if source.node(path).is_some() {
             left_out.push((*what).to_owned());
         }
     }
-    let studies = published::studies_left_out(source, line);
+    let studies = published::studies_left_out(source);
     if !studies.is_empty() {
         let names = studies.join(", ");
         left_out.push(format!(
             "studies of keys whose value no key of a system has alone: {names}"
         ));
     }
-    let (lost, all) = published::left_out(source, line);
+    let (lost, all) = published::left_out(source);
     if lost > 0 {
         left_out.push(format!("{lost} of {all} published values, trends and curves, which are of such studies, or of statistics or channels that a system has none of"));
     }

@@ -4,7 +4,7 @@
 use super::{unknown, used_twice};
 use crate::case::diagnostic::Finding;
 use crate::case::fields::quantity;
-use crate::case::model::CaseKeys;
+use crate::case::model::{CaseKeys, ClumpKeys, FloatsKeys, ModulesKeys};
 use crate::case::schema::{Key, KeyValue};
 use crate::limits::SEGMENTS;
 
@@ -12,25 +12,13 @@ use crate::limits::SEGMENTS;
 pub(super) fn check(case: &CaseKeys<'_>) -> Vec<Finding> {
     let mut found = materials(case);
     found.extend(names(case));
-    let floats = case
-        .floats
+    let sections: Vec<CheckedSection<'_>> = case
+        .line
         .iter()
-        .map(|(_, f)| (&f.section, &f.from_m, &f.to_m));
-    let modules = case
-        .modules
-        .iter()
-        .map(|(_, m)| (&m.section, &m.from_m, &m.to_m));
-    let stretches = floats.chain(modules);
-    found.extend(stretches.filter_map(|(section, from, to)| stretch(case, section, from, to)));
-    found.extend(
-        case.clumps
-            .iter()
-            .filter_map(|(_, clump)| place(case, &clump.section, &clump.at_m)),
-    );
-    found.extend(case.clumps.iter().filter_map(|(_, clump)| {
-        let aligned = [&clump.drag_area_normal_m2, &clump.drag_area_tangential_m2];
-        drag_twice(&clump.drag_area_m2, aligned)
-    }));
+        .map(|(name, section)| (Some(name.as_str()), section.length_m.value()))
+        .collect();
+    let attached = (&case.floats[..], &case.modules[..], &case.clumps[..]);
+    found.extend(of_attachments(&sections, "case", attached));
     found.extend(travels(case));
     found.extend(segments(case));
     found
@@ -98,62 +86,116 @@ fn names(case: &CaseKeys<'_>) -> Vec<Finding> {
     )
 }
 
-/// The length of the section that a key names \[m\]; a finding where there is no such section.
-fn section_length(case: &CaseKeys<'_>, key: &Key<'_, String>) -> Result<Option<f64>, Finding> {
-    let known: Vec<&str> = case.line.iter().map(|(name, _)| name.as_str()).collect();
-    if let Some(finding) = unknown(key, &known, "section", "case") {
-        return Err(finding);
+/// A section that something may be attached to: its name, where it has one, and its length \[m\], where that is known.
+pub type CheckedSection<'k> = (Option<&'k str>, Option<f64>);
+
+/// Tables of a list, by their names.
+type Named<K> = [(String, K)];
+
+/// Checks of floats, modules and bodies on the sections of a line of a kind of file.
+pub fn of_attachments(
+    sections: &[CheckedSection<'_>],
+    of: &str,
+    (floats, modules, clumps): (
+        &Named<FloatsKeys<'_>>,
+        &Named<ModulesKeys<'_>>,
+        &Named<ClumpKeys<'_>>,
+    ),
+) -> Vec<Finding> {
+    let line = CheckedLine { sections, of };
+    let floats = floats.iter().map(|(_, f)| (&f.section, &f.from_m, &f.to_m));
+    let modules = modules
+        .iter()
+        .map(|(_, m)| (&m.section, &m.from_m, &m.to_m));
+    let stretches = floats.chain(modules);
+    let mut found: Vec<Finding> = stretches
+        .filter_map(|(section, from, to)| line.stretch(section, from, to))
+        .collect();
+    for (_, clump) in clumps {
+        found.extend(line.place(&clump.section, &clump.at_m));
+        let aligned = [&clump.drag_area_normal_m2, &clump.drag_area_tangential_m2];
+        found.extend(drag_twice(&clump.drag_area_m2, aligned));
     }
-    let mut sections = case.line.iter();
-    let section = sections.find(|(name, _)| Some(name) == key.get());
-    Ok(section.and_then(|(_, section)| section.length_m.value()))
+    found
 }
 
-/// A body hangs inside its section.
-fn place(case: &CaseKeys<'_>, section: &Key<'_, String>, at: &Key<'_, f64>) -> Option<Finding> {
-    let length = match section_length(case, section) {
-        Ok(length) => length?,
-        Err(finding) => return Some(finding),
-    };
-    let place = at.value().filter(|place| *place > length)?;
-    let problem = format!("it hangs beyond its section: at {}", quantity(place, "m"));
-    Some(at.finding(problem, inside(section, length)))
+/// The sections of a line, and the kind of file that they are in.
+struct CheckedLine<'k> {
+    sections: &'k [CheckedSection<'k>],
+    of: &'k str,
+}
+
+impl CheckedLine<'_> {
+    /// The length of the section that a key names \[m\], or of the only one; a finding where there is no such section.
+    fn section_length(&self, key: &Key<'_, String>) -> Result<Option<f64>, Finding> {
+        let known: Vec<&str> = self.sections.iter().filter_map(|(name, _)| *name).collect();
+        if !key.is_given() {
+            return match self.sections {
+                [] => Ok(None),
+                [(_, length)] => Ok(*length),
+                _ => Err(key.missing(match known.as_slice() {
+                    [] => "give the sections of the line names, and name one".to_owned(),
+                    known => format!("name one of the sections: {}", known.join(", ")),
+                })),
+            };
+        }
+        if let Some(finding) = unknown(key, &known, "section", self.of) {
+            return Err(finding);
+        }
+        let mut sections = self.sections.iter();
+        let section = sections.find(|(name, _)| *name == key.get().map(String::as_str));
+        Ok(section.and_then(|(_, length)| *length))
+    }
+
+    /// A body hangs inside its section.
+    fn place(&self, section: &Key<'_, String>, at: &Key<'_, f64>) -> Option<Finding> {
+        let length = match self.section_length(section) {
+            Ok(length) => length?,
+            Err(finding) => return Some(finding),
+        };
+        let place = at.value().filter(|place| *place > length)?;
+        let problem = format!("it hangs beyond its section: at {}", quantity(place, "m"));
+        Some(at.finding(problem, inside(section, length)))
+    }
+
+    /// The stretch that floats or modules sit on is not empty, and inside its section.
+    fn stretch(
+        &self,
+        section: &Key<'_, String>,
+        from: &Key<'_, f64>,
+        to: &Key<'_, f64>,
+    ) -> Option<Finding> {
+        let length = match self.section_length(section) {
+            Ok(length) => length?,
+            Err(finding) => return Some(finding),
+        };
+        let begin = from.value()?;
+        let end = if to.is_given() { to.value()? } else { length };
+        if end > length {
+            let problem = format!("they reach beyond their section: {}", quantity(end, "m"));
+            return Some(to.finding(problem, inside(section, length)));
+        }
+        (begin >= end).then(|| {
+            let key = if from.is_given() { from } else { to };
+            let problem = format!(
+                "the stretch is empty: it begins at {} and ends at {}",
+                quantity(begin, "m"),
+                quantity(end, "m")
+            );
+            key.finding(
+                problem,
+                format!("let it begin before it ends; {}", inside(section, length)),
+            )
+        })
+    }
 }
 
 fn inside(section: &Key<'_, String>, length: f64) -> String {
-    let name = section.get().map_or("", String::as_str);
-    format!("section \"{name}\" is {} long", quantity(length, "m"))
-}
-
-/// The stretch that floats or modules sit on is not empty, and inside its section.
-fn stretch(
-    case: &CaseKeys<'_>,
-    section: &Key<'_, String>,
-    from: &Key<'_, f64>,
-    to: &Key<'_, f64>,
-) -> Option<Finding> {
-    let length = match section_length(case, section) {
-        Ok(length) => length?,
-        Err(finding) => return Some(finding),
-    };
-    let begin = from.value()?;
-    let end = if to.is_given() { to.value()? } else { length };
-    if end > length {
-        let problem = format!("they reach beyond their section: {}", quantity(end, "m"));
-        return Some(to.finding(problem, inside(section, length)));
+    let length = quantity(length, "m");
+    match section.get() {
+        Some(name) => format!("section \"{name}\" is {length} long"),
+        None => format!("its section is {length} long"),
     }
-    (begin >= end).then(|| {
-        let key = if from.is_given() { from } else { to };
-        let problem = format!(
-            "the stretch is empty: it begins at {} and ends at {}",
-            quantity(begin, "m"),
-            quantity(end, "m")
-        );
-        key.finding(
-            problem,
-            format!("let it begin before it ends; {}", inside(section, length)),
-        )
-    })
 }
 
 /// A body that travels along the line stays on it, and its way does not end where it begins.

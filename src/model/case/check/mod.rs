@@ -24,7 +24,7 @@ use super::model::CaseKeys;
 
 pub(crate) use checks::is_of_check;
 pub use checks::of_checks;
-pub use line::drag_twice;
+pub use line::{CheckedSection, drag_twice, of_attachments};
 pub use load_cases::{of_load_cases, takes_values};
 pub(crate) use load_cases::{variable, varied};
 pub use loads::{

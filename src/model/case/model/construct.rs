@@ -20,8 +20,8 @@
 use std::fmt::Write;
 
 use super::{
-    Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Material, Method, MotionName, Seabed,
-    Section, Solver, TensionInterpolation, Traveller, WaveKind, Waves,
+    Attachment, Case, CaseInfo, Clump, End, EndKind, Ends, Floats, Material, Method, Modules,
+    MotionName, Seabed, Section, Solver, TensionInterpolation, Traveller, WaveKind, Waves,
 };
 use crate::physics::rope::{TableInterpolation, TensionTable};
 
@@ -165,13 +165,93 @@ impl Seabed {
     }
 }
 
+/// What is attached to a section of a line: floats, modules, or a body.
+pub trait OnSection: Sized {
+    /// The name of the section; nothing for that of a line which has one.
+    fn section(&self) -> Option<&str>;
+
+    /// What of it is on a piece of a section of this length, between two lengths from its end nearer to A \[m\], and measured from there.
+    fn on_piece(&self, section_m: f64, piece: [f64; 2]) -> Option<Self>;
+
+    /// Whether it is on the section of this name.
+    fn is_on(&self, name: Option<&str>) -> bool {
+        self.section().is_none_or(|own| name == Some(own))
+    }
+}
+
+/// What a piece has of a stretch \[m\], measured from the piece, and its share of the stretch; all of it where the stretch is within.
+fn stretch_on_piece(
+    (from_m, to_m): (f64, Option<f64>),
+    section_m: f64,
+    [from, to]: [f64; 2],
+) -> Option<(f64, Option<f64>, f64)> {
+    if from <= 0.0 && to >= section_m {
+        return Some((from_m, to_m, 1.0));
+    }
+    let end_m = to_m.unwrap_or(section_m);
+    let (begin, end) = (from_m.max(from), end_m.min(to));
+    let share = (end - begin) / (end_m - from_m);
+    (end > begin).then_some((begin - from, Some(end - from), share))
+}
+
+impl OnSection for Floats {
+    fn section(&self) -> Option<&str> {
+        self.section.as_deref()
+    }
+
+    fn on_piece(&self, section_m: f64, piece: [f64; 2]) -> Option<Self> {
+        let (from_m, to_m, share) = stretch_on_piece((self.from_m, self.to_m), section_m, piece)?;
+        Some(Self {
+            section: self.section.clone(),
+            from_m,
+            to_m,
+            lift_kg: share * self.lift_kg,
+            mass_kg: share * self.mass_kg,
+            drag_area_m2: share * self.drag_area_m2,
+            drag_area_tangential_m2: share * self.drag_area_tangential_m2,
+            added_mass_kg: share * self.added_mass_kg,
+        })
+    }
+}
+
+impl OnSection for Modules {
+    fn section(&self) -> Option<&str> {
+        self.section.as_deref()
+    }
+
+    fn on_piece(&self, section_m: f64, piece: [f64; 2]) -> Option<Self> {
+        let (from_m, to_m, _) = stretch_on_piece((self.from_m, self.to_m), section_m, piece)?;
+        Some(Self {
+            from_m,
+            to_m,
+            ..self.clone()
+        })
+    }
+}
+
+impl OnSection for Clump {
+    fn section(&self) -> Option<&str> {
+        self.section.as_deref()
+    }
+
+    /// One where two pieces meet is on the first.
+    fn on_piece(&self, section_m: f64, [from, to]: [f64; 2]) -> Option<Self> {
+        let begins = from <= 0.0 || self.at_m > from;
+        let ends = to >= section_m || self.at_m <= to;
+        (begins && ends).then(|| Self {
+            at_m: self.at_m - from,
+            ..self.clone()
+        })
+    }
+}
+
 impl Clump {
     /// A body of a mass \[kg\] hanging in air at a distance from the start of a section \[m\].
     #[must_use]
     pub fn in_air(name: &str, section: &str, at_m: f64, mass_kg: f64) -> Self {
         Self {
             name: name.to_owned(),
-            section: section.to_owned(),
+            section: Some(section.to_owned()),
             at_m,
             mass_kg,
             wet_mass_kg: mass_kg,

@@ -250,7 +250,7 @@ table! {
     #[derive(Debug, Clone, PartialEq)]
     pub struct Floats => FloatsKeys {
         /// The section they sit on.
-        section: String, "section";
+        section: Option<String>, "section", absent "that of a line which has one";
         /// Where the stretch begins, from the section's end nearer to A.
         from_m: f64 = 0.0, "from", range of(0.0, 1e5);
         /// Where the stretch ends, from the section's end nearer to A.
@@ -275,7 +275,7 @@ table! {
         /// Name of the body, used in channel names.
         name: String, "name", kind Name;
         /// The section it hangs on.
-        section: String, "section";
+        section: Option<String>, "section", absent "that of a line which has one";
         /// Where it hangs, from the section's end nearer to A; at the node nearest to that.
         at_m: f64, "place", range of(0.0, 1e5);
         /// Mass in air.
@@ -332,7 +332,7 @@ table! {
     #[derive(Debug, Clone, PartialEq)]
     pub struct Modules => ModulesKeys {
         /// The section they sit on.
-        section: String, "section";
+        section: Option<String>, "section", absent "that of a line which has one";
         /// Where the stretch begins, from the section's end nearer to A.
         from_m: f64 = 0.0, "from", range of(0.0, 1e5);
         /// Where the stretch ends, from the section's end nearer to A.

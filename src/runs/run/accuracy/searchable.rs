@@ -4,7 +4,7 @@ use super::super::computation::Computation;
 use super::super::line_bounds::settings;
 use super::Fineness;
 use super::steps::Steps;
-use crate::case::{Case, Clump, Method};
+use crate::case::{Case, Clump, Method, OnSection};
 use crate::scene;
 
 /// What a search is asked.
@@ -190,7 +190,7 @@ impl Searchable for Case {
         const ROUNDING: f64 = 1e-9;
         let is_at_node = |clump: &Clump| {
             let mut sections = self.line.iter();
-            let Some(section) = sections.find(|section| section.name == clump.section) else {
+            let Some(section) = sections.find(|section| clump.is_on(Some(&section.name))) else {
                 return true;
             };
             let segments = section.segments.div_ceil(coarser) as f64;

@@ -227,7 +227,7 @@ fn clump(i: usize, section: &SectionProperties) -> Clump {
     let wet = section.clump_n / GRAVITY;
     Clump {
         name: format!("c{i}"),
-        section: format!("s{i}"),
+        section: Some(format!("s{i}")),
         at_m: section.length_m,
         mass_kg: wet.abs(),
         wet_mass_kg: wet,

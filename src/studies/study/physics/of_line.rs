@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::{
-    Case, EndKind, Material, Method, OneOrMany, StudyPoint, Subject, WaterSurface, WaveKind, Waves,
-    channels, kind, write,
+    Case, Clump, EndKind, Floats, Material, Method, Modules, OneOrMany, StudyPoint, Subject,
+    WaterSurface, WaveKind, Waves, channels, kind, write,
 };
 
 impl HasMaterials for Case {
@@ -142,17 +142,26 @@ fn without_body_drag(case: &mut Case) {
             None => {}
         }
     }
-    for clump in &mut case.clumps {
-        clear(&mut clump.drag_area_m2);
-        (clump.drag_area_normal_m2, clump.drag_area_tangential_m2) = (0.0, 0.0);
-    }
     case.traveller
         .iter_mut()
         .for_each(|body| clear(&mut body.drag_area_m2));
-    case.floats
-        .iter_mut()
-        .for_each(|floats| (floats.drag_area_m2, floats.drag_area_tangential_m2) = (0.0, 0.0));
-    for modules in &mut case.modules {
+    without_drag_on_line(&mut case.clumps, &mut case.floats, &mut case.modules);
+}
+
+/// Leaves out the drag of what is attached to a line.
+pub(super) fn without_drag_on_line(
+    clumps: &mut [Clump],
+    floats: &mut [Floats],
+    modules: &mut [Modules],
+) {
+    for clump in clumps {
+        clear(&mut clump.drag_area_m2);
+        (clump.drag_area_normal_m2, clump.drag_area_tangential_m2) = (0.0, 0.0);
+    }
+    for floats in floats {
+        (floats.drag_area_m2, floats.drag_area_tangential_m2) = (0.0, 0.0);
+    }
+    for modules in modules {
         modules.drag_normal = 0.0;
         modules.drag_tangential = modules.drag_tangential.map(|_| 0.0);
     }
@@ -166,12 +175,17 @@ fn without_body_added_mass(case: &mut Case) {
             None => {}
         }
     }
-    case.clumps
-        .iter_mut()
-        .for_each(|clump| clear(&mut clump.added_mass_kg));
-    case.floats
-        .iter_mut()
-        .for_each(|floats| floats.added_mass_kg = 0.0);
+    without_added_mass_on_line(&mut case.clumps, &mut case.floats);
+}
+
+/// Leaves out the added mass of what is attached to a line.
+pub(super) fn without_added_mass_on_line(clumps: &mut [Clump], floats: &mut [Floats]) {
+    for clump in clumps {
+        clear(&mut clump.added_mass_kg);
+    }
+    for floats in floats {
+        floats.added_mass_kg = 0.0;
+    }
 }
 
 fn without_friction(case: &mut Case) {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::of_line::{clear, flatten};
+use super::of_line::{clear, flatten, without_added_mass_on_line, without_drag_on_line};
 use super::of_material::{self, HasMaterials};
 use super::{HasEffects, ScenePart};
 use crate::case::Method;
@@ -160,6 +160,9 @@ fn without_body_drag(system: &mut SystemFile) {
         section.clump_drag_area_normal_m2 = 0.0;
         section.clump_drag_area_tangential_m2 = 0.0;
     }
+    for line in &mut system.lines {
+        without_drag_on_line(&mut line.clumps, &mut line.floats, &mut line.modules);
+    }
     for body in system.bodies.values_mut() {
         body.drag_area_m2 = [0.0; 3];
         for member in &mut body.members {
@@ -177,6 +180,9 @@ fn without_body_added_mass(system: &mut SystemFile) {
         clear(&mut point.added_mass_kg);
     }
     sections(system).for_each(|section| clear(&mut section.clump_added_mass_kg));
+    for line in &mut system.lines {
+        without_added_mass_on_line(&mut line.clumps, &mut line.floats);
+    }
     for body in system.bodies.values_mut() {
         body.added_mass.clear();
         for member in &mut body.members {

@@ -8,7 +8,7 @@ use crate::case::{
 };
 use crate::checks::resolved::Check;
 use crate::system::model::NO_LINE;
-use crate::system::network::Held;
+use crate::system::network::{Held, Line};
 use crate::system::section_materials::diameter;
 use crate::system::{SolvedSystem, SystemFile};
 
@@ -118,11 +118,11 @@ impl CheckedScene {
         let mut tensions = Vec::new();
         for line in &solved.network.lines {
             let stem = line.name.split('@').next().unwrap_or(&line.name);
-            for (place, beside) in places(line.break_loads.len()) {
+            for (place, beside) in places(line) {
                 let place = format!("{}|{place}", line.name);
                 tensions.push(place.clone());
                 // Where sections meet both must bear it.
-                let loads = beside.clone().map(|section| line.break_loads[section]);
+                let loads = beside.clone().map(|section| line.parts[section].break_load);
                 let stated: Option<Vec<f64>> = loads.collect();
                 if let Some(load) = stated.and_then(|loads| loads.into_iter().reduce(f64::min)) {
                     strengths.insert(place.clone(), load);
@@ -170,11 +170,13 @@ fn is_random(waves: &Waves) -> bool {
     waves.kind == WaveKind::Irregular
 }
 
-/// The places of a line of so many sections at which its tension is known, and the sections beside each.
-fn places(sections: usize) -> Vec<(String, std::ops::Range<usize>)> {
+/// The places of a line at which its tension is known, and the sections beside each.
+fn places(line: &Line) -> Vec<(String, std::ops::Range<usize>)> {
+    let sections = line.parts.len();
     let last = sections.saturating_sub(1);
     let mut places = vec![("a".to_owned(), 0..sections.min(1))];
-    places.extend((1..sections).map(|meeting| (meeting.to_string(), meeting - 1..meeting + 1)));
+    let meetings = line.meetings().enumerate();
+    places.extend(meetings.map(|(before, place)| (place, before..before + 2)));
     places.push(("b".to_owned(), last..sections));
     places
 }

@@ -5,7 +5,7 @@ use crate::system::build::{AgedParts, angles, copy_name};
 use crate::system::equilibrium::SystemEquilibrium;
 use crate::system::model::{AgeingInputs, LineInputs, SystemFile};
 use crate::system::network::Network;
-use crate::system::parts::{Part, SectionClump, parts};
+use crate::system::parts::{Part, parts};
 
 /// Places along a piece whose state varies with depth, in the middles of as many equal parts of it.
 const PLACES: usize = 8;
@@ -65,7 +65,7 @@ fn pieces<'a>(
             Some(_) => 1,
         };
         for k in 0..count {
-            let last = k + 1 == count;
+            let (last, begin) = (k + 1 == count, k as f64 * length_m);
             let place = |j: usize| k as f64 + (j as f64 + 0.5) / places as f64;
             let share = |j: usize| (before + place(j) * length_m) / whole;
             found.push(Piece {
@@ -73,13 +73,15 @@ fn pieces<'a>(
                 places: (0..places).map(share).collect(),
                 part: Part {
                     length_m,
-                    clump: if last {
-                        part.clump
-                    } else {
-                        SectionClump::default()
-                    },
                     pieces: count,
-                    ..part.clone()
+                    ..part.piece([
+                        begin,
+                        if last {
+                            part.length_m
+                        } else {
+                            begin + length_m
+                        },
+                    ])
                 },
             });
         }

@@ -45,14 +45,21 @@ fn channel((id, value): (ChannelId, f64)) -> Channel {
 pub fn readings(solved: &SolvedSystem) -> Vec<(ChannelId, f64)> {
     let mut ids = Vec::new();
     for line in &solved.network.lines {
-        let meetings = (1..line.sections.len()).map(|meeting| meeting.to_string());
-        let places = ["a".to_owned(), "b".to_owned()].into_iter().chain(meetings);
+        let ends = ["a", "b"].map(str::to_owned).into_iter();
+        let places = ends.chain(line.meetings());
         ids.extend(
             places.map(|place| ChannelQuantity::Tension.at(format!("{}|{place}", line.name))),
         );
         if line.bed_contact && solved.network.bed.is_some() {
             ids.push(ChannelQuantity::OnBed.at(line.name.as_str()));
         }
+    }
+    for line in &solved.network.lines {
+        let bodies = line.bodies.iter().filter_map(|body| body.name.as_ref());
+        let places = bodies.map(|body| format!("{}|{body}", line.name));
+        ids.extend(
+            places.flat_map(|place| ChannelQuantity::POSITION.map(|axis| axis.at(place.as_str()))),
+        );
     }
     for point in &solved.network.points {
         if matches!(point.held, Held::Free(_)) {

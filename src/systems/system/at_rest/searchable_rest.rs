@@ -4,7 +4,7 @@ use super::system_at_rest::{STATIC, SystemAtRest};
 use crate::case::Method;
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::accuracy::steps::Steps;
-use crate::system::discretised::FEWEST;
+use crate::system::discretised::{FEWEST, keeps_its_places};
 
 impl Searchable for SystemAtRest {
     fn asked(&self) -> Option<Asked> {
@@ -58,9 +58,10 @@ impl Searchable for SystemAtRest {
         }))
     }
 
-    /// What hangs on a line hangs where its sections meet, which are nodes of every mesh.
-    fn keeps_its_places(&self, _: usize) -> bool {
-        true
+    /// Where sections of a line meet is a node of every mesh.
+    fn keeps_its_places(&self, coarser: usize) -> bool {
+        self.meshed()
+            .all(|(_, line)| keeps_its_places(&self.file, line, coarser))
     }
 
     fn companions(&self) -> &[String] {

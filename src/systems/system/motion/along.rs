@@ -42,13 +42,13 @@ pub fn counted_along(solved: &SolvedSystem, system: &MovingSystem) -> (LinesAlon
 fn counted_line(solved: &SolvedSystem, system: &MovingSystem, number: usize) -> CountedLine {
     let (line, scene) = (&system.network.lines[number], &system.scenes[number]);
     let stem = line.name.split('@').next().unwrap_or(&line.name);
-    let sections = 0..line.break_loads.len();
+    let sections = 0..line.parts.len();
     CountedLine {
-        names: vec![line.name.clone(); line.break_loads.len()],
+        names: vec![line.name.clone(); line.parts.len()],
         diameters: sections
             .map(|section| diameter(&solved.file, stem, section))
             .collect(),
-        strengths: line.break_loads.clone(),
+        strengths: line.parts.iter().map(|part| part.break_load).collect(),
         bounds: scene.labels.joints.iter().map(|joint| joint.node).collect(),
         bends: scene.elements.flexure.is_some(),
     }

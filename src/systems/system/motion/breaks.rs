@@ -1,6 +1,7 @@
 //! Lines that may break: in motion they are two lines from the start, joined by a point without mass that the break parts.
 
 use super::broken_names::{BETWEEN, SECOND};
+use crate::case::OnSection;
 use crate::numerics::V3;
 use crate::system::SolvedSystem;
 use crate::system::freedoms::Placement;
@@ -34,10 +35,16 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
     if at >= whole || (line.break_s.is_none() && line.break_n.is_none()) {
         return None;
     }
+    let [attached, attached_after] = [false, true].map(|after| LineInputs {
+        floats: on_side(&line.floats, &sections, at, after),
+        modules: on_side(&line.modules, &sections, at, after),
+        clumps: on_side(&line.clumps, &sections, at, after),
+        ..line.clone()
+    });
     let (before, after) = cut(sections, at);
     let segments = line.wanted_segments();
     let share = |part: f64| Some(shared(segments, part / whole).max(2));
-    let part = |name: String, sections: Vec<LineSection>, length: f64| LineInputs {
+    let part = |name: String, sections: Vec<LineSection>, length: f64, on: LineInputs| LineInputs {
         name,
         material: None,
         length_m: None,
@@ -46,7 +53,7 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         break_at_m: None,
         break_s: None,
         break_n: None,
-        ..line.clone()
+        ..on
     };
     let middle = format!("{}{BETWEEN}", line.name);
     let first = LineInputs {
@@ -54,14 +61,19 @@ fn parted(line: &LineInputs) -> Option<(LineInputs, LineInputs)> {
         clamp_b_elevation_deg: None,
         release_b_s: line.break_s,
         release_b_n: line.break_n,
-        ..part(line.name.clone(), before, at)
+        ..part(line.name.clone(), before, at, attached)
     };
     let second = LineInputs {
         from: middle,
         clamp_a_elevation_deg: None,
         release_a_s: None,
         release_a_n: None,
-        ..part(format!("{}{SECOND}", line.name), after, whole - at)
+        ..part(
+            format!("{}{SECOND}", line.name),
+            after,
+            whole - at,
+            attached_after,
+        )
     };
     Some((first, second))
 }
@@ -75,6 +87,26 @@ fn shared(segments: usize, share: f64) -> usize {
     )]
     let count = (segments as f64 * share).round() as usize;
     count.max(1)
+}
+
+/// What is attached to a line before or after a place \[m\].
+fn on_side<T: OnSection>(all: &[T], sections: &[LineSection], at: f64, after: bool) -> Vec<T> {
+    let mut found = Vec::new();
+    let mut arc = 0.0;
+    for section in sections {
+        let own = all.iter().filter(|one| one.is_on(section.name.as_deref()));
+        let here = (at - arc).clamp(0.0, section.length_m);
+        let piece = if after {
+            [here, section.length_m]
+        } else {
+            [0.0, here]
+        };
+        if piece[1] > piece[0] {
+            found.extend(own.filter_map(|one| one.on_piece(section.length_m, piece)));
+        }
+        arc += section.length_m;
+    }
+    found
 }
 
 /// The sections before and after a place.

@@ -62,6 +62,7 @@ impl<'a> ChannelValues<'a> {
                 let landed = state.joints.memory.bodies.get(number);
                 landed.map_or(0.0, |body| body.landing_speed)
             }
+            Source::OnLine(line, number, quantity) => self.body_on((line, number), quantity),
             Source::Rope(..) | Source::Wall(..) => self.in_section(source),
             Source::Bending(line, at_b, quantity) => {
                 let bent = system
@@ -129,6 +130,25 @@ impl<'a> ChannelValues<'a> {
             _ => None,
         };
         value.unwrap_or(f64::NAN)
+    }
+
+    /// A quantity of a body on a line.
+    fn body_on(&self, (line, number): (usize, usize), quantity: ChannelQuantity) -> f64 {
+        let (scene, state) = (self.system.scene(line, self.state), &self.state.lines[line]);
+        match quantity {
+            ChannelQuantity::BedForce => scene.bed_force_on_body(number, state),
+            ChannelQuantity::LandingSpeed => {
+                let body = state.memory.bodies.get(number);
+                body.map_or(0.0, |body| body.landing_speed)
+            }
+            _ => {
+                let mut axes = ChannelQuantity::POSITION.iter();
+                let axis = axes.position(|axis| *axis == quantity);
+                let node = scene.labels.clumps.get(number);
+                let place = node.and_then(|node| state.x.get(*node)).zip(axis);
+                place.map_or(f64::NAN, |(place, axis)| place[axis])
+            }
+        }
     }
 
     /// The force of all lines on a joint \[N\].

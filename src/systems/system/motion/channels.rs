@@ -42,6 +42,8 @@ pub(super) enum Source {
     BedForce(usize),
     /// Greatest speed at which what bears on the bed has landed, by its number among that.
     Landing(usize),
+    /// A quantity of a body on a line, by its number among those of the line.
+    OnLine(usize, usize, ChannelQuantity),
     /// A quantity of dynamic stiffness at the first or last node of a section of a line, by its number.
     Rope(usize, (usize, bool), ChannelQuantity),
     /// Curvature or bending moment of a line at its end A or B.
@@ -93,6 +95,9 @@ impl Channels {
             channels.forces(system);
         }
         channels.bearing(system);
+        for line in 0..system.network.lines.len() {
+            channels.bodies_on(system, line);
+        }
         channels.on_bed(system);
         if system.network.sea.is_some() {
             let id = ChannelQuantity::WaveElevation.at(GAUGE);
@@ -177,21 +182,41 @@ impl Channels {
         }
     }
 
+    /// Places of the bodies with names on a line, and where there is a bed its force on them and the speed at which they landed; not of lines that
+    /// may break.
+    fn bodies_on(&mut self, system: &MovingSystem, line: usize) {
+        let given = &system.network.lines[line];
+        if may_break(&system.network, given) {
+            return;
+        }
+        let of_bed = [ChannelQuantity::BedForce, ChannelQuantity::LandingSpeed];
+        let has_bed = system.network.bed.is_some() && given.bed_contact;
+        for (number, body) in given.bodies.iter().enumerate() {
+            let Some(name) = &body.name else { continue };
+            let place = format!("{}|{name}", given.name);
+            let of_bed = of_bed.into_iter().filter(|_| has_bed);
+            for quantity in ChannelQuantity::POSITION.into_iter().chain(of_bed) {
+                let id = quantity.at(place.as_str());
+                self.add(id, Source::OnLine(line, number, quantity));
+            }
+        }
+    }
+
     fn place(&mut self, name: &str, joint: usize) {
         for (axis, quantity) in ChannelQuantity::POSITION.into_iter().enumerate() {
             self.add(quantity.at(name), Source::Place(joint, axis));
         }
     }
 
-    /// Tensions where the sections of a line meet, by their number from end A; not of lines that may break, whose parts change.
+    /// Tensions where the sections of a line meet, by their names or number from end A; not of lines that may break, whose parts change.
     fn between(&mut self, system: &MovingSystem, line: usize) {
         let given = &system.network.lines[line];
         if may_break(&system.network, given) {
             return;
         }
-        for meeting in 1..given.sections.len() {
+        for (before, meeting) in given.meetings().enumerate() {
             let id = ChannelQuantity::Tension.at(format!("{}|{meeting}", given.name));
-            self.add(id, Source::Between(line, meeting));
+            self.add(id, Source::Between(line, before + 1));
         }
     }
 
@@ -210,28 +235,31 @@ impl Channels {
         }
     }
 
-    /// Dynamic stiffness of ropes and tension of the wall of pipes at both ends of the sections of a line, by their number from end A; not of
+    /// Dynamic stiffness of ropes and tension of the wall of pipes at both ends of the sections of a line, by their names or number from end A; not of
     /// lines that may break.
     fn sections(&mut self, system: &MovingSystem, line: usize) {
         let given = &system.network.lines[line];
         if may_break(&system.network, given) {
             return;
         }
-        for (section, material) in materials(given).enumerate() {
-            let ends = [("a", false), ("b", true)];
-            let name = |end: &str| format!("{}|{}.{end}", given.name, section + 1);
+        let materials: Vec<&Material> = materials(given).collect();
+        for (section, [first, last]) in given.named_sections() {
+            let Some(material) = materials.get(first) else {
+                continue;
+            };
+            let ends = [("a", (first, false)), ("b", (last, true))];
+            let name = |end: &str| format!("{}|{section}.{end}", given.name);
             if is_dynamic(material) {
                 for quantity in ChannelQuantity::ROPE {
-                    for (end, at_end) in ends {
-                        let source = Source::Rope(line, (section, at_end), quantity);
-                        self.add(quantity.at(name(end)), source);
+                    for (end, place) in ends {
+                        self.add(quantity.at(name(end)), Source::Rope(line, place, quantity));
                     }
                 }
             }
             if material.bore.is_some() {
-                for (end, at_end) in ends {
+                for (end, place) in ends {
                     let id = ChannelQuantity::WallTension.at(name(end));
-                    self.add(id, Source::Wall(line, (section, at_end)));
+                    self.add(id, Source::Wall(line, place));
                 }
             }
         }
@@ -364,6 +392,13 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
         .any(|body| body.free && body.bottom.is_some() || !body.feet.is_empty());
     if network.bed.is_some() && (feet || network.free_points().any(bears)) {
         all.push(ChannelQuantity::BedForce);
+    }
+    let mut on_lines = network.lines.iter().flat_map(|line| &line.bodies);
+    if on_lines.any(|body| body.name.is_some()) {
+        let of_bed = network.bed.is_some().then_some(ChannelQuantity::BedForce);
+        let more = ChannelQuantity::POSITION.into_iter().chain(of_bed);
+        let more: Vec<_> = more.filter(|one| !all.contains(one)).collect();
+        all.extend(more);
     }
     if network.bodies.iter().any(|body| body.pinned) {
         all.extend(ChannelQuantity::PIN_FORCE);

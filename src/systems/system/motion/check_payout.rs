@@ -179,6 +179,11 @@ fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
         "is not covered where lines age",
         "leave [ageing] out",
     );
+    add(
+        has_attached_at_ends(line),
+        "is not covered for floats, modules and clumps on the sections at the ends of a line: they would pass the end",
+        "put them on a section between two others",
+    );
     let any = |is: fn(&MaterialKeys<'_>) -> bool| {
         let mut names = materials(line).into_iter();
         names.any(|name| {
@@ -197,6 +202,17 @@ fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
         "set `creep_model = \"none\"` in its material",
     );
     found
+}
+
+/// Whether floats, modules or bodies are on the first or the last section of a line.
+fn has_attached_at_ends(line: &LineKeys<'_>) -> bool {
+    let ends = [line.sections.first(), line.sections.last()];
+    let ends = ends.map(|end| end.and_then(|(_, section)| section.name.get()));
+    let floats = line.floats.iter().map(|(_, of)| &of.section);
+    let modules = line.modules.iter().map(|(_, of)| &of.section);
+    let clumps = line.clumps.iter().map(|(_, of)| &of.section);
+    let mut all = floats.chain(modules).chain(clumps);
+    all.any(|section| ends.contains(&section.get()) || section.get().is_none())
 }
 
 /// The materials of a line from A to B.

@@ -5,6 +5,7 @@ use super::moving_system::{MovingSystem, put_into_water};
 use super::new_node::NewNode;
 use super::paid_line::PaidLine;
 use super::system_state::SystemState;
+use crate::case::OnSection;
 use crate::dynamics::MethodState;
 use crate::numerics::V3;
 use crate::scene::{self, PaidOut, Scene};
@@ -55,7 +56,7 @@ impl MovingSystem {
             section.segments = segments;
             // What hangs on the section hangs at its end towards B.
             let hung = case.clumps.iter_mut();
-            for clump in hung.filter(|clump| clump.section == section.name) {
+            for clump in hung.filter(|clump| clump.is_on(Some(&section.name))) {
                 clump.at_m = section.length_m;
             }
         }

@@ -6,7 +6,7 @@ use super::system_in_time::SystemInTime;
 use crate::case::Solver;
 use crate::run::accuracy::searchable::{Asked, Searchable};
 use crate::run::accuracy::steps::Steps;
-use crate::system::discretised::FEWEST;
+use crate::system::discretised::{FEWEST, keeps_its_places};
 use crate::system::solved::solve;
 
 impl Searchable for SystemInTime {
@@ -72,9 +72,11 @@ impl Searchable for SystemInTime {
         Ok(Self::new(Arc::new(solved), self.motion.clone()))
     }
 
-    /// What hangs on a line hangs where its sections meet, which are nodes of every mesh.
-    fn keeps_its_places(&self, _: usize) -> bool {
-        true
+    /// Where sections of a line meet is a node of every mesh.
+    fn keeps_its_places(&self, coarser: usize) -> bool {
+        let file = &self.solved.file;
+        let mut lines = file.lines.iter();
+        lines.all(|line| keeps_its_places(file, line, coarser))
     }
 
     fn companions(&self) -> &[String] {

@@ -27,6 +27,7 @@ use crate::run::refinable::Refinable;
 use crate::run::response::AskedResponse;
 use crate::run::settings::{SceneBounds, refused};
 use crate::system::loads_without_effect::loads_without_effect;
+use crate::system::off_nodes::off_nodes;
 use crate::system::rest::UnsolvedSystem;
 use crate::system::results_in_time::stated;
 use crate::system::{SYSTEM, SolvedSystem, SystemFile};
@@ -235,6 +236,7 @@ fn notes(solved: &SolvedSystem, begun: &Start, plan: &MotionPlan) -> Vec<String>
     );
     notes.extend(turned_from_loads(begun));
     notes.extend(loads_without_effect(solved));
+    notes.extend(off_nodes(solved));
     notes
 }
 

@@ -12,8 +12,9 @@ use crate::state::form::{Form, FormLine, FormPurpose, NAME_OF_TABLE, below, line
 use crate::state::pending::{Change, EditSource, PendingEdit};
 use crate::state::picker::{Choice, Picker, PickerItem};
 use crate::state::{AppState, Overlay};
+use seacable_model::case::TomlNode;
 use seacable_model::case::fields::parameters_table::PARAMETERS;
-use seacable_model::case::fields::{Schema, TableSchema, TableShape, join, split};
+use seacable_model::case::fields::{AbsentValue, Schema, TableSchema, TableShape, join, split};
 use seacable_model::case::structure::{StructureEdit, free_name, table_of, values_of};
 
 /// What the file that is open may hold.
@@ -149,7 +150,8 @@ pub fn form_of_new(state: &AppState, table: &str) -> Option<Form> {
     }
     for field in schema.fields_of(&pattern) {
         let mut line = line_of(schema, text, field, "");
-        if field.key() == "name" && declared.shape == TableShape::List {
+        let is_named = field.absent == AbsentValue::Required || has_names(text, &parts);
+        if field.key() == "name" && declared.shape == TableShape::List && is_named {
             line.input = free_name(text, &parts, &singular).into();
         }
         lines.push(line);
@@ -165,6 +167,14 @@ pub fn form_of_new(state: &AppState, table: &str) -> Option<Form> {
         whole,
         problem: String::new(),
     })
+}
+
+/// Whether the tables of a list give themselves names.
+fn has_names(text: &str, list: &[String]) -> bool {
+    let tree = TomlNode::parse(text).ok();
+    let list = tree.as_ref().and_then(|tree| tree.find(list));
+    let items = list.map_or(&[][..], TomlNode::items);
+    items.iter().any(|item| item.get("name").is_some())
 }
 
 /// The form of a new parameter.
@@ -292,7 +302,10 @@ pub fn copy(state: &mut AppState) -> Vec<Effect> {
             let by_name = table.shape == TableShape::ByName;
             let pattern = table.pattern();
             let mut fields = schema.fields_of(&pattern);
-            Some(by_name || fields.any(|field| field.key() == "name"))
+            let (_, list) = parts.split_last()?;
+            let is_named = |text: &str| has_names(text, list);
+            let is_named = state.editor().is_some_and(|editor| is_named(&editor.text));
+            Some(by_name || is_named && fields.any(|field| field.key() == "name"))
         })
         .unwrap_or(false);
     if !has_name {
