@@ -408,7 +408,7 @@ impl Builder<'_> {
                     tension: line.release_b_n,
                 },
             ],
-            start: line.start.clone(),
+            start: line.start.clone().filter(|start| start.is_off_rest()),
             discretised: None,
             clamps: [None; 2],
             closed_where_known: false,

@@ -608,7 +608,7 @@ table! {
     tables {
         /// The sections of the line, from its end A to its end B.
         sections: Vec<LineSection>;
-        /// How the line lies between its ends at time zero of a run in time, where it does not begin at rest, and its velocity.
+        /// How the line lies between its ends at time zero, or where the search for its equilibrium begins, and its velocity.
         start: Option<Start>;
     }
 }

@@ -147,14 +147,6 @@ fn under(source: &LineSource<'_>, table: &str, name: &str) -> Vec<Fault> {
 fn start(source: &LineSource<'_>) -> Vec<Fault> {
     let start = &source.case.start;
     let mut found = Vec::new();
-    if source.bends() && start.arc_m.is_some() && !super::start::is_in_shape(source) {
-        let problem = "says which of several equilibria of a line that bends is meant, and a system searches its own";
-        found.push(source.fault(
-            &["start", "arc_m"],
-            problem,
-            "leave it out where there is one equilibrium",
-        ));
-    }
     if start.from_run.is_some() {
         let problem = "a system begins at no stored run of a line";
         found.push(source.fault(&["start", "from_run"], problem, "start in equilibrium"));

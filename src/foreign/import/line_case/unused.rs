@@ -3,6 +3,7 @@
 use super::end_clumps;
 use super::results;
 use super::source::LineSource;
+use super::start;
 use super::stretches::Stretch;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
@@ -91,8 +92,9 @@ fn bears_on_nothing(source: &LineSource<'_>) -> bool {
 /// What a case at rest says of a run in time, or of how its equilibrium is found.
 fn at_rest(source: &LineSource<'_>) -> Vec<String> {
     let mut remarks = Vec::new();
-    let start = &source.case.start;
-    if start.shape != StartShape::Equilibrium || start.arc_m.is_some() {
+    let begins = &source.case.start;
+    let is_given = begins.shape == StartShape::Straight || begins.arc_m.is_some();
+    if is_given && !start::is_searched_from(source) {
         remarks.push("The search for the equilibrium begins where the system puts it, not at the start of the case.".to_owned());
     }
     if source.case.current.is_none() && !source.bends() {

@@ -30,6 +30,20 @@ table! {
     }
 }
 
+impl Start {
+    /// Whether it says where the search for an equilibrium begins.
+    #[must_use]
+    pub fn begins_search(&self) -> bool {
+        self.shape == StartShape::Equilibrium && self.arc_m.is_some()
+    }
+
+    /// Whether a line begins off its equilibrium, by its shape or its velocity.
+    #[must_use]
+    pub fn is_off_rest(&self) -> bool {
+        self.shape != StartShape::Equilibrium || self.velocity_m_per_s != [0.0; 3]
+    }
+}
+
 words! {
     /// How the line lies at time zero.
     pub enum StartShape {
