@@ -206,5 +206,8 @@ fn where_the_search_of_a_closed_form_begins_has_no_effect() {
     let rope = buckled(1.0, "").replace("ei_n_m2 = 1e4\n", "");
     let rope = rope.replace("wet_weight_kg_per_m = 0.0\n", "");
     let said = warnings(&solved(&format!("{HEAD}{rope}"))).join("\n");
-    assert!(said.contains("where its search begins has no effect"), "{said}");
+    assert!(
+        said.contains("where its search begins has no effect"),
+        "{said}"
+    );
 }

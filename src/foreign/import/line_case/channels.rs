@@ -1,7 +1,7 @@
 //! Channels of a case by the names that its system gives them.
 
-use super::source::{LINE, LineSource};
-use super::stretches::{Stretch, end_of, on_free_end};
+use super::source::{BESIDE, LINE, LineSource};
+use super::stretches::{Stretch, end_of, in_lines, line_at, lines, on_free_end};
 use super::turning_payload::{bottom_point, turning};
 use crate::case::{
     ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, channels,
@@ -22,28 +22,27 @@ pub(super) fn translated(
         .find(|spec| spec.id == *id)?;
     match spec.site {
         ChannelLocation::Joint(joint) => Some(tension(source, line, joint)),
-        ChannelLocation::End(end) => at_end(source, id, end),
+        ChannelLocation::End(end) => at_end(source, line, id, end),
         ChannelLocation::Section(section, end) => {
             let within = line
                 .iter()
                 .enumerate()
                 .filter(|(_, one)| one.section == section);
-            let mut numbers = within.map(|(number, _)| number + 1);
+            let mut numbers = within.map(|(number, _)| number);
             let number = match end {
                 LineEnd::A => numbers.next(),
                 LineEnd::B => numbers.next_back(),
             };
-            Some(
-                id.quantity
-                    .at(format!("{LINE}|{}.{}", number?, letter(end))),
-            )
+            let (name, number) = in_lines(line, number?);
+            Some(id.quantity.at(format!("{name}|{number}.{}", letter(end))))
         }
         ChannelLocation::Gauge => Some(id.clone()),
         ChannelLocation::Line => {
-            (id.quantity == ChannelQuantity::OnBed).then(|| id.quantity.at(LINE))
+            let is_one = id.quantity == ChannelQuantity::OnBed && lines(line).len() == 1;
+            is_one.then(|| id.quantity.at(LINE))
         }
-        ChannelLocation::Body(number) => of_end_clump(source, id, number),
-        ChannelLocation::Traveller => None,
+        ChannelLocation::Body(number) => of_end_clump(source, line, id, number),
+        ChannelLocation::Traveller => of_traveller(id),
     }
 }
 
@@ -54,22 +53,37 @@ const fn letter(end: LineEnd) -> &'static str {
     }
 }
 
+/// What is recorded of the body that travels: of its point, and the length of the line behind it.
+fn of_traveller(id: &ChannelId) -> Option<ChannelId> {
+    match id.quantity {
+        ChannelQuantity::Arc => Some(ChannelQuantity::Length.at(BESIDE[0])),
+        quantity => ChannelQuantity::POSITION
+            .contains(&quantity)
+            .then(|| id.clone()),
+    }
+}
+
 /// The tension where two sections meet, or at an end, by its number from end A.
 fn tension(source: &LineSource<'_>, line: &[Stretch<'_>], joint: usize) -> ChannelId {
-    let place = match joint {
-        0 => "a".to_owned(),
-        joint if joint == source.case.line.len() => "b".to_owned(),
-        joint => line
-            .iter()
-            .filter(|one| one.section < joint)
-            .count()
-            .to_string(),
+    let before = line.iter().filter(|one| one.section < joint).count();
+    let (name, place) = match joint {
+        0 => (line_at(line, "a"), "a".to_owned()),
+        joint if joint == source.case.line.len() => (line_at(line, "b"), "b".to_owned()),
+        _ => {
+            let (name, number) = in_lines(line, before.saturating_sub(1));
+            (name, number.to_string())
+        }
     };
-    ChannelQuantity::Tension.at(format!("{LINE}|{place}"))
+    ChannelQuantity::Tension.at(format!("{name}|{place}"))
 }
 
 /// What is recorded of a clump by its number: of the point at the free end that it hangs on.
-fn of_end_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Option<ChannelId> {
+fn of_end_clump(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    id: &ChannelId,
+    number: usize,
+) -> Option<ChannelId> {
     let case = &source.case;
     let clump = case.clumps.get(number)?;
     let (end, given) = match end_of(case, clump)? {
@@ -77,7 +91,7 @@ fn of_end_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Optio
         _ => (LineEnd::B, &case.ends.b),
     };
     let own = id.quantity.at(given.name.as_str());
-    at_end(source, &own, end).filter(|_| given.kind == EndKind::Free)
+    at_end(source, line, &own, end).filter(|_| given.kind == EndKind::Free)
 }
 
 /// Whether the point at an end bears on the bed by itself.
@@ -94,14 +108,20 @@ fn bears(source: &LineSource<'_>, end: LineEnd) -> bool {
 }
 
 /// What is recorded at an end: of its point, while the line is at it, or of the line.
-fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<ChannelId> {
+fn at_end(
+    source: &LineSource<'_>,
+    line: &[Stretch<'_>],
+    id: &ChannelId,
+    end: LineEnd,
+) -> Option<ChannelId> {
     let given = match end {
         LineEnd::A => &source.case.ends.a,
         LineEnd::B => &source.case.ends.b,
     };
     let quantity = id.quantity;
     if ChannelQuantity::BENDING.contains(&quantity) {
-        return Some(quantity.at(format!("{LINE}|{}", letter(end))));
+        let letter = letter(end);
+        return Some(quantity.at(format!("{}|{letter}", line_at(line, letter))));
     }
     let turns = end == LineEnd::B && turning(source).is_some();
     let is_on_vessel = given.kind == EndKind::Moving && given.motion == MotionName::Vessel;

@@ -3,53 +3,61 @@
 use super::buoyed::name_of;
 use super::copied::value_of;
 use super::ends::point_name;
-use super::source::{LETTERS, LINE, LineSource};
+use super::source::{LETTERS, LineSource};
 use super::start;
-use super::stretches::{Stretch, is_one};
+use super::stretches::{Stretch, is_one, lines};
 use crate::case::{Clump, EndKind};
 use crate::import::to_case::case_text::{CaseText, number, text};
 
-/// Writes the line.
+/// Writes the line, or the two lines on either side of a body that travels.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, line: &[Stretch<'_>]) {
-    let [a, b] = LETTERS.map(|letter| point_name(source, letter));
-    system.table("[[lines]]", source.span(&["line"]));
-    system.line(&format!("name = {}", text(LINE)), None);
-    system.line(
-        &format!("from = {}", text(&a)),
-        source.span(&["ends", "a", "name"]),
-    );
-    system.line(
-        &format!("to = {}", text(&b)),
-        source.span(&["ends", "b", "name"]),
-    );
-    if is_one(line) {
-        section(system, source, line, 0);
-    }
-    held(system, source);
-    if !is_one(line) {
-        for (number, stretch) in line.iter().enumerate() {
-            let name = &source.case.line[stretch.section].name;
-            system.table("[[lines.sections]]", source.span(&["line", name]));
-            section(system, source, line, number);
+    let [a, b] = LETTERS.map(|letter| (point_name(source, letter), Some(letter)));
+    let body = source.case.traveller.as_ref();
+    let body = body.map_or_else(String::new, |body| body.name.clone());
+    let lines = lines(line);
+    let ends = match lines.len() {
+        1 => vec![[a, b]],
+        _ => vec![[a, (body.clone(), None)], [(body, None), b]],
+    };
+    for ((name, first, own), ends) in lines.into_iter().zip(ends) {
+        system.table("[[lines]]", source.span(&["line"]));
+        system.line(&format!("name = {}", text(name)), None);
+        for (key, (point, letter)) in ["from", "to"].into_iter().zip(&ends) {
+            let span = letter.and_then(|letter| source.span(&["ends", letter, "name"]));
+            system.line(&format!("{key} = {}", text(point)), span);
         }
+        if is_one(own) {
+            section(system, source, line, first);
+        }
+        for (_, letter) in &ends {
+            held(system, source, *letter);
+        }
+        if !is_one(own) {
+            for (number, stretch) in own.iter().enumerate() {
+                let name = &source.case.line[stretch.section].name;
+                system.table("[[lines.sections]]", source.span(&["line", name]));
+                section(system, source, line, first + number);
+            }
+        }
+        start::of_line(system, source);
     }
-    start::of_line(system, source);
 }
 
-/// Clamps of the ends, and when they are let go.
-fn held(system: &mut CaseText<'_>, source: &LineSource<'_>) {
-    let ends = &source.case.ends;
-    for (letter, end) in LETTERS.into_iter().zip([&ends.a, &ends.b]) {
-        for key in ["clamp_elevation_deg", "clamp_azimuth_deg"] {
-            let own = key.replacen("clamp", &format!("clamp_{letter}"), 1);
-            given(system, source, &["ends", letter, key], &own);
-        }
-        if source.is_in_time() {
-            let own = format!("release_{letter}_s");
-            given(system, source, &["ends", letter, "release_s"], &own);
-            if end.kind == EndKind::Payload {
-                given(system, source, &["payload", "release_s"], &own);
-            }
+/// The clamp of an end of the case, and when it is let go.
+fn held(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: Option<&str>) {
+    let Some(letter) = letter else {
+        return;
+    };
+    for key in ["clamp_elevation_deg", "clamp_azimuth_deg"] {
+        let own = key.replacen("clamp", &format!("clamp_{letter}"), 1);
+        given(system, source, &["ends", letter, key], &own);
+    }
+    if source.is_in_time() {
+        let own = format!("release_{letter}_s");
+        given(system, source, &["ends", letter, "release_s"], &own);
+        let ends = &source.case.ends;
+        if letter == LETTERS[1] && ends.b.kind == EndKind::Payload {
+            given(system, source, &["payload", "release_s"], &own);
         }
     }
 }

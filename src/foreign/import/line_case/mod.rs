@@ -1,7 +1,8 @@
 //! A case of one line between two ends as a system of one line.
 //!
 //! What both kinds of file have is copied with the expressions in it; ends become points, sections those of the line `line`, floats and modules
-//! materials of their sections, clumps bodies where sections meet, or of the point at the end that they hang on. What acts and a system cannot state is a fault at its key; what only concerns
+//! materials of their sections, a body that travels a point hauled between two lines, clumps bodies where sections meet, or of the point at the
+//! end that they hang on. What acts and a system cannot state is a fault at its key; what only concerns
 //! other views of the case is a remark in the notes.
 
 mod bearing;
@@ -19,6 +20,7 @@ mod run;
 mod source;
 mod start;
 mod stretches;
+mod traveller;
 mod turning_payload;
 mod unused;
 
@@ -55,10 +57,13 @@ pub fn read(case_text: &str, path: &Path) -> Result<Imported, Vec<Diagnostic>> {
 
 fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     let mut faults = refused::faults(source);
-    let line = stretches(source).unwrap_or_else(|found| {
+    let mut line = stretches(source).unwrap_or_else(|found| {
         faults.extend(found);
         Vec::new()
     });
+    if !line.is_empty() {
+        faults.extend(traveller::part_line(source, &mut line));
+    }
     faults.extend(results::faults(source, &line));
     faults.extend(end_clumps::faults(source, &line));
     if !faults.is_empty() {
@@ -76,7 +81,9 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     copy(&mut system, source, "seabed");
     buoyed::write_materials(&mut system, source, &line);
     ends::write(&mut system, source);
+    traveller::write_point(&mut system, source);
     line::write(&mut system, source, &line);
+    traveller::write_hauling(&mut system, source);
     start::of_ends(&mut system, source);
     run::write(&mut system, source, &line);
     results::write(&mut system, source, &line);

@@ -1,8 +1,8 @@
 //! Key paths of a case by the paths that its system has them at.
 
 use super::bearing::bears_by_volume;
-use super::source::{LETTERS, LINE, LineSource};
-use super::stretches::{Stretch, is_one, on_free_end};
+use super::source::{LETTERS, LineSource};
+use super::stretches::{Stretch, in_lines, is_one, line_at, lines, on_free_end};
 use crate::case::{Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
@@ -28,7 +28,7 @@ pub(super) fn translated(
         ["line", section, key @ ("length_m" | "segments")] => {
             of_section(source, line, section, key)
         }
-        ["ends", letter @ ("a" | "b"), key, axis @ ..] => of_end(source, letter, key, axis),
+        ["ends", letter @ ("a" | "b"), key, axis @ ..] => of_end((source, line), letter, key, axis),
         ["payload", key] => of_payload(source, key),
         _ => None,
     }
@@ -43,6 +43,7 @@ fn is_derived_by_density(source: &LineSource<'_>, line: &[Stretch<'_>]) -> bool 
             .iter()
             .any(|letter| on_free_end(source, letter).is_some())
         || line.iter().any(|stretch| !stretch.is_bare())
+        || source.case.traveller.is_some()
 }
 
 /// Whether a load was computed by gravity: of a body in air that weighs another than its mass.
@@ -52,7 +53,10 @@ fn has_lift_in_air(source: &LineSource<'_>) -> bool {
     let mut payload = payload.filter_map(|one| Some((one.dry_mass_kg, one.wet_mass_kg?)));
     let mut clumps = case.clumps.iter().map(|one| (one.mass_kg, one.wet_mass_kg));
     let differs = |(mass, wet): (f64, f64)| mass != wet;
-    case.environment.water_density_kg_per_m3 == 0.0 && (payload.any(differs) || clumps.any(differs))
+    let travellers = case.traveller.iter();
+    let mut travellers = travellers.map(|one| (one.mass_kg, one.wet_mass_kg));
+    let is_lifted = payload.any(differs) || clumps.any(differs) || travellers.any(differs);
+    case.environment.water_density_kg_per_m3 == 0.0 && is_lifted
 }
 
 /// Whether a material is that of the case wherever the line is of it.
@@ -77,13 +81,21 @@ fn of_section(
     let at = line
         .iter()
         .position(|stretch| stretch.section == number && stretch.is_whole)?;
-    Some(match is_one(line) {
-        true => format!("lines.{LINE}.{key}"),
-        false => format!("lines.{LINE}.sections.{}.{key}", at + 1),
+    let (name, number) = in_lines(line, at);
+    let own = lines(line).into_iter().find(|(own, _, _)| *own == name);
+    Some(match own.is_some_and(|(_, _, own)| is_one(own)) {
+        true => format!("lines.{name}.{key}"),
+        false => format!("lines.{name}.sections.{number}.{key}"),
     })
 }
 
-fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Option<String> {
+fn of_end(
+    (source, line): (&LineSource<'_>, &[Stretch<'_>]),
+    letter: &str,
+    key: &str,
+    axis: &[&str],
+) -> Option<String> {
+    let name = line_at(line, letter);
     let ends = &source.case.ends;
     let end = if letter == "a" { &ends.a } else { &ends.b };
     let of_point = [
@@ -100,9 +112,9 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
         return Some(path.join("."));
     }
     match key {
-        "release_s" => Some(format!("lines.{LINE}.release_{letter}_s")),
+        "release_s" => Some(format!("lines.{name}.release_{letter}_s")),
         "clamp_elevation_deg" | "clamp_azimuth_deg" => Some(format!(
-            "lines.{LINE}.{}",
+            "lines.{name}.{}",
             key.replacen("clamp", &format!("clamp_{letter}"), 1)
         )),
         _ => None,

@@ -4,17 +4,15 @@ use super::ends::moves_at_rest;
 use super::payload;
 use super::source::{DENSITY, LETTERS, LineSource};
 use super::stretches::end_of;
+use super::traveller;
 use crate::case::{Clump, DragCoefficient, End, EndKind, MotionName};
 use crate::import::fault::Fault;
 
 /// All of it, but for what the mesh and the results show.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     let mut found = Vec::new();
-    if source.case.traveller.is_some() {
-        let problem =
-            "a body that travels along the line at a given speed has no words in a system";
-        let remedy = "make the line two, and a sliding point that is hauled along them";
-        found.push(source.fault(&["traveller"], problem, remedy));
+    if let Some(body) = &source.case.traveller {
+        found.extend(traveller::faults(source, body));
     }
     for (letter, end) in LETTERS
         .into_iter()

@@ -4,7 +4,7 @@ use super::channels;
 use super::copied::{copy, copy_keys, value_of};
 use super::paths;
 use super::source::{LINE, LineSource};
-use super::stretches::Stretch;
+use super::stretches::{Stretch, lines};
 use crate::case::{
     ChannelId, ChannelQuantity, Published, PublishedCurve, QuantityId, Statistic, Subject, TomlNode,
 };
@@ -115,7 +115,7 @@ fn quantity(source: &LineSource<'_>, line: &[Stretch<'_>], row: &Published) -> O
     if source.is_in_time() {
         let of = match &row.channel {
             Subject::Channel(id) => Subject::Channel(channels::translated(source, line, id)?),
-            Subject::Line(quantity) => Subject::along(*quantity, LINE),
+            Subject::Line(quantity) if lines(line).len() == 1 => Subject::along(*quantity, LINE),
             of @ Subject::Energy(_) => of.clone(),
             _ => return None,
         };

@@ -1,6 +1,6 @@
 //! The sections of the line as a system has them: cut where floats or modules begin and end, and where clumps hang between the ends.
 
-use super::source::{LETTERS, LineSource};
+use super::source::{BESIDE, LETTERS, LINE, LineSource};
 use crate::case::{Case, Clump, EndKind, Floats, Modules, Section};
 use crate::import::fault::Fault;
 
@@ -23,6 +23,8 @@ pub(super) struct Stretch<'c> {
     pub(super) modules: Vec<&'c Modules>,
     /// The body at its end towards B.
     pub(super) clump: Option<&'c Clump>,
+    /// Whether the body that travels begins at its end towards B, where the line becomes two.
+    pub(super) meets_traveller: bool,
 }
 
 impl Stretch<'_> {
@@ -38,6 +40,39 @@ const FEWEST: usize = 8;
 /// Whether the line is of one section that needs no table of its own.
 pub(super) fn is_one(line: &[Stretch<'_>]) -> bool {
     matches!(line, [only] if only.segments >= FEWEST)
+}
+
+/// The lines of the system with their names and the numbers of their first stretches: one, or two that meet at the body that travels.
+pub(super) fn lines<'l, 'c>(
+    line: &'l [Stretch<'c>],
+) -> Vec<(&'static str, usize, &'l [Stretch<'c>])> {
+    match line.iter().position(|stretch| stretch.meets_traveller) {
+        Some(last) => {
+            let (before, behind) = line.split_at(last + 1);
+            vec![(BESIDE[0], 0, before), (BESIDE[1], last + 1, behind)]
+        }
+        None => vec![(LINE, 0, line)],
+    }
+}
+
+/// The name of the line that a stretch is of, and its number there, from 1, by that of all, from 0.
+pub(super) fn in_lines(line: &[Stretch<'_>], number: usize) -> (&'static str, usize) {
+    let lines = lines(line).into_iter().rev();
+    let mut begun = lines.filter(|(_, first, _)| *first <= number);
+    begun.next().map_or((LINE, number + 1), |(name, first, _)| {
+        (name, number - first + 1)
+    })
+}
+
+/// The name of the line at an end, by its letter.
+pub(super) fn line_at(line: &[Stretch<'_>], letter: &str) -> &'static str {
+    let all = lines(line);
+    let at = if letter == LETTERS[0] {
+        all.first()
+    } else {
+        all.last()
+    };
+    at.map_or(LINE, |(name, _, _)| name)
 }
 
 /// The stretches of the line from end A to end B.
@@ -196,6 +231,7 @@ fn part<'c>(
             .filter(|of| covers(&of.section, of.from_m, of.to_m))
             .collect(),
         clump: None,
+        meets_traveller: false,
     }
 }
 

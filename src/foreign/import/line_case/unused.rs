@@ -5,6 +5,7 @@ use super::results;
 use super::source::LineSource;
 use super::start;
 use super::stretches::Stretch;
+use super::traveller;
 use crate::case::{End, EndKind, MotionName, StartShape};
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
@@ -55,6 +56,7 @@ pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Stri
     if !left_out.is_empty() {
         remarks.push(format!("NOT CARRIED OVER: {}.", left_out.join("; ")));
     }
+    remarks.extend(traveller::remark(source));
     match source.is_in_time() {
         true => remarks.extend(jump(source)),
         false => remarks.extend(at_rest(source)),

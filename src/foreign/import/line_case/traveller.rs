@@ -1,0 +1,186 @@
+//! A body that travels along the line: a point hauled between the two lines that the line becomes.
+//!
+//! On the line its loads are interpolated between nodes that stay; the segments of the two lines end at the point. It keeps its course but for
+//! its stop: on the line it stays at once, the point eases over its ramp.
+
+use super::copied::{bare, coefficient, value_of};
+use super::end_clumps::{of_weight, write_weight};
+use super::source::{BESIDE, LineSource};
+use super::start;
+use super::stretches::Stretch;
+use crate::case::{CreepModel, Traveller};
+use crate::import::fault::Fault;
+use crate::import::to_case::case_text::{CaseText, number, text};
+
+/// Its table in a case.
+const TABLE: [&str; 1] = ["traveller"];
+
+fn key(name: &str) -> [&str; 2] {
+    [TABLE[0], name]
+}
+
+/// Whether it sets out at all in a run in time.
+fn sets_out(source: &LineSource<'_>, body: &Traveller) -> bool {
+    source.is_in_time() && body.speed_m_per_s > 0.0
+}
+
+/// What of it, or of the line under it, a hauled point cannot state.
+pub(super) fn faults(source: &LineSource<'_>, body: &Traveller) -> Vec<Fault> {
+    let weight = (body.mass_kg, body.wet_mass_kg);
+    let mut found = of_weight(source, &TABLE, weight);
+    found.extend(source.fault_of_expression(&key("from_m")));
+    if start::is_in_shape(source) || start::is_searched_from(source) {
+        let problem = "is a shape of the whole line, which becomes two with a body that travels";
+        let remedy = "start in equilibrium, and let it be searched";
+        found.push(source.fault(&["start"], problem, remedy));
+    }
+    if !sets_out(source, body) {
+        return found;
+    }
+    for name in ["to_m", "speed_m_per_s", "start_s"] {
+        found.extend(source.fault_of_expression(&key(name)));
+    }
+    if body.ramp_s == 0.0 {
+        let problem = "sets out at full speed, and a hauled point does so over a ramp";
+        let remedy = "give it a ramp, such as 0.5 s";
+        found.push(source.fault(&key("ramp_s"), problem, remedy));
+    }
+    let materials = &source.case.materials;
+    let of_line = source.case.line.iter();
+    let mut of_line = of_line.filter_map(|section| materials.get(&section.material));
+    if of_line.any(|of| of.ei_n_m2 > 0.0 || of.creep_model != CreepModel::None) {
+        let problem = "travels along a line that bends or creeps, which a hauled point cannot";
+        found.push(source.fault(&TABLE, problem, "leave its `ei_n_m2` and `creep_model` out"));
+    }
+    found
+}
+
+/// Parts the stretch in which it begins, and holds that its way ends in the same stretch, a segment from where that ends at least.
+pub(super) fn part_line(source: &LineSource<'_>, line: &mut Vec<Stretch<'_>>) -> Vec<Fault> {
+    let Some(body) = &source.case.traveller else {
+        return Vec::new();
+    };
+    let mut begins = 0.0;
+    let at = line.iter().position(|stretch| {
+        let ends = begins + stretch.length_m;
+        let is_here = body.from_m < ends;
+        if !is_here {
+            begins = ends;
+        }
+        is_here
+    });
+    let Some(at) = at else {
+        return vec![outside(source, "from_m")];
+    };
+    let stretch = &mut line[at];
+    let each = stretch.length_m / stretch.segments as f64;
+    let within = (begins + each)..=(begins + stretch.length_m - each);
+    if !within.contains(&body.from_m) {
+        return vec![outside(source, "from_m")];
+    }
+    let whole: f64 = source.case.line.iter().map(|one| one.length_m).sum();
+    let to = body.to_m.unwrap_or(whole);
+    let mut found = Vec::new();
+    if sets_out(source, body) && !within.contains(&to) {
+        found.push(outside(source, "to_m"));
+    }
+    let section = &source.case.line[stretch.section].name;
+    for name in ["length_m", "segments"] {
+        found.extend(source.fault_of_expression(&["line", section, name]));
+    }
+    let before = body.from_m - begins;
+    let segments = nearest(before / each).clamp(1, stretch.segments - 1);
+    let behind = Stretch {
+        section: stretch.section,
+        length_m: stretch.length_m - before,
+        segments: stretch.segments - segments,
+        is_whole: false,
+        floats: stretch.floats.clone(),
+        modules: stretch.modules.clone(),
+        clump: stretch.clump.take(),
+        meets_traveller: false,
+    };
+    stretch.length_m = before;
+    stretch.segments = segments;
+    stretch.is_whole = false;
+    stretch.meets_traveller = true;
+    line.insert(at + 1, behind);
+    found
+}
+
+fn outside(source: &LineSource<'_>, name: &str) -> Fault {
+    let problem = "lies less than a segment from where the line, or a stretch of one material without clumps, ends: a hauled point stays within one";
+    let remedy = "let it begin and stay a segment away from there";
+    source.fault(&key(name), problem, remedy)
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a count of segments, at most those of the section"
+)]
+fn nearest(count: f64) -> usize {
+    count.round().max(0.0) as usize
+}
+
+/// Writes the point that it is.
+pub(super) fn write_point(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let Some(body) = &source.case.traveller else {
+        return;
+    };
+    let header = format!("[points.{}]", bare(&body.name));
+    system.table(&header, source.span(&TABLE));
+    system.line("kind = \"free\"", None);
+    if start::is_moving(source)
+        && let Some(node) = source.node(&["start", "velocity_m_per_s"])
+    {
+        let value = value_of(source, node);
+        system.given("start_velocity_m_per_s", &value, &node.span, "");
+    }
+    write_weight(system, source, &TABLE, (body.mass_kg, body.wet_mass_kg));
+    let area = key("drag_area_m2");
+    coefficient(system, source, &area, &body.drag_area_m2);
+}
+
+/// Writes how it is hauled from one line to the other.
+pub(super) fn write_hauling(system: &mut CaseText<'_>, source: &LineSource<'_>) {
+    let Some(body) = &source.case.traveller else {
+        return;
+    };
+    if !sets_out(source, body) {
+        return;
+    }
+    system.table("[[sliding_points]]", source.span(&TABLE));
+    let name = text(&body.name);
+    for (own, value) in [
+        ("point", &*name),
+        ("line", &*text(BESIDE[0])),
+        ("other", &*text(BESIDE[1])),
+    ] {
+        system.line(&format!("{own} = {value}"), None);
+    }
+    let whole: f64 = source.case.line.iter().map(|one| one.length_m).sum();
+    let way = body.to_m.unwrap_or(whole) - body.from_m;
+    let mut one = |own: &str, from: &str, value: f64, why: &str| match source.node(&key(from)) {
+        Some(node) => system.given(own, &number(value), &node.span, why),
+        None => system.assumed(own, &number(value), why),
+    };
+    let rate = body.speed_m_per_s.copysign(way);
+    one("rate_m_per_s", "speed_m_per_s", rate, "speed_m_per_s");
+    if body.start_s != 0.0 {
+        one("start_s", "start_s", body.start_s, "");
+    }
+    let stop = body.start_s + way.abs() / body.speed_m_per_s;
+    one("stop_s", "to_m", stop, "its way by its speed");
+    one("ramp_s", "ramp_s", body.ramp_s, "");
+}
+
+/// What differs of its course.
+pub(super) fn remark(source: &LineSource<'_>) -> Option<String> {
+    let body = source.case.traveller.as_ref();
+    let body = body.filter(|body| sets_out(source, body))?;
+    Some(format!(
+        "`{}` is a point hauled between two lines, at whose mesh the line ends on either side; it eases to its stop over its ramp, where it stopped at once.",
+        body.name
+    ))
+}
