@@ -66,7 +66,7 @@ fn on_held(
 /// Weight, volume and contact of a clump that a free point cannot state.
 fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
     let table = ["clumps", clump.name.as_str()];
-    let mut found = bearing::faults(source, &table, clump.breakout_n);
+    let mut found = Vec::new();
     found.extend(source.fault_of_expression(&[table[0], table[1], "at_m"]));
     found.extend(of_weight(
         source,

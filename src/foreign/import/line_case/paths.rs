@@ -121,6 +121,13 @@ fn of_end(
     }
 }
 
+/// A key of the suction under the payload.
+fn of_suction(source: &LineSource<'_>, payload: &Payload, key: &str) -> Option<String> {
+    let name = &source.case.ends.b.name;
+    let acts = source.case.seabed.is_some() && payload.rotation.is_none();
+    acts.then(|| format!("points.{name}.{key}"))
+}
+
 /// A key of the payload; its mass where its volume does not follow from that.
 fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
     let payload = source.case.payload.as_ref()?;
@@ -129,6 +136,7 @@ fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
         "volume_m3" if payload.wet_mass_kg.is_none() && !bears_by_volume(source, payload) => {
             "volume_m3"
         }
+        "breakout_n" | "breakout_distance_m" => return of_suction(source, payload, key),
         _ => return None,
     };
     let table = match payload.rotation {
