@@ -338,6 +338,7 @@ impl BodyContact {
                 stiffness: hold,
                 damping,
                 laid: false,
+                slip: 0.0,
             },
         }
     }

@@ -38,7 +38,8 @@ pub(super) fn translated(
         }
         ChannelLocation::Gauge => Some(id.clone()),
         ChannelLocation::Line => {
-            let is_one = id.quantity == ChannelQuantity::OnBed && lines(line).len() == 1;
+            let of_line = [ChannelQuantity::OnBed, ChannelQuantity::Sliding];
+            let is_one = of_line.contains(&id.quantity) && lines(line).len() == 1;
             is_one.then(|| id.quantity.at(LINE))
         }
         ChannelLocation::Body(number) => of_end_clump(source, line, id, number),

@@ -30,6 +30,16 @@ table! {
     }
 }
 
+impl Seabed {
+    /// Whether it has friction that holds at rest.
+    #[must_use]
+    pub fn grips(&self) -> bool {
+        let along = self.friction.is_some_and(|friction| friction > 0.0);
+        let across = self.friction_lateral.is_some_and(|friction| friction > 0.0);
+        self.friction_law == FrictionLaw::Grip && (along || across && self.friction.is_some())
+    }
+}
+
 impl Start {
     /// Whether it says where the search for an equilibrium begins.
     #[must_use]

@@ -273,6 +273,7 @@ pub(super) fn anchor(point: &FreePoint, x: &V3) -> FrictionAnchor {
         stiffness,
         damping,
         laid: false,
+        slip: 0.0,
     }
 }
 
