@@ -4,9 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 
-use seacable::case::{
-    self, Case, Diagnostic, End, EndKind, Method, StartShape, edit, kind, shipped,
-};
+use seacable::case::{self, Case, Diagnostic, EndKind, Method, StartShape, edit, kind, shipped};
 use seacable::import::{ImportOptions, line_case};
 use seacable::kinds::FileBytes;
 use seacable::open::OpenedFile;
@@ -63,7 +61,7 @@ fn shortened(name: &str, text: &str) -> String {
         _ => "alpha",
     };
     let [step, duration] = [step, duration].map(|value| format!("{value:?}"));
-    let mut edits = vec![
+    let edits = [
         ("solver.method", method),
         ("solver.time_step_s", &step),
         ("solver.duration_s", &duration),
@@ -71,16 +69,6 @@ fn shortened(name: &str, text: &str) -> String {
         ("solver.position_tolerance_m", "1e-10"),
         ("output.interval_s", &step),
     ];
-    // A motion that sets in at full speed begins otherwise.
-    let swings = |end: &End| end.kind == EndKind::Moving && end.ramp_s == 0.0;
-    for (key, end) in [
-        ("ends.a.ramp_s", &given.ends.a),
-        ("ends.b.ramp_s", &given.ends.b),
-    ] {
-        if swings(end) {
-            edits.push((key, "1.0"));
-        }
-    }
     edit::set_all(&whole, &edits).unwrap()
 }
 
@@ -106,7 +94,7 @@ const OF_MESH: Apart = Apart {
 };
 
 /// Cases whose stiff segments turn the tolerance of places of the Newton iterations, 1e-10 m, into more than that of tensions.
-const STIFF: [&str; 1] = ["pendulous/module.toml"];
+const STIFF: [&str; 2] = ["pendulous/module.toml", "hard/buckling.toml"];
 
 /// The same for these.
 const OF_TOLERANCE: Apart = Apart {

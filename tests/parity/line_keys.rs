@@ -372,15 +372,3 @@ fn checks_have_what_they_are_held_to() {
     assert!(found.output.uplift && found.checks.len() == 1);
     assert!(!file("").output.uplift);
 }
-
-#[test]
-fn a_motion_that_sets_in_at_full_speed_is_a_remark() {
-    let text = WIRE.replace("ramp_s = 2.0", "ramp_s = 0.0");
-    let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
-    assert!(
-        imported
-            .text
-            .contains("The motion of `ship` sets in at full speed")
-    );
-    assert!(!converted("").unwrap().contains("full speed"));
-}

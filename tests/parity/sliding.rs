@@ -64,11 +64,10 @@ fn what_slides_follows_the_pull_and_begins_anew_where_it_turns() {
 
 #[test]
 fn what_holds_nothing_at_rest_has_no_length_that_slides() {
-    for law in ["friction_law = \"zhu-2017\"\nslip_speed_m_per_s = 1e-3\n"] {
-        let text = pulled("alpha", law).replace("duration_s = 150.0", "duration_s = 1.0");
-        let system = line_case::read(&text, Path::new("line.toml")).unwrap().text;
-        let name = "sliding_m[line]";
-        assert!(line_run(text).history.channel(name).is_none());
-        assert!(system_run(&system).history.channel(name).is_none());
-    }
+    let law = "friction_law = \"zhu-2017\"\nslip_speed_m_per_s = 1e-3\n";
+    let text = pulled("alpha", law).replace("duration_s = 150.0", "duration_s = 1.0");
+    let system = line_case::read(&text, Path::new("line.toml")).unwrap().text;
+    let name = "sliding_m[line]";
+    assert!(line_run(text).history.channel(name).is_none());
+    assert!(system_run(&system).history.channel(name).is_none());
 }

@@ -26,7 +26,7 @@ use super::point_on_bed::BearingArea;
 use super::pose::{Pose, cross};
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{FrictionLaw, Material, current_grid, depth_grid};
+use crate::case::{FrictionLaw, Material, Start, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
 use crate::physics::sea::Sea;
 use crate::physics::{CurrentGrid, Suction};
@@ -419,7 +419,7 @@ impl Builder<'_> {
                     tension: line.release_b_n,
                 },
             ],
-            start: line.start.clone().filter(|start| start.is_off_rest()),
+            start: line.start.clone().filter(Start::is_off_rest),
             discretised: None,
             clamps: [None; 2],
             closed_where_known: false,

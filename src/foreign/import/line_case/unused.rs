@@ -6,7 +6,7 @@ use super::source::LineSource;
 use super::start;
 use super::stretches::Stretch;
 use super::traveller;
-use crate::case::{End, EndKind, MotionName, StartShape};
+use crate::case::StartShape;
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
 const VIEWS: [(&[&str], &str); 6] = [
@@ -57,28 +57,10 @@ pub(super) fn remarks(source: &LineSource<'_>, line: &[Stretch<'_>]) -> Vec<Stri
         remarks.push(format!("NOT CARRIED OVER: {}.", left_out.join("; ")));
     }
     remarks.extend(traveller::remark(source));
-    match source.is_in_time() {
-        true => remarks.extend(jump(source)),
-        false => remarks.extend(at_rest(source)),
+    if !source.is_in_time() {
+        remarks.extend(at_rest(source));
     }
     remarks
-}
-
-/// A motion that sets in at full speed.
-fn jump(source: &LineSource<'_>) -> Option<String> {
-    let ends = &source.case.ends;
-    let jumps = |end: &&End| {
-        let mut axes = end.amplitude_m.iter().zip(&end.phase_deg);
-        let swings = end.kind == EndKind::Moving && end.motion == MotionName::Harmonic;
-        let at_speed = axes.any(|(amplitude, phase)| amplitude * phase.to_radians().cos() != 0.0);
-        swings && end.ramp_s == 0.0 && at_speed
-    };
-    [&ends.a, &ends.b].iter().find(|end| jumps(end)).map(|end| {
-        format!(
-            "The motion of `{}` sets in at full speed: a jump, whose first steps differ from those of the line.",
-            end.name
-        )
-    })
 }
 
 fn bears_on_nothing(source: &LineSource<'_>) -> bool {
