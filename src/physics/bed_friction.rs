@@ -54,6 +54,14 @@ pub struct FrictionAnchor {
     /// no other, and a push back is borne without limit. (A line at rest is found with this, since a limit on one side
     /// leaves Newton no way to go back and forth.)
     pub laid: bool,
+    /// How far it was dragged along in the last accepted step \[m\]: the node slid, against the force that friction bears.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub slip: f64,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks by reference")]
+fn is_zero(slip: &f64) -> bool {
+    *slip == 0.0
 }
 
 /// Friction on a node and its derivatives.
@@ -112,6 +120,20 @@ pub struct CurvedContact {
     pub push_by_velocity: V3,
     /// Derivative of the normal by the position \[1/m\].
     pub normal_by_position: M3,
+}
+
+/// The least that a node slides in a step, by the distance over which its grip comes to its limit, and by what the fastest of its line does: less is
+/// rest at the limit, which waves along the line disturb.
+const LEAST_SLIP: f64 = 1e-6;
+const LEAST_OF_FASTEST: f64 = 1e-2;
+
+impl FrictionAnchor {
+    /// Whether its node, at x \[m\], slid in the last step, where the fastest of its line did so far \[m\].
+    #[must_use]
+    pub fn slides(&self, x: &V3, fastest: f64) -> bool {
+        let stretch = (self.at - x).norm();
+        self.slip > LEAST_SLIP * stretch && self.slip > LEAST_OF_FASTEST * fastest
+    }
 }
 
 impl FrictionContact<'_> {
@@ -324,10 +346,15 @@ impl Friction {
         along: &V3,
     ) -> FrictionAnchor {
         let (force, slides) = self.grip_force(c, grip);
-        let at = if slides || grip.laid || grip.stiffness != hold {
+        let is_other = grip.laid || grip.stiffness != hold;
+        let at = if slides || is_other {
             c.x + force / hold
         } else {
             grip.at
+        };
+        let slip = match slides && !is_other && c.limit() > 0.0 {
+            true => (at - grip.at).norm(),
+            false => 0.0,
         };
         FrictionAnchor {
             at,
@@ -335,6 +362,7 @@ impl Friction {
             stiffness: hold,
             damping,
             laid: false,
+            slip,
         }
     }
 
@@ -468,6 +496,7 @@ mod tests {
                     stiffness: 3e3,
                     damping: 20.0,
                     laid,
+                    slip: 0.0,
                 };
                 let v = V3::new(0.02, -0.05, 0.01);
                 let force = |x: &V3, v: &V3| {
@@ -526,6 +555,7 @@ mod tests {
                 stiffness: 1e4,
                 damping: 0.0,
                 laid: false,
+                slip: 0.0,
             };
             let (force, slid) = friction.grip_force(&contact, &grip);
             assert_eq!(slid, slides);

@@ -21,6 +21,7 @@ pub mod rigid_body;
 pub mod rope;
 pub mod sea;
 pub mod seabed;
+pub mod suction;
 pub mod tension;
 pub mod wall_tension;
 
@@ -33,4 +34,5 @@ pub use node_direction::NodeDirection;
 pub use payload::BodyProperties;
 pub use rigid_body::RigidBody;
 pub use seabed::ElasticBed;
+pub use suction::Suction;
 pub use wall_tension::PipeWall;

@@ -321,14 +321,56 @@ fn what_acts_and_cannot_be_said_is_refused_at_its_key() {
             "checks.1.of",
         ),
         (
-            "[traveller]\nname = \"car\"\nmass_kg = 1.0\nwet_mass_kg = 1.0\nspeed_m_per_s = 1.0\n",
-            1,
-            "traveller",
+            "[traveller]\nname = \"car\"\nmass_kg = 1.0\nwet_mass_kg = 1.0\nspeed_m_per_s = 1.0\nramp_s = 1.0\nfrom_m = 45.0\nto_m = 70.0\n",
+            8,
+            "traveller.to_m",
         ),
     ];
     for (more, below, key) in cases {
         let (at, found, problem) = fault(more);
         assert_eq!((at, found.as_str()), (line + below, key), "{problem}");
+    }
+}
+
+/// A body that travels parts the section that it is on, and what is recorded at the ends and of it keeps its names.
+#[test]
+fn a_body_that_travels_parts_the_line() {
+    let curve = |channel: &str| {
+        format!(
+            "[[published_curve]]\nname = \"c\"\nchannel = \"{channel}\"\ntime_s = [0.0, 1.0]\nvalue = [1.0, 2.0]\ntolerance_percent = 5.0\nsource = \"none\"\ninputs = \"assumed\"\n"
+        )
+    };
+    let text = WIRE.replace("\"long_m\"", "40.0");
+    let body = "[traveller]\nname = \"car\"\nmass_kg = 50.0\nwet_mass_kg = 40.0\nspeed_m_per_s = 2.0\nramp_s = 1.0\nfrom_m = 30.0\nto_m = 10.0\n";
+    for (own, other) in [
+        ("tension_n[anchor|low]", "tension_n[line-1|a]"),
+        ("tension_n[low|high]", "tension_n[line-2|1]"),
+        ("tension_n[high|ship]", "tension_n[line-2|b]"),
+        ("arc_m[car]", "length_m[line-1]"),
+        ("z_m[car]", "z_m[car]"),
+    ] {
+        let text = format!("{text}{body}{}", curve(own));
+        let system = line_case::read(&text, Path::new("wire.toml")).unwrap().text;
+        let file = kind::read::<SystemFile>(&system, "system.toml").unwrap();
+        let file = file.content;
+        assert_eq!(file.published_curve[0].channel.to_string(), other);
+        let lengths = file.lines.iter().map(|line| {
+            let sections = line.sections.iter();
+            sections.map(|section| section.length_m).collect::<Vec<_>>()
+        });
+        let lengths: Vec<Vec<f64>> = lengths.collect();
+        let of_first = file.lines[0].length_m;
+        assert_eq!(
+            (of_first, &*lengths[1]),
+            (Some(30.0), &[10.0, 20.0, 40.0][..])
+        );
+        let hauled = &file.sliding_points[0];
+        assert_eq!(
+            (hauled.rate_m_per_s, hauled.stop_s, hauled.ramp_s),
+            (Some(-2.0), Some(10.0), 1.0)
+        );
+        let car = &file.points["car"];
+        assert_eq!((car.mass_kg, car.volume_m3), (50.0, 0.01));
     }
 }
 
@@ -357,16 +399,4 @@ fn checks_have_what_they_are_held_to() {
     let found = file(more);
     assert!(found.output.uplift && found.checks.len() == 1);
     assert!(!file("").output.uplift);
-}
-
-#[test]
-fn a_motion_that_sets_in_at_full_speed_is_a_remark() {
-    let text = WIRE.replace("ramp_s = 2.0", "ramp_s = 0.0");
-    let imported = line_case::read(&text, Path::new("wire.toml")).unwrap();
-    assert!(
-        imported
-            .text
-            .contains("The motion of `ship` sets in at full speed")
-    );
-    assert!(!converted("").unwrap().contains("full speed"));
 }

@@ -11,3 +11,4 @@ mod friction;
 mod line_keys;
 mod nothing_lost;
 mod one_line;
+mod sliding;

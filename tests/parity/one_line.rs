@@ -141,6 +141,27 @@ fn quasi_statically() {
     assert_agree(&solver("quasi", "time_step_s = 0.05"));
 }
 
+/// A motion that sets in at full speed: its velocity counts in the first row, as after every kink. Later the line snaps, and differences of
+/// rounding grow.
+#[test]
+fn a_motion_without_a_ramp_begins_alike() {
+    for solver in [
+        solver("alpha", "time_step_s = 0.02"),
+        solver("rk4", "time_step_s = 5e-4"),
+        solver("quasi", "time_step_s = 0.05"),
+    ] {
+        let jump = |text: &str| text.replace("ramp_s = 4.0\n", "");
+        let line = line_run(format!("{}{COMMON}{solver}", jump(LINE))).history;
+        let system = system_run(&format!("{}{COMMON}{solver}", jump(SYSTEM))).history;
+        let of = |history: &History, name: &str| history.channel(name).unwrap().values.clone();
+        let own = of(&line, "tension_n[chain|fairlead]");
+        let other = of(&system, "tension_n[chain|b]");
+        let before = own.iter().zip(&other).take(4);
+        let apart = before.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        assert!(apart < NONE, "{solver}: {apart} N");
+    }
+}
+
 /// The upper end raised, held and lowered along a table, with kinks between two steps.
 fn assert_agree_by_table(interpolation: &str, solver: &str) {
     let swing = "amplitude_m = [0.0, 0.0, 0.5]\nperiod_s = 8.0\nramp_s = 4.0\n";

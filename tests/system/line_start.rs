@@ -152,7 +152,7 @@ fn a_start_that_a_line_of_a_system_cannot_have_is_refused() {
             "shape = \"given\"\narc_m = [0.0, 40.0]\nx_m = [-50.0, 0.0]\nz_m = [10.0, 10.0]",
             "the line is 50 m long",
         ),
-        (shape, "arc_m = [0.0, 50.0]", "searches its own equilibrium"),
+        (shape, "arc_m = [0.0, 50.0]", "x_m"),
         (
             "length_m = 50.0",
             "length_m = 50.0\nbreak_at_m = 20.0\nbreak_s = 0.1",
@@ -172,4 +172,42 @@ fn a_start_that_a_line_of_a_system_cannot_have_is_refused() {
             .collect();
         assert!(said.contains(words), "{words}: {said}");
     }
+}
+
+/// A rod pressed together between two hinges to where its ends turn by 20 degrees, to the side of this sign.
+fn buckled(side: f64, more: &str) -> String {
+    let z = [0.0, 0.339, 0.6448, 0.8875, 1.0434, 1.0971].map(|z| side * z);
+    let z: Vec<f64> = z.iter().chain(z[..5].iter().rev()).copied().collect();
+    let along: Vec<f64> = (0..=10).map(f64::from).collect();
+    let x: Vec<f64> = along.iter().map(|s| 0.9697309074 * s).collect();
+    format!(
+        "[environment]\nwater_density_kg_per_m3 = 0.0\n[materials.rod]\ndiameter_m = 0.05\nmass_kg_per_m = 10.0\nwet_weight_kg_per_m = 0.0\nea_n = 1e9\nei_n_m2 = 1e4\n\
+         [points.a]\nkind = \"fixed\"\nposition_m = [0.0, 0.0, 0.0]\n[points.b]\nkind = \"fixed\"\nposition_m = [9.697309074, 0.0, 0.0]\n\
+         [[lines]]\nname = \"rod\"\nfrom = \"a\"\nto = \"b\"\nmaterial = \"rod\"\nlength_m = 10.0\nsegments = 80\n\
+         [lines.start]\narc_m = {along:?}\nx_m = {x:?}\nz_m = {z:?}\n{more}"
+    )
+}
+
+#[test]
+fn a_buckled_rod_rests_on_the_side_that_its_search_begins_on() {
+    for side in [1.0, -1.0] {
+        let system = solved(&format!("{HEAD}{}", buckled(side, "")));
+        let line = &system.rest.balance.lines[0];
+        // The elastica between hinges: (2 K(k))^2 EI / L^2 and a rise of k L / K(k), k = sin 10 deg.
+        let (force, at_rest) = (line.force_b.x, line.discretised.as_ref().unwrap());
+        assert!((force / 1002.156537 - 1.0).abs() < 2e-3, "{force}");
+        let rise = side * at_rest.found.position_m[40].z;
+        assert!((rise / 1.097065212 - 1.0).abs() < 2e-3, "{rise}");
+    }
+}
+
+#[test]
+fn where_the_search_of_a_closed_form_begins_has_no_effect() {
+    let rope = buckled(1.0, "").replace("ei_n_m2 = 1e4\n", "");
+    let rope = rope.replace("wet_weight_kg_per_m = 0.0\n", "");
+    let said = warnings(&solved(&format!("{HEAD}{rope}"))).join("\n");
+    assert!(
+        said.contains("where its search begins has no effect"),
+        "{said}"
+    );
 }

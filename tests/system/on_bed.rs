@@ -112,6 +112,72 @@ fn an_area_bounces_on_its_springs_in_time_by_every_method() {
     }
 }
 
+/// Slowly lifted, what suction holds pulls with its weight and the breakout force at most, and with its weight after that.
+#[test]
+fn suction_of_points_and_bodies_is_overcome_once() {
+    let suction = "breakout_n = 5000.0\nbreakout_distance_m = 0.2\n";
+    let lifted = "kind = \"moved\"\namplitude_m = [0.0, 0.0, 2.0]\nperiod_s = 400.0\n";
+    let point = SUNK.replace("bottom_m = 1.5\n", &format!("bottom_m = 1.5\n{suction}"));
+    let (head, rest) = SUNK.split_once("[points.clump]").unwrap();
+    let (_, line) = rest.split_once("[[lines]]").unwrap();
+    let body = format!(
+        "{head}[points.clump]\nkind = \"body\"\nbody = \"block\"\nposition_m = [0.0, 0.0, 0.5]\n\
+         [points.foot]\nkind = \"body\"\nbody = \"block\"\nposition_m = [0.0, 0.0, -1.0]\nbed_area_m2 = 2.5\n{suction}\
+         [bodies.block]\nkind = \"free\"\nposition_m = [0.0, 0.0, -24.0]\nmass_kg = 4000.0\ninertia_kg_m2 = [1e4, 1e4, 1e4]\n[[lines]]{line}"
+    );
+    for (text, bears, method) in [
+        (&point, "clump", "alpha"),
+        (&point, "clump", "rk4"),
+        (&body, "foot", "alpha"),
+    ] {
+        let text = text.replacen("kind = \"fixed\"\n", lifted, 1);
+        let run = moved(&format!(
+            "{text}[solver]\nmethod = \"{method}\"\nduration_s = 100.0\nerror_estimate = false\n[output]\ninterval_s = 0.02\n"
+        ));
+        let pull = channel(&run, "tension_n[wire|b]");
+        let bed = channel(&run, &format!("bed_force_n[{bears}]"));
+        let greatest = pull.iter().copied().fold(0.0, f64::max);
+        let least = bed.iter().copied().fold(0.0, f64::min);
+        assert!((greatest / 45e3 - 1.0).abs() < 0.01, "{method}: {greatest}");
+        assert!((least / -5e3 - 1.0).abs() < 0.01, "{method}: {least}");
+        let late = &pull[3000..];
+        let mean = late.iter().sum::<f64>() / late.len() as f64;
+        // Let go with a jerk it bounces about its weight.
+        assert!((mean / 40e3 - 1.0).abs() < 0.02, "{method}: {mean}");
+        assert!(bed[3000..].iter().all(|force| *force == 0.0));
+        assert!(
+            run.balance.relative_drift() < 0.01,
+            "{method}: {:?}",
+            run.balance
+        );
+    }
+}
+
+#[test]
+fn suction_that_acts_on_nothing_is_refused() {
+    let suction = "mass_kg = 4000.0\nbreakout_n = 5.0\n";
+    let bed = "[seabed]\ndepth_m = 25.0\nstiffness_n_per_m3 = 2e5\ndamping_n_s_per_m3 = 2e4\n";
+    let held = "position_m = [0.0, 0.0, 0.0]\n";
+    let area = "bed_area_m2 = 2.5\nbottom_m = 1.5\n";
+    for (text, key) in [
+        (
+            SUNK.replace(bed, "")
+                .replace("mass_kg = 4000.0\n", suction)
+                .replace(area, ""),
+            "points.clump.breakout_n",
+        ),
+        (
+            SUNK.replacen(held, &format!("{held}breakout_n = 5.0\n"), 1),
+            "points.top.breakout_n",
+        ),
+    ] {
+        let text = format!("{}{text}", crate::HEAD);
+        let found = seacable::case::kind::parse::<seacable::system::SystemFile>(&text, "s.toml");
+        let found = found.unwrap_err();
+        assert_eq!(found[0].key, key, "{found:?}");
+    }
+}
+
 #[test]
 fn areas_and_bottoms_that_act_on_nothing_are_refused() {
     let bed = "[seabed]\ndepth_m = 25.0\nstiffness_n_per_m3 = 2e5\ndamping_n_s_per_m3 = 2e4\n";

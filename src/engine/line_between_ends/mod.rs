@@ -63,12 +63,14 @@ const LEAST_STIFFNESS: f64 = 1e-12;
 /// A line between two held ends, built once of its case and solved for many places of the ends. Its work arrays are allocated by the first
 /// solution.
 ///
-/// Of the case it takes the line, its materials, clumps, environment, current and bed; not the initial shape. Waves, events and
-/// loads that vary with time are left out.
+/// Of the case it takes the line, its materials, clumps, environment, current and bed, and of its start the coordinates from which its
+/// equilibrium is searched in the place of the closed form, displaced with the ends. Waves, events and loads that vary with time are left out.
 #[derive(Debug, Clone)]
 pub struct LineBetweenEnds {
     /// Initial shape and friction springs of the cold start.
     scene: Scene,
+    /// The initial shape that the case gives, if it does.
+    given: Option<Vec<V3>>,
     search: EquilibriumSearch<'static>,
     newton: Newton,
     /// The last equilibrium, if there is one, and the negative pivots of its tangent: its unstable directions in still water.
@@ -98,7 +100,9 @@ impl LineBetweenEnds {
             }
         }
         let scene = scene::build(case, 1)?;
+        let is_given = case.start.arc_m.is_some();
         Ok(Self {
+            given: is_given.then(|| scene.start.positions.clone()),
             search: EquilibriumSearch::default(),
             newton: Newton::new(0, 0.0, 0),
             unstable: None,
@@ -280,9 +284,12 @@ impl LineBetweenEnds {
         self.scene.prescribe(0.0, trial);
     }
 
-    /// The search into `trial` from the closed form.
+    /// The search into `trial` from the closed form, or from the shape given.
     fn cold_start(&mut self, a: V3, b: V3) -> Result<Equilibrium, LineError> {
-        self.scene.start_between(a, b);
+        match &self.given {
+            Some(shape) => self.scene.start_between_in(a, b, shape),
+            None => self.scene.start_between(a, b),
+        }
         if !self.laid {
             self.scene.lay_start_on_bed();
         }

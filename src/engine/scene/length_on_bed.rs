@@ -46,12 +46,12 @@ impl Scene {
         Some(sum)
     }
 
-    fn touches_bed(&self, bed: &BedContact, node: usize, state: &State) -> bool {
+    pub(super) fn touches_bed(&self, bed: &BedContact, node: usize, state: &State) -> bool {
         bed.height(&state.x[node]) <= TOUCHES * self.line.arc[self.line_nodes() - 1]
     }
 
     /// Length of the halves of the segments at a node \[m\].
-    fn halves_at(&self, node: usize) -> f64 {
+    pub(super) fn halves_at(&self, node: usize) -> f64 {
         let (arc, last) = (&self.line.arc, self.line_nodes() - 1);
         0.5 * (arc[(node + 1).min(last)] - arc[node.saturating_sub(1)])
     }

@@ -42,6 +42,7 @@ pub mod scene;
 mod segment_block;
 mod segment_kernel;
 mod segment_tangent;
+mod sliding_length;
 mod snap;
 mod step_reading;
 mod submergence;

@@ -20,6 +20,21 @@ impl Scene {
         self.start.in_equilibrium = true;
     }
 
+    /// The same with another initial shape, nodes \[m\], in the place of the closed form: what is given of it goes along with its ends.
+    pub fn start_between_in(&mut self, a: V3, b: V3, shape: &[V3]) {
+        self.start_between(a, b);
+        let (Some(first), Some(last), Some(whole)) =
+            (shape.first(), shape.last(), self.line.arc.last())
+        else {
+            return;
+        };
+        let (at_a, at_b) = (a - first, b - last);
+        let places = shape.iter().zip(&self.line.arc);
+        let placed = places.map(|(place, arc)| place + at_a.lerp(&at_b, arc / whole));
+        self.start.positions = placed.collect();
+        self.start.tension.fill(self.line.force_scale);
+    }
+
     /// Attaches the friction springs of the bed where the initial shape was laid and pulled (`initial_bed_friction`).
     pub fn lay_start_on_bed(&mut self) {
         self.start.grips = self

@@ -326,6 +326,11 @@ fn free_point(name: &str, point: &PointInputs, target: Target, found: &mut Found
         key("bottom_m"),
         "a point whose bottom is below it",
     );
+    found.add(
+        point.breakout_n > 0.0,
+        key("breakout_n"),
+        "a point that the bed holds back",
+    );
     if point.kind != PointKind::Free || target != Target::MoorDyn {
         return;
     }

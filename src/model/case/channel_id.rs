@@ -96,6 +96,8 @@ channel_quantities! {
     LandingSpeed: "landing_speed_m_per_s", "m/s", "speed", "Landing speed";
     /// Unstretched length of a line that lies on the bed: whose weight the bed bears \[m\].
     OnBed: "on_bed_m", "m", "length", "Length on the bed";
+    /// Unstretched length of a line that slides over the bed \[m\].
+    Sliding: "sliding_m", "m", "length", "Length that slides over the bed";
     /// Height of the waves above still water over the gauge \[m\].
     WaveElevation: "wave_elevation_m", "m", "elevation", "Height of the waves";
     /// Unstretched length of a line that is paid out, or that a point slides along \[m\].

@@ -1,7 +1,7 @@
 //! The channels that a run of a case records, in their order: which quantity, at which place.
 
 use super::channel_id::{ChannelId, ChannelQuantity};
-use super::{Case, DynamicStiffness, End, EndKind, Material, Section};
+use super::{Case, DynamicStiffness, End, EndKind, Material, Method, Seabed, Section};
 
 /// A channel of a case: what identifies it, and where on the line it is read.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -60,6 +60,8 @@ pub(crate) struct RecordingConditions<'a> {
     pub(crate) traveller: Option<&'a str>,
     /// Whether there is a sea bed.
     pub(crate) bed: bool,
+    /// Whether it has friction that holds at rest, in a run in time.
+    pub(crate) grips: bool,
     /// Whether there are waves.
     pub(crate) waves: bool,
     /// Whether the case asks for the energy.
@@ -121,6 +123,8 @@ impl<'a> RecordingConditions<'a> {
                 .collect(),
             traveller: case.traveller.as_ref().map(|t| t.name.as_str()),
             bed: case.seabed.is_some(),
+            grips: case.solver.method != Method::Static
+                && case.seabed.as_ref().is_some_and(Seabed::grips),
             waves: case.waves.is_some(),
             energy: case.output.energy,
         }
@@ -129,7 +133,7 @@ impl<'a> RecordingConditions<'a> {
     /// The channels in their order: tensions at the joints from A to B, position of every end that moves and speed of
     /// every end that is free (of a rigid payload: of its centre of gravity, and its tilt), position of every attached
     /// body, position, arc length and tension of the traveller, force on every held end, force of the bed on loose ends
-    /// and bodies and the speed at which these land, length of line on the bed, height of the waves, energy, curvature and
+    /// and bodies and the speed at which these land, length of line on the bed and of what slides over it, height of the waves, energy, curvature and
     /// bending moment at clamped ends, dynamic stiffness at both ends of every section that has it, tension of the wall at
     /// both ends of every section that is a pipe.
     pub(crate) fn channels(&self) -> Vec<ChannelSpec> {
@@ -143,6 +147,10 @@ impl<'a> RecordingConditions<'a> {
                 "line",
                 ChannelLocation::Line,
             );
+        }
+        if self.grips {
+            let sliding = [ChannelQuantity::Sliding];
+            add(&mut list, &sliding, "line", ChannelLocation::Line);
         }
         if self.waves {
             let elevation = [ChannelQuantity::WaveElevation];

@@ -35,6 +35,8 @@ pub enum FigureId {
     BedForce,
     /// Length of lines on the bed against time.
     OnBed,
+    /// Length of line that slides over it.
+    Sliding,
     /// Height of the waves against time.
     Elevation,
     /// The line at an instant, z against x, to equal scale.
@@ -271,7 +273,7 @@ use FigureId as Id;
 
 /// The figures, in the order in which the screen shows them.
 #[rustfmt::skip] // a table: one figure an entry
-pub const FIGURES: [Figure; 31] = [
+pub const FIGURES: [Figure; 32] = [
     figure(Id::Tensions, "Tensions", Time, tensions)
         .when(|c| c.dynamic).at_places(Quantity::Tension).also_in_systems(Quantity::Tension).in_report(1),
     figure(Id::WallTension, "Pipe wall", Time, |d| against_time(d.runs, Quantity::WallTension))
@@ -288,6 +290,8 @@ pub const FIGURES: [Figure; 31] = [
         .when(|c| c.records(Quantity::BedForce)).at_places(Quantity::BedForce).also_in_systems(Quantity::BedForce).in_report(6),
     figure(Id::OnBed, "On the bed", Time, |d| against_time(d.runs, Quantity::OnBed))
         .when(|c| c.records(Quantity::OnBed)).at_places(Quantity::OnBed).also_in_systems(Quantity::OnBed),
+    figure(Id::Sliding, "Sliding on the bed", Time, |d| against_time(d.runs, Quantity::Sliding))
+        .when(|c| c.records(Quantity::Sliding)).at_places(Quantity::Sliding).also_in_systems(Quantity::Sliding),
     figure(Id::Elevation, "Sea", Time, |d| against_time(d.runs, Quantity::WaveElevation))
         .when(irregular_sea).also_in_systems(Quantity::WaveElevation).in_report(7),
     figure(Id::Shape, "Shape", Space, |d| line_shape(d.runs, d.instant()))

@@ -57,6 +57,7 @@ impl<'a> ChannelReading<'a> {
             Q::Curvature => self.bending(site).map(|(curvature, _)| curvature),
             Q::Moment => self.bending(site).map(|(_, moment)| moment),
             Q::OnBed => scene.length_on_bed(state),
+            Q::Sliding => scene.sliding_length(state),
             Q::WaveElevation => Some(scene.line.elevation(self.time)),
             Q::Energy => {
                 let traveller = scene.traveller_energy(self.time, state);

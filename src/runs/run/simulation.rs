@@ -13,7 +13,7 @@ use super::{ResumedRun, RunState, Settings, Work};
 use crate::case::{Case, Method};
 use crate::dynamics::March;
 use crate::scene::Scene;
-use crate::solve::State;
+use crate::solve::{Kinematics, State};
 
 /// Brings a line to its start and runs the method of its case.
 pub(super) fn simulate<'a>(
@@ -97,6 +97,10 @@ fn find_start<'a>(
             true => (work, Failure::Stopped),
             false => (work, Failure::OfRest(why)),
         })?;
+        if case.solver.method != Method::Static {
+            // Its ends move from now on: a motion without a ramp has its velocity at once.
+            scene.prescribe(0.0, state);
+        }
     }
     scene.apply_start_velocity(state);
     Ok(MarchStart {

@@ -26,10 +26,10 @@ use super::point_on_bed::BearingArea;
 use super::pose::{Pose, cross};
 use super::potential_flow::{PotentialFlow, RadiationTable, responses::excitation};
 use super::rods;
-use crate::case::{FrictionLaw, Material, current_grid, depth_grid};
+use crate::case::{FrictionLaw, Material, Start, current_grid, depth_grid};
 use crate::numerics::{M3, V3};
-use crate::physics::CurrentGrid;
 use crate::physics::sea::Sea;
+use crate::physics::{CurrentGrid, Suction};
 use crate::scene::{current_profile, per_axis, sea};
 use crate::statics::catenary::SectionProperties;
 use crate::work_log::{self, Task};
@@ -295,6 +295,7 @@ impl Builder<'_> {
         let held = self.held(given, place, self.file.places(given_name));
         let motion = (given.kind == PointKind::Moved)
             .then(|| point_motion(given, place.unwrap_or_default()));
+        let suction = self.suction(given);
         if let (Held::On(body, at), Some(bearing)) = (&held, self.bearing(given)) {
             self.network.bodies[*body].feet.push(BodyFoot {
                 point: number,
@@ -303,6 +304,7 @@ impl Builder<'_> {
                     friction: given.bed_friction,
                     slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
                     bearing: Some(bearing),
+                    suction,
                     ..FreePoint::default()
                 },
             });
@@ -338,6 +340,7 @@ impl Builder<'_> {
                 slip_speed: self.file.seabed.as_ref().and_then(SystemBed::slip_speed),
                 below: given.bottom_m,
                 bearing: self.bearing(given),
+                suction: self.suction(given),
                 start: place,
                 initial: PointInitial {
                     placed,
@@ -347,6 +350,14 @@ impl Builder<'_> {
                 },
             }),
         }
+    }
+
+    fn suction(&self, point: &PointInputs) -> Option<Suction> {
+        let acts = self.file.seabed.is_some() && point.breakout_n > 0.0;
+        acts.then_some(Suction {
+            greatest: point.breakout_n,
+            distance: point.breakout_distance_m,
+        })
     }
 
     fn bearing(&self, point: &PointInputs) -> Option<BearingArea> {
@@ -412,7 +423,7 @@ impl Builder<'_> {
                     tension: line.release_b_n,
                 },
             ],
-            start: line.start.clone(),
+            start: line.start.clone().filter(Start::is_off_rest),
             discretised: None,
             clamps: [None; 2],
             closed_where_known: false,

@@ -2,7 +2,7 @@
 
 use super::ageing::check::ageing;
 use super::build::{angles as angles_of, copy_name};
-use super::check_bed::{bearing, bed, below_bed};
+use super::check_bed::{bearing, bed, below_bed, suction};
 use super::check_lines::ByName;
 use super::check_matrix::matrix;
 use super::check_start::{not_free, of_body, of_rod, parts};
@@ -385,6 +385,9 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
                 .bed_friction
                 .if_given("has no effect: the point does not bear on the bed", remedy),
         );
+        for key in suction(point) {
+            found.extend(key.if_given("has no effect: the point does not bear on the bed", remedy));
+        }
     }
     if matches!(
         kind,
@@ -400,6 +403,9 @@ fn place_of(point: &PointKeys<'_>) -> Vec<Finding> {
         if !on_body {
             found.extend(point.bed_friction.if_given(problem, remedy));
             found.extend(point.bed_area_m2.if_given(problem, remedy));
+            for key in suction(point) {
+                found.extend(key.if_given(problem, remedy));
+            }
         }
         found.extend(point.bottom_m.if_given(problem, remedy));
         found.extend(point.start_offset_m.if_given(problem, remedy));

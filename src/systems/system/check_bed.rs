@@ -58,7 +58,14 @@ pub(super) fn bearing(keys: &SystemKeys<'_>, point: &PointKeys<'_>) -> Vec<Findi
     let remedy = "add a table `[seabed]`, or remove this key";
     let area = point.bed_area_m2.if_given(problem, remedy);
     let bottom = point.bottom_m.if_given(problem, remedy);
-    area.into_iter().chain(bottom).collect()
+    let suction = suction(point).map(|key| key.if_given(problem, remedy));
+    let found = [area, bottom].into_iter().chain(suction);
+    found.flatten().collect()
+}
+
+/// Keys of suction under a point.
+pub(super) fn suction<'k, 'n>(point: &'k PointKeys<'n>) -> [&'k Key<'n, f64>; 2] {
+    [&point.breakout_n, &point.breakout_distance_m]
 }
 
 /// How far below the bed a place may be, as the end of a line that has sunk into a bed that yields \[m\].

@@ -371,6 +371,10 @@ fn case(file: &SystemFile, line: &LineInputs, parts: &[Part]) -> Case {
             .map(|(name, file)| (name.clone(), file.clone())),
     );
     case.solver.method = Method::Static;
+    let shape = line.start.as_ref().filter(|start| start.begins_search());
+    if let Some(start) = shape {
+        case.start = start.clone();
+    }
     for (k, part) in parts.iter().enumerate() {
         let name = format!("section{}", k + 1);
         // Each section has a material of its own: parts of one material may differ.

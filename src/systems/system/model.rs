@@ -259,6 +259,10 @@ table! {
         bed_area_m2: Option<f64>, "area on the bed", range of(0.0, 1e6), absent "a free point by its weight: it lies on the bed at rest", matters BEARING;
         /// From the point down to what bears on the bed.
         bottom_m: f64 = 0.0, "bottom", range of(0.0, 1e3), matters FREE;
+        /// Greatest pull by which the bed holds it back in motion once it has borne on it.
+        breakout_n: f64 = 0.0, "breakout force", range of(0.0, 1e10), matters BEARING;
+        /// Distance off the bed at which it is free of that pull.
+        breakout_distance_m: f64 = 0.1, "breakout distance", range positive(100.0), matters BEARING;
         /// Displacement at time zero from where it rests, or is placed by the table start, along x, y, z: it is let go there.
         start_offset_m: [f64; 3] = [0.0, 0.0, 0.0], "start offset", range of(-1e4, 1e4), matters FREE;
         /// Velocity at time zero along x, y, z.
@@ -310,6 +314,8 @@ impl PointInputs {
             bed_friction: 0.0,
             bed_area_m2: None,
             bottom_m: 0.0,
+            breakout_n: 0.0,
+            breakout_distance_m: 0.1,
             start_offset_m: [0.0; 3],
             start_velocity_m_per_s: [0.0; 3],
             amplitude_m: [0.0; 3],
@@ -619,7 +625,7 @@ table! {
         modules: Vec<Modules>;
         /// A body hung on the line at one place: a clump weight, or a buoy.
         clumps: Vec<Clump>;
-        /// How the line lies between its ends at time zero of a run in time, where it does not begin at rest, and its velocity.
+        /// How the line lies between its ends at time zero, or where the search for its equilibrium begins, and its velocity.
         start: Option<Start>;
     }
 }

@@ -17,7 +17,7 @@ use crate::numerics::{M3, V3};
 use crate::physics::current::CurrentProfile;
 use crate::physics::rigid_body::drag_strips;
 use crate::physics::sea::Sea;
-use crate::physics::{CurrentGrid, EndMotion};
+use crate::physics::{CurrentGrid, EndMotion, Suction};
 use crate::statics::catenary::SectionProperties;
 
 /// A system of lines, in SI.
@@ -104,6 +104,8 @@ pub struct FreePoint {
     pub below: f64,
     /// The area that bears on the bed; without, it does so by its weight.
     pub bearing: Option<BearingArea>,
+    /// Suction of the bed on it in motion, once it has borne on it.
+    pub suction: Option<Suction>,
     /// Where the search begins \[m\], if that is given.
     pub start: Option<V3>,
     /// How it begins a run in time.

@@ -71,6 +71,23 @@ impl FreePoint {
         springs.push_at(-bed.height(x), bed.gradient(x).dot(v), 1.0)
     }
 
+    /// The push of the bed on its bottom, less the pull of suction where that holds it; nothing where neither acts.
+    #[must_use]
+    pub fn held_by_bed(&self, bed: &Bed, (x, v): (&V3, &V3), stuck: bool) -> Option<BedReaction> {
+        let height = bed.height(x);
+        if height < 0.0 {
+            return Some(self.push_of_bed(bed, (x, v)));
+        }
+        let suction = self.suction.filter(|_| stuck)?;
+        let (pull, by_height) = suction.pull(height);
+        let held = BedReaction {
+            force: -pull,
+            by_height: -by_height,
+            by_speed: 0.0,
+        };
+        (pull > 0.0).then_some(held)
+    }
+
     /// The force of the bed at rest on a point with an area \[N\], and its change with the place \[N/m\]; what bears by its weight alone lies
     /// on a rigid bed there ([`Bounds`](super::bounds::Bounds)).
     #[must_use]

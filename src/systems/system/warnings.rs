@@ -10,6 +10,7 @@ use super::off_nodes::off_nodes;
 use super::potential_flow::wave_loads::energy_above;
 use super::stability::{Stability, stability};
 use super::{SolvedSystem, SystemFile};
+use crate::case::Start;
 use crate::scene::steep_waves;
 
 /// What a reader must know beside the numbers.
@@ -53,6 +54,7 @@ pub fn warnings(solved: &SolvedSystem) -> Vec<String> {
         format!("The errors by the mesh are not known: with twice the segments, {why}.")
     }));
     found.extend(unused_motion(solved));
+    found.extend(unused_searches(solved));
     found.extend(on_waves(solved));
     found.extend(loads_without_effect(solved));
     found.extend(off_nodes(solved));
@@ -150,6 +152,26 @@ fn unused_motion(solved: &SolvedSystem) -> Vec<String> {
         }
     }
     found
+}
+
+/// Where the search for the equilibrium of a line begins that has one alone.
+fn unused_searches(solved: &SolvedSystem) -> Vec<String> {
+    let (lines, network) = (&solved.file.lines, &solved.network);
+    let searched = lines.iter().filter(|line| {
+        let start = line.start.as_ref();
+        start.is_some_and(Start::begins_search)
+    });
+    let is_closed = |name: &str| {
+        let mut lines = network.lines.iter();
+        lines.any(|line| line.name == name && line.discretised.is_none())
+    };
+    let closed = searched.filter(|line| is_closed(&line.name));
+    let remark = |name: &str| {
+        format!(
+            "Line {name} has one equilibrium between its ends, its closed form: where its search begins has no effect."
+        )
+    };
+    closed.map(|line| remark(&line.name)).collect()
 }
 
 /// Steps that a system at rest does not take.

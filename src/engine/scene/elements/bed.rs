@@ -219,6 +219,11 @@ impl BedContact {
         self.seabed.height(x)
     }
 
+    /// Whether its friction holds at rest, about anchors.
+    pub(in crate::scene) fn holds_at_rest(&self) -> bool {
+        self.friction_springs().is_some()
+    }
+
     /// Friction by springs and their stiffness per area \[N/m³\]; none for other laws.
     fn friction_springs(&self) -> Option<(Friction, f64)> {
         let friction = self.seabed.friction?;
@@ -293,6 +298,7 @@ impl BedContact {
             stiffness: stiffness * area,
             damping: self.seabed.damping * area,
             laid: false,
+            slip: 0.0,
         };
         nodes.iter().zip(&self.footprint).map(grip).collect()
     }

@@ -4,8 +4,7 @@
 //! force `N = k A d - c A v` (Zhu, Yin and Shen 2017, eq. 8, with the area A of the body in the place of diameter times length)
 //! the law is that of the line; see [`ElasticBed::push_at`]. Friction is the same along all directions.
 //!
-//! Suction, where a body has it: once it has borne on the bed, a pull holds it that rises to its breakout force over half the
-//! breakout distance and falls to nothing over the other half. Beyond that distance it is free until it lands again.
+//! Suction, where a body has it, holds it once it has borne on the bed: see [`Suction`].
 
 use super::bed::seabed;
 use super::rigid_payload::RigidPayload;
@@ -15,7 +14,7 @@ use crate::physics::bed_friction::{
     Friction, FrictionAnchor, FrictionContact, FrictionForce, FrictionModel,
 };
 use crate::physics::bed_reaction::BedReaction;
-use crate::physics::{ElasticBed, RigidBody};
+use crate::physics::{ElasticBed, RigidBody, Suction};
 use crate::scene::LumpedLine;
 use crate::scene::bodies;
 use crate::scene::element::{At, Element};
@@ -41,8 +40,8 @@ pub struct BearingBody {
     pub below: f64,
     /// Area that bears \[m²\].
     pub area: f64,
-    /// Greatest pull of suction \[N\], and the distance over which it acts \[m\].
-    pub breakout: (f64, f64),
+    /// Suction of the bed on it.
+    pub suction: Suction,
 }
 
 /// Normal and tangential force on a body, with its derivatives.
@@ -101,7 +100,7 @@ impl Element for BodyContact {
     }
 
     fn equivalent_displacement(&self, at: At<'_>, d: &[V3], stiffest: f64) -> f64 {
-        let touching = |body: &&BearingBody| self.height(body, at.state) < body.breakout.1;
+        let touching = |body: &&BearingBody| self.height(body, at.state) < body.suction.distance;
         let bodies = self.bodies.iter().filter(touching);
         let moved =
             |body: &BearingBody| body.motion(d).amax() * (self.stiffness(body) / stiffest).max(1.0);
@@ -172,7 +171,10 @@ impl BodyContact {
                 place: 0.0,
                 below: clump.bottom_m,
                 area: bodies::clump_bed_area(clump, water),
-                breakout: (clump.breakout_n, clump.breakout_distance_m),
+                suction: Suction {
+                    greatest: clump.breakout_n,
+                    distance: clump.breakout_distance_m,
+                },
             })
             .collect();
         let hung = case.payload.as_ref();
@@ -255,17 +257,9 @@ impl BodyContact {
         history: Option<&BodyOnBed>,
         state: &State,
     ) -> (f64, f64) {
-        let (most, distance) = body.breakout;
-        let stuck = most > 0.0 && history.is_some_and(|h| h.stuck);
-        let height = self.height(body, state);
-        if !stuck || height <= 0.0 || height >= distance {
-            return (0.0, 0.0);
-        }
-        let slope = 2.0 * most / distance;
-        if height < 0.5 * distance {
-            (slope * height, slope)
-        } else {
-            (slope * (distance - height), -slope)
+        match history.is_some_and(|history| history.stuck) {
+            true => body.suction.pull(self.height(body, state)),
+            false => (0.0, 0.0),
         }
     }
 
@@ -344,6 +338,7 @@ impl BodyContact {
                 stiffness: hold,
                 damping,
                 laid: false,
+                slip: 0.0,
             },
         }
     }
@@ -364,11 +359,11 @@ impl BodyContact {
         let body = &self.bodies[number];
         let normal = self.gradient(body, state);
         let height = self.height(body, state);
-        let bears = height < 0.0;
         let known = state.memory.bodies.get(number);
+        let stuck = known.is_some_and(|history| history.stuck);
         let mut history = BodyOnBed {
             grip: self.grip(number, state),
-            stuck: bears || known.is_some_and(|h| h.stuck && height < body.breakout.1),
+            stuck: body.suction.holds(stuck, height),
             height: known.map_or([0.0; 3], |h| h.height),
             landing_speed: known.map_or(0.0, |h| h.landing_speed),
         };
@@ -382,10 +377,9 @@ impl BodyContact {
 
     /// Elastic stiffness of a body in contact \[N/m\], along or across the bed.
     fn stiffness(&self, body: &BearingBody) -> f64 {
-        let suction = 2.0 * body.breakout.0 / body.breakout.1;
         (self.seabed.stiffness * body.area)
             .max(self.hold(body).0)
-            .max(suction)
+            .max(body.suction.stiffness())
     }
 }
 
@@ -407,7 +401,10 @@ impl BearingBody {
             place,
             below,
             area: bodies::payload_bed_area(body, water),
-            breakout: (body.breakout_n, body.breakout_distance_m),
+            suction: Suction {
+                greatest: body.breakout_n,
+                distance: body.breakout_distance_m,
+            },
         }
     }
 

@@ -4,20 +4,7 @@ use super::copied::value_of;
 use super::source::LineSource;
 use super::turning_payload::turning;
 use crate::case::Payload;
-use crate::import::fault::Fault;
 use crate::import::to_case::case_text::{CaseText, number};
-
-/// What of it acts and a free point cannot state, of a table with this greatest pull of the bed \[N\].
-pub(super) fn faults(source: &LineSource<'_>, table: &[&str], breakout_n: f64) -> Vec<Fault> {
-    let mut found = Vec::new();
-    if source.case.seabed.is_some() && breakout_n > 0.0 {
-        let path = [table, &["breakout_n"]].concat();
-        let problem = "holds back what leaves the bed, and a point of a system leaves it freely";
-        let remedy = "leave it out where nothing leaves the bed";
-        found.push(source.fault(&path, problem, remedy));
-    }
-    found
-}
 
 /// Whether the area on the bed of a payload follows from its volume.
 pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> bool {
@@ -25,7 +12,7 @@ pub(super) fn bears_by_volume(source: &LineSource<'_>, payload: &Payload) -> boo
     source.case.seabed.is_some() && !given
 }
 
-/// Writes the area that bears \[m²\], how far it is below the point, and its friction.
+/// Writes the area that bears \[m²\], how far it is below the point, its suction and its friction.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &[&str], area: f64) {
     if source.case.seabed.is_none() {
         return;
@@ -37,6 +24,11 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, table: &
     }
     if let Some(node) = at("bottom_m").filter(|_| turning(source).is_none()) {
         system.given("bottom_m", &value_of(source, node), &node.span, "");
+    }
+    for key in ["breakout_n", "breakout_distance_m"] {
+        if let Some(node) = at(key) {
+            system.given(key, &value_of(source, node), &node.span, "");
+        }
     }
     if let Some(node) = source.node(&["seabed", "friction"]) {
         let value = value_of(source, node);

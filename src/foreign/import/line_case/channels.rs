@@ -1,10 +1,11 @@
 //! Channels of a case by the names that its system gives them.
 
-use super::places::{end_of, is_one, on_free_end};
-use super::source::{LINE, LineSource};
+use super::lines::{line_at, line_of, lines};
+use super::places::{end_of, on_free_end};
+use super::source::{BESIDE, LINE, LineSource};
 use super::turning_payload::{bottom_point, turning};
 use crate::case::{
-    ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, channels,
+    ChannelId, ChannelLocation, ChannelQuantity, EndKind, LineEnd, MotionName, OnSection, channels,
 };
 use crate::scene::{clump_bed_area, payload_bed_area};
 
@@ -20,18 +21,19 @@ pub(super) fn translated(source: &LineSource<'_>, id: &ChannelId) -> Option<Chan
         ChannelLocation::Joint(joint) => Some(tension(source, joint)),
         ChannelLocation::End(end) => at_end(source, id, end),
         ChannelLocation::Section(section, end) => {
-            let name = match is_one(&source.case) {
-                true => "1",
-                false => &source.case.line.get(section)?.name,
-            };
-            Some(id.quantity.at(format!("{LINE}|{name}.{}", letter(end))))
+            let own = &source.case.line.get(section)?.name;
+            let line = line_of(&source.case, own, end)?;
+            let (name, own) = (line.name, if line.is_one() { "1" } else { own });
+            Some(id.quantity.at(format!("{name}|{own}.{}", letter(end))))
         }
         ChannelLocation::Gauge => Some(id.clone()),
         ChannelLocation::Line => {
-            (id.quantity == ChannelQuantity::OnBed).then(|| id.quantity.at(LINE))
+            let of_line = [ChannelQuantity::OnBed, ChannelQuantity::Sliding];
+            let is_one = of_line.contains(&id.quantity) && lines(&source.case).len() == 1;
+            is_one.then(|| id.quantity.at(LINE))
         }
         ChannelLocation::Body(number) => of_clump(source, id, number),
-        ChannelLocation::Traveller => None,
+        ChannelLocation::Traveller => of_traveller(id),
     }
 }
 
@@ -42,18 +44,30 @@ const fn letter(end: LineEnd) -> &'static str {
     }
 }
 
+/// What is recorded of the body that travels: of its point, and the length of the line behind it.
+fn of_traveller(id: &ChannelId) -> Option<ChannelId> {
+    match id.quantity {
+        ChannelQuantity::Arc => Some(ChannelQuantity::Length.at(BESIDE[0])),
+        quantity => ChannelQuantity::POSITION
+            .contains(&quantity)
+            .then(|| id.clone()),
+    }
+}
+
 /// The tension where two sections meet, or at an end, by its number from end A.
 fn tension(source: &LineSource<'_>, joint: usize) -> ChannelId {
-    let place = match joint {
-        0 => "a".to_owned(),
-        joint if joint == source.case.line.len() => "b".to_owned(),
-        joint => format!(
-            "{}|{}",
-            source.case.line[joint - 1].name,
-            source.case.line[joint].name
-        ),
+    let case = &source.case;
+    let (name, place) = match joint {
+        0 => (line_at(case, LineEnd::A), "a".to_owned()),
+        joint if joint == case.line.len() => (line_at(case, LineEnd::B), "b".to_owned()),
+        joint => {
+            let [before, behind] = [joint - 1, joint].map(|section| &case.line[section].name);
+            let line = line_of(case, before, LineEnd::B);
+            let name = line.map_or(LINE, |line| line.name);
+            (name, format!("{before}|{behind}"))
+        }
     };
-    ChannelQuantity::Tension.at(format!("{LINE}|{place}"))
+    ChannelQuantity::Tension.at(format!("{name}|{place}"))
 }
 
 /// What is recorded of a clump by its number: of the body on the line, or of the point at the free end that it hangs on.
@@ -61,7 +75,9 @@ fn of_clump(source: &LineSource<'_>, id: &ChannelId, number: usize) -> Option<Ch
     let case = &source.case;
     let clump = case.clumps.get(number)?;
     let Some(letter) = end_of(case, clump) else {
-        return Some(id.quantity.at(format!("{LINE}|{}", clump.name)));
+        let section = case.line.iter().find(|one| clump.is_on(Some(&one.name)))?;
+        let line = line_of(case, &section.name, LineEnd::A)?.name;
+        return Some(id.quantity.at(format!("{line}|{}", clump.name)));
     };
     let (end, given) = match letter {
         "a" => (LineEnd::A, &case.ends.a),
@@ -92,7 +108,8 @@ fn at_end(source: &LineSource<'_>, id: &ChannelId, end: LineEnd) -> Option<Chann
     };
     let quantity = id.quantity;
     if ChannelQuantity::BENDING.contains(&quantity) {
-        return Some(quantity.at(format!("{LINE}|{}", letter(end))));
+        let line = line_at(&source.case, end);
+        return Some(quantity.at(format!("{line}|{}", letter(end))));
     }
     let turns = end == LineEnd::B && turning(source).is_some();
     let is_on_vessel = given.kind == EndKind::Moving && given.motion == MotionName::Vessel;

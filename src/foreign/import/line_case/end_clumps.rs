@@ -62,11 +62,13 @@ fn on_held(source: &LineSource<'_>, end: &End) -> Option<(&'static str, &'static
 /// Weight, volume and contact of a clump that a free point cannot state.
 fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
     let table = ["clumps", clump.name.as_str()];
-    let mut found = bearing::faults(source, &table, clump.breakout_n);
-    for key in ["at_m", "mass_kg", "wet_mass_kg"] {
-        found.extend(source.fault_of_expression(&[table[0], table[1], key]));
-    }
-    found.extend(source.fault_of_expression(&DENSITY));
+    let mut found = Vec::new();
+    found.extend(source.fault_of_expression(&[table[0], table[1], "at_m"]));
+    found.extend(of_weight(
+        source,
+        &table,
+        (clump.mass_kg, clump.wet_mass_kg),
+    ));
     for key in ["drag_area_normal_m2", "drag_area_tangential_m2"] {
         let path = [table[0], table[1], key];
         found.extend(source.node(&path).filter(|_| clump.is_aligned()).map(|_| {
@@ -75,14 +77,28 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
             source.fault(&path, problem, "hang it on the node before the end")
         }));
     }
-    let path = ["clumps", &clump.name, "wet_mass_kg"];
+    found
+}
+
+/// Mass and weight in water of a body, as masses \[kg\], that a free point cannot state.
+pub(super) fn of_weight(
+    source: &LineSource<'_>,
+    table: &[&str],
+    (mass, wet): (f64, f64),
+) -> Vec<Fault> {
+    let at = |key| [table, &[key]].concat();
+    let keys = ["mass_kg", "wet_mass_kg"].into_iter();
+    let mut found: Vec<Fault> = keys
+        .filter_map(|key| source.fault_of_expression(&at(key)))
+        .collect();
+    found.extend(source.fault_of_expression(&DENSITY));
     let in_air = source.case.environment.water_density_kg_per_m3 == 0.0;
     if in_air {
         found.extend(source.fault_of_expression(&GRAVITY));
-    } else if clump.wet_mass_kg > clump.mass_kg {
+    } else if wet > mass {
         let problem =
             "is more than the mass in air, and a point of a system displaces no less than nothing";
-        found.push(source.fault(&path, problem, "give the mass or less"));
+        found.push(source.fault(&at("wet_mass_kg"), problem, "give the mass or less"));
     }
     found
 }
@@ -90,18 +106,7 @@ fn of_body(source: &LineSource<'_>, clump: &Clump) -> Vec<Fault> {
 /// Writes the clump of a free end.
 pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &Clump) {
     let table = ["clumps", clump.name.as_str()];
-    let node = |key| source.node(&[table[0], table[1], key]);
-    if let Some(mass) = node("mass_kg") {
-        system.given("mass_kg", &value_of(source, mass), &mass.span, "");
-    }
-    let density = source.case.environment.water_density_kg_per_m3;
-    let displaced = clump.mass_kg - clump.wet_mass_kg;
-    if let Some(wet) = node("wet_mass_kg").filter(|_| density > 0.0 && displaced != 0.0) {
-        let why = "mass_kg less wet_mass_kg, by the density of the water";
-        system.given("volume_m3", &number(displaced / density), &wet.span, why);
-    }
-    let span = source.span(&[table[0], table[1], "wet_mass_kg"]);
-    lift_in_air(system, source, displaced, span);
+    write_weight(system, source, &table, (clump.mass_kg, clump.wet_mass_kg));
     for (key, value) in [
         ("drag_area_m2", &clump.drag_area_m2),
         ("added_mass_kg", &clump.added_mass_kg),
@@ -110,4 +115,25 @@ pub(super) fn write(system: &mut CaseText<'_>, source: &LineSource<'_>, clump: &
     }
     let area = clump_bed_area(clump, &source.case.environment);
     bearing::write(system, source, &table, area);
+}
+
+/// Writes mass and volume of a point by its mass and its weight in water, as masses \[kg\].
+pub(super) fn write_weight(
+    system: &mut CaseText<'_>,
+    source: &LineSource<'_>,
+    table: &[&str],
+    (mass, wet): (f64, f64),
+) {
+    let node = |key| source.node(&[table, &[key]].concat());
+    if let Some(own) = node("mass_kg") {
+        system.given("mass_kg", &value_of(source, own), &own.span, "");
+    }
+    let density = source.case.environment.water_density_kg_per_m3;
+    let displaced = mass - wet;
+    if let Some(wet) = node("wet_mass_kg").filter(|_| density > 0.0 && displaced != 0.0) {
+        let why = "mass_kg less wet_mass_kg, by the density of the water";
+        system.given("volume_m3", &number(displaced / density), &wet.span, why);
+    }
+    let span = source.span(&[table, &["wet_mass_kg"]].concat());
+    lift_in_air(system, source, displaced, span);
 }

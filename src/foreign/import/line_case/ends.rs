@@ -191,6 +191,9 @@ fn free(system: &mut CaseText<'_>, source: &LineSource<'_>, letter: &str, end: &
 fn begins_at(source: &LineSource<'_>, letter: &str) -> ([f64; 3], &'static str) {
     match start::is_in_shape(source) {
         true => (start::place(source, letter), "where it begins"),
+        false if start::is_searched_from(source) => {
+            (start::place(source, letter), "its search begins here")
+        }
         false => (search_from(source, letter), "its search begins here"),
     }
 }

@@ -1,7 +1,7 @@
 //! A case of one line between two ends as a system of one line.
 //!
 //! What both kinds of file have is copied with the expressions in it; ends become points, sections with floats, modules and clumps those of the line
-//! `line`, clumps at an end the body of the point there. What acts and a system cannot state is a fault at its key; what only concerns
+//! `line`, clumps at an end the body of the point there, a body that travels a point hauled between two lines. What acts and a system cannot state is a fault at its key; what only concerns
 //! other views of the case is a remark in the notes.
 
 mod bearing;
@@ -10,6 +10,7 @@ mod copied;
 mod end_clumps;
 mod ends;
 mod line;
+mod lines;
 mod paths;
 mod payload;
 mod places;
@@ -19,6 +20,7 @@ mod results;
 mod run;
 mod source;
 mod start;
+mod traveller;
 mod turning_payload;
 mod unused;
 
@@ -71,7 +73,9 @@ fn system_of(source: &LineSource<'_>) -> Result<Imported, Vec<Fault>> {
     copy(&mut system, source, "seabed");
     materials(&mut system, source);
     ends::write(&mut system, source);
+    traveller::write_point(&mut system, source);
     line::write(&mut system, source);
+    traveller::write_hauling(&mut system, source);
     start::of_ends(&mut system, source);
     run::write(&mut system, source);
     results::write(&mut system, source);

@@ -1,9 +1,10 @@
 //! Key paths of a case by the paths that its system has them at.
 
 use super::bearing::bears_by_volume;
-use super::places::{end_of, is_one, on_free_end};
-use super::source::{LETTERS, LINE, LineSource};
-use crate::case::{Payload, split};
+use super::lines::{line_at, line_of};
+use super::places::{end_of, on_free_end};
+use super::source::{LETTERS, LineSource};
+use crate::case::{Case, LineEnd, Payload, split};
 
 /// The key path of the system whose value is that of a key of the case; nothing where no key of the system is.
 pub(super) fn translated(source: &LineSource<'_>, path: &str) -> Option<String> {
@@ -41,6 +42,7 @@ fn is_derived_by_density(source: &LineSource<'_>) -> bool {
         || LETTERS
             .iter()
             .any(|letter| on_free_end(source, letter).is_some())
+        || source.case.traveller.is_some()
 }
 
 /// Whether a load was computed by gravity: of a body in air that weighs another than its mass.
@@ -50,36 +52,55 @@ fn has_lift_in_air(source: &LineSource<'_>) -> bool {
     let mut payload = payload.filter_map(|one| Some((one.dry_mass_kg, one.wet_mass_kg?)));
     let mut clumps = case.clumps.iter().map(|one| (one.mass_kg, one.wet_mass_kg));
     let differs = |(mass, wet): (f64, f64)| mass != wet;
-    case.environment.water_density_kg_per_m3 == 0.0 && (payload.any(differs) || clumps.any(differs))
+    let travellers = case.traveller.iter();
+    let mut travellers = travellers.map(|one| (one.mass_kg, one.wet_mass_kg));
+    let is_lifted = payload.any(differs) || clumps.any(differs) || travellers.any(differs);
+    case.environment.water_density_kg_per_m3 == 0.0 && is_lifted
 }
 
 fn of_section(source: &LineSource<'_>, section: &str, key: &str) -> Option<String> {
-    let case = &source.case;
-    case.line.iter().find(|one| one.name == section)?;
-    Some(match is_one(case) {
-        true => format!("lines.{LINE}.{key}"),
-        false => format!("lines.{LINE}.sections.{section}.{key}"),
+    let line = line_of(&source.case, section, LineEnd::A)?;
+    let mut own = line.sections.iter().filter(|own| own.of.name == section);
+    own.next().filter(|own| own.part.is_none())?;
+    let name = line.name;
+    Some(match line.is_one() {
+        true => format!("lines.{name}.{key}"),
+        false => format!("lines.{name}.sections.{section}.{key}"),
     })
 }
 
 /// A key of floats, modules or a clump between the ends, by the name of its table.
 fn of_attached(source: &LineSource<'_>, (table, name): (&str, &str), key: &str) -> Option<String> {
     let case = &source.case;
+    let section = section_of(source, (table, name))?;
+    let line = line_of(case, section, LineEnd::A)?;
     let own = match table {
         "clumps" => {
             let clump = case.clumps.iter().find(|clump| clump.name == name)?;
             end_of(case, clump).is_none().then(|| name.to_owned())?
         }
+        _ if !line.is_one() => name.to_owned(),
         _ => {
             let names = source.node(&[table])?.names();
             let number = names.iter().position(|one| one == name)?;
-            match is_one(case) {
-                true => (number + 1).to_string(),
-                false => name.to_owned(),
-            }
+            (number + 1).to_string()
         }
     };
-    Some(format!("lines.{LINE}.{table}.{own}.{key}"))
+    Some(format!("lines.{}.{table}.{own}.{key}", line.name))
+}
+
+/// The section that floats, modules or a clump are on, by the name of their table.
+fn section_of<'c>(source: &'c LineSource<'_>, (table, name): (&str, &str)) -> Option<&'c str> {
+    let node = source.node(&[table, name])?;
+    let given = node.get("section").and_then(|section| section.text());
+    let of = |case: &'c Case| {
+        let mut sections = case.line.iter();
+        match given {
+            Some(given) => sections.find(|one| one.name == given),
+            None => sections.next(),
+        }
+    };
+    of(&source.case).map(|section| &*section.name)
 }
 
 fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Option<String> {
@@ -98,14 +119,28 @@ fn of_end(source: &LineSource<'_>, letter: &str, key: &str, axis: &[&str]) -> Op
         let path = [&["points", &*end.name, key], axis].concat();
         return Some(path.join("."));
     }
+    let name = line_at(
+        &source.case,
+        match letter {
+            "a" => LineEnd::A,
+            _ => LineEnd::B,
+        },
+    );
     match key {
-        "release_s" => Some(format!("lines.{LINE}.release_{letter}_s")),
+        "release_s" => Some(format!("lines.{name}.release_{letter}_s")),
         "clamp_elevation_deg" | "clamp_azimuth_deg" => Some(format!(
-            "lines.{LINE}.{}",
+            "lines.{name}.{}",
             key.replacen("clamp", &format!("clamp_{letter}"), 1)
         )),
         _ => None,
     }
+}
+
+/// A key of the suction under the payload.
+fn of_suction(source: &LineSource<'_>, payload: &Payload, key: &str) -> Option<String> {
+    let name = &source.case.ends.b.name;
+    let acts = source.case.seabed.is_some() && payload.rotation.is_none();
+    acts.then(|| format!("points.{name}.{key}"))
 }
 
 /// A key of the payload; its mass where its volume does not follow from that.
@@ -116,6 +151,7 @@ fn of_payload(source: &LineSource<'_>, key: &str) -> Option<String> {
         "volume_m3" if payload.wet_mass_kg.is_none() && !bears_by_volume(source, payload) => {
             "volume_m3"
         }
+        "breakout_n" | "breakout_distance_m" => return of_suction(source, payload, key),
         _ => return None,
     };
     let table = match payload.rotation {

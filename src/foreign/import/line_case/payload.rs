@@ -21,7 +21,6 @@ pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     if let Some(rotation) = &payload.rotation {
         found.extend(turning_payload::faults(source, rotation));
     }
-    found.extend(bearing::faults(source, &["payload"], payload.breakout_n));
     found.extend(derived(source, payload));
     found.extend(volume(source, payload));
     found

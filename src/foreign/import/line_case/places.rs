@@ -1,15 +1,7 @@
-//! Where clumps hang, and whether the line is one section.
+//! Where clumps hang.
 
 use super::source::{LETTERS, LineSource};
 use crate::case::{Case, Clump, EndKind, OnSection, Section};
-
-/// Fewest segments of a line that does not state those of its sections.
-const FEWEST: usize = 8;
-
-/// Whether the line is of one section that needs no table of its own, nor a name.
-pub(super) fn is_one(case: &Case) -> bool {
-    matches!(case.line.as_slice(), [only] if only.segments >= FEWEST)
-}
 
 /// The letter of the end of the line that a clump hangs at; nothing between the ends.
 pub(super) fn end_of(case: &Case, clump: &Clump) -> Option<&'static str> {

@@ -2,6 +2,7 @@
 
 use super::channels;
 use super::copied::{copy_keys, value_of};
+use super::lines::lines;
 use super::paths;
 use super::source::{LINE, LineSource};
 use crate::case::{
@@ -74,7 +75,9 @@ impl<'c> CaseResult<'c> {
         }
         let of = match self.of {
             Subject::Channel(id) => Subject::Channel(channels::translated(source, id)?),
-            Subject::Line(quantity) => Subject::along(*quantity, LINE),
+            Subject::Line(quantity) if lines(&source.case).len() == 1 => {
+                Subject::along(*quantity, LINE)
+            }
             of @ Subject::Energy(_) => of.clone(),
             _ => return None,
         };

@@ -3,17 +3,15 @@
 use super::ends::moves_at_rest;
 use super::payload;
 use super::source::{LETTERS, LineSource};
+use super::traveller;
 use crate::case::{End, EndKind, MotionName};
 use crate::import::fault::Fault;
 
 /// All of it, but for what the mesh and the results show.
 pub(super) fn faults(source: &LineSource<'_>) -> Vec<Fault> {
     let mut found = Vec::new();
-    if source.case.traveller.is_some() {
-        let problem =
-            "a body that travels along the line at a given speed has no words in a system";
-        let remedy = "make the line two, and a sliding point that is hauled along them";
-        found.push(source.fault(&["traveller"], problem, remedy));
+    if let Some(body) = &source.case.traveller {
+        found.extend(traveller::faults(source, body));
     }
     for (letter, end) in LETTERS
         .into_iter()
@@ -58,14 +56,6 @@ fn motion(source: &LineSource<'_>, letter: &str, end: &End) -> Vec<Fault> {
 fn start(source: &LineSource<'_>) -> Vec<Fault> {
     let start = &source.case.start;
     let mut found = Vec::new();
-    if source.bends() && start.arc_m.is_some() && !super::start::is_in_shape(source) {
-        let problem = "says which of several equilibria of a line that bends is meant, and a system searches its own";
-        found.push(source.fault(
-            &["start", "arc_m"],
-            problem,
-            "leave it out where there is one equilibrium",
-        ));
-    }
     if start.from_run.is_some() {
         let problem = "a system begins at no stored run of a line";
         found.push(source.fault(&["start", "from_run"], problem, "start in equilibrium"));

@@ -12,6 +12,9 @@ pub(super) const LETTERS: [&str; 2] = ["a", "b"];
 /// The name of the line in the system.
 pub(super) const LINE: &str = "line";
 
+/// The names of the lines on either side of a body that travels, from end A and to end B.
+pub(super) const BESIDE: [&str; 2] = ["line-1", "line-2"];
+
 /// The key of the density of the water, which volumes follow from.
 pub(super) const DENSITY: [&str; 2] = ["environment", "water_density_kg_per_m3"];
 

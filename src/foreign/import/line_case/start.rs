@@ -19,15 +19,30 @@ pub(super) fn is_moving(source: &LineSource<'_>) -> bool {
     source.is_in_time() && source.case.start.velocity_m_per_s != [0.0; 3]
 }
 
+/// Whether the search for the equilibrium of its system begins at coordinates, which a closed form needs none of.
+pub(super) fn is_searched_from(source: &LineSource<'_>) -> bool {
+    let start = &source.case.start;
+    let is_open = source.bends() || source.case.current.is_some();
+    is_open && start.arc_m.is_some() && !is_in_shape(source)
+}
+
 /// Writes how the line begins.
 pub(super) fn of_line(system: &mut CaseText<'_>, source: &LineSource<'_>) {
     let (in_shape, moving) = (is_in_shape(source), is_moving(source));
-    let Some(node) = source.node(&["start"]).filter(|_| in_shape || moving) else {
+    let searched = is_searched_from(source);
+    let begins = in_shape || moving || searched;
+    let Some(node) = source.node(&["start"]).filter(|_| begins) else {
         return;
     };
     let mut without = OF_POINTS.to_vec();
-    if !in_shape {
+    if searched {
+        // Given coordinates begin the search of a case at rest, too.
+        without.push("shape");
+    } else if !in_shape {
         without.extend(OF_SHAPES);
+    }
+    if !source.is_in_time() {
+        without.push("velocity_m_per_s");
     }
     system.table("[lines.start]", Some(&node.span));
     copy_keys(system, source, node, &without);
@@ -46,7 +61,7 @@ pub(super) fn of_ends(system: &mut CaseText<'_>, source: &LineSource<'_>) {
 /// Where a free end of a line in a shape begins \[m\], by its letter.
 pub(super) fn place(source: &LineSource<'_>, letter: &str) -> [f64; 3] {
     let (case, start) = (&source.case, &source.case.start);
-    if start.shape == StartShape::Given {
+    if start.shape != StartShape::Straight && start.arc_m.is_some() {
         let end = |list: &Option<Vec<f64>>| {
             let list = list.as_deref().unwrap_or_default();
             let value = if letter == LETTERS[0] {

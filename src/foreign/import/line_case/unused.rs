@@ -3,7 +3,9 @@
 use super::end_clumps;
 use super::published;
 use super::source::LineSource;
-use crate::case::{End, EndKind, MotionName, StartShape};
+use super::start;
+use super::traveller;
+use crate::case::StartShape;
 
 /// Tables and keys that other views of a case are of, and what a system has in their place.
 const VIEWS: [(&[&str], &str); 4] = [
@@ -58,28 +60,11 @@ pub(super) fn remarks(source: &LineSource<'_>) -> Vec<String> {
     if !left_out.is_empty() {
         remarks.push(format!("NOT CARRIED OVER: {}.", left_out.join("; ")));
     }
-    match source.is_in_time() {
-        true => remarks.extend(jump(source)),
-        false => remarks.extend(at_rest(source)),
+    remarks.extend(traveller::remark(source));
+    if !source.is_in_time() {
+        remarks.extend(at_rest(source));
     }
     remarks
-}
-
-/// A motion that sets in at full speed.
-fn jump(source: &LineSource<'_>) -> Option<String> {
-    let ends = &source.case.ends;
-    let jumps = |end: &&End| {
-        let mut axes = end.amplitude_m.iter().zip(&end.phase_deg);
-        let swings = end.kind == EndKind::Moving && end.motion == MotionName::Harmonic;
-        let at_speed = axes.any(|(amplitude, phase)| amplitude * phase.to_radians().cos() != 0.0);
-        swings && end.ramp_s == 0.0 && at_speed
-    };
-    [&ends.a, &ends.b].iter().find(|end| jumps(end)).map(|end| {
-        format!(
-            "The motion of `{}` sets in at full speed: a jump, whose first steps differ from those of the line.",
-            end.name
-        )
-    })
 }
 
 fn bears_on_nothing(source: &LineSource<'_>) -> bool {
@@ -95,8 +80,9 @@ fn bears_on_nothing(source: &LineSource<'_>) -> bool {
 /// What a case at rest says of a run in time, or of how its equilibrium is found.
 fn at_rest(source: &LineSource<'_>) -> Vec<String> {
     let mut remarks = Vec::new();
-    let start = &source.case.start;
-    if start.shape != StartShape::Equilibrium || start.arc_m.is_some() {
+    let begins = &source.case.start;
+    let is_given = begins.shape == StartShape::Straight || begins.arc_m.is_some();
+    if is_given && !start::is_searched_from(source) {
         remarks.push("The search for the equilibrium begins where the system puts it, not at the start of the case.".to_owned());
     }
     if source.case.current.is_none() && !source.bends() {

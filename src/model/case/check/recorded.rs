@@ -1,9 +1,10 @@
 //! The channels that a run of the case would record, by name.
 
-use crate::case::Subject;
 use crate::case::channels::{RecordedEnd, RecordedSection, RecordingConditions};
 use crate::case::line_quantity::{EnergyQuantity, STEADY};
 use crate::case::model::{CaseKeys, EndKeys};
+use crate::case::schema::Key;
+use crate::case::{FrictionLaw, Method, Subject};
 
 /// Names of the channels a run would record, and of the numbers that it gives beside them; nothing while line or ends are
 /// themselves faulty.
@@ -64,11 +65,28 @@ fn channel_names(case: &CaseKeys<'_>) -> Option<Vec<String>> {
         bodies: bodies?,
         traveller,
         bed: case.seabed.is_some(),
+        grips: grips(case)?,
         waves: case.waves.is_some(),
         energy: output.is_some_and(|output| output.energy.is(&true)),
     };
     let channels = line.channels().into_iter();
     Some(channels.map(|channel| channel.id.to_string()).collect())
+}
+
+/// Whether friction of the bed holds the line at rest, in a run in time.
+fn grips(case: &CaseKeys<'_>) -> Option<bool> {
+    let Some(bed) = &case.seabed else {
+        return Some(false);
+    };
+    let method = match &case.solver {
+        Some(solver) => solver.method.value()?,
+        None => Method::Alpha,
+    };
+    let [along, across] = [&bed.friction, &bed.friction_lateral];
+    let acts = |key: &Key<'_, f64>| key.given().is_some_and(|value| *value > 0.0);
+    let is_rough = acts(along) || along.is_given() && acts(across);
+    let by_grip = bed.friction_law.value()? == FrictionLaw::Grip;
+    Some(method != Method::Static && by_grip && is_rough)
 }
 
 /// Names of what a run gives of natural modes.

@@ -36,11 +36,6 @@ pub fn of_line_start(start: &StartKeys<'_>, whole: Option<f64>) -> Vec<Finding> 
     .into_iter()
     .flatten()
     .collect();
-    if start.arc_m.is_given() && !start.shape.is(&StartShape::Given) {
-        let problem = "has no effect: the line of a system searches its own equilibrium";
-        found.push(start.arc_m.finding(problem, "let the shape be \"given\""));
-        return found;
-    }
     found.extend(of_shape(start, whole));
     found
 }

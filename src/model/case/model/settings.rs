@@ -30,6 +30,30 @@ table! {
     }
 }
 
+impl Seabed {
+    /// Whether it has friction that holds at rest.
+    #[must_use]
+    pub fn grips(&self) -> bool {
+        let along = self.friction.is_some_and(|friction| friction > 0.0);
+        let across = self.friction_lateral.is_some_and(|friction| friction > 0.0);
+        self.friction_law == FrictionLaw::Grip && (along || across && self.friction.is_some())
+    }
+}
+
+impl Start {
+    /// Whether it says where the search for an equilibrium begins.
+    #[must_use]
+    pub fn begins_search(&self) -> bool {
+        self.shape == StartShape::Equilibrium && self.arc_m.is_some()
+    }
+
+    /// Whether a line begins off its equilibrium, by its shape or its velocity.
+    #[must_use]
+    pub fn is_off_rest(&self) -> bool {
+        self.shape != StartShape::Equilibrium || self.velocity_m_per_s != [0.0; 3]
+    }
+}
+
 words! {
     /// How the line lies at time zero.
     pub enum StartShape {

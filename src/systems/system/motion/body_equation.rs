@@ -23,9 +23,9 @@ use super::super::moving_pose::{Dual, MovingPose, constant, unknown};
 use super::body_damping::{damp, is_linear};
 use super::flow_load::FlowLoad;
 use super::foot::Foot;
+use super::point_loads::BedHolds;
 use super::pose_motion::BodyMotion;
 use crate::numerics::{M3, V3};
-use crate::physics::FrictionAnchor;
 use crate::physics::sea::WaterMotion;
 use crate::solve::Factors;
 use crate::system::body_loads::{add_loads_by_pose, fixed_loads};
@@ -42,8 +42,8 @@ pub struct BodyWater<'a> {
     pub flow: Option<&'a FlowLoad>,
     /// What of it bears on the bed.
     pub feet: &'a [Foot],
-    /// The anchors about which friction of the bed acts, one a joint; none where there is none.
-    pub grips: &'a [FrictionAnchor],
+    /// What holds that to it.
+    pub holds: BedHolds<'a>,
 }
 
 /// A body in the equation of motion.
@@ -146,7 +146,7 @@ impl MovingBody {
         body_in_flow::add(network, given, &moving, true, &rates, &mut sum);
         damp(body, around.flow, &moving, &spin, &mut sum);
         for foot in around.feet {
-            foot.bear(network, &moving, around.grips.get(foot.joint), &mut sum);
+            foot.bear(network, &moving, around.holds.at(foot.joint), &mut sum);
         }
         let (force, tangent) = sum.parts();
         let (mut fixed, by_turn) = fixed_loads(body, &motion.pose);
@@ -550,7 +550,7 @@ mod tests {
             waves,
             flow: (!waves.is_empty()).then_some(&flow),
             feet: &feet[0],
-            grips: &[],
+            holds: BedHolds::default(),
         };
         let residual = |motion: &BodyMotion, vector: &V3| {
             moving.residual(

@@ -11,7 +11,7 @@ use super::joints::Role;
 use super::line_ends::LineEnds;
 use super::moving_system::MovingSystem;
 use super::payout_border::{self, BorderedLines, DrivenPayout, driven};
-use super::point_loads::{Around, point_load};
+use super::point_loads::point_load;
 use super::system_state::SystemState;
 use crate::numerics::{BlockBand, BlockEnvelope, Condensation, CondensedBeside, M3, V3};
 use crate::solve::{Factors, NewtonError, Parted, PartedSystem, Residual, State};
@@ -391,7 +391,7 @@ impl Border {
                         continue;
                     };
                     let (x, v, a) = node(&state.joints, joint);
-                    let around = Around::of_joint(&state.joints, joint);
+                    let around = system.around(&state.joints, joint);
                     let load = point_load(&system.network, point, (x, v), around);
                     let residual = a.component_mul(&point.moving_mass) - load.force;
                     self.rows[row] += residual;

@@ -80,6 +80,12 @@ impl<'a> ChannelValues<'a> {
                     |part: usize| system.scene(part, state).length_on_bed(&state.lines[part]);
                 parts.filter_map(on_bed).sum()
             }
+            Source::Sliding(line, second) => {
+                let parts = [Some(line), second].into_iter().flatten();
+                let sliding =
+                    |part: usize| system.scene(part, state).sliding_length(&state.lines[part]);
+                parts.filter_map(sliding).fold(0.0, |all, part| all + part)
+            }
             Source::Elevation => {
                 let (sea, gauge) = (system.network.sea.as_ref(), &system.network.gauge);
                 sea.map_or(0.0, |sea| sea.elevation(self.time, gauge))

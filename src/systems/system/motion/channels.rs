@@ -9,7 +9,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::point_loads::bears;
 use super::system_state::SystemState;
-use crate::case::{ChannelId, ChannelQuantity, DynamicStiffness, Material};
+use crate::case::{ChannelId, ChannelQuantity, DynamicStiffness, FrictionLaw, Material};
 use crate::system::SolvedSystem;
 use crate::system::network::{Body, Held, Line, Network};
 use crate::system::parts::parts as parts_of;
@@ -52,6 +52,8 @@ pub(super) enum Source {
     Wall(usize, (usize, bool)),
     /// Length of a line on the bed; of one that may break in both of its parts.
     OnBed(usize, Option<usize>),
+    /// Length of a line that slides over it, by the same numbers.
+    Sliding(usize, Option<usize>),
     /// Height of the waves over the gauge.
     Elevation,
     /// Unstretched length of a line that is paid out, by its number among those.
@@ -298,8 +300,13 @@ impl Channels {
             let second = lines.clone().find(|other| breaks && is_second(other));
             let mut parts = second.into_iter().chain([number]);
             if parts.any(|part| may_reach(&system.network, part)) {
-                let id = ChannelQuantity::OnBed.at(name);
+                let id = ChannelQuantity::OnBed.at(name.as_str());
                 self.add(id, Source::OnBed(number, second));
+                let mut parts = second.into_iter().chain([number]);
+                if parts.any(|part| system.scenes[part].has_grips()) {
+                    let id = ChannelQuantity::Sliding.at(name);
+                    self.add(id, Source::Sliding(number, second));
+                }
             }
         }
     }
@@ -405,6 +412,11 @@ pub fn quantities(solved: &SolvedSystem) -> Vec<ChannelQuantity> {
     }
     let reaches = (0..network.lines.len()).any(|line| may_reach(network, line));
     all.extend(reaches.then_some(ChannelQuantity::OnBed));
+    let bed = solved.file.seabed.as_ref();
+    let by_grip = bed.is_some_and(|bed| bed.friction_law == FrictionLaw::Grip);
+    let mut lines = network.lines.iter().enumerate();
+    let slides = lines.any(|(number, line)| line.is_rough() && may_reach(network, number));
+    all.extend((by_grip && slides).then_some(ChannelQuantity::Sliding));
     all.extend(
         network
             .sea

@@ -8,7 +8,7 @@ use super::joints::Role;
 use super::moving_system::MovingSystem;
 use super::payout_border::drives;
 use super::pins::pin_force;
-use super::point_loads::{Around, point_load};
+use super::point_loads::point_load;
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::scene::EnergyRates;
@@ -28,7 +28,7 @@ pub fn add_beside_lines(
             && let Held::Free(point) = &system.network.points[number].held
         {
             let (x, v) = (&state.joints.x[joint], &state.joints.v[joint]);
-            let around = Around::of_joint(&state.joints, joint);
+            let around = system.around(&state.joints, joint);
             let load = point_load(&system.network, point, (x, v), around);
             let kinetic = kinetic_energy(point, v);
             sum.kinetic += kinetic;

@@ -5,7 +5,7 @@ use nalgebra::Matrix6;
 use super::body_equation::{MovingBody, rotation_jacobian};
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::point_loads::{Around, point_load};
+use super::point_loads::point_load;
 use super::system_state::SystemState;
 use crate::solve::{Factors, Kinematics, PartedSystem};
 use crate::system::network::{FreePoint, Held};
@@ -53,7 +53,7 @@ impl MovingSystem {
         let point = self.free_point(joint)?;
         let joints = &state.joints;
         let at = (&joints.x[joint], &joints.v[joint]);
-        let load = point_load(&self.network, point, at, Around::of_joint(joints, joint));
+        let load = point_load(&self.network, point, at, self.around(joints, joint));
         let mass = point.moving_mass.min();
         let rate = load.by_velocity.norm() / mass;
         (mass > 0.0).then_some(rate)

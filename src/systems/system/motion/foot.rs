@@ -7,9 +7,8 @@ use super::super::load_sum::LoadSum;
 use super::super::moving_pose::{Dual, DualVector, MovingPose, constant};
 use super::body_equation::MovingBody;
 use super::joints::Joints;
-use super::point_loads::bed_load;
+use super::point_loads::{BedHold, bed_load};
 use crate::numerics::{M3, V3};
-use crate::physics::FrictionAnchor;
 use crate::system::network::{Body, BodyFoot, FreePoint, Network};
 
 /// What of a body bears on the bed.
@@ -69,14 +68,14 @@ impl Foot {
         &self,
         network: &Network,
         moving: &MovingPose<'_>,
-        grip: Option<&FrictionAnchor>,
+        hold: BedHold<'_>,
         sum: &mut LoadSum,
     ) {
         let at = |vector: &DualVector| vector.map(|part| part.re);
         let arm = moving.arm(&self.at);
         let (joint, speed) = (moving.place(&arm), moving.velocity_at(&arm));
         let (here, velocity) = (at(&joint), at(&speed));
-        let load = bed_load(network, &self.point, (&self.place(&here), &velocity), grip);
+        let load = bed_load(network, &self.point, (&self.place(&here), &velocity), hold);
         if load.force == V3::zeros() {
             return;
         }

@@ -3,7 +3,7 @@
 use super::foot::Foot;
 use super::joints::Role;
 use super::moving_system::MovingSystem;
-use super::point_loads::{anchor, bears, fastest_on_bed, normal_force};
+use super::point_loads::{Around, BedHolds, anchor, bears, fastest_on_bed, normal_force};
 use super::system_state::SystemState;
 use crate::numerics::V3;
 use crate::solve::{BodyOnBed, State};
@@ -74,6 +74,23 @@ impl MovingSystem {
         joints.memory.bodies = self.landing().map(begun).collect();
     }
 
+    /// What holds all that bears on the bed.
+    pub(super) fn holds<'a>(&'a self, joints: &'a State) -> BedHolds<'a> {
+        BedHolds {
+            grips: &joints.memory.grips,
+            bodies: &joints.memory.bodies,
+            numbers: &self.bearing_numbers,
+        }
+    }
+
+    /// What surrounds the point of a joint.
+    pub(super) fn around<'a>(&'a self, joints: &'a State, joint: usize) -> Around<'a> {
+        Around {
+            waves: joints.wave_flow.get(joint),
+            hold: self.holds(joints).at(joint),
+        }
+    }
+
     /// Takes in where everything is after an accepted step; does not allocate.
     pub(super) fn note_landings(&self, joints: &mut State) {
         let Some(bed) = &self.network.bed else {
@@ -82,6 +99,10 @@ impl MovingSystem {
         let mut bodies = std::mem::take(&mut joints.memory.bodies);
         for (foot, body) in self.landing().zip(&mut bodies) {
             body.update(height(bed, &foot, joints));
+            if let Some(suction) = foot.point.suction {
+                let height = bed.height(&foot.place(&joints.x[foot.joint]));
+                body.stuck = suction.holds(body.stuck, height);
+            }
         }
         joints.memory.bodies = bodies;
     }
@@ -92,7 +113,8 @@ impl MovingSystem {
         let own = self.landing().find(|foot| foot.joint == joint);
         let own = own.map_or(0.0, |foot| {
             let place = foot.place(&joints.x[joint]);
-            normal_force(&self.network, &foot.point, (&place, &joints.v[joint]))
+            let hold = self.holds(joints).at(joint);
+            normal_force(&self.network, &foot.point, (&place, &joints.v[joint]), hold)
         });
         // Lines are where their joints are.
         if own == 0.0 || !matches!(self.joints.roles[joint], Role::Free(_)) {

@@ -38,6 +38,8 @@ pub struct MovingSystem {
     pub flows: Vec<BodyFlow>,
     /// What of each body bears on the bed.
     pub feet: Vec<Vec<Foot>>,
+    /// The number of what bears on the bed at each joint, in the order of their histories.
+    pub bearing_numbers: Vec<Option<usize>>,
     /// The lines that are paid out.
     pub paid: Vec<PaidLine>,
     /// What passes their ends, in the order of the network's.
@@ -101,12 +103,18 @@ impl MovingSystem {
             flows,
             paid,
             payouts: Vec::new(),
+            bearing_numbers: Vec::new(),
             network,
             scenes,
             joints,
             arms,
         };
         system.payouts = system.moving_payouts();
+        let mut numbers = vec![None; system.joints.roles.len()];
+        for (number, foot) in system.landing().enumerate() {
+            numbers[foot.joint] = Some(number);
+        }
+        system.bearing_numbers = numbers;
         system
     }
 
@@ -412,7 +420,7 @@ impl MovingSystem {
             waves: state.body_flow.get(stations).unwrap_or_default(),
             flow: flow.and_then(|number| state.flow_loads.get(number)),
             feet: &self.feet[body],
-            grips: &state.joints.memory.grips,
+            holds: self.holds(&state.joints),
         }
     }
 

@@ -6,7 +6,7 @@ use crate::physics::bed_reaction::BedReaction;
 use crate::physics::sea::WaterMotion;
 use crate::physics::seabed::{curved_contact, push_slopes};
 use crate::physics::{CurrentProfile, FrictionAnchor};
-use crate::solve::State;
+use crate::solve::BodyOnBed;
 use crate::system::bed::Bed;
 use crate::system::immersion::Immersion;
 use crate::system::network::{FreePoint, Network};
@@ -34,19 +34,41 @@ struct SurfaceOverPoint {
     by_place: V3,
 }
 
-/// What surrounds a point: waves, and the anchor about which friction of the bed acts, where there are any.
+/// What surrounds a point: waves, where there are any, and what holds it to the bed.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Around<'a> {
     pub(super) waves: Option<&'a WaterMotion>,
-    pub(super) grip: Option<&'a FrictionAnchor>,
+    pub(super) hold: BedHold<'a>,
 }
 
-impl<'a> Around<'a> {
-    /// Of a joint.
-    pub(super) fn of_joint(joints: &'a State, joint: usize) -> Self {
-        Self {
-            waves: joints.wave_flow.get(joint),
-            grip: joints.memory.grips.get(joint),
+/// What holds a point to the bed by what happened before.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct BedHold<'a> {
+    /// The anchor about which friction acts, where it does.
+    pub grip: Option<&'a FrictionAnchor>,
+    /// Whether suction holds it.
+    pub stuck: bool,
+}
+
+/// What holds all that bears on the bed.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct BedHolds<'a> {
+    /// Anchors of friction, one a joint; none where there is none.
+    pub grips: &'a [FrictionAnchor],
+    /// Histories of what bears.
+    pub bodies: &'a [BodyOnBed],
+    /// Their numbers by the joint.
+    pub numbers: &'a [Option<usize>],
+}
+
+impl<'a> BedHolds<'a> {
+    /// At a joint.
+    pub(super) fn at(&self, joint: usize) -> BedHold<'a> {
+        let number = self.numbers.get(joint).copied().flatten();
+        let body = number.and_then(|number| self.bodies.get(number));
+        BedHold {
+            grip: self.grips.get(joint),
+            stuck: body.is_some_and(|body| body.stuck),
         }
     }
 }
@@ -56,7 +78,7 @@ pub(super) fn point_load(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
-    Around { waves, grip }: Around<'_>,
+    Around { waves, hold }: Around<'_>,
 ) -> PointLoad {
     let mut load = PointLoad::default();
     let surface = waves.map_or(0.0, |flow| flow.elevation_at(x));
@@ -74,7 +96,7 @@ pub(super) fn point_load(
     load.by_position += V3::z() * immersion.by_place.transpose() * point.buoyancy;
     load.energy = point.weight * x.z - point.buoyancy * integral - point.load.dot(x);
     drag(network, point, (x, v), waves, &immersion, &mut load);
-    bed(network, point, (&point.bottom(x), v), grip, &mut load);
+    bed(network, point, (&point.bottom(x), v), hold, &mut load);
     if let Some(flow) = waves {
         // What the rising surface lifts is put in by the waves.
         load.lost -= point.buoyancy * share * (flow.elevation_rate + slope.dot(v));
@@ -139,7 +161,8 @@ fn drag(
 /// lands, with the damper, `omega (zeta + sqrt(zeta^2 + 1))`.
 pub(super) fn fastest_on_bed(point: &FreePoint, mass: f64) -> f64 {
     let (stiffness, damping) = point.bed_springs();
-    let stiffness = stiffness.max(point.grip_springs().0);
+    let suction = point.suction.map_or(0.0, |suction| suction.stiffness());
+    let stiffness = stiffness.max(point.grip_springs().0).max(suction);
     let omega = (2.0 * stiffness / mass).sqrt();
     let zeta = 0.5 * damping / (mass * omega);
     omega * (zeta + (zeta * zeta + 1.0).sqrt())
@@ -150,23 +173,27 @@ pub(super) fn bears(point: &FreePoint) -> bool {
     point.bed_springs().0 > 0.0
 }
 
-/// Normal force of the bed on a point by its bottom \[N\].
-pub(super) fn normal_force(network: &Network, point: &FreePoint, (x, v): (&V3, &V3)) -> f64 {
-    let bed = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0);
-    bed.map_or(0.0, |bed| {
-        point.push_of_bed(bed, (x, v)).force * bed.gradient(x).norm()
-    })
+/// Normal force of the bed on a point by its bottom \[N\], negative where suction holds it.
+pub(super) fn normal_force(
+    network: &Network,
+    point: &FreePoint,
+    at: (&V3, &V3),
+    hold: BedHold<'_>,
+) -> f64 {
+    let bed = network.bed.as_ref();
+    let held = bed.and_then(|bed| Some((bed, point.held_by_bed(bed, at, hold.stuck)?)));
+    held.map_or(0.0, |(bed, held)| held.force * bed.gradient(at.0).norm())
 }
 
 /// The load of the bed on the bottom alone.
 pub(super) fn bed_load(
     network: &Network,
     point: &FreePoint,
-    (x, v): (&V3, &V3),
-    grip: Option<&FrictionAnchor>,
+    at: (&V3, &V3),
+    hold: BedHold<'_>,
 ) -> PointLoad {
     let mut load = PointLoad::default();
-    bed(network, point, (x, v), grip, &mut load);
+    bed(network, point, at, hold, &mut load);
     load
 }
 
@@ -175,23 +202,26 @@ fn bed(
     network: &Network,
     point: &FreePoint,
     (x, v): (&V3, &V3),
-    grip: Option<&FrictionAnchor>,
+    hold: BedHold<'_>,
     load: &mut PointLoad,
 ) {
-    let Some(bed) = network.bed.as_ref().filter(|bed| bed.height(x) < 0.0) else {
+    let Some(bed) = &network.bed else { return };
+    let Some(held) = point.held_by_bed(bed, (x, v), hold.stuck) else {
         return;
     };
-    let push = point.push_of_bed(bed, (x, v));
-    let depth = -bed.height(x);
+    let depth = (-bed.height(x)).max(0.0);
     let elastic = point.bed_springs().0 * depth;
     load.energy += 0.5 * elastic * depth;
     let gradient = bed.gradient(x);
-    let [by_position, by_velocity] = push_slopes(&gradient, bed.curvature(x).as_ref(), v, &push);
-    load.force += gradient * push.force;
+    let [by_position, by_velocity] = push_slopes(&gradient, bed.curvature(x).as_ref(), v, &held);
+    load.force += gradient * held.force;
     load.by_position += by_position;
     load.by_velocity += by_velocity;
-    load.lost += (elastic - push.force) * gradient.dot(v);
-    if let Some(grip) = grip.filter(|_| point.friction > 0.0) {
+    load.lost += (elastic - held.force) * gradient.dot(v);
+    // Suction holds what is off the bed, and friction what is on it.
+    let push = held;
+    let rough = hold.grip.filter(|_| point.friction > 0.0 && depth > 0.0);
+    if let Some(grip) = rough {
         let normal = gradient.normalize();
         let contact = contact(bed, &normal, &push, (x, v));
         let held = match point.slip_speed {
@@ -243,6 +273,7 @@ pub(super) fn anchor(point: &FreePoint, x: &V3) -> FrictionAnchor {
         stiffness,
         damping,
         laid: false,
+        slip: 0.0,
     }
 }
 
@@ -287,7 +318,7 @@ mod tests {
     use super::*;
     use crate::numerics::random::Random;
     use crate::numerics::{DepthGrid, DepthInterpolation};
-    use crate::physics::BodyProperties;
+    use crate::physics::{BodyProperties, Suction};
     use crate::scene::current_profile;
     use crate::system::point_on_bed::BearingArea;
     use std::sync::Arc;
@@ -309,8 +340,8 @@ mod tests {
         }
     }
 
-    /// A clump with added mass and a drag area that are the same along all axes, the same with others along each, and one with an area.
-    fn clumps() -> [FreePoint; 3] {
+    /// A clump with added mass and a drag area that are the same along all axes, the same with others along each, one with an area, and one that suction holds.
+    fn clumps() -> [FreePoint; 4] {
         let one = FreePoint {
             weight: 5e3,
             buoyancy: 9e3,
@@ -336,7 +367,14 @@ mod tests {
             }),
             ..one
         };
-        [one, other, on_area]
+        let held_back = FreePoint {
+            suction: Some(Suction {
+                greatest: 4e3,
+                distance: 0.3,
+            }),
+            ..on_area
+        };
+        [one, other, on_area, held_back]
     }
 
     #[test]
@@ -380,11 +418,11 @@ mod tests {
         let up = at_point(&hills).at(1.0, 2.0).depth;
         let hills: Vec<f64> = hills.iter().map(|depth| depth - up + 50.0).collect();
         for (friction, slip_speed) in [(0.0, None), (0.4, None), (0.4, Some(0.5))] {
-            let [clump, _, on_area] = clumps().map(|point| FreePoint {
+            let [clump, _, on_area, held_back] = clumps().map(|point| FreePoint {
                 slip_speed,
                 ..point
             });
-            for point in [clump, on_area] {
+            for point in [clump, on_area, held_back] {
                 check_derivatives(Bed::Grid(Arc::new(at_point(&hills))), point, friction);
             }
         }
@@ -419,9 +457,15 @@ mod tests {
             .into_iter()
             .chain([(Some(&flow), None)])
         {
-            for z in [-50.1, -50.005, -50.0004, -20.0, -0.4, 0.2, 5.0] {
+            for z in [
+                -50.1, -50.005, -50.0004, -49.93, -49.76, -20.0, -0.4, 0.2, 5.0,
+            ] {
                 let x = V3::new(1.0, 2.0, z + point.below);
-                let around = Around { waves, grip };
+                let hold = BedHold {
+                    grip,
+                    stuck: point.suction.is_some(),
+                };
+                let around = Around { waves, hold };
                 let load = point_load(&network, &point, (&x, &v), around);
                 let h = 1e-6;
                 for k in 0..3 {
@@ -436,7 +480,8 @@ mod tests {
                     assert!(
                         (by_v - load.by_velocity.column(k)).norm() < 1e-4 * (1.0 + by_v.norm())
                     );
-                    if waves.is_none() && grip.is_none() {
+                    let is_held = hold.stuck && z > -50.0;
+                    if waves.is_none() && grip.is_none() && !is_held {
                         let still = at(x, V3::zeros()).force[k];
                         let slope = (ahead.energy - behind.energy) / (2.0 * h);
                         assert!(
