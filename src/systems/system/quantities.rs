@@ -7,12 +7,13 @@ use super::analysis::periods::periods;
 use super::equilibrium::{SystemEquilibrium, SystemError};
 use super::loads;
 use super::model::SystemKeys;
+use super::motion::channels::GAUGE;
 use super::network::Network;
 use super::rest::refused;
 use super::solved::SolvedSystem;
 use super::stiffness::of_body;
-use crate::case::Finding;
 use crate::case::schema::Key;
+use crate::case::{Finding, unknown_name};
 use crate::numerics::V3;
 
 /// What a result by name is of.
@@ -342,11 +343,37 @@ fn period(
     }))
 }
 
-/// A result that does not exist.
-pub(super) fn unknown(key: &Key<'_, String>, _: &SystemKeys<'_>) -> Option<Finding> {
-    let name = key.get()?;
-    if parts(name).is_some() {
+/// A result of a part that the system does not have. Copies and halves of a part begin with its name.
+pub(super) fn unknown_part(
+    key: &Key<'_, String>,
+    part: &str,
+    keys: &SystemKeys<'_>,
+) -> Option<Finding> {
+    let known = parts_of(keys);
+    if known.iter().any(|name| part.starts_with(name)) {
         return None;
+    }
+    let (problem, remedy) = unknown_name(part, &known, "line, point, body or rod", "system")?;
+    Some(key.finding(problem, remedy))
+}
+
+/// The names of what a system has channels of.
+fn parts_of<'k>(keys: &'k SystemKeys<'_>) -> Vec<&'k str> {
+    let lines = keys.lines.iter().filter_map(|(_, line)| line.name.get());
+    let lines = lines.map(String::as_str);
+    let points = keys.points.iter().map(|(name, _)| name.as_str());
+    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
+    let rods = keys.rods.iter().map(|(name, _)| name.as_str());
+    let all = lines.chain(points).chain(bodies).chain(rods);
+    all.chain([GAUGE]).collect()
+}
+
+/// A result that does not exist.
+pub(super) fn unknown(key: &Key<'_, String>, keys: &SystemKeys<'_>) -> Option<Finding> {
+    let name = key.get()?;
+    if let Some((quantity, part, _)) = parts(name) {
+        let of_part = quantity.of != SystemSubject::Period;
+        return unknown_part(key, part, keys).filter(|_| of_part);
     }
     let known: Vec<String> = QUANTITIES
         .iter()

@@ -3,10 +3,9 @@
 use std::iter;
 
 use super::model::{SystemFile, SystemKeys};
-use super::motion::channels::GAUGE;
 use super::quantities;
 use crate::case::schema::Key;
-use crate::case::{Finding, QuantityId, Subject, of_result, unknown_name};
+use crate::case::{Finding, QuantityId, Subject, of_result};
 
 /// The single number of a run that has this name; nothing for a result at rest, which has no statistic.
 #[must_use]
@@ -57,21 +56,5 @@ fn unknown_part(key: &Key<'_, String>, id: &QuantityId, keys: &SystemKeys<'_>) -
         }
         _ => return None,
     };
-    let known = parts(keys);
-    if known.iter().any(|name| part.starts_with(name)) {
-        return None;
-    }
-    let (problem, remedy) = unknown_name(part, &known, "line, point, body or rod", "system")?;
-    Some(key.finding(problem, remedy))
-}
-
-/// The names of what a system has channels of.
-fn parts<'k>(keys: &'k SystemKeys<'_>) -> Vec<&'k str> {
-    let lines = keys.lines.iter().filter_map(|(_, line)| line.name.get());
-    let lines = lines.map(String::as_str);
-    let points = keys.points.iter().map(|(name, _)| name.as_str());
-    let bodies = keys.bodies.iter().map(|(name, _)| name.as_str());
-    let rods = keys.rods.iter().map(|(name, _)| name.as_str());
-    let all = lines.chain(points).chain(bodies).chain(rods);
-    all.chain([GAUGE]).collect()
+    quantities::unknown_part(key, part, keys)
 }
