@@ -36,7 +36,8 @@ pub(in crate::system) fn payouts(keys: &SystemKeys<'_>) -> Vec<Finding> {
         ));
         found.extend(table(&payout.table_time_s, &payout.table_m));
         if known {
-            found.extend(of_line(keys, &payout.line));
+            let end = payout.end.value().map(WhichEnd::index);
+            found.extend(of_line(keys, &payout.line, end));
             found.extend(of_end(keys, payout));
             found.extend(used_before(keys, number));
         }
@@ -153,8 +154,8 @@ fn without_effect(payout: &PayoutKeys<'_>) -> Vec<Finding> {
     found
 }
 
-/// What a line that is paid out, or that a point slides along, cannot have.
-fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
+/// What a line that is paid out at an end, or that a point there slides along, cannot have.
+fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>, end: Option<usize>) -> Vec<Finding> {
     let Some(line) = line(keys, name) else {
         return Vec::new();
     };
@@ -180,9 +181,9 @@ fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
         "leave [ageing] out",
     );
     add(
-        has_attached_at_ends(line),
-        "is not covered for floats, modules and clumps on the sections at the ends of a line: they would pass the end",
-        "put them on a section between two others",
+        end.is_some_and(|end| has_attached_at(line, end)),
+        "is not covered for floats, modules and clumps on the section at that end of a line: they would pass the end",
+        "put them on a section further on",
     );
     let any = |is: fn(&MaterialKeys<'_>) -> bool| {
         let mut names = materials(line).into_iter();
@@ -204,15 +205,15 @@ fn of_line(keys: &SystemKeys<'_>, name: &Key<'_, String>) -> Vec<Finding> {
     found
 }
 
-/// Whether floats, modules or bodies are on the first or the last section of a line.
-fn has_attached_at_ends(line: &LineKeys<'_>) -> bool {
+/// Whether floats, modules or bodies are on the section at an end of a line.
+fn has_attached_at(line: &LineKeys<'_>, end: usize) -> bool {
     let ends = [line.sections.first(), line.sections.last()];
-    let ends = ends.map(|end| end.and_then(|(_, section)| section.name.get()));
+    let at = ends[end].and_then(|(_, section)| section.name.get());
     let floats = line.floats.iter().map(|(_, of)| &of.section);
     let modules = line.modules.iter().map(|(_, of)| &of.section);
     let clumps = line.clumps.iter().map(|(_, of)| &of.section);
     let mut all = floats.chain(modules).chain(clumps);
-    all.any(|section| ends.contains(&section.get()) || section.get().is_none())
+    all.any(|section| section.get().is_none() || section.get() == at)
 }
 
 /// The materials of a line from A to B.
@@ -325,8 +326,9 @@ fn slides(keys: &SystemKeys<'_>, sliding: &SlidingKeys<'_>) -> Vec<Finding> {
         return found;
     }
     for name in [&sliding.line, &sliding.other] {
-        found.extend(of_line(keys, name));
-        if end_at(keys, name, &sliding.point).is_none() {
+        let end = end_at(keys, name, &sliding.point);
+        found.extend(of_line(keys, name, end.map(|(_, end)| end.index())));
+        if end.is_none() {
             let point = sliding.point.get().map_or("", String::as_str);
             let problem = format!("has no end at \"{point}\"");
             found.push(name.finding(problem, "name the two lines that end at the point"));
